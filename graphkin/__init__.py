@@ -41,8 +41,8 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.2.0"
 
 ORDER = (
-    "value", "kept", "waiting", "sending", "errors", "geometry", "tolerances", "construction", "drafting", "pairs",
-    "mechanism", "stacking", "naming", "motions", "quantities", "measured", "readable", "loading", "library",
+    "value", "kept", "waiting", "sending", "errors", "geometry", "tolerances", "usual", "construction", "drafting",
+    "pairs", "mechanism", "stacking", "naming", "motions", "quantities", "measured", "readable", "loading", "library",
     "starters", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings", "standing", "agreement",
     "centres", "linkages", "design", "sweeps", "finding",
     "check", "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading",
@@ -59,7 +59,7 @@ _WHERE = {
     "Sweep": "outputs.frames",
     "plan": "api",
     "replay": "api",
-    "replay_many": "running.variants",
+    "replay_many": "api",
     "motion": "api",
     "sweep": "api",
     "sweep_many": "batches",
@@ -75,14 +75,13 @@ __all__ = [
 ]  # fmt: skip
 
 if TYPE_CHECKING:
-    from graphkin.api import Drawing, load, motion, plan, replay, sweep
+    from graphkin.api import Drawing, load, motion, plan, replay, replay_many, sweep
     from graphkin.batches import solve_many, sweep_many
     from graphkin.check import measure
     from graphkin.errors import GraphkinError
     from graphkin.loading import Mechanism, from_dict, loads
     from graphkin.outputs.frames import Sweep
     from graphkin.readable import State
-    from graphkin.running.variants import replay_many
     from graphkin.say import explain
 
 

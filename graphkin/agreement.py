@@ -1,7 +1,8 @@
 """A replay beside the analytic solution.
 
 `proved` is the one reader of a position for whatever is drawn or told: it replays the construction, solves the
-mechanism anew by the matrix method, and gives neither where they differ.
+mechanism anew by the matrix method, and gives neither where they differ. `held` and `hold_rows` do so with numbers that
+lie side by side in arrays, at a few places of them.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import reduce
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,17 +18,26 @@ from graphkin.analytic import Motion, motion
 from graphkin.construction import Plot
 from graphkin.errors import RoadsDiffer
 from graphkin.geometry import Value
+from graphkin.kept import kept
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
-from graphkin.planning import Method
+from graphkin.planning import Method, plan
 from graphkin.readings import readings
 from graphkin.running import replay_all
+from graphkin.stacking import count_of, cut, single
 from graphkin.value import frozen
 
-__all__ = ["AGREE", "Proved", "apart", "apart_each", "compare", "proved"]
+if TYPE_CHECKING:
+    from graphkin.running.variants import Drawn
+
+__all__ = ["AGREE", "PLACES", "Proved", "apart", "apart_each", "compare", "held", "hold_rows", "proved"]
 
 AGREE = 1e-6
 """Results of the two roads that differ by more are not given; the tests hold them to 1e-9."""
+PLACES = 12
+"""Of many positions, or many mechanisms, both ends are held, and ten between."""
+FLAT = float(np.sin(np.radians(0.5)))
+"""Where lines meet under a smaller angle the mechanism stands at a dead point, and digits are lost."""
 
 _Largest = Callable[[Sequence[Value]], Value]
 
@@ -52,6 +63,80 @@ def proved(method: Method, values: Sequence[float] | None = None) -> Proved:
     if not worst < AGREE:
         raise RoadsDiffer(method.mechanism.where("driver", 0), worst)
     return Proved(plot, exact, worst)
+
+
+# --- numbers side by side ---------------------------------------------------------------------
+
+
+def held(method: Method, values: Sequence[Value] | None = None) -> Plot:
+    """A replay, and the analysis beside it: of arrays (n,) at both ends and at ten places between, once for as far as
+    the drivers of a method go. Raises RoadsDiffer, and what single positions raise: NotReached beyond a dead point."""
+    if values is None or not any(map(np.ndim, values)):
+        _worst_at(method, None if values is None else tuple(map(float, values)))
+        return replay_all(method, values)
+    plot = replay_all(method, values)
+    if not all(map(np.size, values)):
+        return plot
+    ends = [(np.fmin.reduce(value, axis=None), np.fmax.reduce(value, axis=None)) for value in plot.facts.values]
+    known = _known(method)
+    if not known or any(end[0] < low or end[1] > high for end, (low, high) in zip(ends, known, strict=True)):
+        _hold(method, method.mechanism, plot, np.broadcast_arrays(*plot.facts.values))
+        known[:] = ends
+    return plot
+
+
+@kept(64)
+def _worst_at(method: Method, values: tuple[float, ...] | None) -> float:
+    return proved(method, values).worst
+
+
+@kept(64)
+def _known(method: Method) -> list[tuple[float, float]]:
+    """From where to where each driver was held [rad, m]; nothing yet."""
+    return []
+
+
+def hold_rows(
+    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None, found: Drawn
+) -> None:
+    """Of many mechanisms drawn at once some, each by its own analysis. Raises RoadsDiffer."""
+    from graphkin.running.variants import rows_of
+
+    count = count_of(mechanisms) if isinstance(mechanisms, Mechanism) else len(mechanisms)
+    there = np.delete(np.arange(count), [*found.refused])
+    for row in map(int, there[_spread(there.size)]):
+        own = single(mechanisms, row) if isinstance(mechanisms, Mechanism) else mechanisms[row]
+        at = None if values is None else np.broadcast_arrays(*(cut(value, row, count) for value in values))
+        _hold(method, own, rows_of(found.plot, row, Plot(found.plot.facts)), at)
+
+
+def _hold(method: Method, mechanism: Mechanism, plot: Plot, values: Sequence[np.ndarray] | None) -> None:
+    """Positions that are given, and are clear of dead points: evenly over how the drivers' values lie."""
+    from graphkin.running.variants import rows_of
+
+    if values is not None and values[0].ndim:
+        far = max(values, key=lambda value: float(np.ptp(np.nan_to_num(value))))
+        some = np.argsort(far.reshape(-1, far.shape[-1])[0])[_spread(far.shape[-1])]
+        plot, values = rows_of(plot, some, Plot(plot.facts)), [value[..., some] for value in values]
+    drawn, exact = readings(method, plot), motion(mechanism, values)
+    clear = np.minimum.reduce(np.broadcast_arrays(1.0, *plot.sines.values())) > FLAT
+    given = clear & (apart_each(mechanism, drawn, drawn) == 0)
+    worst = apart_each(mechanism, drawn, exact)
+    if values is not None and worst.ndim == 1:  # a dead point lies before it, on this way at least
+        for k in np.flatnonzero(given & np.isnan(worst)):
+            own = method if mechanism is method.mechanism else plan(mechanism)
+            there = proved(own, [float(value[k]) for value in values])
+            worst[k] = apart(mechanism, readings(method, rows_of(plot, int(k), Plot(plot.facts))), there.exact)
+    if (given & ~(worst < AGREE)).any():
+        raise RoadsDiffer(mechanism.where("driver", 0), float(np.max(np.nan_to_num(worst, nan=1.0)[given])))
+
+
+def _spread(count: int) -> np.ndarray:
+    """Both ends and ten places between, of so many."""
+    return np.unique(np.linspace(0, count - 1, PLACES).round().astype(int)) if count else np.empty(0, int)
+
+
+# --- how far they are apart -------------------------------------------------------------------
 
 
 def compare(method: Method, plot: Plot, exact: Motion) -> float:

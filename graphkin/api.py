@@ -36,10 +36,11 @@ if TYPE_CHECKING:
     from graphkin.outputs.frames import Sweep
     from graphkin.outputs.notebook import Shown
     from graphkin.quantities import Answer
+    from graphkin.running.variants import Drawn
     from graphkin.sheet import Style
     from graphkin.sweeps import PointPath, Ranges, Road
 
-__all__ = ["Drawing", "load", "motion", "plan", "replay", "sweep"]
+__all__ = ["Drawing", "load", "motion", "plan", "replay", "replay_many", "sweep"]
 
 
 def load(source: str | Path) -> loading.Mechanism:
@@ -92,18 +93,53 @@ def _refuse_wrong_side(mechanism: Mechanism) -> None:
         raise error
 
 
-def replay(method: Method, values: Sequence[Value] | None = None) -> State:
+def replay(method: Method, values: Sequence[Value] | None = None, *, held: bool = True) -> State:
     """Carry the constructions out at the drawn position, or at driver `values` [rad, m]: scalars or arrays (n,).
+
+    held    against the analysis, arrays at both ends and at ten places between, once for as far as the drivers of a
+            method go; False: unproved numbers, as the steps give them
+
+    Raises RoadsDiffer where the analysis does not confirm what is drawn, NotReached for a position, one of those places
+    too, that lies beyond a dead point. Other positions of an array may do so, or be nan: see `sweep`.
 
     >>> import numpy as np
     >>> drawn = replay(plan(load("ex3-1")), [np.radians([60, 90, 120])])
     >>> np.round(drawn.omega["3"], 3)
     array([-3.919, -1.132,  0.64 ])
     """
+    from graphkin import agreement
     from graphkin.readings import readings
 
-    plot = running.replay_all(method, values)
+    plot = agreement.held(method, values) if held else running.replay_all(method, values)
     return State(partial(readings, method, plot), plot)
+
+
+def replay_many(
+    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None = None, *,
+    held: bool = True,
+) -> Drawn:  # fmt: skip
+    """Every mechanism of a method's topology, each at its own drawn position or at driver values.
+
+    mechanisms  one after another; or one whose numbers are arrays (n,), those that all share scalars
+    values      one entry a driver, scalar, (positions, 1) or (positions, n) [rad, m]
+    held        the first and the last mechanism, and ten between, are held against the analysis; False: none is, as an
+                optimiser may want it, which asks again and again
+
+    Each is the assembly that its own sketch means. Raises ValueError for a mechanism of another topology, RoadsDiffer
+    where the analysis does not confirm what is drawn.
+
+    >>> slotted = load("ex3-1")
+    >>> found = replay_many(plan(slotted), [slotted.with_(AB=length) for length in (20, 24, 28)])
+    >>> found.plot.omega["3"].round(3)
+    array([-3.273, -3.919, -4.514])
+    """
+    from graphkin import agreement
+    from graphkin.running import variants
+
+    found = variants.replay_many(method, mechanisms, values)
+    if held:
+        agreement.hold_rows(method, mechanisms, values, found)
+    return found
 
 
 def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> State:

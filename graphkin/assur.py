@@ -132,6 +132,8 @@ def _groups(method: Method) -> Iterator[Together]:
                 yield _dyad(method, stage)
             case Group() if not stage.loops:
                 yield Together("train", 1, _named(method, stage.angles))
+            case Group() if len(stage.loops) == 1 and not stage.contacts and not stage.bodies:  # it floats
+                yield _dyad(method, stage.loops[0])
             case Group():
                 yield _group(method, stage)
             case Mesh():

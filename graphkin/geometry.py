@@ -15,7 +15,7 @@ import numpy as np
 
 __all__ = [
     "Leg", "Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines", "phase", "third_corner",
-    "unit", "weights_of",
+    "unit", "weights_of", "wrapped",
 ]  # fmt: skip
 
 Value = Any
@@ -26,6 +26,8 @@ Leg = Callable[[Value, Value], Value]
 
 ROUNDING = 4e-15
 """What squares may be off, as part of their size, by rounding."""
+HALF_TURN = 1e-9
+"""Angles as near to a half turn are one, whichever way they turn [rad]."""
 
 
 def dot(a: Value, b: Value) -> Value:
@@ -50,6 +52,12 @@ def unit(a: Value) -> Value:
 def phase(a: Value) -> Value:
     """The angle of a vector from +x, above -pi [rad]."""
     return np.angle(a) if isinstance(a, np.ndarray) else cmath.phase(a)
+
+
+def wrapped(angle: Value) -> Value:
+    """An angle without whole turns, above -pi to pi; what is -pi but for rounding is pi [rad]."""
+    turned = np.angle(np.exp(1j * angle))
+    return np.where(turned < HALF_TURN - np.pi, turned + 2 * np.pi, turned)[()]
 
 
 def leg(hypotenuse: Value, other: Value) -> Value:

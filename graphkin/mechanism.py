@@ -15,6 +15,7 @@ from typing import TypeVar
 
 from graphkin.errors import Lang, Where
 from graphkin.pairs import Pair, Revolute, Slide, Slot, start_name
+from graphkin.usual import Usual
 from graphkin.value import frozen
 
 __all__ = ["FRAME", "Driver", "Link", "Mechanism", "Pose"]
@@ -167,6 +168,15 @@ class Mechanism:
     def moving(self) -> tuple[str, ...]:
         """Every link but the frame."""
         return tuple(name for name in self.links if name != FRAME)
+
+    @cached_property
+    def usual(self) -> Usual:
+        """How large its quantities are."""
+        arms = (link.arm(next(iter(link.points)), point) for link in self.links.values() for point in link.points)
+        reach = max(map(abs, arms), default=0.0)
+        turning, sliding = ([(d.rate, d.acceleration) for d in self.drivers if (d.kind == "slide") is slides]
+                            for slides in (False, True))  # fmt: skip
+        return Usual.of(reach or 1.0, turning, sliding)
 
     def called(self, link: str) -> str:
         """What people call a link: the frame has a number of its own."""

@@ -15,10 +15,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from graphkin.errors import GraphkinError, NoSuchName, UnknownQuantity, Where
+from graphkin.kept import kept
 from graphkin.measured import measured
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
-from graphkin.quantities import named
+from graphkin.quantities import Quantity, named
 from graphkin.value import frozen
 
 __all__ = ["Readable", "State", "Table", "read_off"]
@@ -165,6 +166,11 @@ class State(Readable):
 
 def read_off(motions: Motions, text: str) -> Any:
     """What a text names in any motions, with its unit: of a vector the vector."""
-    quantity = named(motions.mechanism, text, Where("quantity"))
-    found = quantity.answer(motions)
+    found = _meant(motions.mechanism, text).answer(motions)
     return measured(found.value if found.vector is None else found.vector, found.unit)
+
+
+@kept(256)
+def _meant(mechanism: Mechanism, text: str) -> Quantity:
+    """What is read off again and again is parsed once."""
+    return named(mechanism, text, Where("quantity"))

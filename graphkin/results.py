@@ -17,6 +17,7 @@ from graphkin.naming import Seen
 from graphkin.planning import Method
 from graphkin.quantities import Centre, read, relative
 from graphkin.readings import readings
+from graphkin.usual import ROUNDING
 
 __all__ = ["driver_values", "results"]
 
@@ -62,12 +63,13 @@ def _position(mechanism: Mechanism, method: Method, values: tuple[float, ...], f
 
 def _motions(mechanism: Mechanism, motions: Motions) -> Json:
     """Links, points and slides, by either road."""
+    cut = mechanism.usual.cut
     return {
         "links": {
             link: {
                 "theta": _direction(motions.theta[link]),
-                "omega": _number(motions.omega[link]),
-                "alpha": _number(motions.alpha[link]),
+                "omega": _number(cut(motions.omega[link], "rad/s")),
+                "alpha": _number(cut(motions.alpha[link], "rad/s^2")),
             }
             for link in mechanism.moving
             if link in motions.theta
@@ -75,9 +77,9 @@ def _motions(mechanism: Mechanism, motions: Motions) -> Json:
         "points": {point: _point(mechanism, motions, point) for point in mechanism.points},
         "slides": {
             name: {
-                "s": _number(motions.s[name]),
-                "v": _number(motions.s_rate[name]),
-                "a": _number(motions.s_acceleration[name]),
+                "s": _number(cut(motions.s[name], "m")),
+                "v": _number(cut(motions.s_rate[name], "m/s")),
+                "a": _number(cut(motions.s_acceleration[name], "m/s^2")),
             }
             for name in [pair.name for pair in mechanism.pairs if pair.path is not None]
             if name in motions.s_acceleration
@@ -86,11 +88,11 @@ def _motions(mechanism: Mechanism, motions: Motions) -> Json:
 
 
 def _point(mechanism: Mechanism, motions: Motions, point: str) -> Json:
-    link = mechanism.owners[point][0]
+    link, cut = mechanism.owners[point][0], mechanism.usual.cut
     return {
-        "r": _vector(motions.position[point]),
-        "v": _vector(motions.velocity_at(point, link)),
-        "a": _vector(motions.acceleration_at(point, link)),
+        "r": _vector(cut(motions.position[point], "m")),
+        "v": _vector(cut(motions.velocity_at(point, link), "m/s")),
+        "a": _vector(cut(motions.acceleration_at(point, link), "m/s^2")),
     }
 
 
@@ -107,10 +109,11 @@ def _coincident(method: Method, drawn: Motions) -> Iterator[tuple[str, Json]]:
                 continue
             of, seen_from = _home(method, sites[label]), _home(method, sites[other])
             comma = "," if "@" in label + other else ""
+            cut = method.mechanism.usual.cut
             yield f"{label}{comma}{other}", {
-                "v": _vector(relative(drawn, "velocity", "", of, seen_from)),
-                "a_k": _vector(relative(drawn, "acceleration", "k", of, seen_from)),
-                "a_r": _vector(relative(drawn, "acceleration", "r", of, seen_from)),
+                "v": _vector(cut(relative(drawn, "velocity", "", of, seen_from), "m/s")),
+                "a_k": _vector(cut(relative(drawn, "acceleration", "k", of, seen_from), "m/s^2")),
+                "a_r": _vector(cut(relative(drawn, "acceleration", "r", of, seen_from), "m/s^2")),
             }
 
 
@@ -125,7 +128,7 @@ def _answer(method: Method, plot: Plot, motions: Motions, question: str) -> Mapp
     quantity = read(method.mechanism, question)
     if isinstance(quantity, Centre):
         return {"value": None, "unit": "m", **place(centres(method, plot), *quantity.links)}
-    found = None if quantity is None else quantity.answer(motions)
+    found = None if quantity is None else quantity.shown(motions)
     if quantity is not None and quantity.is_place and found is not None and found.vector is not None:
         return {"value": None, "unit": "m", "at": _vector(found.vector)}
     if found is None or not math.isfinite(_number(found.value)):
@@ -142,9 +145,9 @@ def _number(value: Value) -> float:
 
 
 def _direction(value: Value) -> float:
-    """An angle from 0 up to a turn; a turn less rounding is 0 [rad]."""
+    """An angle from 0 up to a turn; 0 or a turn but for rounding is 0 [rad]."""
     angle = float(value) % math.tau
-    return 0.0 if math.tau - angle < 1e-12 else angle
+    return 0.0 if min(angle, math.tau - angle) <= ROUNDING else angle
 
 
 def _vector(value: Value) -> list[float]:

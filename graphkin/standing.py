@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Iterator, Sequence
 
@@ -11,9 +10,8 @@ from graphkin.loading import loads
 from graphkin.loading.changing import rewritten
 from graphkin.loading.positions import Path
 from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
-from graphkin.motions import Motions
 from graphkin.planning import Method
-from graphkin.readings import readings
+from graphkin.planning.drawn_position import value_of
 from graphkin.running import replay_all
 
 __all__ = ["standing"]
@@ -33,18 +31,16 @@ def standing(method: Method, values: Sequence[float]) -> Mechanism:
     (True, '71.5045+47.5585j')
     """
     machine, plot = method.mechanism, replay_all(method, values)
-    text = rewritten(machine.text, dict(_changes(machine, plot, readings(method, plot), values)))
+    text = rewritten(machine.text, dict(_changes(machine, plot, values)))
     return loads(text, name=machine.name, file=machine.file)
 
 
-def _changes(
-    machine: Mechanism, plot: Plot, motions: Motions, values: Sequence[float]
-) -> Iterator[tuple[Path, object]]:
+def _changes(machine: Mechanism, plot: Plot, values: Sequence[float]) -> Iterator[tuple[Path, object]]:
     for number, (driver, value) in enumerate(zip(machine.drivers, values, strict=True)):
         if driver.value is not None and driver.kind != "spin":
             yield ("driver", number, "at" if driver.kind == "slide" else "angle"), _edge(driver, value)
     for number, pose in enumerate(machine.poses):
-        yield ("pose", number, "at" if pose.kind == "slide" else "angle"), _edge(pose, _posed(pose, motions))
+        yield ("pose", number, "at" if pose.kind == "slide" else "angle"), _edge(pose, float(value_of(plot, pose)))
     for point, place in plot.position.items():
         if point in machine.points and point not in machine.links[FRAME].points:
             place = complex(place) * 1000
@@ -54,17 +50,3 @@ def _changes(
 def _edge(entry: Driver | Pose, value: float) -> float:
     """In the unit of a number without one: mm, deg."""
     return round(value * 1000 if entry.kind == "slide" else math.degrees(value), _DIGITS)
-
-
-def _posed(pose: Pose, motions: Motions) -> float:
-    """What a pose says, there [rad, m]."""
-    if pose.kind == "slide":
-        return float(motions.s[pose.link])
-    angle = _direction(pose.vector, motions) - (_direction(pose.from_vector, motions) if pose.from_vector else 0.0)
-    return math.remainder(angle, math.tau)
-
-
-def _direction(vector: tuple[str, str] | None, motions: Motions) -> float:
-    assert vector is not None
-    start, end = (complex(motions.position[point]) for point in vector)
-    return cmath.phase(end - start)

@@ -387,12 +387,53 @@ shape = {{ A = [0, 0], C = [{half!r}, 0], B = [{2 * half!r}, 0] }}
 {b.sketch(A=2 * c.real, B=2j * c.imag, C=c)}"""
 
 
+def twin_rods(rng: random.Random, off: float) -> str:
+    """Two cranks geared to each other as mirror images push a crosshead by a rod each; off [mm]: a rod is longer.
+
+    The one crank's place is left to the sketch, which is rounded, in any unit.
+    """
+    b, crank, half, rod = Board(rng), rng.uniform(20, 40), rng.uniform(45, 70), rng.uniform(150, 200)
+    unit, size = rng.choice((("mm", 1.0), ("cm", 10.0), ("m", 1000.0), ("in", 25.4)))
+    c = 1j * half + cmath.rect(crank, math.radians(phi := rng.uniform(-80, 80)))
+    e, d = c.real + math.sqrt(rod**2 - c.imag**2), c.conjugate()
+
+    def length(value: float) -> str:
+        return f'"{value / size!r} {unit}"'
+
+    links = shuffled(rng, (f"[links.1]\nAC = {length(crank)}\n", f"[links.2]\nBD = {length(crank)}\n",
+                           f"[links.3]\nCE = {length(rod)}\n", f"[links.4]\nDE = {length(rod + off)}\n"))  # fmt: skip
+    turned = ((b.shift + z * cmath.rect(1, math.radians(b.deg))) for z in (c, d, e))
+    sketch = "".join(f"{p} = [{round(z.real)}, {round(z.imag)}]\n" for p, z in zip("CDE", turned, strict=True))
+    return f"""[frame]
+A = {b.at(1j * half)}
+B = {b.at(-1j * half)}
+{links}[links.5]
+points = ["E"]
+[[gear]]
+links = ["1", "2"]
+centres = ["A", "B"]
+radii = [{length(half)}, {length(half)}]
+[[slide]]
+block = "5"
+point = "E"
+guide = "frame"
+through = {b.at(complex(rng.uniform(80, 250), 0))}
+angle = {b.angle(rng.choice((0, 180)))}
+[[driver]]
+vector = "AC"
+angle = {b.angle(phi)}
+omega = {rng.uniform(-6, 6)!r}
+alpha = {rng.uniform(-6, 6)!r}
+[sketch]
+{sketch}"""
+
+
 FAMILIES: dict[str, tuple[Maker, float]] = {
     maker.__name__: (maker, off)
     for maker, off in (
         (table_on_guides, 1.0), (wheel_between_plates, 0.1), (wheel_between_racks, 0.1), (wheel_on_belt, 1.0),
         (carriage, 0.1), (cardan_wheel, 0.1), (twin_cams, 0.1), (breadth_cam, 0.1), (planets, 0.0), (cranks, 0.1),
-        (trammel, 0.1),
+        (trammel, 0.1), (twin_rods, 0.1),
     )
 }  # fmt: skip
 """Each maker with an `off` that is to be refused; 0 where there is none."""

@@ -507,6 +507,22 @@ def floating_rack(seed: int) -> str:
     return file.text()
 
 
+def rack_in_a_slot(seed: int) -> str:
+    """A driven pinion on the frame moves a rack that a pin of its own leads in a fixed slot."""
+    file = File.new(f"in a slot {seed}")
+    rng = file.rng
+    pinion, pivot, _ = file.crank()
+    bar = file.link()
+    pin = file.point(file.at(pivot) + file.away(90, 160), bar)
+    end = file.point(file.at(pin) + file.away(40, 90), bar)
+    along = (file.at(pivot) - file.at(pin)) / abs(file.at(pivot) - file.at(pin)) * cmath.rect(1, rng.uniform(-0.4, 0.4))
+    file.roll_on_line(pinion, pivot, bar, along, rng.uniform(10, 30))
+    slot = along * cmath.rect(1, rng.uniform(-0.9, 0.9))
+    file.table("slide", pin=pin, guide="frame", **file.line("frame", file.at(pin), slot))
+    file.pose(pin, end)
+    return file.text()
+
+
 def wheel_upon_wheel(seed: int) -> str:
     """A wheel that rolls on the rim of a wheel that rolls on a line, both centres held by bars."""
     file = File.new(f"upon {seed}")
@@ -531,6 +547,7 @@ FAMILIES = {
     family.__name__: family
     for family in (
         gears_on_four_bar, line_of_centres, rack, belt, rolling_line, wheel_on_wheel, road, train, pinion_drives,
-        coupler_track, crosshead, on_the_rim, floating_rack, wheel_upon_wheel,
+        coupler_track, crosshead, on_the_rim, floating_rack,
+        rack_in_a_slot, wheel_upon_wheel,
     )
 }  # fmt: skip

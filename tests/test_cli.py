@@ -256,6 +256,12 @@ def test_find_refuses_what_is_no_condition(condition: str):
         assert len(done.stderr.strip().splitlines()) == 1
 
 
+@pytest.mark.parametrize("form", [[], ["--json"]], ids=["table", "json"])
+@pytest.mark.parametrize(("lengths", "status"), [("300:320:10", 3), ("30:320:140", 0)], ids=["none fits", "one fits"])
+def test_a_variation_of_errors_alone_is_an_error(form: list[str], lengths: str, status: int):
+    assert run("find", "ex3-5", "max omega 3", "--vary", f"AB={lengths}", *form).exit_code == status
+
+
 def test_find_varies_a_dimension():
     rows = json.loads(run("find", "p3-21", "stroke s piston", "--vary", "DH=55:125:35", "--json").stdout)["rows"]
     assert run("find", "p3-21", "stroke s piston", "--vary", "DH=55:125:35", "--vary", "AB=9:10:1").exit_code == 2

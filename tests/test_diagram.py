@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from itertools import combinations
 from pathlib import Path
@@ -431,6 +432,18 @@ def test_settings_stay_as_they_were():
         before = dict(matplotlib.rcParams)
         diagram.figure(*moved("p3-19"))
         assert dict(matplotlib.rcParams) == before
+
+
+def test_diagrams_made_in_threads_are_those_made_alone():
+    """Eight at a time, with settings of the user's own, which are there again when all are done."""
+    swept = [graphkin.sweep(graphkin.load(name)) for name in ("ex3-1", "ex3-5", "ex3-7", "p3-23a")]
+    alone = [one._repr_svg_() for one in swept]
+    with matplotlib.rc_context({"axes.grid": True, "font.size": 20.0, "svg.hashsalt": None}):
+        before = dict(matplotlib.rcParams)
+        with ThreadPoolExecutor(8) as threads:
+            together = list(threads.map(lambda one: one._repr_svg_(), swept * 4))
+        assert dict(matplotlib.rcParams) == before
+    assert together == alone * 4
 
 
 def test_the_users_settings_do_not_show(tmp_path: Path):

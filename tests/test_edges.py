@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -16,8 +17,10 @@ from click.testing import CliRunner, Result
 from graphkin import Drawing, library
 from graphkin.cli import main
 from graphkin.cli.shared import json_line
-from graphkin.errors import AlongOwnAxis
+from graphkin.errors import AlongOwnAxis, JoinedToNothing
+from graphkin.freedoms import wrong_drivers
 from graphkin.loading import loads
+from graphkin.mechanism import FRAME
 
 COLLAR = """
 [frame]
@@ -86,6 +89,25 @@ def test_streams_closed_or_full(line: str, status: int, said: str) -> None:
     assert bool(said) == bool(done.stderr)
 
 
+@pytest.mark.parametrize(
+    ("said", "threads"),
+    [({}, "1"), ({"OPENBLAS_NUM_THREADS": "2"}, "2"), ({"OMP_NUM_THREADS": "2"}, "")],
+    ids=["nothing", "threads", "threads of all"],
+)
+def test_a_command_computes_with_one_thread(said: dict[str, str], threads: str) -> None:
+    """Where its user says nothing else; it is known before NumPy is loaded."""
+    code = (
+        "import os, sys; from graphkin.cli import main\n"
+        "assert 'numpy' not in sys.modules\n"
+        "end = os._exit\n"
+        'os._exit = lambda status: (os.write(2, os.environ.get("OPENBLAS_NUM_THREADS", "").encode()), end(status))\n'
+        "main(['solve', 'ex3-1'], prog_name='graphkin')"
+    )
+    own = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env={**own, **said})
+    assert (found.returncode, found.stderr) == (0, threads)
+
+
 def test_one_line_is_one_line() -> None:
     odd = "a\u2028b\u2029c\x85d\x7f"
     assert json.loads(json_line({"x": odd})) == {"x": odd}
@@ -122,6 +144,20 @@ def test_links_named_by_odd_digits() -> None:
 # --- files ------------------------------------------------------------------------------------
 
 
+def test_what_ends_a_command_from_outside_is_no_file_that_cannot_be_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A time limit set by whoever runs it, or Ctrl-C."""
+    for ending in (TimeoutError("that is enough"), KeyboardInterrupt()):
+
+        def end(*_: object, ending: BaseException = ending) -> None:
+            raise ending
+
+        monkeypatch.setattr("graphkin.outputs.tables.told", end)
+        for output in ("a.csv", "-"):
+            found = run("sweep", "ex3-1", "-o", output)
+            assert "cannot be written" not in found.output
+            assert found.exception is ending if isinstance(ending, TimeoutError) else found.exit_code == 130
+
+
 def test_a_link_to_a_file_stays_one() -> None:
     Path("real.svg").touch()
     Path("link.svg").symlink_to("real.svg")
@@ -130,14 +166,19 @@ def test_a_link_to_a_file_stays_one() -> None:
     assert run("check", "real.svg").exit_code == 0
 
 
-def test_drafts_of_the_dead_are_cleared_away() -> None:
-    ended = subprocess.Popen([sys.executable, "-c", ""])
+@pytest.mark.parametrize("name", ["a.svg", "other.html", "marks.json"])
+def test_drafts_of_the_dead_are_cleared_away(name: str) -> None:
+    """Of whatever file in the folder; also of one that nobody waits for, and no file that is not a draft."""
+    ended, unwaited = (subprocess.Popen([sys.executable, "-c", ""]) for _ in range(2))
     ended.wait()
-    left, living = Path(f".a.svg.{ended.pid}"), Path(f".a.svg.{os.getppid()}")
-    left.touch()
-    living.touch()
+    os.waitid(os.P_PID, unwaited.pid, os.WEXITED | os.WNOWAIT)
+    left = [Path(f".{name}.{process.pid}.draft") for process in (ended, unwaited)]
+    stay = [Path(f".{name}.{os.getppid()}.draft"), Path(f".{name}.{ended.pid}"), Path(".my.draft")]
+    for path in (*left, *stay):
+        path.touch()
     assert run("draw", "ex3-1", "-o", "a.svg").exit_code == 0
-    assert (left.exists(), living.exists()) == (False, True)
+    assert [path.exists() for path in (*left, *stay)] == [False, False, True, True, True]
+    unwaited.wait()
 
 
 # --- what is absurd ---------------------------------------------------------------------------
@@ -288,3 +329,26 @@ def test_a_line_meant_to_lie_across_its_links_way(pair: str) -> None:
     right = pair.replace('{ through = "C" }', '{ through = "C", angle = 0 }') if "cam" in pair else pair + "\nangle = 0"
     mended = ACROSS.format(pair=right)
     assert Drawing.of(loads(mended)).plot.omega["2"] == pytest.approx(0)
+
+
+@pytest.mark.parametrize("name", library.names())
+def test_a_pivot_that_no_link_has_is_named(name: str) -> None:
+    """A hinge of the frame gets another letter in the frame alone: that letter is joined to nothing."""
+    mechanism = library.load(name)
+    used = {point for pair in mechanism.pairs for _, point, _ in pair.circles}
+    used |= {point for driver in mechanism.drivers for point in driver.from_vector or ()}
+    used |= {p for pair in mechanism.pairs for line in pair.lines for p in (line.origin, *(line.base or ()))}
+    for hinge in mechanism.hinges:
+        if FRAME in hinge.links and hinge.point not in used:
+            points = {"Z9" if p == hinge.point else p: place for p, place in mechanism.links[FRAME].points.items()}
+            links = {**mechanism.links, FRAME: replace(mechanism.links[FRAME], points=points)}
+            error = wrong_drivers(replace(mechanism, links=links))
+            assert isinstance(error, JoinedToNothing)
+            assert "Z9" in error.points
+            assert all("Z9" in error.message(lang) for lang in ("en", "zh"))
+
+
+def test_a_link_that_hangs_on_one_joint_is_named() -> None:
+    error = wrong_drivers(loads(COLLAR.replace("O2B = 100", "O2C = 100").replace("B = [300", "C = [300")))
+    assert isinstance(error, JoinedToNothing)
+    assert error.points == ("B", "C")

@@ -36,6 +36,7 @@ from graphkin.equations.model import model_of
 from graphkin.equations.text import symbol_text
 from graphkin.equations.written import written
 from graphkin.errors import DeadPoint
+from graphkin.usual import ROUNDING
 
 EPS = 1e-9
 """Relative to what the terms of a formula add up to."""
@@ -87,7 +88,7 @@ def hold(equation: Equation, names, drawn: bool) -> int:
             gap = np.abs(np.angle(np.exp(1j * gap)))
         if rounded(equation, k, names):
             if drawn:
-                nothing = 1e-12 * max(float(np.max(quantity.error)) for quantity in names.values())
+                nothing = ROUNDING * max(float(np.max(quantity.error)) for quantity in names.values())
                 assert np.all(gap <= 5.1e-6 * np.abs(first.value) + nothing + EPS * first.error), equation
                 count += 1
             continue

@@ -22,6 +22,7 @@ KINDS: dict[str, Callable[[int], Mechanism]] = {
     "chain": made.chain, "six": made.six_bar, "cam": made.cam, "cylinder": made.cylinder,
     "epicyclic": made.epicyclic, "rolling": made.rolling, "coupler": made.coupler_angle,
 }  # fmt: skip
+KINDS["triad"] = lambda seed: made.triad(seed - 96)  # one whose special point goes far off between others
 SEEDS = (100,)
 ROWS = 801
 

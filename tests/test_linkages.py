@@ -132,6 +132,19 @@ def test_kinds(lengths, more, kind, family):
     assert (found.kind, found.family) == (kind, family)
 
 
+@pytest.mark.parametrize("lengths", [
+    ("fourbar", 30, 60, 50, 80), ("fourbar", 20, 50, 20, 50), ("fourbar", 40, 40, 70, 70), ("fourbar", 50, 50, 50, 50),
+    ("slider", 30, 50, 20), ("slider", 30, 50, -20), ("slider", 40, 40, 0),
+    ("guide", 40, 40, 0), ("guide", 40, 50, 10), ("guide", 50, 40, -10),
+])  # fmt: skip
+def test_where_links_come_to_lie_in_line_no_driver_moves_them(lengths):
+    """At a change point the motion goes on in two ways, so that each driver has a dead point there."""
+    found = measured(*lengths)
+    assert "change-point" in (found.kind, found.family)
+    assert found.dead
+    assert all(found.dead.values()), found.dead
+
+
 def test_crossed_parallelogram():
     bar = FourBar(0.03, 0.06, 0.03, 0.06)
     a, b, c, d = bar.places

@@ -646,6 +646,7 @@ ERRORS = [
 ]
 RAISED_ELSEWHERE = {
     "NoFile", "IsFolder", "NotUtf8", "Unreadable", "UnknownMechanism", "TooFewDrivers", "TooManyDrivers", "RepeatedDriver",
+    "JoinedToNothing",
 }  # fmt: skip
 """By what finds files and reads them; by what plans a mechanism."""
 

@@ -15,6 +15,7 @@ from graphkin import api
 from graphkin.errors import NOWHERE, BadKey
 from graphkin.grading import Pencils, key_for, key_from, marking_of
 from graphkin.grading.keys import key_drawn
+from graphkin.marking import making
 from graphkin.marking.diagnosis import independent
 from graphkin.marking.habits import Trace, added
 from graphkin.marking.making import drawings_of, half_digit
@@ -359,3 +360,16 @@ def test_a_key_is_the_same_however_many_mistakes_are_drawn_at_once(monkeypatch: 
     one_by_one = key_drawn(method).singles
     for name in ("values", "scatters", "together"):
         assert np.array_equal(getattr(whole, name), getattr(one_by_one, name), equal_nan=True)
+
+
+@pytest.mark.parametrize(("drawings", "quantities"), [(3, 1), (5, 4), (200, 30), (601, 153)])
+def test_scatters_hang_together_as_their_ranks_do(drawings: int, quantities: int):
+    """Spearman's correlation; of what stands still, none."""
+    rng = np.random.default_rng(quantities)
+    drawn = rng.normal(size=(drawings, quantities)) @ rng.normal(size=(quantities, quantities))
+    drawn[:, -1] = 7.0
+    ranks = np.argsort(np.argsort(drawn[:, :-1], axis=0), axis=0)
+    right = np.eye(quantities)
+    if quantities > 1:
+        right[:-1, :-1] = np.corrcoef(ranks, rowvar=False)
+    assert making._together(drawn) == pytest.approx(right, rel=0, abs=1e-6)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,7 @@ from graphkin import library, loading
 from graphkin.construction import Construction, Normal
 from graphkin.planning import Method, plan
 from graphkin.say import names
+from graphkin.sheet.lettering import point_label
 
 CASES = Path(__file__).parent / "cases"
 LETTERS = str.maketrans("ABCE", "TKNM")
@@ -65,3 +67,14 @@ def test_words_and_drawing_count_corners_alike() -> None:
     assert names.point("n4_1'") == "n4,1′"
     assert names.point("b''") == "b″"
     assert names.point("e2'") == "e2′"
+
+
+@pytest.mark.parametrize(("own", "link", "primes"), [*product(("", "'", "''"), ("", "3", "12", "guide", "连杆", "c1"), ("", "'", "''"))])
+@pytest.mark.parametrize(("letter", "digits"), [("B", ""), ("b", ""), ("O", "1")])
+def test_primes_stand_upright_and_links_below(letter: str, digits: str, own: str, link: str, primes: str) -> None:
+    """Of any point, its own primes and those of the polygon: the sign between a point and its link is never printed."""
+    at = "@" if link and (digits or not link.isdigit()) else ""
+    label = point_label(letter + digits + own + at + link + primes)
+    low = "".join(run.text for run in label if run.place == "sub")
+    high = "".join(run.text for run in label if run.place == "base")
+    assert (low, high) == (digits + link, letter + "′" * len(own + primes))

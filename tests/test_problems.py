@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -14,8 +15,11 @@ from graphkin import api, library, loading
 from graphkin.cli import main
 from graphkin.errors import GraphkinError, NoRange, NotATemplate, NoVariant, OutOfRange, StudentTwice, UnknownQuantity
 from graphkin.outputs.files import FileInTheWay
+from graphkin.planning import plan
 from graphkin.platforms import write_problems
 from graphkin.problems import Student, read_template, roster, variants, well_posed
+from graphkin.problems.shown import shown_at
+from graphkin.running import replay_all
 from graphkin.say.problems import problem
 from graphkin.submissions import Asked, read
 
@@ -220,3 +224,14 @@ def test_what_is_asked_is_written_as_in_a_book(question: str, shown: str):
     lines = problem(mechanism, "s1", (), {}, "en").splitlines()
     assert f"  {shown}" in lines
     assert (f'  "{question}" = ' in lines) == ("point" in shown)
+
+
+@pytest.mark.parametrize(("question", "there"), [
+    ("path E", False), ("x E", False), ("theta 3", False), ("s ram", False), ("P13", False), ("v E", True), ("omega 3", True),
+])  # fmt: skip
+def test_no_figure_shows_what_is_asked(question: str, there: bool) -> None:
+    """What the position alone gives could be measured on the figure."""
+    method = plan(replace(library.load("ex3-7"), ask=(question,)))
+    shown = shown_at(method, replay_all(method))
+    assert shown is not None
+    assert shown[1] is there

@@ -6,6 +6,7 @@ import ast
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -20,6 +21,7 @@ from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
 from graphkin.planning import plan
 from graphkin.quantities import EDGE, WORDS, Centre, Quantity, Rotation, meant, named, parts, read
+from graphkin.quantities.kinds import Kind
 from graphkin.readings import readings
 from graphkin.running import replay_all
 from graphkin.sweeps.roads import mended
@@ -48,6 +50,28 @@ def test_one_class_answers_velocities_and_accelerations():
             if isinstance(node, ast.FunctionDef) and node.name == name
         ]  # fmt: skip
         assert found == ["motions.py"], name
+
+
+KINDS = {kind.__name__ for kind in get_args(Quantity)}
+
+
+def test_every_kind_is_in_the_union():
+    assert {kind.__name__ for kind in Kind.__subclasses__()} == KINDS
+
+
+def test_readers_of_all_kinds_leave_none_to_chance():
+    """A match over kinds of quantities ends in `assert_never`, so that the type checker names it for a new kind."""
+    matches = [(place(path), node) for path in FILES for node in ast.walk(ast.parse(path.read_text("utf-8")))
+               if isinstance(node, ast.Match)]  # fmt: skip
+    readers = [(where, node) for where, node in matches if KINDS & {
+        part.cls.id for case in node.cases for part in ast.walk(case.pattern)
+        if isinstance(part, ast.MatchClass) and isinstance(part.cls, ast.Name)
+    } and "quantit" in (PACKAGE / where).read_text("utf-8")]  # fmt: skip
+    assert len(readers) > 12
+    for where, node in readers:
+        last = node.cases[-1]
+        assert ast.unparse(last.pattern) == "_", (where, node.lineno)
+        assert "assert_never" in ast.unparse(last.body[0]), (where, node.lineno)
 
 
 def patterns(tree: ast.AST) -> Iterator[str]:

@@ -20,6 +20,7 @@ from graphkin.errors import GearsApart, GraphkinError, Lang, NotPlaced, OffTrack
 from graphkin.loading import loads
 from graphkin.mechanism import Mechanism
 from graphkin.planning import plan
+from graphkin.running import replay_all
 from graphkin.say import explain
 
 COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40)
@@ -303,3 +304,29 @@ def test_more_contacts_than_letters():
     drawing = solved(read(text + '\n[[driver]]\nlink = "1"\nomega = 3\n'))
     assert drawing.plot.omega["15"] == pytest.approx(3.0)
     assert len(told(drawing, "zh")) > 20
+
+
+def test_a_rack_in_a_slot_is_drawn_from_what_is_given() -> None:
+    """Its pose is laid off, its velocities start from the point of contact; elsewhere the rack is the template."""
+    scales, tried = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}, 0
+    for seed in range(12):
+        try:
+            drawing = solved(read(FAMILIES["rack_in_a_slot"](seed)))
+            method, there = drawing.method, replay_all(drawing.method, [drawing.method.drivers[0].value + 0.02])
+        except GraphkinError:
+            continue
+        tried += 1
+        text = "\n".join(explain(method, drawing.plot, scales, "en", everything=True))
+        position, rest = text.split("(1) ")[1].split("(2) ")
+        velocities = rest.split("(3) ")[0]
+        assert "template" not in position, seed
+        assert "No order of ruler" not in velocities, seed
+        assert "Pure rolling of links" in velocities, seed
+        moved = "\n".join(explain(method, there, scales, "en")).split("(1) ")[1].split("(2) ")[0]
+        before, trial = moved.split("On paper a template")
+        (template,) = re.findall(r"link (\S+) on tracing paper", trial)
+        assert template != method.mechanism.frame, seed
+        pairs = re.findall(r"\b((?:[A-Z]\d*′*){2}) = ", trial.split(" fit")[0])
+        letters = {mark for pair in pairs for mark in re.findall(r"[A-Z]\d*′*", pair)}
+        assert all(mark in method.mechanism.points or f" {mark} " in before for mark in letters), seed
+    assert tried > 6

@@ -10,6 +10,7 @@ import pytest
 
 from graphkin import library
 from graphkin.construction import Plot
+from graphkin.loading import loads
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet
@@ -114,3 +115,20 @@ def test_the_sheet_says_what_paper_alone_does_not_give(
     for name, said in (("p3-15", {fitted}), ("ex3-3", {together})):
         texts = {plain_text(m.label) for m in sheet(*solved(name), lang=lang).marks if isinstance(m, Text)}
         assert {fitted, together} & texts == said
+
+
+CRANK = '[frame]\nA = [0, 0]\nD = [100, 0]\n[links.1]\nAB = 60\n[[driver]]\nvector = "AB"\nangle = 40\nomega = 1\n'
+ALONE, BAR = '[links.3]\npoints = ["D"]\n', '[links.3]\nDE = 50\n'
+PIN, BLOCK = '[[slide]]\npin = "B"\n', '[links.2]\npoints = ["B"]\n[[slide]]\nblock = "2"\npoint = "B"\n'
+
+
+@pytest.mark.parametrize(("guide", "runs", "sign"), [
+    (ALONE, PIN, {"slot"}), (BAR, PIN, {"slot"}), (ALONE, BLOCK, set()), (BAR, BLOCK, {"block"}),
+])  # fmt: skip
+def test_a_pin_runs_in_a_slot_and_a_piston_in_a_cylinder(guide: str, runs: str, sign: set[str]) -> None:
+    """Only a block on a link of one point is the piston of a cylinder."""
+    line = 'guide = "3"\nthrough = "D"\n' + ('toward = "E"\n' if guide == BAR else "")
+    method = plan(loads(CRANK + guide + runs + line))
+    shown = [mark.shows for mark in sheet(method, replay_all(method)).marks if getattr(mark, "shows", None)]
+    assert {each.form for each in shown} & {"slot", "block"} == sign
+    assert any(each.form == "guide" and not each.points for each in shown) == (not sign)

@@ -24,10 +24,11 @@ from graphkin.errors import (
     NoPaperScale,
     OtherDimension,
     TooMuch,
+    TwoNames,
     UnknownStudent,
     WantsExtra,
 )
-from graphkin.submissions import Asked, Limits, guarded, handed_in, limited, read, read_one, safe_name
+from graphkin.submissions import Asked, Handed, Limits, guarded, handed_in, limited, read, read_one, safe_name
 from graphkin.submissions.answers import answers
 from graphkin.submissions.class_names import owner
 from graphkin.submissions.documents import read_lines
@@ -244,6 +245,41 @@ def test_a_second_submission_is_not_marked_beside_the_first(tmp_path: Path):
     first, second = read([tmp_path / "a.toml", tmp_path / "b.toml"], ASKED)
     assert first.reason is None
     assert isinstance(second.reason, HandedTwice)
+
+
+@pytest.mark.parametrize("form", ["files", "folder", "archive", "folders", "platform"])
+@pytest.mark.parametrize("other", ["a", "z"])
+def test_a_line_inside_makes_nobody_another(form: str, other: str, tmp_path: Path):
+    """A file is whose name it bears; one that says it is another's, whose there is, is nobody's, first or last."""
+    own, theirs = {
+        "folders": ("s1/work.toml", f"{other}/work.toml"),
+        "platform": ("s1_77_assignsubmission_file_/work.toml", f"{other}_11_assignsubmission_file_/work.toml"),
+    }.get(form, ("s1.toml", f"{other}.toml"))
+    members = {own: TOML.encode(), theirs: TOML.replace("3.92", "99").encode()}
+    for name, content in members.items():
+        (tmp_path / "all" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "all" / name).write_bytes(content)
+    paths = [zipped(tmp_path / "m.zip", members)] if form in ("archive", "folders") else [tmp_path / "all"]
+    paths = [tmp_path / "all" / name for name in sorted(members)] if form == "files" else paths
+    known = {"s1": ASKED}.get if form == "platform" else ASKED
+    found = {s.file.endswith(own): s for s in read(paths, known)}
+    assert (found[True].student, found[True].reason, found[True].values["omega 3"].value) == ("s1", None, 3.92)
+    assert isinstance(found[False].reason, TwoNames)
+    assert found[False].student != "s1"
+    assert not found[False].values
+
+
+def test_of_two_students_that_there_are_a_file_is_neither():
+    """One named after it, and one in a line, both in the class."""
+    handed = Handed(owner("s2.toml"), "s2.toml", files=(("s2.toml", TOML.encode()),))
+    assert isinstance(read_one(handed, {"s1": ASKED, "s2": ASKED}.get).reason, TwoNames)
+    assert read_one(handed, {"s1": ASKED}.get).student == "s1"
+
+
+def test_a_file_with_a_line_keeps_its_drawing(tmp_path: Path):
+    for name in ("s1.toml", "s1.json"):
+        (tmp_path / name).write_text(TOML if name == "s1.toml" else '{"v B": 1}')
+    assert [(s.student, s.reason) for s in read([tmp_path], ASKED)] == [("s1", None)]
 
 
 def test_what_hangs_is_given_up(tmp_path: Path):

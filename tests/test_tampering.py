@@ -8,6 +8,7 @@ guides are tampered with on two mechanisms, centres on their own sheet.
 from __future__ import annotations
 
 import json
+import os
 import re
 from collections.abc import Callable
 from functools import cache
@@ -16,6 +17,7 @@ from xml.sax.saxutils import escape, unescape
 
 import book
 import pytest
+from test_read_back import FAMILIES, drawn, make, read_back, wrong
 
 from graphkin import Drawing, library
 from graphkin.centres import centres
@@ -24,6 +26,7 @@ from graphkin.errors import BadDrawing
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
+from graphkin.say.checks import check_lines
 from graphkin.seal import seal
 from graphkin.sheet.centre_sheet import centre_sheet
 
@@ -212,6 +215,44 @@ def exchanged(text: str) -> str:
     return text[: one.start()] + swapped[0] + text[one.end() : other.start()] + swapped[1] + text[other.end() :]
 
 
+def some(pattern: str, change: Change, number: int = 0) -> Change:
+    """Change one of the elements of a pattern."""
+
+    def changed(text: str) -> str:
+        found = list(re.finditer(pattern, text))
+        assert found, pattern
+        one = found[number % len(found)]
+        return text[: one.start()] + change(one[0]) + text[one.end() :]
+
+    return changed
+
+
+def reversed_head(tag: str) -> str:
+    """A head of an arrow on the other side of its back."""
+    tip, one, other = (complex(*map(float, corner.split())) for corner in re.search(r' d="M([^Z]*)Z"', tag)[1].split("L"))  # type: ignore[index]
+    corners = "L".join(f"{p.real:.4f} {p.imag:.4f}" for p in (one + other - tip, one, other))
+    return re.sub(r' d="[^"]*"', f' d="M{corners}Z"', tag)
+
+
+def shorter(tag: str) -> str:
+    x1, x2 = (float(re.search(rf' {key}="([^"]*)"', tag)[1]) for key in ("x1", "x2"))  # type: ignore[index]
+    return re.sub(r' x2="[^"]*"', f' x2="{x1 + 0.67 * (x2 - x1):.4f}"', tag)
+
+
+def pale(tag: str) -> str:
+    return having('stroke="#ffffff" fill="#ffffff"')(tag)
+
+
+TURNS = r'<path class="link"[^>]*data-form="(?:omega|alpha|push)"[^>]*/>'
+HUNDRED = r'<line class="link"[^>]*data-form="ruler"[^>]*/>'
+CONSTRUCTION = r'<line(?: data-step="\d+")? x1="[^"]*" x2="[^"]*" y1="[^"]*" y2="[^"]*" />'
+TITLE = re.compile(r"(?<=<title>)[^<]*(?=</title><desc>)")
+TIP = re.compile(r"(?<= = )[0-9.]+(?= m/s</title>)")
+OWN_ARROW = '<path d="M60 150L88 159M90 160L87 160.1L88 158Z" fill="#0b4f9c" stroke="#0b4f9c" stroke-width="0.35"/>'
+THREE_LINES = '<g stroke="#000" stroke-width=".3"><line x1="60" y1="150" x2="90" y2="150"/><line x1="90" y1="150" x2="87" y2="149"/><line x1="90" y1="150" x2="87" y2="151"/></g>'
+GLYPHS = '<text x="60" y="150" font-size="60" fill="#ffffff">\u2588\u2588</text>'
+OUTLINED = '<text x="60" y="150" font-size="60" fill="none" stroke="#fff" stroke-width=".5">\u2588</text>'
+resealed = claims(lambda data: None)
 LETTER = re.compile(r'(<text[^>]* x=")([0-9.]+)(?=" y="[^"]*">A</text>)')
 SCALE = re.compile(r"<text(?:(?!</text>).)*?>μ</tspan><tspan[^>]*>v ?</tspan>.*?</text>")
 WIDE = '<rect x="0" y="0" width="210" height="297" fill="#ffffff"/>'
@@ -321,6 +362,7 @@ EX3_1: list[tuple[str, Change, str]] = [
     ("corner between arrows moved", mark("acceleration k'", shifted(0.02)), "k'"),
     ("point that says nothing", mark("velocity b3", lambda t: re.sub(r' data-(site|of)="[^"]*"', "", t)), "b3"),
     ("a teacher's point", at_end(NEW_POINT), RIGHT),
+    ("lines without corners", at_end('<polygon points=""/><path d=""/><polyline points="3 4"/>'), RIGHT),
     ("a teacher's dot and words", at_end('<circle cx="50" cy="60" r="0.5"/><text x="50" y="60">?</text>'), RIGHT),
     ("one more point, wrong", copy_of("position B", shifted(3)), "B"),
     # numbers
@@ -351,6 +393,30 @@ EX3_1: list[tuple[str, Change, str]] = [
     ("a letter moved a little", lambda text: LETTER.sub(lambda m: m[1] + f"{float(m[2]) + 1:.4f}", text, count=1), RIGHT),
     ("a result changed", put(">0.2712<", ">0.3712<"), "0.2712"),
     ("a title of another mechanism", mechanism("Four-bar with a sliding pair", "Slider-crank"), "Slider-crank"),
+    ("the sheet's own title changed", lambda text: TITLE.sub("Geneva drive", text), "title"),
+    ("a value shown when pointed at changed", lambda text: TIP.sub("9.876", text, count=1), "tip"),
+    ("letters in white over a polygon", at_end(GLYPHS), "refused:too light"),
+    ("letters in a white outline over a polygon", at_end(OUTLINED), "refused:too light"),
+    # what shows no length
+    ("100 mm that are 67", some(HUNDRED, shorter), "100 mm"),
+    ("100 mm that are 67, sealed anew", both(some(HUNDRED, shorter), resealed), "100 mm"),
+    ("100 mm taken away", some(HUNDRED, gone), "ruler"),
+    ("the driver's sense reversed", some(TURNS, reversed_head), "1: A"),
+    ("the driver's sense reversed, sealed anew", both(some(TURNS, reversed_head), resealed), "1: A"),
+    ("the driver's sense deleted", some(TURNS, gone), "1: A"),
+    ("another link's sense reversed", some(TURNS, reversed_head, 1), "2: B"),
+    ("another link's sense deleted", some(TURNS, gone, 1), "2: B"),
+    ("a sense in white", some(TURNS, pale, 1), "2: B"),
+    ("a construction line moved", some(CONSTRUCTION, shifted(1), -1), "signs 1: "),
+    ("a construction line taken away", some(CONSTRUCTION, gone, -1), "signs 1: "),
+    ("a construction line in white", some(CONSTRUCTION, pale, -1), "signs 1: "),
+    ("everything moved, and one line more", both(whole('<g transform="translate(-6,4)">', "</g>"), some(CONSTRUCTION, shifted(1), -1)), "signs 1: "),
+    ("an arrow as a path with its own head", at_end(OWN_ARROW), "arrow (60.0, 150.0)"),
+    ("an arrow as a path that says it is a vector", at_end(OWN_ARROW.replace("<path", '<path class="vector"')), "arrow (60.0, 150.0)"),
+    ("an arrow as a path in a paint of its own", at_end(OWN_ARROW.replace('"#0b4f9c"', '"url(#p)"')), "arrow (60.0, 150.0)"),
+    ("a construction line dashed away", some(CONSTRUCTION, having('stroke-dasharray="0.1 500"'), -1), "signs 1: "),
+    ("a construction line of no width", some(CONSTRUCTION, having('stroke-width="0.01"'), -1), "signs 1: "),
+    ("a head alone", at_end('<polygon points="90,160 87,160 88,158"/>'), "arrow (90.0, 160.0)"),
     # what the file says of itself
     ("scale in the file, sealed anew", claims(lambda d: d["scales"].update(velocity=0.0101)), "v_B3"),
     ("drivers in the file, sealed anew", claims(lambda d: d.update(drivers=[1.05])), "v_B3"),
@@ -420,3 +486,54 @@ def test_untouched(of: str, tmp_path: Path):
     path = tmp_path / "drawing.svg"
     path.write_text(drawing(of), encoding="utf-8")
     assert said(path) == RIGHT
+
+
+NOT_JUDGED = [
+    ("an arrow of three lines", at_end(THREE_LINES), "other 3: (60.0, 150.0)"),
+    ("a teacher's ring", at_end('<circle cx="50" cy="60" r="4" fill="none" stroke="#c00"/>'), "other 1: (54.0, 60.0)"),
+    ("white over a construction line", at_end('<rect x="60" y="150" width="3" height="2" fill="#fff"/>'), "other 1: (60.0, 150.0)"),
+    ("a line that says it is a vector", at_end('<path class="vector" d="M60 150L90 160" stroke="#000" fill="none"/>'), "other 1: (60.0, 150.0)"),
+    ("a teacher's words", at_end('<text x="50" y="60" font-size="4">sign?</text>'), "words 1"),
+]
+
+
+@pytest.mark.parametrize(("name", "change", "note"), NOT_JUDGED, ids=[row[0] for row in NOT_JUDGED])
+def test_what_is_added_is_said_not_to_be_judged(name: str, change: Change, note: str, tmp_path: Path):
+    path = tmp_path / "drawing.svg"
+    path.write_text(change(drawing("ex3-1")), encoding="utf-8")
+    report = measure(path)
+    assert report.passed(0.01)
+    assert note in [f"{each.kind} {each.what}" for each in report.notes]
+    for lang, begin in (("en", "not judged"), ("zh", "未判断")):
+        assert sum(line.startswith(begin) for line in check_lines(report, 0.01, lang)) == len(report.notes)
+
+
+MISLEADING: dict[str, Change] = {
+    "100 mm that are 67": some(HUNDRED, shorter),
+    "100 mm taken away": some(HUNDRED, gone),
+    "a sense reversed": some(TURNS, reversed_head),
+    "the last sense reversed": some(TURNS, reversed_head, -1),
+    "a sense taken away": some(TURNS, gone),
+    "a construction line moved": some(CONSTRUCTION, shifted(0.5), -1),
+    "a construction line taken away": some(CONSTRUCTION, gone, 7),
+    "an arrow as a path": at_end(OWN_ARROW),
+    "letters in white": at_end(GLYPHS),
+    "another title": lambda text: TITLE.sub("Geneva drive", text),
+}
+EACH = max(1, int(os.environ.get("GRAPHKIN_RANDOM", "0")) // 400)
+SHEETS = [*library.names()[::12], *((family, seed) for family in FAMILIES for seed in range(EACH))]
+
+
+@pytest.mark.parametrize("of", SHEETS, ids=str)
+def test_what_misleads_is_seen_on_any_sheet(of: str | tuple[str, int], tmp_path: Path):
+    mechanism = library.load(of) if isinstance(of, str) else make(*of)
+    text = drawing(of) if isinstance(of, str) else drawn(*of)
+    assert text is not None
+    assert not wrong(read_back(tmp_path, text, mechanism))
+    for name, change in MISLEADING.items():
+        if "sense" in name and not re.search(TURNS, text):
+            continue
+        try:
+            assert wrong(read_back(tmp_path, change(text), mechanism)), name
+        except BadDrawing:
+            pass

@@ -19,6 +19,7 @@ from graphkin.analytic.rules import Relation, driven, placing
 from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Complex, Real, applied
 from graphkin.errors import NoAssembly
+from graphkin.geometry import wrapped
 from graphkin.kept import kept
 from graphkin.mechanism import FRAME, Link, Mechanism
 from graphkin.tolerances import ROUNDED
@@ -77,8 +78,8 @@ def driver_values(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[float, .
         relation = driven(mechanism, driver)
         value = applied(loops.weights([relation]), q)[..., 0] + relation.constant
         if driver.kind != "slide":
-            value = np.angle(np.exp(1j * value))
-        values.append(value[()])
+            value = wrapped(value)
+        values.append(float(value))
     return tuple(values)
 
 

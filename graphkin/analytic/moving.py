@@ -40,6 +40,8 @@ _TRUST = 0.1
 """Newton may correct a sub-step by this much [rad, size]."""
 
 
+_AS_BEFORE = 1e-9
+"""A turn that ends so near to where it began comes there again and again [rad, size]."""
 _ASIDE, _PLACES = 0.25, np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
 """Neighbours of a change point: how far apart, in longest steps of a path, and where."""
 _ALIKE, _NEARER = 1e-7, 4
@@ -99,7 +101,26 @@ def _on_line(closure: EquationSystem, start: Real, c: Real, change: Real) -> tup
 def _at(line: RightSides, start: Real, along: Real) -> tuple[Real, list[Limit]]:
     """Positions along a path, found all at once from its nodes."""
     beyond = 4 * _ASIDE * line.longest if np.any(line.toward) else 0.0
-    path = path_along(line, start, min(along.min(), 0.0) - beyond, max(along.max(), 0.0) + beyond)
+    ends = min(along.min(), 0.0) - beyond, max(along.max(), 0.0) + beyond
+    if ends[1] - ends[0] > 2 * line.turn and (found := _turn_by_turn(line, start, along, beyond)) is not None:
+        return found
+    return _on(path_along(line, start, *ends), along)
+
+
+def _turn_by_turn(line: RightSides, start: Real, along: Real, beyond: float) -> tuple[Real, list[Limit]] | None:
+    """The same by the path of one turn, where that ends as it began; None where it does not."""
+    path = path_along(line, start, -beyond, line.turn + beyond)
+    begin, end = _closed_at(path, np.array([0.0, line.turn]))
+    whole = np.where(line.slides, 0.0, 2 * np.pi * np.round((end - begin) / (2 * np.pi)))
+    gone = np.where(line.heard, whole, end - begin)  # a wheel in no loop may stand anyhow
+    if not np.max(np.abs(end - begin - gone), initial=0.0) < _AS_BEFORE:
+        return None
+    turns = np.floor(along / line.turn)
+    q, limits = _on(path, along - turns * line.turn)
+    return q + turns[:, None] * gone, limits
+
+
+def _on(path: Path, along: Real) -> tuple[Real, list[Limit]]:
     q = _closed_at(path, along)
     limits = [limit for change in path.changes if (limit := _beside(path, along, change)) is not None]
     for limit in limits:

@@ -56,10 +56,21 @@ class RightSides:
     toward: Real
 
     @cached_property
+    def lengths(self) -> Flags:
+        """Which of them are of displacements: (k,)."""
+        return np.asarray(np.max(np.abs(self.closure.weights), axis=1, initial=0.0) == self.closure.loops.size)
+
+    @cached_property
     def longest(self) -> float:
-        sizes = np.max(np.abs(self.closure.weights), axis=1, initial=0.0)
-        units = np.where(sizes == self.closure.loops.size, LENGTH_STRIDE * self.closure.loops.size, STRIDE)
+        units = np.where(self.lengths, LENGTH_STRIDE * self.closure.loops.size, STRIDE)
         return float(1 / np.max(np.abs(self.toward) / units, initial=1e-300))
+
+    @cached_property
+    def turn(self) -> float:
+        """So far along it one driver has turned once, and all others stand still; without end, where there is none."""
+        moving = np.flatnonzero(self.toward)
+        alone = moving.size == 1 and not self.lengths[moving[0]]
+        return float(2 * np.pi / abs(self.toward[moving[0]])) if alone else np.inf
 
     @cached_property
     def heard(self) -> Flags:

@@ -37,10 +37,11 @@ def place(found: Centres, first: str, second: str) -> Json:
     """`at` [m], `direction` [rad] for a centre at infinity, nothing where there is none."""
     if found.together(first, second):
         return {}
-    at = complex(found.place(first, second))
+    cut = found.method.mechanism.usual.cut
+    at = complex(cut(found.place(first, second), "m"))
     if np.isfinite(at):
         return {"at": [at.real + 0.0, at.imag + 0.0]}
-    return {"direction": float(found.direction(first, second)) + 0.0}
+    return {"direction": float(cut(found.direction(first, second), "rad")) + 0.0}
 
 
 def found_by(centring: Centring, stage: Stage) -> str | list[list[str]]:

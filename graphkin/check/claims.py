@@ -3,7 +3,9 @@
 A seal tells that the claims are as they were written. It is no lock: whoever changes them can seal them anew. So what
 `check` promises does not hang on it: whatever the file shows is right for the mechanism whose text it carries, at the
 drivers' values and the scales that it gives, and these scales are printed on it. A drawing that was sealed anew may
-show less than graphkin drew, and where its letters stand is never measured. A tight drawing bears no title.
+show less than graphkin drew, and other signs that show no length (`signs`); where its letters stand is never measured.
+A tight drawing bears no title. What graphkin draws without a seal (what is given, what moves, what carries no
+mechanism) is not judged at all, and `read` says so.
 """
 
 from __future__ import annotations
@@ -14,7 +16,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from statistics import median
 
-from graphkin.check.drawing import DrawingFile, Fault, stated
+from graphkin.check.drawing import MARKS, DrawingFile, Fault, stated
 from graphkin.construction import Plane
 from graphkin.mechanism import Mechanism
 from graphkin.seal import seal
@@ -27,7 +29,6 @@ Letters = tuple[str, complex]
 _SAME, _APART = 1.0, 3.0
 """Texts nearer than this stand at one place; farther apart, at two [mm]."""
 LETTERS: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "acceleration"}
-_NAMES = ("vector", "point", "link")
 
 
 def changed(
@@ -42,9 +43,11 @@ def changed(
         yield Fault("changed", "")
     yield from _printed(texts, scales)
     titles = [] if drawing.claims.get("tight") is True else _titles(mechanism)
+    if drawing.title.split() != str(drawing.claims.get("title", "")).split():
+        yield Fault("title", drawing.title)
     if titles and not any(_begins(title, text) for text in texts for title in titles):
         yield Fault("title", titles[0])
-    told = _claimed_letters(drawing)
+    told = claimed_letters(drawing)
     for text in (Counter(text for text, _ in told) - Counter(texts)).elements():
         yield Fault("letters", text)
     yield from (Fault("letters", text) for text in _exchanged(told, read))
@@ -89,7 +92,7 @@ def _number(mantissa: str, power: str) -> float:
         return math.nan
 
 
-def _claimed_letters(drawing: DrawingFile) -> list[Letters]:
+def claimed_letters(drawing: DrawingFile) -> list[Letters]:
     given = drawing.claims.get("letters")
     found = []
     for entry in given if isinstance(given, list) else ():
@@ -101,14 +104,29 @@ def _claimed_letters(drawing: DrawingFile) -> list[Letters]:
 
 def _exchanged(told: Sequence[Letters], read: Sequence[Letters]) -> Iterator[str]:
     """Texts that now stand where others stood, and not where they did; the sheet as a whole may have been moved."""
-    now = [min((at for other, at in read if other == text), key=lambda p, q=place: abs(p - q), default=place)  # type: ignore[misc]
-           for text, place in told]  # fmt: skip
-    moved = [at - place for at, (_, place) in zip(now, told, strict=True)]
-    shift = complex(median(m.real for m in moved), median(m.imag for m in moved)) if moved else 0j
+    now = _places_now(told, read)
+    shift = _shift(told, now)
     for (text, place), at in zip(told, now, strict=True):
         taken = any(other != text and abs(there + shift - at) < _SAME for other, there in told)
         if abs(at - place - shift) > _APART and taken:
             yield text
+
+
+def _places_now(told: Sequence[Letters], read: Sequence[Letters]) -> list[complex]:
+    """Where each text stands; where it stood if it is no longer to be read."""
+    return [min((at for other, at in read if other == text), key=lambda p, q=place: abs(p - q), default=place)  # type: ignore[misc]
+            for text, place in told]  # fmt: skip
+
+
+def _shift(told: Sequence[Letters], now: Sequence[complex]) -> complex:
+    moved = [at - place for at, (_, place) in zip(now, told, strict=True)]
+    return complex(median(m.real for m in moved), median(m.imag for m in moved)) if moved else 0j
+
+
+def shift_of(drawing: DrawingFile, read: Sequence[Letters]) -> complex:
+    """How far the sheet as a whole was moved since it was drawn, by most of its texts [mm]."""
+    told = claimed_letters(drawing)
+    return _shift(told, _places_now(told, read))
 
 
 def _claimed_marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
@@ -118,27 +136,11 @@ def _claimed_marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
 
 
 def _marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
-    return Counter(stated(mark) for kind in _NAMES for mark in drawing.of_class(kind))
+    return Counter(stated(mark) for kind in MARKS for mark in drawing.of_class(kind))
 
 
 def _named(told: tuple[str, ...]) -> str:
     said = dict(part.partition("=")[::2] for part in told[1:])
-    name = said.get("name") or f"{said.get('link', '')}: {said.get('points') or said.get('line', '')}"
+    on = next((said[key] for key in ("points", "line", "form") if key in said), "")
+    name = said.get("name") or f"{said.get('link', '')}: {on}"
     return f"{name} ({said.get('plane', '')})"
-
-
-# --- what is not judged -----------------------------------------------------------------------
-
-
-def unjudged(drawing: DrawingFile, read: Sequence[Letters]) -> Iterator[Fault]:
-    """What no ruler tells: signs without a length, where letters stand, what was added."""
-    signs = [e for e in drawing.sight.shown if e.tag != "text" and not any(kind in e.kind for kind in _NAMES)]
-    told = Counter(text for text, _ in _claimed_letters(drawing))
-    more = sum((Counter(text for text, _ in read) - told).values())
-    yield Fault("signs", str(len(signs)))
-    if drawing.claims.get("signs") != len(signs):
-        yield Fault("other", str(drawing.claims.get("signs")))
-    if more:
-        yield Fault("words", str(more))
-    if drawing.sight.doubt:
-        yield Fault("blank", drawing.sight.doubt)

@@ -21,7 +21,9 @@ from graphkin.value import frozen
 
 LIMIT = 16 << 20
 """Larger drawings are not ours [bytes]."""
-FORMAT = 2
+FORMAT = 3
+MARKS = ("vector", "point", "link")
+"""Classes of what a ruler is laid on."""
 UNITS: Mapping[Plane, str] = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
 SCALES: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
@@ -47,6 +49,18 @@ class DrawingFile:
     claims: Mapping[str, object]
     root: Element
 
+    def measures(self, element: Shown) -> bool:
+        """A ruler is laid on it: a vector's line, a point's dot, a line of a link where links have points."""
+        if "link" in element.kind:
+            return self.measures_links or element.attributes.get("data-form") == "ruler"
+        tag = next((tag for kind, tag in (("vector", "line"), ("point", "circle")) if kind in element.kind), "")
+        return element.tag == tag
+
+    @property
+    def title(self) -> str:
+        """What a viewer calls the sheet."""
+        return next((element.text or "" for element in self.root if element.tag.endswith("}title")), "")
+
     def of_class(self, kind: str) -> tuple[Shown, ...]:
         return tuple(element for element in self.sight.shown if kind in element.kind)
 
@@ -55,6 +69,11 @@ class DrawingFile:
         """Attributes, tail and head [mm, y up]. A vector is a `line`; anything else cannot be one."""
         lines = [element for element in self.of_class("vector") if element.tag == "line"]
         return tuple((line.attributes, *_ends(line)) for line in lines)
+
+    @cached_property
+    def measures_links(self) -> bool:
+        """Links are held against points of theirs; a sheet of other positions has none."""
+        return any(attributes.get("data-plane") in UNITS for attributes, _ in self.points)
 
     @cached_property
     def points(self) -> tuple[tuple[Mapping[str, str], complex], ...]:
@@ -69,7 +88,7 @@ def _ends(line: Shown) -> tuple[complex, complex]:
 
 def stated(element: Shown) -> tuple[str, ...]:
     """What an element says that it shows: its class and its `data-*`, as the file lists them."""
-    kind = next(kind for kind in ("vector", "point", "link") if kind in element.kind)
+    kind = next(kind for kind in MARKS if kind in element.kind)
     data = {key.removeprefix("data-"): value for key, value in element.attributes.items() if key.startswith("data-")}
     return (kind, *sorted(f"{key}={value}" for key, value in data.items() if key != "step" and value))
 
@@ -93,15 +112,12 @@ def read(path: Path) -> DrawingFile:
     if not root.tag.endswith("}svg"):
         raise BadDrawing(Where(file), "svg")
     claims = _claims(file, root)
-    if claims.get("style") == "given":
-        raise NothingToMeasure(Where(file))
+    if (style := claims.get("style")) in ("given", "moving", "bare"):
+        raise NothingToMeasure(Where(file), str(style))
     try:
-        drawing = DrawingFile(file, seen_in(root), claims, root)
-        if not drawing.points and _told_points(claims):
-            raise BadDrawing(Where(file), "points")
+        return DrawingFile(file, seen_in(root), claims, root)
     except Unread as error:
         raise BadDrawing(Where(file), "shown", str(error)) from None
-    return drawing
 
 
 def _content(path: Path, file: str) -> bytes:
@@ -155,12 +171,6 @@ def _claims(file: str, root: Element) -> Mapping[str, object]:
                 raise BadDrawing(Where(file), "older")
             return claims
     raise BadDrawing(Where(file), "metadata")
-
-
-def _told_points(claims: Mapping[str, object]) -> bool:
-    """Whether there should be points; a first step may have none."""
-    drawn = claims.get("drawn")
-    return not isinstance(drawn, list) or any(isinstance(entry, list) and "point" in entry[:1] for entry in drawn)
 
 
 def _sheets(root: Element) -> Iterator[Element]:

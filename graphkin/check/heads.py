@@ -29,10 +29,10 @@ def wrong_heads(drawing: DrawingFile) -> Iterator[Fault]:
             if bears != wanted or not all(_points_on(drawing.root, element) for _ in wanted):
                 yield Fault("head", element.attributes.get("data-name", ""))
         elif bears and element.tag != "text":
-            yield Fault("arrow", _where(element))
+            yield Fault("arrow", place_of(element))
 
 
-def _where(element: Shown) -> str:
+def place_of(element: Shown) -> str:
     x, y = element.lines[0][0].real, -element.lines[0][0].imag
     return f"({x:.1f}, {y:.1f})"
 

@@ -8,15 +8,12 @@ from itertools import pairwise
 
 import shapely
 
-from graphkin.check.drawing import Fault
+from graphkin.check.drawing import MARKS, Fault
 from graphkin.check.links import link_name
 from graphkin.check.shown import Shown, Sight
-from graphkin.check.styles import dashed_away
+from graphkin.check.styles import FAINT, HAIR, dashed_away
 from graphkin.value import frozen
 
-_MARKS = ("vector", "point", "link")
-_FAINT = 0.3
-"""Ink fainter than this is none."""
 _SIGN = 7.6
 """Small signs may lie over a line: a pivot, a corner's filling, a centre's ring; from corner to corner [mm]."""
 _BLOCK = 6.2
@@ -32,7 +29,7 @@ def name_of(mark: Shown) -> str:
 
 
 def _is_mark(element: Shown) -> bool:
-    return any(kind in element.kind for kind in _MARKS)
+    return any(kind in element.kind for kind in MARKS)
 
 
 @frozen
@@ -75,10 +72,10 @@ class Layers:
 
 def _inked(mark: Shown) -> bool:
     """Whether there is a line, or a dot, of a width that can be seen and measured."""
-    drawn = mark.style.ink("stroke") > _FAINT and 0.1 < mark.width < _THICK
+    drawn = mark.style.ink("stroke") > FAINT and HAIR < mark.width < _THICK
     if "point" in mark.kind:
         size = abs(mark.lines[0][0] - mark.middle) if mark.tag == "circle" else 0.0
-        return 0.2 < size < _DOT and (drawn or mark.style.ink("fill") > _FAINT)
+        return 0.2 < size < _DOT and (drawn or mark.style.ink("fill") > FAINT)
     if any(abs(b - a) > 0.05 for line in mark.lines for a, b in pairwise(line)):
         return drawn and not dashed_away(mark.style, "pathLength" in mark.attributes)
     return True
@@ -115,32 +112,32 @@ def _surface(element: Shown) -> shapely.Geometry | None:
     if element.tag == "text" or _belongs(element):
         return None
     parts = []
-    if element.tag == "image" or element.style.share("fill") > _FAINT:
-        parts += [shapely.Polygon(_xy(line)) for line in element.lines if len(line) > 3 and element.plain]
-        parts += [_whole(line) for line in element.lines if len(line) > 3 and not element.plain]
-    if element.style.share("stroke") > _FAINT and element.width > _THICK:
+    if element.tag == "image" or element.style.share("fill") > FAINT:
+        parts.append(_whole(element))
+    if element.style.share("stroke") > FAINT and element.width > _THICK:
         parts += [shapely.LineString(_xy(line)).buffer(element.width / 2) for line in element.lines]
-    whole = shapely.union_all([part if part.is_valid else part.buffer(0) for part in parts])
+    whole = shapely.union_all(parts)
     ink = max(element.style.ink("fill"), element.style.ink("stroke"))
-    return None if whole.is_empty or (_size(whole) < _SIGN and ink > _FAINT) else whole
+    return None if whole.is_empty or (_size(whole) < _SIGN and ink > FAINT) else whole
 
 
-def _whole(line: tuple[complex, ...]) -> shapely.Geometry:
-    return shapely.Polygon(_xy(line)).convex_hull
+def _whole(element: Shown) -> shapely.Geometry:
+    """What an element fills; of curves what is around them."""
+    areas = [shapely.Polygon(_xy(line)) for line in element.lines if len(line) > 3]
+    around = areas if element.plain else [area.convex_hull for area in areas]
+    return shapely.union_all([area if area.is_valid else area.buffer(0) for area in around])
 
 
 def _belongs(element: Shown) -> bool:
     """Blocks, slots, tubes and dots are drawn over lines; no larger than they are."""
     if not _is_mark(element) or element.width > _THICK:
         return False
-    if element.style.share("fill") <= _FAINT:
+    if element.style.share("fill") <= FAINT:
         return True
     if "point" in element.kind:
         return element.tag == "circle" and abs(element.lines[0][0] - element.middle) < _DOT
-    around = shapely.MultiPoint(_xy(element.lines[0])).minimum_rotated_rectangle
-    corners = shapely.get_coordinates(around)
-    sides = [((a - b) ** 2).sum() ** 0.5 for a, b in pairwise(corners)]
-    return element.attributes.get("data-form") in ("block", "slot", "guide") and min(sides, default=0.0) < _BLOCK
+    forms = ("block", "slot", "guide", "arc", "omega", "alpha", "push")
+    return element.attributes.get("data-form") in forms and _whole(element).buffer(-_BLOCK / 2).is_empty
 
 
 def _xy(line: tuple[complex, ...]) -> list[tuple[float, float]]:

@@ -39,6 +39,8 @@ def worst_place(mark: Shown, exact: Widened, at: Callable[[str], complex], scale
         return None
     elif form == "arc":
         pairs = list(_arc(mark, exact.mechanism, [at(point) for point in points], scale))
+    elif form in ("omega", "alpha", "push"):
+        pairs = [_sense(mark, form, exact, [at(point) for point in points])]
     elif form == "bar":
         pairs = _bar(mark, [at(point) for point in points])
     else:
@@ -68,16 +70,34 @@ def _wheel(mark: Shown, mechanism: Mechanism, at: Callable[[str], complex], scal
 
 
 def _arc(mark: Shown, mechanism: Mechanism, points: list[complex], scale: float) -> Iterator[Pair]:
-    """Every corner at its radius from the centre, and the pin between the ends."""
+    """Every corner at its radius from the centre, a slot's half a width off it; and the pin between the ends."""
     centre, pin = points
     (radius,) = (pair.equivalent.length for pair in mechanism.pairs
                  if pair.name == mark.attributes.get("data-line", "") and isinstance(pair.equivalent, Rod))  # fmt: skip
     corners = _corners(mark)
-    for place in corners:
-        yield place, centre + (place - centre) / abs(place - centre) * radius / scale
-    turns = [cmath.phase((place - centre) / (pin - centre)) for place in (corners[0], corners[-1])]
+    off = [abs(place - centre) - radius / scale for place in corners]
+    half = (max(off) - min(off)) / 2 if len(corners) < len(mark.lines[0]) else 0.0
+    for place, beyond in zip(corners, off, strict=True):
+        yield place, place + (centre - place) / abs(centre - place) * (beyond - min(max(beyond, -half), half))
+    turns = [cmath.phase((place - centre) / (pin - centre)) for place in corners]
     if min(turns) > 0 or max(turns) < 0:
         yield corners[0], pin
+
+
+def _sense(mark: Shown, form: str, exact: Widened, points: list[complex]) -> Pair:
+    """The middle of an arrow head's back, behind its tip on the side from which the motion comes."""
+    tip, *back = _corners(mark)
+    foot = sum(back) / len(back)
+    link, line, long = mark.attributes["data-link"], mark.attributes.get("data-line", ""), abs(tip - foot)
+    if form == "push":
+        rate = float(exact.s_rate[line]) or float(exact.s_acceleration[line])
+        way = lines_of(exact.mechanism)[line].direction * cmath.rect(1, float(np.real(exact.theta[link])))
+        return foot, tip - long * way * float(np.sign(rate))
+    turning = exact.turning if form == "omega" else exact.swing
+    rate = float(turning(link)) - (float(turning(line)) if line else 0.0)
+    arm = tip - points[0]
+    chord = arm - arm * cmath.rect(1, -float(np.sign(rate)) * long / abs(arm))
+    return foot, tip - long * chord / abs(chord)
 
 
 def _radii(mechanism: Mechanism, link: str, centre: str) -> set[float]:

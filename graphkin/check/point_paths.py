@@ -172,8 +172,9 @@ def _off(corners: np.ndarray, curve: np.ndarray) -> Iterator[Pair]:
 def _missing(corners: np.ndarray, curve: np.ndarray) -> Iterator[Pair]:
     """The place of the curve that is too far off what is drawn, beside the drawn place next to it."""
     drawn = shapely.linestrings(_xy(corners))
-    off = np.nan_to_num(shapely.distance(drawn, shapely.points(_xy(curve))))
-    if off.max() > _GONE:
+    curve = curve[np.isfinite(curve)]
+    off = shapely.distance(drawn, shapely.points(_xy(curve)))
+    if off.max(initial=0.0) > _GONE:
         place = complex(curve[int(off.argmax())])
         next_to = drawn.interpolate(drawn.project(shapely.Point(place.real, place.imag)))
         yield complex(next_to.x, next_to.y), place

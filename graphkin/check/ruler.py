@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
 from pathlib import Path
 from typing import Literal
 
 from graphkin.analytic import Motion, motion
 from graphkin.check.centre_measure import CENTRES, parted, seen_arrows, seen_centres, ways_to_move
-from graphkin.check.claims import changed, unjudged
+from graphkin.check.claims import changed
 from graphkin.check.drawing import UNITS, DrawingFile, Fault, mechanism_of, numbers, plane_of, read, scales_of
 from graphkin.check.ends import loose_ends
 from graphkin.check.expected import is_called_so, is_named_so, point_value, vector_value
@@ -17,6 +19,7 @@ from graphkin.check.hidden import Layers
 from graphkin.check.links import link_name, worst_place
 from graphkin.check.point_paths import worst_of_path
 from graphkin.check.shown import Shown
+from graphkin.check.signs import judged
 from graphkin.check.transforms import Unread
 from graphkin.check.widened import Widened, widened
 from graphkin.construction import Plane
@@ -33,7 +36,7 @@ class Measured:
     unit_per_mm   scale of its plane, in `unit` per mm
     """
 
-    plane: Plane | Literal["centres"]
+    plane: Plane | Literal["centres", "sheet"]
     name: str
     kind: str
     drawn: complex
@@ -81,18 +84,18 @@ def measure(path: str | Path, tolerance_mm: float = 0.01) -> RulerReport:
 def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) -> RulerReport:
     """A drawing beside the mechanism that it should show."""
     values = numbers(drawing, "drivers", len(mechanism.drivers))
-    solved = motion(mechanism, values)
     planes, centres = parted(drawing)
     scales = scales_of(drawing)
-    ruler = _Ruler(planes, mechanism, widened(mechanism, solved, planes), scales, values)
+    ruler = _Ruler(planes, mechanism, scales, values)
     try:
         entries = [*ruler.vectors(), *ruler.points(), *ruler.links()]
         if centres.points or centres.vectors:
-            entries += _centres(planes, centres, mechanism, solved, scales)
+            entries += _centres(planes, centres, mechanism, ruler.solved, scales)
         layers = Layers.of(drawing.sight)
         faults = [*changed(drawing, layers.letters, mechanism, scales), *wrong_heads(drawing), *layers.hidden_marks()]
-        faults += [*ruler.misfits(), *loose_ends(planes, tolerance_mm)]
-        notes = [*unjudged(drawing, layers.letters), *ruler.unknown()]
+        signs, notes = judged(drawing, layers.letters)
+        faults += [*signs, *ruler.misfits(), *loose_ends(planes, tolerance_mm)]
+        notes += ruler.unknown()
     except Unread as error:
         raise BadDrawing(Where(drawing.file), "shown", str(error)) from None
     return RulerReport(drawing.file, tuple(entries), tuple(faults), tuple(notes))
@@ -104,9 +107,17 @@ class _Ruler:
 
     drawing: DrawingFile
     mechanism: Mechanism
-    exact: Widened
     scales: Mapping[Plane, float]
     values: Sequence[float]
+
+    @cached_property
+    def solved(self) -> Motion:
+        """The analytic solution; of a sheet without points, which may show dead points, none is asked for."""
+        return motion(self.mechanism, self.values)
+
+    @cached_property
+    def exact(self) -> Widened:
+        return widened(self.mechanism, self.solved, self.drawing)
 
     def _measured(self, plane: Plane, name: str, kind: str, drawn: complex, right: complex) -> Measured:
         return Measured(plane, name, kind, drawn, right, self.scales[plane], UNITS[plane])
@@ -143,16 +154,22 @@ class _Ruler:
     def links(self) -> Iterator[Measured]:
         """Lines of links against the places where the points should be."""
         origins: dict[Plane, complex] = {}
-        for mark in self.drawing.of_class("link") if self.drawing.points else ():
-            plane, name = plane_of(self.drawing, mark.attributes), link_name(mark.attributes)
-            try:
-                origin = origins[plane] = origins.get(plane) or self._origin(plane)
-                found = self._worst(mark, plane, origin)
-            except (KeyError, ValueError):
-                found = None
-            if found is None:
-                raise BadDrawing(Where(self.drawing.file), "value", f"data-link={name}")
-            yield self._measured(plane, name, "link", found[0] - origin, found[1] - origin)
+        for mark in self.drawing.of_class("link"):
+            if mark.attributes.get("data-form") == "ruler":
+                yield _hundred(mark)
+            elif self.drawing.measures_links:
+                yield self._link(mark, origins)
+
+    def _link(self, mark: Shown, origins: dict[Plane, complex]) -> Measured:
+        plane, name = plane_of(self.drawing, mark.attributes), link_name(mark.attributes)
+        try:
+            origin = origins[plane] = origins.get(plane) or self._origin(plane)
+            found = self._worst(mark, plane, origin)
+        except (KeyError, ValueError):
+            found = None
+        if found is None:
+            raise BadDrawing(Where(self.drawing.file), "value", f"data-link={name}")
+        return self._measured(plane, name, "link", found[0] - origin, found[1] - origin)
 
     def _worst(self, mark: Shown, plane: Plane, origin: complex) -> tuple[complex, complex] | None:
         """The place of a link's line, or of a path, that is farthest off, and where it should be."""
@@ -172,6 +189,16 @@ class _Ruler:
         for attributes, _ in self.drawing.points:
             if not is_named_so(self.exact, attributes):
                 yield Fault("name", attributes.get("data-name", ""))
+        for vector in self.drawing.of_class("vector"):
+            if vector.tip and not self._is_tip(vector):
+                yield Fault("tip", vector.attributes.get("data-name", ""))
+
+    def _is_tip(self, vector: Shown) -> bool:
+        """Whether its value in words is its length, to the digits that are written."""
+        told = re.search(r"= ([0-9.e+-]+) m/s²?$", vector.tip)
+        size = abs(vector.lines[0][-1] - vector.lines[0][0]) * self.scales[plane_of(self.drawing, vector.attributes)]
+        slack = 1e-3 * size + 1e-3 * self.scales[plane_of(self.drawing, vector.attributes)]
+        return told is not None and abs(float(told[1]) - size) <= slack
 
     def unknown(self) -> Iterator[Fault]:
         """Points of which nobody says what they are, and at which no arrow ends."""
@@ -184,6 +211,12 @@ class _Ruler:
             known = plane in self.scales and point_value(self.mechanism, self.exact, plane, attributes) is not None  # type: ignore[arg-type]
             if not known and (plane, name) not in ends:
                 yield Fault("unknown", name)
+
+
+def _hundred(mark: Shown) -> Measured:
+    """The line that is 100 mm long on paper."""
+    along = mark.lines[0][-1] - mark.lines[0][0] if mark.lines else 0j
+    return Measured("sheet", "100 mm", "link", along, 100 * along / (abs(along) or 1.0), 1e-3, "m")
 
 
 def _centres(

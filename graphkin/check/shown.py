@@ -32,6 +32,7 @@ class Shown:
     plain            whether they are the shape itself
     scale            mm to a unit
     text             the letters that can be read, of a text
+    tip              what a viewer shows where it is pointed at
     """
 
     tag: str
@@ -41,6 +42,7 @@ class Shown:
     lines: tuple[tuple[complex, ...], ...] = ()
     plain: bool = True
     text: str = ""
+    tip: str = ""
 
     @property
     def kind(self) -> list[str]:
@@ -117,11 +119,14 @@ def _shape(element: Element, name: str, outer: Affine, above: Style) -> Shown:
         text = "".join(_letters(element, style, affine))
         return Shown(name, element.attrib, style, affine, ((_begin(element, affine),),), text=text)
     lines = tuple(tuple(affine(p.real, p.imag) for p in line) for line in outline(name, element.attrib))
-    return Shown(name, element.attrib, style, affine, lines, is_plain(name, element.attrib))
+    tip = "".join(child.text or "" for child in element if _name(child) == "title")
+    return Shown(name, element.attrib, style, affine, lines, is_plain(name, element.attrib), tip=tip)
 
 
 def _letters(element: Element, style: Style, affine: Affine) -> Iterator[str]:
     """The letters of a text that can be read: dark enough, large enough, not hidden."""
+    if any(style.share(what) > 0.3 and style.ink(what) < 0.2 for what in ("fill", "stroke")):
+        raise Unread("a text too light to be read")
     if _readable(style, affine):
         yield element.text or ""
     for child in element:

@@ -34,6 +34,12 @@ _NAMED: Mapping[str, str] = {
 }  # fmt: skip
 
 
+FAINT = 0.3
+"""Ink fainter than this is none."""
+HAIR = 0.1
+"""A thinner line is none [mm]."""
+
+
 @frozen
 class Style:
     """What a viewer paints an element with. `painted`: the inherited properties; `opacity`: of it and all above it."""

@@ -33,9 +33,15 @@ COMMANDS = {
 _BROKEN_OFF = 130
 """The exit status after Ctrl-C, as shells have it; 1 would say that a check failed."""
 
+_THREADS = ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS")
+"""How many threads NumPy's linear algebra takes, as its user may have said."""
+
 
 class Program(click.Group):
     """The commands as a process of their own (a test, which calls `main.main`, has its own settings).
+
+    It computes with one thread, where nothing else is said: matrices are small, and threads that wait for one another
+    take longer. Set before NumPy is loaded; processes that it starts inherit it.
 
     It ends soon: garbage is collected rarely, and the interpreter is not taken down module by module at the
     end, which would take a tenth of the whole time of `draw`. Files are written and closed by then.
@@ -43,6 +49,8 @@ class Program(click.Group):
 
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
         gc.set_threshold(200_000)
+        if not any(name in os.environ for name in _THREADS):
+            os.environ[_THREADS[0]] = "1"
         streams.prepare()
         status: object = 0
         try:

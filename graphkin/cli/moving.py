@@ -169,6 +169,8 @@ def find(
             raise click.UsageError("-o draws the positions of one mechanism; leave out --vary")
         table = finding.vary(machine, dimensions[0], condition, ranges, by, plan=api.plan)
         click.echo(json_line(finding.table_json(table)) if as_json else "\n".join(table_lines(table, lang)))
+        if all(row.error for row in table.rows):
+            sys.exit(3)
         return
     method = api.plan(machine)
     found = finding.find(method, condition, ranges, by)

@@ -65,6 +65,6 @@ def ended(error: OSError, lang: Lang = "en") -> int:
     """The exit status of a command that could not write."""
     if isinstance(error, BrokenPipeError) or error.errno in NO_READER:
         return 0
-    refused = CannotWrite(str(error.filename or "<stdout>"), error.strerror or str(error))
+    refused = CannotWrite.by(error.filename or "<stdout>", error)
     click.echo(refused.message(lang), err=True)
     return refused.exit_code

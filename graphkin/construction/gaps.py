@@ -78,7 +78,7 @@ class Gaps:
     def _closed(self, number: int, closure: Closure) -> Value:
         """Enters the parts of a closure that an unknown turns or pushes; gives the sum of the others [m]."""
         position = self.plot.position
-        known = position[closure.start] - position[closure.end]
+        known = 0j if closure.floats else position[closure.start] - position[closure.end]
         for part in closure.parts:
             if isinstance(part, Arm):
                 shape = self.plot.facts.shapes[part.link]

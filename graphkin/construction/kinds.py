@@ -116,6 +116,11 @@ class Closure:
     parts: tuple[Arm | Slid, ...]
     end: str
 
+    @property
+    def floats(self) -> bool:
+        """It comes back to where it begins, wherever that lies."""
+        return self.start == self.end
+
 
 @frozen
 class InStep:

@@ -7,7 +7,7 @@ from typing import assert_never
 import numpy as np
 
 from graphkin.drafting.board import Board
-from graphkin.drafting.projective import Homogeneous, along, balanced, improper, product, scalar
+from graphkin.drafting.projective import Homogeneous, along, balanced, improper, joined, product, scalar
 from graphkin.drafting.rules import RULES
 from graphkin.drafting.steps import (
     Bisector,
@@ -109,7 +109,7 @@ def ruled(step: LineStep, board: Board) -> Homogeneous:
         case Traced(_, line):
             found = board.underlay.lines[line]
         case Through(_, first, second):
-            found = product(balanced(board.points[first]), balanced(board.points[second]))
+            found = joined(board.points[first], board.points[second])
         case Slanted(_, at, toward, angle, sense):
             found = board.sloping(board.at(at), board.toward(at, toward) * np.exp(1j * sense * board.numbers[angle]))
         case Perpendicular(_, at, to):

@@ -41,6 +41,12 @@ def product(one: Homogeneous, other: Homogeneous) -> Homogeneous:
     return np.array(np.broadcast_arrays(b * f - c * e, c * d - a * f, a * e - b * d))
 
 
+def joined(one: Homogeneous, other: Homogeneous) -> Homogeneous:
+    """The line through two points; NaN where they are one but for rounding, as at infinity in one direction."""
+    found = product(balanced(one), balanced(other))
+    return np.where(np.linalg.norm(found, axis=0) > INFINITE, found, np.nan)
+
+
 def place(point: Homogeneous, origin: complex = 0j, size: float = 1.0) -> Value:
     """Where a point is; infinite at infinity, NaN where it is nowhere."""
     x, y, w = point

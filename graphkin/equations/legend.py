@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
-from typing import Literal, get_args
-
-import numpy as np
+from typing import Literal
 
 from graphkin.analytic import Motion
 from graphkin.equations.symbols import Angle, Kind, Symbol
@@ -15,8 +13,6 @@ from graphkin.say.catalogue import Meaning
 from graphkin.value import frozen
 
 Unit = Literal["mm", "deg", "rad/s", "rad/s^2", "m/s", "m/s^2", "mm rad", "1"]
-_NOTHING = 1e-12
-"""Beside the largest of its unit."""
 Reader = Callable[[Motion], Value]
 
 
@@ -80,24 +76,3 @@ def _family(symbol: Symbol) -> tuple[Symbol, ...]:
 def values(ledger: Legend, motion: Motion) -> dict[Symbol, Value]:
     """Every symbol's value at a motion, in SI units: scalars, or arrays over positions."""
     return {symbol: entry.read(motion) for symbol, entry in ledger.entries.items()}
-
-
-def settled(ledger: Legend, found: Mapping[Symbol, Value]) -> dict[Symbol, Value]:
-    """Single values without the rounding of what is zero: nothing beside the largest of its unit is 0.
-
-    Velocities are held against ω r, accelerations against ω² r: an α that cancels leaves no other α to compare with.
-    """
-    most = dict.fromkeys(get_args(Unit), 0.0)
-    for symbol, value in found.items():
-        unit = ledger.entries[symbol].unit
-        most[unit] = max(most[unit], float(abs(value)))
-    speed, size = most["rad/s"], most["mm"]
-    most["rad/s^2"] = max(most["rad/s^2"], speed**2)
-    most["m/s"] = max(most["m/s"], speed * size)
-    most["m/s^2"] = max(most["m/s^2"], speed**2 * size)
-    return {symbol: _rounded(value, _NOTHING * most[ledger.entries[symbol].unit]) for symbol, value in found.items()}
-
-
-def _rounded(value: Value, least: float) -> Value:
-    real, imag = (part if abs(part) > least else 0.0 for part in (np.real(value), np.imag(value)))
-    return complex(real, imag) if np.iscomplexobj(value) else real

@@ -18,6 +18,7 @@ from graphkin.equations.model import Model
 from graphkin.equations.page import Page
 from graphkin.equations.pretty import ZERO, Pretty
 from graphkin.equations.symbols import Symbol
+from graphkin.usual import ROUNDING
 from graphkin.value import frozen
 
 _JOINED = 4
@@ -193,7 +194,7 @@ class _Writer:
 
 def written(value: float, most: float) -> Node:
     """Six digits; what is nothing beside the others is 0."""
-    if abs(value) <= 1e-12 * most or not np.isfinite(value):
+    if abs(value) <= ROUNDING * most or not np.isfinite(value):
         return ZERO if np.isfinite(value) else Num("?")
     text = f"{abs(value):.{_DIGITS}g}"
     mantissa, e, exponent = text.partition("e")

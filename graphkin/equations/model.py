@@ -9,7 +9,7 @@ from graphkin.analytic import Motion
 from graphkin.construction import Plot
 from graphkin.equations.bodies import Bodies
 from graphkin.equations.expressions import Sum
-from graphkin.equations.legend import Legend, settled, values
+from graphkin.equations.legend import Legend, values
 from graphkin.equations.polygons import Arrows, Polygon, closed
 from graphkin.equations.rolling import Rolling, rolling
 from graphkin.equations.symbols import Angle, Symbol
@@ -20,6 +20,8 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.planning.structure import Hinge
 from graphkin.value import frozen
+
+_SI: Mapping[str, str] = {"mm": "m", "mm rad": "m", "deg": "rad"}
 
 
 @frozen
@@ -70,8 +72,10 @@ class Model:
 
     @property
     def values(self) -> dict[Symbol, Value]:
-        """All letters at the drawn position [SI]."""
-        return settled(self.ledger, values(self.ledger, self.drawn))
+        """All letters at the drawn position [SI]; nothing that is but rounding."""
+        cut, entries = self.drawn.mechanism.usual.cut, self.ledger.entries
+        return {symbol: cut(value, _SI.get(entries[symbol].unit, entries[symbol].unit))
+                for symbol, value in values(self.ledger, self.drawn).items()}  # fmt: skip
 
 
 def model_of(method: Method) -> Model:

@@ -30,6 +30,13 @@ class CannotWrite(GraphkinError):
         "zh": "{path}：无法写入（{reason}）。请另选位置，或先建立文件夹。",
     }
 
+    @classmethod
+    def by(cls, path: object, error: OSError) -> CannotWrite:
+        """Of a system that refuses. A time limit that ends the command is no such thing, and is raised again."""
+        if isinstance(error, TimeoutError) and error.errno is None:
+            raise error
+        return cls(str(path), error.strerror or str(error))
+
 
 class NoDrawing(GraphkinError):
     """A drawing that is not there."""
@@ -42,14 +49,34 @@ class NoDrawing(GraphkinError):
 
 
 class NothingToMeasure(GraphkinError):
-    """A sheet of graphkin's that shows a problem without its answers."""
+    """A drawing of graphkin's that a ruler does not judge: `style` is a key of `_UNJUDGED`."""
 
     where: Where
+    style: str = "given"
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this sheet shows only what is given, so there is nothing to measure. Check one that holds "
-        "answers, as `graphkin draw` makes it without `--style given`.",
-        "zh": "{where}：本图只画出已知条件，没有可测量的结果。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
+        "en": "{where}: nothing of this drawing is judged: {told}",
+        "zh": "{where}：本图不作任何判断：{told}",
     }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return super()._words(lang) | {"told": _UNJUDGED[self.style][lang]}
+
+
+_UNJUDGED: dict[str, dict[Lang, str]] = {
+    "given": {
+        "en": "it shows only what is given. Check one that holds answers, as `graphkin draw` makes it without "
+        "`--style given`.",
+        "zh": "它只画出已知条件。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
+    },
+    "bare": {
+        "en": "it carries no mechanism file to solve anew. Check one of a mechanism, as `graphkin draw` makes it.",
+        "zh": "图中没有可重新求解的机构文件。请检查某一机构的图（`graphkin draw`）。",
+    },
+    "moving": {
+        "en": "it moves, and a ruler measures one position. Check one drawn at a position, without `--animate`.",
+        "zh": "它是动态图，而直尺只能测量一个位置。请检查某一位置的图（不加 `--animate`）。",
+    },
+}
 
 
 class BadDrawing(GraphkinError):
@@ -72,11 +99,9 @@ REASONS: dict[str, dict[Lang, str]] = {
     "unreadable": {"en": "it cannot be read ({what})", "zh": "无法读取（{what}）"},
     "xml": {"en": "it is not sound XML", "zh": "不是完好的 XML"},
     "svg": {"en": "it is not an SVG", "zh": "不是 SVG 图形"},
-    "points": {"en": "it has no points", "zh": "图中没有点"},
     "json": {"en": "what it says of itself cannot be read", "zh": "图中的说明数据无法读取"},
     "metadata": {"en": "it does not come from graphkin", "zh": "不是 graphkin 画的图"},
     "mechanism": {"en": "it carries no mechanism", "zh": "图中没有机构数据"},
-    "element": {"en": "a vector or a point lacks {what}", "zh": "某个矢量或点缺少 {what}"},
     "older": {"en": "it was drawn by another version of graphkin", "zh": "它是由另一版本的 graphkin 画的"},
     "shown": {
         "en": "{what} in it may move, hide or add lines, so that a ruler cannot tell what a viewer shows",

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import AboutLinks, Choice, GraphkinError, Lang, Where
+from graphkin.errors.base import AboutLinks, Choice, GraphkinError, Lang, Where, listed
 
 __all__ = [
     "DrivenFrame",
     "DrivenTwice",
+    "JoinedToNothing",
     "NoDriver",
     "NoVector",
     "RepeatedDriver",
@@ -101,6 +102,22 @@ class TooFewDrivers(AboutLinks):
         "{drivers} of it; still free: links {links}. Add a [[driver]] for one of them.",
         "zh": "{where}：机构有 {freedoms} 个自由度，却只有 {drivers} 个原动件；构件 {links} 仍可自由运动。请为其中之一增加 [[driver]]。",
     }
+
+
+class JoinedToNothing(TooFewDrivers):
+    """Freedoms that no driver takes, and points of one link alone that may have been meant as hinges."""
+
+    points: tuple[str, ...]
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: joined to nothing: {points}, which no second link has. So the mobility of this mechanism "
+        "(its degrees of freedom) is {freedoms}, and drivers take {drivers} of it; still free: links {links}. "
+        "A letter that two links share is a hinge: let them share one, or add a [[driver]].",
+        "zh": "{where}：{points} 各只属于一个构件，未与其他构件相连；机构因此有 {freedoms} 个自由度，却只有 {drivers} 个原动件，"
+        "构件 {links} 仍可自由运动。两构件共有的字母即为转动副：请用同一字母，或增加 [[driver]]。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        return {**super()._words(lang), "points": listed(self.points, lang)}
 
 
 class TooManyDrivers(GraphkinError):

@@ -248,8 +248,10 @@ class RoadsDiffer(GraphkinError):
     worst: float
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the drawing and the analytic solution differ by {worst:.1e} of the largest value, so neither "
-        "is given. The mechanism may stand too near a dead point: move the driver a little.",
-        "zh": "{where}：图解结果与解析结果相差 {worst:.1e}（相对值），故均不予给出。机构可能过于接近死点，请稍微改变原动件的位置。",
+        "is given. Where the mechanism stands near a dead point, move the driver a little; anywhere else the fault is "
+        "graphkin's: please report the file.",
+        "zh": "{where}：图解结果与解析结果相差 {worst:.1e}（相对值），故均不予给出。"
+        "机构若接近死点，请稍微改变原动件的位置；否则为 graphkin 的错误，请将该文件报告给开发者。",
     }
 
 

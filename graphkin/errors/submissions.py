@@ -19,6 +19,7 @@ __all__ = [
     "StudentTwice",
     "TooMuch",
     "TookTooLong",
+    "TwoNames",
     "UnknownStudent",
     "WantsExtra",
 ]
@@ -134,6 +135,19 @@ class HandedTwice(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: student {student!r} handed in {first} before, which is marked; this one is not. Leave one of the two.",
         "zh": "{where}：学生 {student!r} 先提交了 {first}，已按该份批改，这一份不再批改。请只保留其中一份。",
+    }
+
+
+class TwoNames(GraphkinError):
+    """A line in a file names a student, who is another than the one it is named after."""
+
+    where: Where
+    named: str
+    student: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: a line in it says that it is of {student!r}, but it is named after {named!r}, and {student!r} is "
+        "another's name. It is not marked. Take the line out, or rename the file.",
+        "zh": "{where}：文件中写明学生为 {student!r}，但文件名为 {named!r}，而 {student!r} 另有其人，故不批改。请删去该行，或更改文件名。",
     }
 
 

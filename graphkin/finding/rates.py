@@ -7,13 +7,15 @@ acceleration. On a way every driver keeps its speed, so what the drivers' own ac
 
 from __future__ import annotations
 
+from typing import assert_never
+
 import numpy as np
 
 from graphkin.geometry import Value, dot
 from graphkin.mechanism import FRAME
 from graphkin.motions import Motions
 from graphkin.naming import Seen
-from graphkin.quantities import Component, Displacement, Moving, Place, Rotation, on_axis
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track, on_axis
 from graphkin.sweeps import Course, Series
 from graphkin.value import frozen
 
@@ -57,8 +59,10 @@ def rate(motions: Motions, entry: Series, pace: Pace) -> Value | None:
             return on_axis(motions.velocity_at(site.point, site.link) / pace.speed, axis)
         case Moving(letter="v") | Component(letter="v") if pace.growth is not None:
             return _of_speed(motions, entry, pace.growth) / pace.speed
-        case _:
+        case Rotation() | Moving() | Component() | Track() | Centre() | Quotient():
             return None
+        case _:
+            assert_never(entry.quantity)
 
 
 def _of_speed(motions: Motions, entry: Series, growth: float) -> Value:

@@ -47,7 +47,7 @@ class Journal:
             self._new = self.beside.open("a", encoding="utf-8", newline="\n")
             self._write("\n" if self._new.tell() else HEAD)  # a line that was cut ends here
         except OSError as error:
-            raise CannotWrite(str(self.beside), error.strerror or str(error)) from None
+            raise CannotWrite.by(self.beside, error) from None
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, _: TracebackType | None) -> None:
@@ -63,7 +63,7 @@ class Journal:
         try:
             self._write(text(record) + "\n")
         except OSError as error:
-            raise CannotWrite(str(self.beside), error.strerror or str(error)) from None
+            raise CannotWrite.by(self.beside, error) from None
 
     def _write(self, line: str) -> None:
         self._new.write(line)
@@ -88,8 +88,9 @@ def resumed(
 
     written   makes the record of one, as `outputs.marks_json` does in a language, which `way.words` names
     """
+    paths = [*paths]
     known = (_known(item, judge, journal, way) for item in items(paths, way))
-    for one in run(judge, known, way):
+    for one in run(judge, known, way, paths):
         if isinstance(one, Kept):
             yield journal.records[one.handed]
             continue

@@ -17,7 +17,7 @@ from graphkin.marking.graded import Graded
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
 from graphkin.sending import ahead
-from graphkin.submissions import FirstOnes, Handed, Limits, guarded, handed_in
+from graphkin.submissions import FirstOnes, Handed, Limits, called, guarded, handed_in
 from graphkin.value import frozen
 
 _BATCH, _BYTES = 64, 4 << 20
@@ -62,7 +62,8 @@ def grade(
     """
     judge = OneKey(Marker(judge)) if isinstance(judge, Key) else judge
     way = Way(limits or Limits(), workers, executor)
-    for graded in run(judge, items(paths, way), way):
+    paths = [*paths]
+    for graded in run(judge, items(paths, way), way, paths):
         assert isinstance(graded, Graded)
         yield graded
 
@@ -76,26 +77,28 @@ def items(paths: Iterable[str | Path], way: Way) -> Iterator[Handed | Again]:
             yield from handed_in([path], way.limits)
 
 
-def run(judge: Judge, some: Iterable[Item], way: Way) -> Iterator[Graded | Kept]:
-    """What becomes of each, in order; what is kept goes through as it is."""
+def run(
+    judge: Judge, some: Iterable[Item], way: Way, paths: Iterable[str | Path]
+) -> Iterator[Graded | Kept]:
+    """What becomes of each, in order; what is kept goes through as it is. `paths`: of all that was handed in."""
     work = partial(marked, judge=judge, limits=way.limits, reading=way.reading)
     if way.executor is not None:
-        return firsts(ahead(way.executor, work, _batches(some, _BATCH), _AHEAD))
+        return firsts(ahead(way.executor, work, _batches(some, _BATCH), _AHEAD), paths)
     if way.workers:
         seconds = way.limits.seconds
-        return firsts(guarded(work, _batches(some, _BATCH), way.workers, seconds, _failed))
-    return firsts(chain.from_iterable(map(work, _batches(some, _BATCH))))
+        return firsts(guarded(work, _batches(some, _BATCH), way.workers, seconds, _failed), paths)
+    return firsts(chain.from_iterable(map(work, _batches(some, _BATCH))), paths)
 
 
-def firsts(found: Iterable[Graded | Kept]) -> Iterator[Graded | Kept]:
+def firsts(found: Iterable[Graded | Kept], paths: Iterable[str | Path]) -> Iterator[Graded | Kept]:
     """Of each student the first that was marked; a further one says so."""
-    seen = FirstOnes()
+    seen = FirstOnes(paths)
     for one in found:
         if not one.marked:
             yield one
             continue
         reason = seen.reason(one.student, one.file, one.place)
-        yield one if reason is None else Graded(one.student, one.file, one.place, None, reason)
+        yield one if reason is None else Graded(called(one.student, reason), one.file, one.place, None, reason)
 
 
 def _failed(item: Item, problem: str) -> Graded | Kept:

@@ -8,9 +8,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.analytic import motion
+from graphkin.errors import Lang
 from graphkin.handouts.document import Block, Heading, Table, Text
 from graphkin.handouts.told import Told
-from graphkin.marking.key import Key
+from graphkin.marking.key import Entry, Key
 from graphkin.marking.verdicts import columns, upright
 from graphkin.marking.weights import shifts
 from graphkin.quantities import EDGE, Centre
@@ -29,22 +30,29 @@ _SHOWN = 3
 def beside(told: Told) -> Iterator[Block]:
     """A row an answer: drawn, analysed, and how far a careful pencil may be off."""
     key = _key(told)
-    allowed = {entry.text: entry.tolerance for entry in key.entries} if key is not None else {}
+    entries = {entry.text: entry for entry in key.entries} if key is not None else {}
     drawn, exact = readings(told.drawing.method, told.drawing.plot), motion(told.drawing.mechanism)
     rows: list[tuple[Label, ...]] = []
     for text, quantity in zip(told.goal.texts, told.goal.wanted, strict=False):
         if quantity is None or isinstance(quantity, Centre):
             continue
         unit = EDGE[quantity.unit]
-        values = [quantity.answer(road) for road in (drawn, exact)]
+        values = [quantity.shown(road) for road in (drawn, exact)]
         sizes = [abs(v.vector) if v.vector is not None else float(v.value) for v in values]
-        off = f"{allowed[text] * unit.factor:.2g}" if text in allowed else ""
         shown = [plain(number(size * unit.factor)) for size in sizes]
-        rows.append((formula(told.goal.symbol(quantity)), *shown, plain(f"± {off}" if off else ""), plain(unit.sign)))
+        off = plain(_off(entries[text], unit.factor, told.lang) if text in entries else "")
+        rows.append((formula(told.goal.symbol(quantity)), *shown, off, plain(unit.sign)))
     if rows:
         heads = ("quantity", "drawn", "analysed", "allowed", "unit")
         yield Heading(plain(say("handouts.beside", told.lang)))
         yield Table(tuple(plain(say(f"handouts.{head}", told.lang)) for head in heads), tuple(rows))
+
+
+def _off(entry: Entry, factor: float, lang: Lang) -> str:
+    """`± 0.012`, or that paper cannot tell the value."""
+    if entry.doubt in ("dead point", "too small"):
+        return say(f"verdicts.verdict {entry.doubt}", lang)
+    return f"± {entry.tolerance * factor:.2g}"
 
 
 def mistakes(told: Told) -> Iterator[Block]:

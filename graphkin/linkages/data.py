@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from graphkin.linkages.equal import even
 from graphkin.linkages.linkage import LinkagePosition, Range
 from graphkin.linkages.report import Report
 
@@ -28,7 +29,7 @@ def as_json(report: Report) -> dict[str, Any]:
         "full_turns": [[turn.first, turn.second] for turn in report.turns if turn.full],
         "swing": report.swing,
         "stroke": report.stroke,
-        "limits": [_position(end) for end in report.limits],
+        "limits": [_position(report, end) for end in report.limits],
         "theta": report.theta,
         "K": report.k,
         "slow": _slow(report),
@@ -36,7 +37,7 @@ def as_json(report: Report) -> dict[str, Any]:
         "gamma_min_at": at,
         "alpha_max": report.alpha_max,
         "alpha_max_at": at,
-        "critical": [_position(end) for end in report.critical],
+        "critical": [_position(report, end) for end in report.critical],
         "dead_points": {driver: list(values) for driver, values in report.dead.items()},
         "advantage_min": None if found is None else found.least,
         "advantage_min_at": None if found is None else found.at,
@@ -48,8 +49,10 @@ def _range(found: Range) -> list[float] | None:
     return None if found.full else [found.low, found.high]
 
 
-def _position(end: LinkagePosition) -> dict[str, Any]:
-    return {"how": end.how, "driver": end.driver, "output": end.output, "gamma": end.gamma}
+def _position(report: Report, end: LinkagePosition) -> dict[str, Any]:
+    size = min(1.0, sum(abs(length) for length in report.linkage.sizes.values()))
+    driver, output, gamma = (None if x is None else even(x, size) for x in (end.driver, end.output, end.gamma))
+    return {"how": end.how, "driver": driver, "output": output, "gamma": gamma}
 
 
 def _slow(report: Report) -> list[int] | None:

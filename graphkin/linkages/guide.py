@@ -288,10 +288,13 @@ def _position(bar: GuideBar, b: complex, c: complex, along: complex, how: str) -
 
 
 def _gamma(bar: GuideBar, b: complex, c: complex, along: complex) -> float:
-    """Angle between what pushes and the arm it pushes at; 90 deg - it lies between force and velocity."""
+    """Angle between what pushes and the arm it pushes at; 90 deg - it lies between force and velocity.
+
+    0 with B on C: a crank as long as the frame cannot turn the bar there.
+    """
     if bar.driver == "crank":
         arm = complex(((b - c) * along.conjugate()).real, bar.offset)
-        return folded(1j, arm) if abs(arm) > EVEN * bar.frame else math.pi / 2
+        return folded(1j, arm) if abs(arm) > EVEN * bar.frame else 0.0
     if bar.driver == "bar":
         return folded(1j * along, b)
     return folded(b - c, b)

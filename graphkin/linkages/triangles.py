@@ -7,6 +7,7 @@ import math
 
 from graphkin.linkages.equal import even
 from graphkin.linkages.linkage import Range
+from graphkin.usual import ROUNDING
 
 _ROUNDING = 1e-7
 """Lines at a smaller angle lie in line: positions are laid in line from 4e-5 on (`EVEN`)."""
@@ -77,9 +78,9 @@ def folded(one: complex, other: complex) -> float:
 
 
 def whole(angle: float) -> float:
-    """The same direction from 0 to 2 pi, 2 pi itself (but for rounding) being 0."""
+    """The same direction from 0 to 2 pi; 0 or 2 pi but for rounding is 0."""
     turned = angle % math.tau
-    return 0.0 if math.tau - turned < 1e-12 else turned
+    return 0.0 if min(turned, math.tau - turned) <= ROUNDING else turned
 
 
 def phase(vector: complex) -> float:

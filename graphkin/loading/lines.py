@@ -23,7 +23,8 @@ def read_line(draft: Draft, table: LineTable, link: str, own_point: str, path: P
     if link != FRAME and len(draft.links[link].points) == 1:
         return _own_line(draft, table, link, path)
     origin = _origin(draft, table, link, own_point, path)
-    return Line(link, origin, _direction(draft, table, link, origin, path), origin not in draft.starts)
+    base = (origin, table.toward) if table.toward is not None else table.from_
+    return Line(link, origin, _direction(draft, table, link, origin, path), origin not in draft.starts, base)
 
 
 def _own_line(draft: Draft, table: LineTable, link: str, path: Path) -> Line:
@@ -41,7 +42,7 @@ def _own_line(draft: Draft, table: LineTable, link: str, path: Path) -> Line:
             if value:
                 raise NoMeaning(draft.where(*path, key), key, "own line")
         return Line(link, point, 1 + 0j)
-    return Line(link, point, _unit(table.angle or 0.0) * _base(draft, table, guide, path) / way)
+    return Line(link, point, _unit(table.angle or 0.0) * _base(draft, table, guide, path) / way, base=table.from_)
 
 
 def _slid_along(draft: Draft, link: str) -> tuple[str | None, complex]:

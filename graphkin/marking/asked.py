@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import assert_never
 
 import numpy as np
 
@@ -12,7 +13,8 @@ from graphkin.marking.hand import Redrawing
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import Seen
 from graphkin.planning import Method
-from graphkin.quantities import Answer, Component, Moving, Quantity, Quotient, on_axis
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
+from graphkin.quantities.kinds import Answer, on_axis
 from graphkin.readings import readings
 from graphkin.value import frozen
 
@@ -99,16 +101,20 @@ def asked(method: Method, plot: Redrawing, quantity: Quantity, arrows: Arrows, b
 
     before  as it follows from what was drawn earlier, where the hand then put a point elsewhere
     """
-    if isinstance(quantity, Moving):
-        vector = _vector(method, plot, quantity, arrows, before)
-        return Answer(size_of(quantity, vector), quantity.unit, vector)
-    if isinstance(quantity, Component):
-        return Answer(on_axis(_vector(method, plot, quantity.whole, arrows, before), quantity.axis), quantity.unit)
-    if isinstance(quantity, Quotient):
-        top, bottom = (asked(method, plot, half, arrows, before).value for half in quantity.halves)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return Answer(np.divide(top, bottom), "1")
-    return quantity.answer(readings(method, plot))
+    match quantity:
+        case Moving():
+            vector = _vector(method, plot, quantity, arrows, before)
+            return Answer(size_of(quantity, vector), quantity.unit, vector)
+        case Component(axis=axis, whole=whole):
+            return Answer(on_axis(_vector(method, plot, whole, arrows, before), axis), quantity.unit)
+        case Quotient():
+            top, bottom = (asked(method, plot, half, arrows, before).value for half in quantity.halves)
+            with np.errstate(divide="ignore", invalid="ignore"):
+                return Answer(np.divide(top, bottom), "1")
+        case Rotation() | Displacement() | Place() | Track() | Centre():
+            return quantity.answer(readings(method, plot))
+        case _:
+            assert_never(quantity)
 
 
 def size_of(quantity: Quantity, vector: Value) -> Value:

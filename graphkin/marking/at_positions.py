@@ -24,9 +24,7 @@ def parted(work: Work, count: int) -> list[Work]:
 def joined(student: str, parts: Sequence[Marked]) -> Marked:
     """One record of all positions; a mistake that shows at several is told once."""
     judged = tuple(_named(one, at) for at, part in enumerate(parts, 1) for one in part.judged)
-    total = sum(one.points for one in judged)
-    score = sum(one.points * one.credit for one in judged) / total if total else 0.0
-    return Marked(student, judged, score, _diagnosis(parts))
+    return Marked(student, judged, _diagnosis(parts))
 
 
 def _named(one: Judged, at: int) -> Judged:

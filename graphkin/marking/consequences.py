@@ -37,7 +37,7 @@ class Consequences:
     values      (columns, quantities): sizes, rotations with their sense, along a guide with their sign; NaN where the
                 mistake leaves nothing to be judged
     vectors     (columns, quantities), complex; NaN for scalars
-    sizes       (quantities,): the largest of its kind in the right drawing, beside which less than 1e-9 is nothing
+    sizes       (quantities,): what is usual of its kind, beside which less than 1e-9 is nothing
     plot        the drawings, one column a mistake
     moves       (columns,): whether a mistake changes anything that is asked here, or leaves nothing of it to be judged
     """
@@ -114,25 +114,17 @@ def combined(
     hand = Mistaken(columns)
     placed = hand.placed(method, plot)
     drawn, right, still = redraw(method, placed, hand, hand.shape), redraw(method, plot), redraw(method, placed)
-    answers = [asked(method, still if isinstance(q, Centre) else drawn, q, arrows) for q in quantities]
-    values = _table([answer.value for answer in answers], len(columns), float)
-    vectors = _table([np.nan if a.vector is None else a.vector for a in answers], len(columns), complex)
+    with np.errstate(divide="ignore", invalid="ignore"):  # of what a mistake leaves nothing of
+        answers = [asked(method, still if isinstance(q, Centre) else drawn, q, arrows) for q in quantities]
+    cut = method.mechanism.usual.cut
+    values = _table([cut(answer.value, answer.unit) for answer in answers], len(columns), float)
+    vectors = _table([np.nan if a.vector is None else cut(a.vector, a.unit) for a in answers], len(columns), complex)
     _write_otherwise(columns, quantities, values, vectors)
     return Consequences(
         tuple(quantities), tuple(asked(method, right, quantity, arrows) for quantity in quantities),
-        tuple(map(tuple, columns)), values, vectors, _sizes(right, quantities), drawn,
+        tuple(map(tuple, columns)), values, vectors,
+        np.array([method.mechanism.usual.size(quantity.unit) for quantity in quantities]), drawn,
     )  # fmt: skip
-
-
-def _sizes(right: Redrawing, quantities: Sequence[Quantity]) -> np.ndarray:
-    """The largest velocity, acceleration or rotation of a drawing, for each quantity."""
-    tables = {"m/s": right.velocity, "m/s^2": right.acceleration, "rad/s": right.omega, "rad/s^2": right.alpha}
-    largest = {unit: max(map(_largest, table.values()), default=0.0) for unit, table in tables.items()}
-    return np.array([largest.get(quantity.unit, 0.0) for quantity in quantities])
-
-
-def _largest(value: Value) -> float:
-    return float(np.max(np.abs(value), initial=0.0))
 
 
 def _table(columns: Sequence[Value], count: int, kind: type) -> np.ndarray:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 
 from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Plane, Plot, Ray, Size
 from graphkin.geometry import Value
+from graphkin.usual import Usual
 
 
 class Hand:
@@ -120,6 +121,7 @@ class Redrawing(Plot):
     before    omega and alpha by link as they follow from all before, where the hand has put another value
     met       points of the polygons as they follow from all before, likewise, where lines cross or by image
     reading   the link whose omega or alpha is being read
+    usual     what sizes are usual: what is far below is nothing
     """
 
     by_hand: Hand = field(default_factory=Hand)
@@ -127,6 +129,7 @@ class Redrawing(Plot):
     before: dict[tuple[str, str], Value] = field(default_factory=dict)
     met: dict[tuple[Plane, str], Value] = field(default_factory=dict)
     reading: str = ""
+    usual: Usual = field(default_factory=lambda: Usual(1.0, 0.0, 0.0))
 
     def arrow(self, size: Size, plane: Plane) -> Value:
         return self.by_hand.arrow(self, plane, size, super().arrow(size, plane))

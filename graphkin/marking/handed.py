@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import assert_never
+
 from graphkin.construction import Image, Term
 from graphkin.errors import GraphkinError
 from graphkin.marking.key import Sort
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
-from graphkin.quantities import Moving, Quantity, Rotation, read
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
+from graphkin.quantities.reading import read
 
 
 def asked_of(mechanism: Mechanism) -> dict[str, Quantity]:
@@ -44,9 +47,15 @@ def readable(mechanism: Mechanism, text: str) -> Quantity | None:
 
 def sort_of(quantity: Quantity) -> Sort:
     """Whether a quantity's sign is its sense."""
-    if isinstance(quantity, Moving):
-        return "size"
-    return "angle" if isinstance(quantity, Rotation) and quantity.word == "theta" else "sense"
+    match quantity:
+        case Moving():
+            return "size"
+        case Rotation(word="theta"):
+            return "angle"
+        case Rotation() | Displacement() | Place() | Track() | Component() | Centre() | Quotient():
+            return "sense"
+        case _:
+            assert_never(quantity)
 
 
 def _text(letter: str, term: Term) -> str:

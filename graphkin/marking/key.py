@@ -13,6 +13,11 @@ import numpy as np
 from graphkin.value import frozen
 
 Sort = Literal["sense", "size", "angle"]
+Doubt = Literal["", "steep", "dead point", "too small"]
+"""Why paper tells a value badly: it scatters otherwise than in proportion to the pencil's errors; it cannot be told at
+all, near a dead point, or since it may be off by more than its size."""
+TELLS = 0.15
+"""Where paper cannot tell a value, one that is off by a smaller part is right all the same."""
 Name = tuple[str, str, str, str]
 """A mistake as it is made at one place: its id, which way of it, what it was made with, and with what instead."""
 
@@ -48,6 +53,7 @@ class Entry:
     scatter    standard deviation of what a pencil gives, rounding in print with it
     tolerance  what may be off
     points     what it is worth; 0 where it is on the way and is not asked
+    doubt      why paper cannot tell it well; "" where it can
     """
 
     text: str
@@ -57,6 +63,12 @@ class Entry:
     scatter: float
     tolerance: float
     points: float = 0.0
+    doubt: Doubt = ""
+
+    @property
+    def allowed(self) -> float:
+        """What a right value may be off: never right are those that only a tolerance beyond all size lets in."""
+        return self.tolerance if self.doubt in ("", "steep") else min(self.tolerance, TELLS * abs(self.right))
 
 
 @frozen

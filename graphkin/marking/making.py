@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -25,6 +26,12 @@ DRAWINGS = 2000
 _FEW = 500
 """How often it is drawn where many problems are compared."""
 _FEWER = 250
+_HARDLY = 1e-3
+"""So small a part of the pencil's errors makes everything scatter in proportion."""
+_STEEP = 1.2
+"""A scatter that is so many times larger or smaller than in proportion is said to be; near a dead point it is."""
+_FAILED = 0.05
+"""Where the links do not meet in a larger part of the drawings, too, paper cannot tell the value."""
 _NOTHING = 1e-9
 """A value that is a smaller part of the largest of its kind is 0."""
 
@@ -42,19 +49,27 @@ def make_key(
     words = {quantity.text: question for question, quantity in asked.items()}
     every = list({q.text: q for q in (*asked.values(), *on_the_way(method), *quantities)}.values())
     right = _right(method, plot, every)
-    naturals = _naturals(every, right)
+    naturals = _naturals(method, every, right)
     kept = [k for k, q in enumerate(every) if right[k] or q.text in words or q in quantities]
     every, right = [every[k] for k in kept], right[kept]
     sorts = [sort_of(q) for q in every]
     sizes = np.array([sort == "size" for sort in sorts], dtype=bool)
-    drawn = drawings_of(method, marking, DRAWINGS).values(every)[0]
+    drawings = drawings_of(method, marking, DRAWINGS)
+    drawn = drawings.values(every)[0]
+    failed = drawings.failed + (1 - drawings.failed) * np.isnan(drawn).mean(axis=0)
     drawn = np.where(sizes, np.abs(drawn), drawn)
+    hardly = drawings_of(method, marking, DRAWINGS, _HARDLY).values(every)[0]
     worth = {text: points[text] for text in asked if points and text in points}
     worth = worth or dict.fromkeys(asked or [q.text for q in every], 1.0)
     entries = tuple(
-        _entry(words.get(q.text, q.text), q, value, deviation, naturals[q.unit], marking, worth)
-        for q, value, deviation in zip(every, right, spread(drawn, right, sorts), strict=True)
-    )
+        _doubted(
+            _entry(words.get(q.text, q.text), q, value, deviation, naturals[q.unit], marking, worth),
+            mechanism.usual.size(q.unit), deviation, proportional, part,
+        )
+        for q, value, deviation, proportional, part in zip(
+            every, right, spread(drawn, right, sorts), spread(hardly, right, sorts) / _HARDLY, failed, strict=True
+        )
+    )  # fmt: skip
     title = {str(lang): text for lang, text in mechanism.title.items()}
     return Key(
         mechanism.name, mechanism.text, method.structure.coincident, marking, entries, _given(method),
@@ -71,7 +86,7 @@ def asked_alone(
     every = tuple({quantity.text: quantity for quantity in asked.values()}.values())
     words = {quantity.text: question for question, quantity in asked.items()}
     right = _right(method, plot, every)
-    naturals, worth = _naturals(every, right), dict.fromkeys(asked, 1.0)
+    naturals, worth = _naturals(method, every, right), dict.fromkeys(asked, 1.0)
     drawings = drawings_of(method, marking, _FEW)
     drawn = drawings.values(every)[0]
     scatters = spread(drawn, right, [sort_of(quantity) for quantity in every])
@@ -98,9 +113,9 @@ def pencil_of(marking: Marking) -> Pencil:
     return Pencil({plane: marking.lengths[plane] for plane in ("position", "velocity", "acceleration")}, marking.angle)
 
 
-def drawings_of(method: Method, marking: Marking, count: int) -> Drawings:
-    """The mechanism drawn so many times; the same drawings again for the same mechanism."""
-    return Drawings.of(method, pencil_of(marking), Slips(seed_of(method.mechanism), count))
+def drawings_of(method: Method, marking: Marking, count: int, part: float = 1.0) -> Drawings:
+    """The mechanism drawn so many times, with a part of the errors; the same drawings again for the same mechanism."""
+    return Drawings.of(method, pencil_of(marking).times(part), Slips(seed_of(method.mechanism), count))
 
 
 def drawn_by(method: Method, key: Key, quantities: Sequence[Quantity]) -> tuple[np.ndarray, np.ndarray]:
@@ -115,21 +130,18 @@ def drawn_by(method: Method, key: Key, quantities: Sequence[Quantity]) -> tuple[
 
 
 def _right(method: Method, plot: Plot, quantities: Sequence[Quantity]) -> np.ndarray:
-    """Right values; sizes without sign, and 0 where rounding alone is left."""
+    """Right values; sizes without sign."""
     answers = combined(method, plot, quantities, [()]).values[0]
-    values = np.array([abs(v) if sort_of(q) == "size" else v for q, v in zip(quantities, answers, strict=True)])
-    naturals = _naturals(quantities, values)
-    small = [abs(v) < _NOTHING * naturals[q.unit] for q, v in zip(quantities, values, strict=True)]
-    return np.where(small, 0.0, values)
+    return np.array([abs(v) if sort_of(q) == "size" else v for q, v in zip(quantities, answers, strict=True)])
 
 
-def _naturals(quantities: Sequence[Quantity], values: np.ndarray) -> dict[str, float]:
-    """The largest value of each unit, or 1."""
+def _naturals(method: Method, quantities: Sequence[Quantity], values: np.ndarray) -> dict[str, float]:
+    """The largest value of each unit, or what is usual."""
     found: dict[str, float] = {}
     for quantity, value in zip(quantities, values, strict=True):
         if np.isfinite(value):
             found[quantity.unit] = max(found.get(quantity.unit, 0.0), abs(float(value)))
-    return {quantity.unit: found.get(quantity.unit) or 1.0 for quantity in quantities}
+    return {unit: size or method.mechanism.usual.size(unit) for unit, size in found.items()}
 
 
 def _given(method: Method) -> tuple[float, ...]:
@@ -163,19 +175,42 @@ def _entry(
     return Entry(text, quantity.unit, sort_of(quantity), float(right), scatter, tolerance, points)
 
 
+def _doubted(entry: Entry, usual: float, deviation: float, proportional: float, failed: float) -> Entry:
+    """With what is to be said against it.
+
+    usual         size of quantities of its kind; that of places and angles, which have no zero of their own
+    proportional  what it would scatter by, were that in proportion to the pencil's errors
+    failed        part of the drawings in which it has no value
+    """
+    size = abs(entry.right) if "/s" in entry.unit or entry.unit == "1" else 0.0
+    small = max(deviation, proportional) <= half_digit(entry.right, entry.unit, usual)
+    steep = not (small or 1 / _STEEP <= deviation / proportional <= _STEEP)
+    if steep and failed > _FAILED:
+        return replace(entry, doubt="dead point")
+    return replace(entry, doubt="too small" if entry.tolerance > (size or usual) else "steep" if steep else "")
+
+
+_PRODUCT = 2**17
+"""Multiplications at once: one thread does them, where of more each of several would wait for the others."""
+
+
 def _together(drawn: np.ndarray) -> np.ndarray:
     """How the quantities' scatters go together: correlation (n, n), of drawings (drawings, n)."""
     whole = drawn[np.isfinite(drawn).all(axis=1)]
     if len(whole) < 3:
         return np.eye(drawn.shape[1])
     # ranks: a few drawings far off, near a dead point, say nothing of the others
-    ranks = np.argsort(np.argsort(whole, axis=0), axis=0).astype(float)
+    count, n = whole.shape
+    ranks = np.argsort(np.argsort(whole, axis=0), axis=0) - (count - 1) / 2
     still = np.ptp(whole, axis=0) <= 1e-9 * np.max(np.abs(whole), axis=0, initial=0.0)
-    with np.errstate(invalid="ignore", divide="ignore"):
-        found = np.atleast_2d(np.corrcoef(ranks, rowvar=False))
+    size = math.isqrt(_PRODUCT // count) + 1
+    parts = np.zeros((-(-n // size), size, count))
+    parts.reshape(-1, count)[:n] = ranks.T
+    products = (parts[:, None] @ parts.transpose(0, 2, 1)).swapaxes(1, 2).reshape(len(parts) * size, -1)[:n, :n]
+    found = products * 12 / (count * (count**2 - 1))
     found[still, :], found[:, still] = 0.0, 0.0
     np.fill_diagonal(found, 1.0)
-    rounded: np.ndarray = np.round(np.nan_to_num(found), 6)
+    rounded: np.ndarray = np.round(found, 6)
     return rounded
 
 

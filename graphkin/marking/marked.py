@@ -9,7 +9,8 @@ from typing import Literal
 from graphkin.marking.diagnosis import Diagnosis
 from graphkin.value import frozen
 
-Verdict = Literal["right", "carried", "wrong", "missing"]
+Verdict = Literal["right", "carried", "wrong", "missing", "dead point", "too small"]
+"""The last two are of values that paper cannot tell: neither right nor wrong, and worth nothing either way."""
 
 
 @frozen
@@ -65,9 +66,14 @@ class Judged:
 
 @frozen
 class Marked:
-    """A student's verdicts, marks from 0 to 1, and what the wrong values come from."""
+    """A student's verdicts, and what the wrong values come from."""
 
     student: str
     judged: tuple[Judged, ...]
-    score: float
     diagnosis: Diagnosis
+
+    @property
+    def score(self) -> float | None:
+        """Marks from 0 to 1; None where paper can tell nothing that was handed in."""
+        total = sum(one.points for one in self.judged)
+        return sum(one.points * one.credit for one in self.judged) / total if total else None

@@ -155,10 +155,11 @@ class Marker:
         strange = np.array([[_strange(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
         right, wrong = self.judged(given)
         strange = strange.reshape(given.shape)
+        untold = np.isfinite(given) & ~right & ~wrong & ~strange
         carried = self._carried(works, given, wrong & ~strange, wrong)
         found = self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange)
         found = [self._as_drawn(work, one) for work, one in zip(works, found, strict=True)]
-        return [self._marked(work, k, given[k], right[k], carried, found[k]) for k, work in enumerate(works)]
+        return [self._marked(work, k, given[k], right[k], untold[k], carried, found[k]) for k, work in enumerate(works)]
 
     def _carried(self, works: Sequence[Work], given: np.ndarray, known: np.ndarray, wrong: np.ndarray) -> Carried:
         """What follows from own values. What is measured on a drawing follows from all that was drawn before it: only
@@ -171,9 +172,10 @@ class Marker:
         return found.instead(self.problem.carried(given, known & (asked | ~measured), wrong), measured)
 
     def judged(self, given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Which values (students, n) are right, and which are not; neither where there is none."""
-        right = agrees(self.table, given, self.table.right, self.table.tolerance)
-        return right, np.isfinite(given) & ~right
+        """Which values (students, n) are right, and which wrong; neither where there is none, or paper cannot tell."""
+        table, dead = self.table, [entry.doubt == "dead point" for entry in self.key.entries]
+        right, near = (agrees(table, given, table.right, allowed) for allowed in (table.allowed, table.tolerance))
+        return right, np.isfinite(given) & ~right & ~near & ~np.array(dead, dtype=bool)
 
     def diagnoses(self, given: np.ndarray, wrong: np.ndarray) -> list[Diagnosis]:
         """Of those who have something wrong, together where they have handed in the same quantities."""
@@ -205,17 +207,17 @@ class Marker:
     # --- one student --------------------------------------------------------------------------
 
     def _marked(
-        self, work: Work, k: int, given: np.ndarray, right: np.ndarray, carried: Carried, diagnosis: Diagnosis
-    ) -> Marked:
+        self, work: Work, k: int, given: np.ndarray, right: np.ndarray, untold: np.ndarray, carried: Carried,
+        diagnosis: Diagnosis,
+    ) -> Marked:  # fmt: skip
         senses = sense_only(self.table, given, self.table.right, self.table.tolerance) | carried.sense_only[k]
         judged = tuple(
-            self._judged(work, entry, n, given[n], bool(right[n]), bool(senses[n]), carried, k)
+            _doubtful(work, entry) if untold[n] and entry.doubt in ("dead point", "too small")
+            else self._judged(work, entry, n, given[n], bool(right[n]), bool(senses[n]), carried, k)
             for n, entry in enumerate(self.key.entries)
             if entry.points or entry.text in work.numbers
         )
-        total = sum(one.points for one in judged)
-        score = sum(one.points * one.credit for one in judged) / total if total else 0.0
-        return Marked(work.student, judged, score, diagnosis)
+        return Marked(work.student, judged, diagnosis)
 
     def _judged(
         self, work: Work, entry: Entry, n: int, given: float, right: bool, sense_only: bool, carried: Carried, k: int
@@ -241,6 +243,12 @@ class Marker:
             carried.own(k, n) if not right else {}, carried.refused(k, n) if not right else (), credit, entry.points,
             work.numbers[entry.text].measured,
         )  # fmt: skip
+
+
+def _doubtful(work: Work, entry: Entry) -> Judged:
+    """A value that paper cannot tell."""
+    assert entry.doubt in ("dead point", "too small")
+    return Judged(entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, entry.doubt)
 
 
 def _sense(wrong: bool) -> Literal["right", "wrong"]:

@@ -40,8 +40,11 @@ from graphkin.geometry import Value
 from graphkin.marking.hand import Hand, Redrawing
 from graphkin.marking.slips import Mark, Slips
 from graphkin.planning import Method
+from graphkin.running.path import turned
 from graphkin.value import frozen
 
+_STAGES = 3
+"""Links are fitted anew while errors grow by this part of what they come to."""
 _NO_ARROW = 1e-6
 """An arrow shorter than this part of what the pencil errs by is not drawn."""
 
@@ -57,13 +60,29 @@ class Pencil:
     lengths: Mapping[Plane, float]
     angle: float
 
+    def times(self, part: float) -> Pencil:
+        """One that errs by so many times as much."""
+        return Pencil({plane: part * length for plane, length in self.lengths.items()}, part * self.angle)
+
 
 # --- the mechanism on paper -------------------------------------------------------------------
 
 
 def drawn_positions(method: Method, pencil: Pencil, slips: Slips) -> Plot:
-    """The mechanism drawn `slips.count` times: positions (n,), NaN in those drawings whose links do not meet."""
-    return replay(method.position, Plot(_on_paper(method, pencil, slips), method.near))
+    """The mechanism drawn `slips.count` times: positions (n,), NaN in those drawings whose links do not meet.
+
+    Where links are fitted the errors grow little by little, so that each drawing stays on the assembly it is one of;
+    it does not close where it comes to a dead point on its way.
+    """
+    near: Mapping[str, Value] = method.near
+    senses = replay(method.position, Plot(method.facts(), near)).senses if method.fits else {}
+    for part in np.linspace(0, 1, _STAGES + 1)[1:] if method.fits else (1.0,):
+        plot = replay(method.position, Plot(_on_paper(method, pencil.times(float(part)), slips), near))
+        astray = np.any([plot.senses[name] != sense for name, sense in senses.items()], axis=0)
+        for table in (plot.position, plot.theta, plot.s) if np.any(astray) else ():
+            table.update({name: np.where(astray, np.nan, value) for name, value in table.items()})
+        near = turned(method, plot)
+    return plot
 
 
 def _on_paper(method: Method, pencil: Pencil, slips: Slips) -> Facts:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from typing import assert_never
 
 import numpy as np
 
@@ -19,7 +20,8 @@ from graphkin.marking.follow import replay_with
 from graphkin.marking.graded import Drawn
 from graphkin.marking.handed import readable
 from graphkin.planning import Method
-from graphkin.quantities import Component, Moving, Quantity, Quotient, Rotation, on_axis
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
+from graphkin.quantities.kinds import on_axis
 from graphkin.value import frozen
 
 _ALONG = math.radians(5)
@@ -175,8 +177,10 @@ class _Own:
             case Moving():
                 vector = self._vector(quantity, arrows)
                 return None if vector is None else abs(vector)
-            case _:
+            case Displacement() | Place() | Track() | Centre():
                 return None
+            case _:
+                assert_never(quantity)
 
     def _driven(self, quantity: Rotation) -> float | None:
         """Of a link that turns as it is driven against the frame."""

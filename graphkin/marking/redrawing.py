@@ -46,7 +46,7 @@ def redraw(method: Method, right: Plot, hand: Hand = RIGHT, shape: tuple[int, ..
     """
     plot = Redrawing(
         hand.facts(right.facts), right.near, right.follows, right.position,
-        theta=dict(right.theta), s=right.s, by_hand=hand,
+        theta=dict(right.theta), s=right.s, by_hand=hand, usual=method.mechanism.usual,
     )  # fmt: skip
     if shape and _together(method):
         plot.theta[plot.facts.frame] = np.zeros(shape)  # what is solved together takes its shape from the angles

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Meet, Plane, Plot, Ray, Size, Swing, replay
-from graphkin.geometry import Value
+from graphkin.geometry import Value, unit
 from graphkin.marking.hand import Hand, Redrawing
 from graphkin.planning import Method
 from graphkin.value import frozen
@@ -100,10 +100,11 @@ def each_and_all(id: str, places: Sequence[tuple[str, Edit]], but: Sequence[str]
         yield Rewrite(id, ", ".join(together), edits=tuple(together.values()))
 
 
-def in_sense_of(size: Value, right: Value) -> Value:
-    """A size with the sense of what is right; nan where that is nothing beside it, for then there is no sense."""
-    sense = np.where(np.abs(right) > NOTHING * np.abs(size), np.sign(right), np.where(np.abs(size) > 0, np.nan, 1.0))
-    return sense * np.abs(size)
+def in_sense_of(plot: Redrawing, size: Value, right: Value, what: str) -> Value:
+    """A size in the SI unit `what` with the sense, or the direction, of what is right; nan where that is nothing."""
+    least, size = plot.usual.least(what), np.abs(size)
+    there = np.abs(right) > np.maximum(least, NOTHING * size)
+    return np.where(there, unit(right), np.where(size > least, np.nan, 0.0)) * size
 
 
 class Mistaken(Hand):
@@ -169,7 +170,7 @@ class Mistaken(Hand):
     def met(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
         """Nowhere, where lines drawn otherwise hardly cross: nothing that follows is judged."""
         sine = plot.sines[plane, point]
-        if np.ndim(sine) and np.any(sine < PARALLEL):
+        if np.any(sine < PARALLEL):
             right = np.where(sine < PARALLEL, np.nan, right)
         return self._done(("met", plane, point), plot, right)
 

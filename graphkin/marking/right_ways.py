@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import assert_never
 
 import numpy as np
 
@@ -13,7 +14,9 @@ from graphkin.marking.redrawing import redraw
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import Seen
 from graphkin.planning import Method, plan
-from graphkin.quantities import Answer, Centre, Moving, Quantity, Rotation, read
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
+from graphkin.quantities.kinds import Answer
+from graphkin.quantities.reading import read
 from graphkin.value import frozen
 
 
@@ -38,15 +41,19 @@ def other_ways(method: Method, plot: Plot, quantity: Quantity) -> tuple[OtherWay
     def answered(kind: str, other: Quantity) -> OtherWay:
         return OtherWay(kind, other, asked(method, right, other, arrows))
 
-    if isinstance(quantity, Rotation):
-        value = asked(method, right, quantity, arrows).value
-        return (OtherWay("size", quantity, Answer(np.abs(value), quantity.unit)),) if quantity.word != "theta" else ()
-    if not isinstance(quantity, Moving):
-        return ()
-    if quantity.seen_from is None:
-        return tuple(answered("centre", centre) for centre in _centres(method.mechanism, quantity))
-    found = [answered("reversed", other) for other in _named(method.mechanism, quantity, *_turned(quantity))]
-    return (*found, *(answered("coincident", other) for other in _elsewhere(method.mechanism, quantity)))
+    match quantity:
+        case Rotation(word="omega" | "alpha"):
+            value = asked(method, right, quantity, arrows).value
+            return (OtherWay("size", quantity, Answer(np.abs(value), quantity.unit)),)
+        case Moving(seen_from=None):
+            return tuple(answered("centre", centre) for centre in _centres(method.mechanism, quantity))
+        case Moving():
+            found = [answered("reversed", other) for other in _named(method.mechanism, quantity, *_turned(quantity))]
+            return (*found, *(answered("coincident", other) for other in _elsewhere(method.mechanism, quantity)))
+        case Rotation() | Displacement() | Place() | Track() | Component() | Centre() | Quotient():
+            return ()
+        case _:
+            assert_never(quantity)
 
 
 def other_methods(method: Method) -> Iterator[Method]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import assert_never
 
 import numpy as np
 
@@ -16,7 +17,7 @@ from graphkin.marking.redrawing import redraw
 from graphkin.marking.rewrite import Mistaken, Rewrite, Written
 from graphkin.marking.slips import Mark, Slips
 from graphkin.planning import Method
-from graphkin.quantities import Component, Displacement, Moving, Place, Quantity, Quotient, Rotation
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
 from graphkin.value import frozen
 
 _AT_ONCE, _NUMBERS = 64, 2**21
@@ -96,8 +97,10 @@ class Drawings:
                     return 0.0
                 of = (quantity.text,) if ends is None else ends[0][1:]
                 return lengths[plane] * slips.of(Mark(plane, "reading", of))  # type: ignore[index, arg-type]
-            case Quotient() | _:
+            case Rotation() | Quotient() | Track() | Centre():
                 return 0.0
+            case _:
+                assert_never(quantity)
 
 
 def _closed(positions: Plot, count: int) -> np.ndarray:

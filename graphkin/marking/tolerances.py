@@ -14,6 +14,7 @@ from graphkin.marking.pencil import called
 from graphkin.marking.scatter import Drawings, spread
 from graphkin.marking.slips import Mark, Slips, seed_of
 from graphkin.planning import Method
+from graphkin.usual import ROUNDING
 from graphkin.value import frozen
 
 _FEWER = 500
@@ -72,7 +73,8 @@ def tolerances(key: Key, method: Method) -> Tolerances:
 def _cost(mark: Mark, names: Mapping[tuple[str, ...], str], key: Key, alone: np.ndarray, whole: np.ndarray) -> Cost:
     with np.errstate(invalid="ignore", divide="ignore"):
         parts = np.nan_to_num((alone / whole) ** 2, nan=0.0, posinf=0.0)
-    parts = np.minimum(parts, 1.0)  # both are sampled: of one step's scatter alone there may come out a little more
+    # both are sampled: of one step's scatter alone there may come out a little more
+    parts = np.where(parts > ROUNDING, np.minimum(parts, 1.0), 0.0)
     asked = [part for part, entry in zip(parts, key.entries, strict=True) if entry.points]
     by_text = {entry.text: float(part) for entry, part in zip(key.entries, parts, strict=True)}
     return Cost(mark, names.get(mark.of, ""), by_text, float(np.mean(asked)) if asked else 0.0)

@@ -29,15 +29,17 @@ class Columns:
     angle: np.ndarray
     size: np.ndarray
     points: np.ndarray
+    allowed: np.ndarray
 
 
 def columns(entries: Sequence[Entry]) -> Columns:
     """Entries as arrays."""
-    right, scatter, tolerance, points = (
-        np.array([getattr(entry, name) for entry in entries]) for name in ("right", "scatter", "tolerance", "points")
+    right, scatter, tolerance, points, allowed = (
+        np.array([getattr(entry, name) for entry in entries])
+        for name in ("right", "scatter", "tolerance", "points", "allowed")
     )
     angle, size = (np.array([entry.sort == sort for entry in entries], dtype=bool) for sort in ("angle", "size"))
-    return Columns(right, scatter, tolerance, angle, size, points)
+    return Columns(right, scatter, tolerance, angle, size, points, allowed)
 
 
 def columns_of(table: Columns, which: np.ndarray) -> Columns:

@@ -34,7 +34,7 @@ Row = list[Mark | None]
 def animation(frames: Sequence[Sheet], seconds: float = SECONDS, ink: Ink = "accent") -> str:
     """One SVG that goes through the sheets, and from the last to the first again."""
     first = frames[0]
-    pen = Pen(first, ink, metadata=True)
+    pen = Pen(first, ink, metadata=True, moving=True)
     for number, layer in enumerate(first.layers):
         group = _moving(pen, layer, [frame.layers[number].marks for frame in frames], seconds)
         if len(group):

@@ -5,11 +5,14 @@ from __future__ import annotations
 import contextlib
 import os
 from collections.abc import Iterator, Sequence
+from functools import cache
 from pathlib import Path
 from typing import ClassVar
 
 from graphkin.errors import CannotWrite, GraphkinError, Lang, NoFolder
 
+DRAFT = ".draft"
+"""How the name of a file ends that is being written."""
 GLANCE = 4096
 """How much of a file's beginning and end is looked at for a mark of graphkin."""
 
@@ -27,49 +30,49 @@ class FileInTheWay(GraphkinError):
 
 
 @contextlib.contextmanager
-def beside(path: Path, force: bool, marks: Sequence[bytes], clear: bool = True) -> Iterator[Path]:
+def beside(path: Path, force: bool, marks: Sequence[bytes]) -> Iterator[Path]:
     """A file to write into, which takes the place of `path` once it is whole; a link stays one, to the new file.
 
     marks   bytes by which graphkin knows a file of its own, which it replaces without `force`
-    clear   drafts that ended writers left; not for each of many files in one folder, all of which is gone through
 
     Raises FileInTheWay, NoFolder, CannotWrite.
     """
     refuse(path, force, marks)
     path = Path(os.path.realpath(path))
-    draft = path.with_name(f".{path.name[:60]}.{os.getpid()}")
-    if clear:
-        _clear(path)
+    draft = path.with_name(f".{path.name[:60]}.{os.getpid()}{DRAFT}")
+    _clear(path.parent)
     try:
         yield draft
         os.replace(draft, path)
     except OSError as error:
-        raise CannotWrite(str(path), error.strerror or str(error)) from None
+        raise CannotWrite.by(path, error) from None
     finally:
         with contextlib.suppress(OSError):
             draft.unlink(missing_ok=True)
 
 
-def _clear(path: Path) -> None:
-    """Drafts of this file that writers left who were ended before they were done."""
+@cache
+def _clear(folder: Path) -> None:
+    """Drafts in a folder that writers left who were ended before they were done; looked for once a process."""
     with contextlib.suppress(OSError):
-        for left in os.scandir(path.parent):
-            start, _, owner = left.name.rpartition(".")
-            if start == f".{path.name[:60]}" and owner.isdecimal() and owner.isascii() and not _runs(int(owner)):
-                os.unlink(left.path)
+        for left in folder.glob(f".*{DRAFT}"):
+            owner = left.name.removesuffix(DRAFT).rpartition(".")[2]
+            if owner.isdecimal() and owner.isascii() and not _runs(int(owner)):
+                left.unlink()
 
 
 def _runs(process: int) -> bool:
-    """Whether there is such a process; where that cannot be asked without harm, there may be."""
+    """Whether there is such a process, not ended and waited for; where that cannot be asked without harm, there may
+    be."""
     if os.name != "posix":
         return True
     try:
         os.kill(process, 0)
+        return ") Z " not in Path(f"/proc/{process}/stat").read_text(encoding="utf-8", errors="replace")
     except ProcessLookupError:
         return False
     except (OSError, OverflowError):
         return True
-    return True
 
 
 def refuse(path: Path, force: bool, marks: Sequence[bytes]) -> None:
@@ -83,7 +86,7 @@ def refuse(path: Path, force: bool, marks: Sequence[bytes]) -> None:
         if not path.parent.is_dir():
             raise NoFolder(str(path), str(path.parent))
     except OSError as error:
-        raise CannotWrite(str(path), error.strerror or str(error)) from None
+        raise CannotWrite.by(path, error) from None
 
 
 def _ours(path: Path, marks: Sequence[bytes]) -> bool:

@@ -6,12 +6,12 @@ import base64
 import json
 import math
 from collections.abc import Iterable
-from typing import Any, cast
+from typing import Any, cast, get_args
 
 import numpy as np
 
 from graphkin.errors import BadKey, Where
-from graphkin.marking.key import Entry, Hypotheses, Key, Marking, Name, Sort, Step
+from graphkin.marking.key import Doubt, Entry, Hypotheses, Key, Marking, Name, Sort, Step
 
 FORMAT, KIND = 1, "graphkin key"
 _DEEP = "nested too deep"
@@ -48,7 +48,7 @@ def key_data(key: Key) -> Json:
             "sigmas": marking.sigmas, "relative": marking.relative,
         },
         "given": list(key.given),
-        "quantities": [{name: getattr(entry, name) for name in Entry.__match_args__} for entry in key.entries],
+        "quantities": [_entry(entry) for entry in key.entries],
         "together": [[round(float(x), 6) for x in row] for row in key.together],
         "steps": [
             {"plane": step.plane, "left": list(step.left), "right": list(step.right), "gives": list(step.gives)}
@@ -62,6 +62,10 @@ def key_data(key: Key) -> Json:
         ],
         **({"positions": [key_data(one) for one in key.further]} if key.further else {}),
     }  # fmt: skip
+
+
+def _entry(entry: Entry) -> Json:
+    return {name: getattr(entry, name) for name in Entry.__match_args__ if name != "doubt" or entry.doubt}
 
 
 def _hanging(mistakes: Hypotheses) -> list[dict[str, str]]:
@@ -134,7 +138,9 @@ class _Reader:
             self._number(item[name], what) for name in ("right", "scatter", "tolerance", "points")
         )
         self._require(scatter > 0 and tolerance >= 0 and points >= 0 and isinstance(item["unit"], str), what)
-        return Entry(item["text"], item["unit"], cast(Sort, item["sort"]), right, scatter, tolerance, points)
+        doubt = item.get("doubt", "")
+        self._require(doubt in get_args(Doubt), what)
+        return Entry(item["text"], item["unit"], cast(Sort, item["sort"]), right, scatter, tolerance, points, doubt)
 
     def _marking(self, item: Json) -> Marking:
         planes = ("position", "velocity", "acceleration")

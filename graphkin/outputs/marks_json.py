@@ -25,7 +25,7 @@ def line(graded: Graded, lang: Lang = "en") -> Json:
     return {
         **start,
         "status": "marked",
-        "score": _rounded(graded.marked.score),
+        "score": None if graded.marked.score is None else _rounded(graded.marked.score),
         "quantities": {one.text: _quantity(one) for one in graded.marked.judged},
         "mistakes": [_explanation(one) for one in graded.marked.diagnosis.explanations],
     }

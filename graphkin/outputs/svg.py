@@ -107,7 +107,7 @@ def _xy(place: Place) -> tuple[str, str]:
 class Pen:
     """One drawing in the making. Marks of one layer that follow one another in one paint share it in a group."""
 
-    def __init__(self, sheet: Sheet, ink: Ink, metadata: bool) -> None:
+    def __init__(self, sheet: Sheet, ink: Ink, metadata: bool, moving: bool = False) -> None:
         import svgwrite
 
         wide, high = mm(sheet.paper.width), mm(sheet.paper.height)
@@ -124,7 +124,7 @@ class Pen:
             self.drawing["xmlns:inkscape"] = _INKSCAPE
             self.drawing["role"] = "img"
             self.drawing.set_desc(title=sheet.title, desc=_described(sheet))
-            self.drawing.set_metadata(_element("gk:sheet", _NONE, statement(sheet)))
+            self.drawing.set_metadata(_element("gk:sheet", _NONE, statement(sheet, moving)))
         else:
             self.drawing.set_desc(title=sheet.title)
 

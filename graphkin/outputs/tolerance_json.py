@@ -29,7 +29,7 @@ def tolerance_data(found: Tolerances) -> Json:
         "quantities": {
             entry.text: {
                 "unit": entry.unit, "right": entry.right, "scatter": entry.scatter, "tolerance": entry.tolerance,
-                "asked": entry.points > 0,
+                "asked": entry.points > 0, **({"doubt": entry.doubt} if entry.doubt else {}),
             }
             for entry in found.entries
         },

@@ -15,12 +15,14 @@ class Line:
                name starts with a small letter (`s0`, `r1`), so that no user's point can clash
     direction  unit complex number in the link's own axes
     named      whether people named the origin
+    base       the two points from whose direction the file measures it, if from any
     """
 
     link: str
     origin: str
     direction: complex
     named: bool = True
+    base: tuple[str, str] | None = None
 
     @property
     def on_axis(self) -> bool:

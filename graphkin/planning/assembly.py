@@ -18,7 +18,7 @@ from graphkin.naming import spelled
 from graphkin.planning.branch_search import BETWEEN, DeadEnd, branches, told_slides
 from graphkin.planning.branches import Branches
 from graphkin.planning.structure import Structure
-from graphkin.tolerances import CLOSED
+from graphkin.tolerances import CLOSED, ROUNDED
 from graphkin.value import frozen
 
 DEAD_DEG = 0.5
@@ -111,12 +111,14 @@ def _ambiguous(structure: Structure, plot: Plot, first: int, second: int) -> Amb
     }
     point, (one, two) = next(iter(places.items()), ("", (0j, 0j)))
     return AmbiguousSketch(
-        mechanism.where("sketch", point), tuple(places), point, _millimetres(one), _millimetres(two)
+        mechanism.where("sketch", point), tuple(places), point, _millimetres(one, size), _millimetres(two, size)
     )
 
 
-def _millimetres(place: complex) -> str:
-    return f"[{place.real * 1000:.6g}, {place.imag * 1000:.6g}]"
+def _millimetres(place: complex, size: float) -> str:
+    """Where to put a point in the sketch: as closely as figures in files go."""
+    x, y = (1000 * part if abs(part) > ROUNDED * size else 0.0 for part in (place.real, place.imag))
+    return f"[{x:.6g}, {y:.6g}]"
 
 
 # --- positions that are none ------------------------------------------------------------------

@@ -1,43 +1,60 @@
-"""The drawn position by what is given of it: with a pose for a driver's value, arcs may do what a template would.
+"""The drawn position by what the file gives of it: poses and driver values, while nothing rolls.
 
-A cylinder that drives a group leaves its position to be fitted; if the file gives the angle of one of its links
-instead of the stroke, the mechanism can be drawn from that angle, and the stroke is measured.
+What a pose gives instead of a driver's value is laid off; the driver's value is measured in the end. So arcs may do
+what a template would have to: of a cylinder whose stroke is open, or a wheel that rolls on a moving rack.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
-from graphkin.construction import Plot, replay
-from graphkin.errors import GraphkinError
-from graphkin.mechanism import Driver, Mechanism
+from graphkin.construction import Construction, Equation, Meet, Plot, Ray, Step, Touch
+from graphkin.kept import kept
+from graphkin.planning.equivalent import lower_pairs
 from graphkin.planning.method import Method
-from graphkin.planning.planner import plan
+
+if TYPE_CHECKING:
+    from graphkin.planning.drawn_position import Placement
 
 
 def by_pose(method: Method, plot: Plot) -> tuple[Method, Plot] | None:
-    """A method whose position needs no fitting, with its plot; None where there is none, or for another position."""
-    if not method.fits or (posed := _driven_by_poses(method.mechanism)) is None or not _as_drawn(method, plot):
+    """A method whose position is drawn from what is given of it, with its plot; None where that is the method's own,
+    or for another position."""
+    if not (method.mechanism.poses or method.structure.contacts) or not _as_drawn(method, plot):
         return None
-    try:
-        other = plan(posed)
-    except GraphkinError:
-        return None
-    if other.fits:
-        return None
-    drawn = replay(other.position, Plot(other.facts(), other.near))
+    placed = _placement(method)
     near = 1e-9 * method.size
-    same = all(abs(drawn.position[point] - plot.position[point]) < near for point in method.mechanism.points)
-    return (other, drawn) if same else None
-
-
-def _driven_by_poses(mechanism: Mechanism) -> Mechanism | None:
-    """The same mechanism with each pose as the driver whose value it gives; None where they are not as many."""
-    valued = [driver for driver in mechanism.drivers if driver.value is not None]
-    if len(mechanism.poses) != len(mechanism.drivers) - len(valued):
+    if not all(abs(placed.plot.position[p] - plot.position[p]) < near for p in method.mechanism.points):
         return None
-    posed = [Driver(p.kind, p.link, p.vector, p.from_link, p.from_vector, p.value) for p in mechanism.poses]
-    return replace(mechanism, drivers=(*valued, *posed), poses=())
+    structure = replace(placed.structure, contacts=method.structure.contacts)
+    drawn = replace(placed.plot, position={**plot.position, **placed.plot.position})
+    return replace(method, structure=structure, position=_construction(method, placed)), drawn
+
+
+def shown(method: Method, plot: Plot) -> tuple[Method, Plot]:
+    """The same method and plot, with the position as `by_pose` draws it."""
+    if (posed := by_pose(method, plot)) is None:
+        return method, plot
+    return replace(method, position=posed[0].position), replace(plot, position=posed[1].position)
+
+
+@kept(4)
+def _placement(method: Method) -> Placement:
+    from graphkin.planning.drawn_position import placement
+
+    return placement(method.mechanism, lower_pairs(method.mechanism), method.aside)
+
+
+def _construction(method: Method, placed: Placement) -> Construction:
+    """With the points of contact, and the special points, of the method's own."""
+    own, nodes = method.position, placed.construction.nodes
+    more = tuple(part for part in own.parts if _further(part, method))
+    return replace(placed.construction, parts=(*placed.construction.parts, *more), nodes={**own.nodes, **nodes})
+
+
+def _further(part: Step | Equation, method: Method) -> bool:
+    return isinstance(part, Touch | Ray) or (isinstance(part, Meet) and part.point in method.special)
 
 
 def _as_drawn(method: Method, plot: Plot) -> bool:

@@ -10,7 +10,7 @@ from graphkin.errors import NotRepeated
 from graphkin.naming import named
 from graphkin.planning.candidates import Candidates, SetAside, over
 from graphkin.planning.ranks import beside, drawn_place, open_by, rank
-from graphkin.planning.restraints import Array, Restraints, Rows
+from graphkin.planning.restraints import Array, Restraints, Row, Rows, settled
 from graphkin.tolerances import CLOSED, RANK
 from graphkin.value import frozen
 
@@ -57,7 +57,7 @@ class Contradictions:
         (one, slope), (other, more) = (self.restraints.place(body, point, q)
                                        for body, point in zip(ends, (first, second), strict=True))  # fmt: skip
         length = ((more - slope) * (other - one).conjugate()).real
-        others = every.without([*link.rows, *(row for row in every.labels if row.kind == "given")]).slopes
+        others = every.without([*link.rows, *_driving(every)]).slopes
         rest = length - length @ (np.linalg.pinv(others, rcond=RANK) @ others)
         return float(np.linalg.norm(rest)) < _RIGID * float(np.linalg.norm(length))
 
@@ -69,6 +69,9 @@ class Contradictions:
         q, rows = drawn_place(self.restraints, loose)
         if open_by(rows) > CLOSED:
             return np.inf, q
+        slips = [row for row in self.restraints.rows(q).labels if row.kind == "slip"]
+        if slips and open_by(settled(self.restraints, q, slips)[1]) < CLOSED:
+            return 0.0, q  # wheels that roll may stand as they must for it
         start, gaps = self.restraints.place(link.body, first, q)[0], []
         for point in rest:
             other = next(b for b in structure.owners[point] if b != link.body and not structure.is_pin(b))
@@ -107,10 +110,10 @@ class Contradictions:
 
     def _astray(self, each: SetAside, q: Array, rows: Rows) -> float:
         """The angle between a line and the way of its point; of anything else, how far it is from following [deg]."""
-        slide = self.restraints.structure.slides.get(each.rows[0].name)
+        slide, rows = self.restraints.structure.slides.get(each.rows[0].name), rows.without(_driving(rows))
         if slide is None or each.rows[0].kind != "line":
             return float(np.degrees(np.arcsin(min(1.0, beside(rows, each.rows)))))
-        kept = rows.without([*each.rows, *(row for row in rows.labels if row.kind == "given")]).slopes
+        kept = rows.without(each.rows).slopes
         free = np.linalg.svd(kept)[2][rank(kept) :]
         across = self.restraints.along(slide, q)[1].imag @ free.T
         move = across @ free  # the motion that leads farthest off the line
@@ -122,3 +125,7 @@ class Contradictions:
         m, others = self.candidates.mechanism, self.candidates.holding(each, rows, rows.without(each.rows))
         held = tuple(named(m, pair) for pair in others if pair != each.pair)
         return NotRepeated(m.where(*each.pair), named(m, each.pair), held, off, unit)
+
+
+def _driving(rows: Rows) -> list[Row]:
+    return [row for row in rows.labels if row.kind == "given"]

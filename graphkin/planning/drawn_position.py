@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from graphkin.construction import Plot, replay, slide_key
+from graphkin.construction import Construction, Plot, replay, slide_key
 from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, Where
-from graphkin.geometry import Value
-from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.geometry import Value, wrapped
+from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.planning.assembly import assemble, extent, refuse_open
 from graphkin.planning.position import position
 from graphkin.planning.repeated import as_aside, still_repeated
@@ -44,6 +44,15 @@ class _Given:
     number: int
 
 
+@frozen
+class Placement:
+    """The drawn position: the mechanism held there by poses and values alone, how it is drawn by these, and drawn."""
+
+    structure: Structure
+    construction: Construction
+    plot: Plot
+
+
 def as_drawn(
     mechanism: Mechanism, lower: Mechanism, repeats: Repeats = ()
 ) -> tuple[dict[str, float], Mechanism]:
@@ -53,7 +62,8 @@ def as_drawn(
 
     Raises NotPlaced where values and poses leave something open, PosesDiffer where they do not fit together.
     """
-    structure, plot = _standing(mechanism, lower, repeats)
+    placed = placement(mechanism, lower, repeats)
+    structure, plot = placed.structure, placed.plot
     drawn = {link: float(plot.theta[link]) if link in plot.theta else 0.0 for link in structure.bodies}
     drawn |= {slide_key(slide): float(value) for slide, value in plot.s.items()}
     sketch = {**lower.sketch, **{p: complex(z) for p, z in plot.position.items() if p in mechanism.points}}
@@ -84,7 +94,7 @@ def _valued(driver: Driver, plot: Plot, drawn: Mapping[str, float]) -> Driver:
 # --- what is given ----------------------------------------------------------------------------
 
 
-def _standing(mechanism: Mechanism, lower: Mechanism, repeats: Repeats) -> tuple[Structure, Plot]:
+def placement(mechanism: Mechanism, lower: Mechanism, repeats: Repeats) -> Placement:
     """All that is given taken together; where that does not do, without poses that the rest gives as well.
 
     Those must say the same as what is then found.
@@ -92,14 +102,14 @@ def _standing(mechanism: Mechanism, lower: Mechanism, repeats: Repeats) -> tuple
     given, refusal, placed = given_at(mechanism), None, None
     for needed in _fewer_and_fewer(given):
         try:
-            structure, plot = _placed(mechanism, lower, needed, repeats)
+            found = _placed(mechanism, lower, needed, repeats)
         except (CannotAssemble, DeadPoint, NotPlaced) as error:
             refusal = error if refusal is None or isinstance(refusal, NotPlaced) else refusal
             continue
-        if all(_holds(plot, each) for each in needed):
-            _refuse_other(mechanism, structure, plot, given, needed)
-            return structure, plot
-        placed = placed or (structure, plot)
+        if all(_holds(found.plot, each) for each in needed):
+            _refuse_other(mechanism, found, given, needed)
+            return found
+        placed = placed or found
     if placed is None:
         assert refusal is not None
         raise refusal
@@ -115,13 +125,13 @@ def _fewer_and_fewer(given: tuple[_Given, ...]) -> Iterator[tuple[_Given, ...]]:
 
 
 def _refuse_other(
-    mechanism: Mechanism, structure: Structure, plot: Plot, given: tuple[_Given, ...], needed: tuple[_Given, ...]
+    mechanism: Mechanism, placed: Placement, given: tuple[_Given, ...], needed: tuple[_Given, ...]
 ) -> None:
     """A pose that was not needed must hold all the same."""
     for each in given:
-        if each not in needed and not _holds(plot, each):
-            others = tuple(_where(mechanism, other) for other in _beside(structure, each, needed))
-            raise PosesDiffer(_where(mechanism, each), each.fixes.name, *_told(each, _off(plot, each)), others)
+        if each not in needed and not _holds(placed.plot, each):
+            others = tuple(_where(mechanism, other) for other in _beside(placed.structure, each, needed))
+            raise PosesDiffer(_where(mechanism, each), each.fixes.name, *_told(each, _off(placed.plot, each)), others)
 
 
 def _where(mechanism: Mechanism, given: _Given) -> Where:
@@ -158,9 +168,7 @@ def _beside(structure: Structure, given: _Given, needed: Sequence[_Given]) -> li
 # --- placing ----------------------------------------------------------------------------------
 
 
-def _placed(
-    mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats
-) -> tuple[Structure, Plot]:
+def _placed(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats) -> Placement:
     """The mechanism put together by these values."""
     structure = placed_by(mechanism, lower, given, repeats)
     if names := left_open(structure):
@@ -168,9 +176,10 @@ def _placed(
     construction, choices = position(structure, stages(structure)[0])
     facts = facts_of(structure, None, {})
     found = assemble(structure, construction, choices, facts, {})
-    plot = replay(with_sides(construction, found.sides), Plot(facts, found.near))
+    construction = with_sides(construction, found.sides)
+    plot = replay(construction, Plot(facts, found.near))
     refuse_open(structure, plot, ROUNDED)
-    return structure, plot
+    return Placement(structure, construction, plot)
 
 
 def placed_by(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats) -> Structure:
@@ -204,13 +213,13 @@ def left_open(structure: Structure) -> tuple[str, ...]:
 # --- comparing --------------------------------------------------------------------------------
 
 
-def value_of(plot: Plot, fixes: Driver) -> Value:
-    """What a driver's value is in a plot [rad or m]; of many mechanisms side by side (n,)."""
+def value_of(plot: Plot, fixes: Driver | Pose) -> Value:
+    """What a driver's value, or a pose's, is in a plot [rad or m]; of many mechanisms side by side (n,)."""
     if fixes.kind == "slide":
         return plot.s[fixes.link]
     assert fixes.vector is not None
     value = np.angle(plot.arm(*fixes.vector))
-    return value - (np.angle(plot.arm(*fixes.from_vector)) if fixes.from_vector is not None else 0.0)
+    return wrapped(value - (np.angle(plot.arm(*fixes.from_vector)) if fixes.from_vector is not None else 0.0))
 
 
 def _off(plot: Plot, given: _Given) -> float:
@@ -218,7 +227,7 @@ def _off(plot: Plot, given: _Given) -> float:
     wanted = given.fixes.value
     assert wanted is not None
     off = float(value_of(plot, given.fixes)) - wanted
-    return off if given.fixes.kind == "slide" else float(np.angle(np.exp(1j * off)))
+    return off if given.fixes.kind == "slide" else float(wrapped(off))
 
 
 def _holds(plot: Plot, given: _Given) -> bool:

@@ -36,7 +36,9 @@ def _turn(pair: Pair) -> int:
 
 
 def _parallel(links: dict[str, Link], pair: Pair, slot: Slot) -> Slide:
-    """A slot of the equivalent: the line moved sideways by the radius, from a point of its own."""
+    """A slot of the equivalent: the line moved sideways by the radius, from a point of its own; of an edge the line."""
+    if not slot.offset:
+        return Slide(pair.name, bool(pair.given), slot.line, slot.point, None, 0.0, pair)
     link, start = links[slot.line.link], start_name(pair)
     origin = link.points[slot.line.origin] + 1j * slot.offset * slot.line.direction
     links[link.name] = replace(link, points={**link.points, start: origin})

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from graphkin.construction import (
     Chain,
     Direction,
@@ -16,10 +18,11 @@ from graphkin.construction import (
     Unknown,
 )
 from graphkin.mechanism import FRAME
-from graphkin.planning.hops import Hop, Lever, Slip, way_round
+from graphkin.planning.hops import Hop, Lever, Slip, outward, way_round
 from graphkin.planning.images import add_up, base_of, drive, fill, reach
 from graphkin.planning.polygon import Polygon
-from graphkin.planning.position import in_step
+from graphkin.planning.position import contact_letters, in_step
+from graphkin.planning.repeating import measure_slide
 from graphkin.planning.rolling import train
 from graphkin.planning.special import Leg, Ternary
 from graphkin.planning.stages import Group, Loop
@@ -31,7 +34,7 @@ Known = tuple[tuple[Site, ...], str, Size, Direction | None]
 def group(polygon: Polygon, stage: Group, found: Ternary | None) -> None:
     """All unknowns of a group, then the points of its links, each from what is drawn by then."""
     if found is None:
-        if not train(polygon, stage):
+        if not train(polygon, stage) and not _by_contact(polygon, stage):
             _together(polygon, stage)
     else:
         _special(polygon, found)
@@ -44,10 +47,11 @@ def group(polygon: Polygon, stage: Group, found: Ternary | None) -> None:
         fill(polygon, body)
     if found is None:
         for loop in stage.loops:
-            _coincide(polygon, loop)
+            if loop not in stage.floating:
+                coincide(polygon, loop)
 
 
-def _coincide(polygon: Polygon, loop: Loop) -> None:
+def coincide(polygon: Polygon, loop: Loop) -> None:
     """Both points at which links move past a moving one: the acceleration's Coriolis term is read between them."""
     for hop in way_round(polygon.structure, loop)[1]:
         if not isinstance(hop, Lever) and FRAME not in (hop.seen_from.link, hop.of.link):
@@ -142,6 +146,33 @@ def _measure_leg(polygon: Polygon, leg: Leg) -> None:
     polygon.measure(hop, polygon.name(hop.seen_from), polygon.name(hop.of))
 
 
+def _by_contact(polygon: Polygon, stage: Group) -> bool:
+    """Velocities of a track on which a wheel of known motion rolls: its point of contact has that of the wheel's."""
+    if polygon.plane != "velocity" or len(stage.loops) != 1 or len(stage.contacts) != 1:
+        return False
+    contact, (start, hops, end) = stage.contacts[0], way_round(polygon.structure, stage.loops[0])
+    if not contact.slide or contact.way or contact.slide not in stage.slides:
+        return False
+    if isinstance(hops[-1], Slip) and hops[-1].slide == contact.slide:
+        hops, end = outward(hops), start
+    track, wheel = contact.wheels
+    unknown = [hop for hop in hops[1:] if not hop.known]
+    rolls = isinstance(hops[0], Slip) and hops[0].slide == contact.slide and base_of(polygon, wheel)
+    if not rolls or len(unknown) != 2 or unknown[0] != hops[1] or unknown[0].of.link != track:
+        return False
+    letter = contact_letters(polygon.structure)[contact.name]
+    of, at = Site(letter, track), Site(letter, wheel)
+    reach(polygon, at)
+    polygon.put(polygon.key(of), polygon.name(at))
+    swing, middle = Lever(of, hops[1].of, False), hops.index(unknown[1])
+    left, right = (swing, *hops[2:middle]), outward(hops[middle:])
+    polygon.equate(left[-1].of, *polygon.in_order(polygon.side(of, left), polygon.side(end, right)))
+    for hop in (swing, right[-1]):
+        polygon.measure_unknown(hop)
+    measure_slide(polygon, contact.slide)
+    return True
+
+
 def _together(polygon: Polygon, stage: Group) -> None:
     """All chains at once, by calculation."""
     chains = tuple(chain(polygon, loop) for loop in stage.loops)
@@ -152,10 +183,12 @@ def _together(polygon: Polygon, stage: Group) -> None:
 def chain(polygon: Polygon, loop: Loop) -> Chain:
     """A loop as arrows of known size and unknown scalars."""
     start, hops, end = way_round(polygon.structure, loop)
-    reach(polygon, start)
-    reach(polygon, end)
-    known: list[tuple[Size, int]] = [(Drawn(polygon.name(end), polygon.name(start)), 1)]
+    known: list[tuple[Size, int]] = []
     unknown: list[Unknown] = []
+    if loop.joints[0] != loop.joints[-1]:
+        reach(polygon, start)
+        reach(polygon, end)
+        known.append((Drawn(polygon.name(end), polygon.name(start)), 1))
     for hop in hops:
         for _, size, _ in polygon.pieces(hop):
             if size is not None:
@@ -172,7 +205,7 @@ def walk(polygon: Polygon, stage: Loop) -> None:
     for hop in way_round(polygon.structure, stage)[1]:
         if isinstance(hop, Lever):
             reach(polygon, hop.of)
-        elif isinstance(hop, Slip) and not polygon.known(hop.of):
-            add_up(polygon, hop.of, polygon.side(hop.seen_from, (Slip(hop.seen_from, hop.of, True, hop.slide),)))
+        elif not polygon.known(hop.of):
+            add_up(polygon, hop.of, polygon.side(hop.seen_from, (replace(hop, known=True),)))
     for body in stage.bodies:
         fill(polygon, body)

@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from graphkin.construction import Construction, Equation, Given, LayOff, Measure, Plane, Simultaneous, Site
 from graphkin.mechanism import FRAME
 from graphkin.naming import primes
-from graphkin.planning.groups import chain, group, walk
+from graphkin.planning.groups import chain, coincide, group, walk
 from graphkin.planning.hops import halves, way_round
 from graphkin.planning.images import drive, fill, reach
 from graphkin.planning.labels import Labels
@@ -36,6 +36,9 @@ def motion(
     polygon = _with_pole(structure, labels, plane, pole, velocity)
     for stage in order:
         _draw(polygon, stage, ternaries)
+    for each in (stage for stage in order if isinstance(stage, Group)):
+        for loop in each.floating:
+            coincide(polygon, loop)
     measure_all_slides(polygon)
     return Construction(plane, tuple(polygon.parts), polygon.nodes, polygon.pole), polygon.name
 

@@ -241,7 +241,8 @@ class _Reader:
             case Roll(contact):
                 yield from self._contact(contact, {*self.gives(part)})
             case Fit(closures=closures, contacts=contacts):
-                yield from (("position", point) for closure in closures for point in (closure.start, closure.end))
+                hung = (closure for closure in closures if not closure.floats)
+                yield from (("position", point) for closure in hung for point in (closure.start, closure.end))
                 yield from (fact for contact in contacts for fact in self._contact(contact, {*self.gives(part)}))
             case Touch(_, centre, other):
                 yield from (("position", point) for point in (centre, other) if point)

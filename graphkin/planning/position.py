@@ -190,7 +190,7 @@ class _Drawing:
         for point in self.structure.bodies[body]:
             if point in self.points:
                 continue
-            known = [p for p in self.structure.bodies[body] if p in self.points and self._apart(body, p, start)]
+            known = [p for p in self.structure.named(body) if p in self.points and self._apart(body, p, start)]
             if known:
                 self.parts.append(Image(body, (start, known[0], point), (start, known[0]), point))
             else:

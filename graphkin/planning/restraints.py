@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from graphkin.geometry import wrapped
 from graphkin.mechanism import FRAME, Driver
 from graphkin.pairs import Slide
 from graphkin.planning.equivalent import Contact
@@ -87,7 +88,7 @@ class Restraints:
             if slide.block is not None:
                 gap, turn = self._angle(slide.block, q)
                 back, turned = self._angle(slide.guide, q)
-                yield Row("angle", slide.name), _wrapped(gap - back - slide.turn), turn - turned
+                yield Row("angle", slide.name), wrapped(gap - back - slide.turn), turn - turned
         for contact in self.structure.contacts:
             yield Row("slip", contact.name), *self._slip(contact, q, start)
         for k, driver in enumerate(self.given):
@@ -162,7 +163,7 @@ class Restraints:
             now, slope = self.along(self.structure.slides[driver.link], q)
             return now.real - value / self.size, slope.real
         (angle, turn), (back, turned) = self._angle(driver.link, q), self._angle(driver.from_link, q)
-        return _wrapped(angle - back - self.structure.driver_offset(driver) - value), turn - turned
+        return wrapped(angle - back - self.structure.driver_offset(driver) - value), turn - turned
 
     # --- where the sketch puts the bodies -------------------------------------------------------
 
@@ -198,10 +199,6 @@ class Restraints:
         middle, centre = (sum((z[p] for p in known), 0j) / max(1, len(known)) for z in (at, shape))
         turn = sum(((at[p] - middle) * (shape[p] - centre).conjugate() for p in known), 0j)
         return cmath.phase(turn) if abs(turn) > _DAMPED else float(rng.uniform(-np.pi, np.pi))
-
-
-def _wrapped(angle: float) -> float:
-    return float(np.angle(np.exp(1j * angle)))
 
 
 def settled(restraints: Restraints, q: Array, aside: Sequence[Row], start: Array | None = None) -> tuple[Array, Rows]:

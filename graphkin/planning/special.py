@@ -68,7 +68,7 @@ class Ternary:
 
 def ternary(structure: Structure, group: Group, plot: Plot, name: str) -> Ternary | None:
     """The ternary link of a Class III group, with the best pair of legs first; None for any other group."""
-    if group.contacts or len(group.loops) != 2:
+    if group.contacts or len(group.loops) != 2 or group.floating:
         return None
     common = set(group.loops[0].bodies) & set(group.loops[1].bodies)
     for link in sorted(common, key=lambda body: structure.order[body]):

@@ -7,12 +7,13 @@ known to known, with exactly two unknown scalars (the angle of a group of links,
 slide): the Assur dyads RRR, RRP, RPR, PRP, RPP in every order, and longer ways whose further terms are
 driven. Two unknowns are what one vector equation gives, so the same loop is closed in all three planes.
 `Group`: the fewest loops and rolling contacts that only together have as many unknowns as equations: an
-Assur group of Class III or higher, or a gear train whose planets and arm hang on each other.
+Assur group of Class III or higher, or a gear train whose planets and arm hang on each other. Links that are closed in
+themselves give their angles before any of them has a place: such a loop floats, from an unknown hinge back to it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 
 from graphkin.construction import slide_key
@@ -20,7 +21,7 @@ from graphkin.planning.closed_sets import fewest_closed
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.known import Known
 from graphkin.planning.structure import Hinge, Joint, Structure
-from graphkin.planning.ways import Ways
+from graphkin.planning.ways import Ways, floats
 from graphkin.value import frozen
 from graphkin.waiting import Waiting
 
@@ -46,7 +47,7 @@ class Bridge:
 
 @frozen
 class Loop:
-    """From known over `joints[0]`, `bodies[0]`, `joints[1]`, .. back to known.
+    """From known over `joints[0]`, `bodies[0]`, `joints[1]`, .. back to known; in a group also from a hinge back to it.
 
     angles, slides  the unknown scalars: bases of groups of links, slides; two in all
     """
@@ -68,13 +69,21 @@ class Mesh:
 
 @frozen
 class Group:
-    """Loops and contacts whose unknown scalars can only be found together."""
+    """Loops and contacts whose unknown scalars can only be found together.
+
+    bodies  those that have their places then: of all loops but the floating ones
+    """
 
     bodies: tuple[str, ...]
     loops: tuple[Loop, ...]
     contacts: tuple[Contact, ...]
     angles: tuple[str, ...]
     slides: tuple[str, ...]
+
+    @property
+    def floating(self) -> tuple[Loop, ...]:
+        """The loops whose links have no place yet."""
+        return tuple(loop for loop in self.loops if not {*loop.bodies} <= {*self.bodies})
 
 
 Stage = Carry | Bridge | Mesh | Loop | Group
@@ -101,7 +110,7 @@ class _Search:
         self.open = {k: self._open(contact) for k, contact in enumerate(self.contacts)}
         """What is unknown of each rolling contact, as long as anything is."""
         self.loops = Ways(self.known, 2)
-        self.long_ways: Ways | None = None
+        self.more_ways: dict[tuple[int, bool], Ways] = {}
 
     def found(self) -> Iterator[Stage]:
         left = len(self.bodies) - len(self.known.bodies)
@@ -113,7 +122,10 @@ class _Search:
 
     def _next(self) -> Stage | None:
         body = self.to_carry.first(self._carried) or self.to_bridge.first(self._bridged)
-        return body or self.to_mesh.first(self._meshed) or self._loop() or self._group()
+        return (
+            body or self.to_mesh.first(self._meshed) or self._loop() or self._floating()
+            or self._group(False) or self._group(True)
+        )  # fmt: skip
 
     def _learn(self, stage: Stage) -> None:
         match stage:
@@ -127,9 +139,8 @@ class _Search:
         self.to_carry.call(order)
         self.to_bridge.call(order)
         self._tell_contacts(_keys(news.angles, news.slides))
-        self.loops.near(news.close)
-        if self.long_ways is not None:
-            self.long_ways.near(news.close)
+        for ways in (self.loops, *self.more_ways.values()):
+            ways.near(news.close)
 
     def _tell_contacts(self, names: Iterable[str]) -> None:
         tied = {k for name in names for k in self._tied.get(name, ()) if k in self.open}
@@ -187,10 +198,20 @@ class _Search:
         way = self.loops.first()
         return None if way is None else Loop(*way)
 
-    def _group(self) -> Group | None:
+    def _ways(self, most: int, floating: bool) -> Ways:
+        """Ways that few mechanisms need."""
+        if (most, floating) not in self.more_ways:
+            self.more_ways[most, floating] = Ways(self.known, most, floating)
+        return self.more_ways[most, floating]
+
+    def _floating(self) -> Group | None:
+        """The shortest loop with two unknowns of links that are closed in themselves."""
+        way = self._ways(2, True).first()
+        return None if way is None else self._as_group([loop := Loop(*way)], _keys(loop.angles, loop.slides))
+
+    def _group(self, floating: bool) -> Group | None:
         """The smallest set of loops and contacts with as many unknowns as equations."""
-        self.long_ways = self.long_ways or Ways(self.known, MOST)
-        loops = [Loop(*way) for way in self.long_ways.independent()]
+        loops = [Loop(*way) for way in self._ways(MOST, floating).independent()]
         parts: list[tuple[Loop | Contact, frozenset[str], int]] = [
             (loop, _keys(loop.angles, loop.slides), 2) for loop in loops
         ]
@@ -199,18 +220,18 @@ class _Search:
         if chosen is None:
             return None
         unknown = frozenset[str]().union(*(parts[k][1] for k in chosen))
-        return _as_group(self.structure, [parts[k][0] for k in chosen], unknown)
+        return self._as_group([parts[k][0] for k in chosen], unknown)
+
+    def _as_group(self, parts: Sequence[Loop | Contact], unknown: frozenset[str]) -> Group:
+        loops = tuple(part for part in parts if isinstance(part, Loop))
+        contacts = tuple(part for part in parts if isinstance(part, Contact))
+        hanging = (loop for loop in loops if not floats(self.known, loop.joints))
+        bodies = tuple(dict.fromkeys(body for loop in hanging for body in loop.bodies))
+        slides = tuple(name for name in self.structure.slides if slide_key(name) in unknown)
+        angles = tuple(body for body in self.structure.bodies if body in unknown)
+        return Group(bodies, loops, contacts, angles, slides)
 
 
 def _keys(angles: Iterable[str], slides: Iterable[str]) -> frozenset[str]:
     """Unknown scalars in one set, though a file may call a link and a slide alike."""
     return frozenset([*angles, *map(slide_key, slides)])
-
-
-def _as_group(structure: Structure, parts: list[Loop | Contact], unknown: frozenset[str]) -> Group:
-    loops = tuple(part for part in parts if isinstance(part, Loop))
-    contacts = tuple(part for part in parts if isinstance(part, Contact))
-    bodies = tuple(dict.fromkeys(body for loop in loops for body in loop.bodies))
-    slides = tuple(name for name in structure.slides if slide_key(name) in unknown)
-    angles = tuple(body for body in structure.bodies if body in unknown)
-    return Group(bodies, loops, contacts, angles, slides)

@@ -6,26 +6,35 @@ from collections.abc import Iterable, Iterator
 from heapq import heappop, heappush
 
 from graphkin.planning.known import Known
-from graphkin.planning.structure import Joint, Sliding
+from graphkin.planning.structure import Hinge, Joint, Sliding
 
 Way = tuple[tuple[str, ...], tuple[Joint, ...], tuple[str, ...], tuple[str, ...]]
 """Bodies, the joints before, between and after them; the unknown angles, by their bases, and displacements."""
-_Entry = tuple[tuple[int, list[int], list[int]], int, int, int, int, Way]
-"""A way after its rank: how long, its bodies in order and as they come. Of equals that from the body which is first in
-the file, as found. Then what tells whether it still holds, and its joints as a row of bits."""
+_Entry = tuple[tuple[bool, int, list[int], list[int]], int, int, int, int, Way]
+"""A way after its rank: whether it floats, how long, its bodies in order and as they come. Of equals that from the body
+which is first in the file, as found. Then what tells whether it still holds, and the ends of its bodies as a row of
+bits."""
+
+
+def floats(known: Known, joints: tuple[Joint, ...]) -> bool:
+    """A way from an unknown hinge: it gives angles and displacements, but no place."""
+    return isinstance(joints[0], Hinge) and joints[0].point not in known.points
 
 
 class Ways:
-    """Every way with two unknown scalars; or each that goes on as long as it keeps to `most`."""
+    """Every way with two unknown scalars; or each that goes on as long as it keeps to `most`.
 
-    def __init__(self, known: Known, most: int) -> None:
-        self.known, self.most = known, most
+    floating  also those that only lead back to the hinge of unknown links in which they begin, after the others
+    """
+
+    def __init__(self, known: Known, most: int, floating: bool = False) -> None:
+        self.known, self.most, self.floating = known, most, floating
         self._entries: list[_Entry] = []
         self._passed: dict[str, set[str]] = {}
         """By body, the bodies from which ways come by."""
         self._stale = dict.fromkeys(known.unknown)
         self._times: dict[str, int] = {}
-        self._bits: dict[Joint, int] = {}
+        self._bits: dict[tuple[Joint, str], int] = {}
 
     def first(self) -> Way | None:
         """The shortest, of those the first in the order of the file."""
@@ -35,16 +44,16 @@ class Ways:
         return self._entries[0][-1] if self._entries else None
 
     def independent(self) -> list[Way]:
-        """Those that are no sum of shorter ones, as sets of joints: the shortest first."""
+        """Those that are no sum of ones before them, as sets of ends of bodies: the shortest first."""
         self._look()
         self._entries = sorted(entry for entry in self._entries if self._holds(entry))
         rows: dict[int, int] = {}
         chosen, heads = list[Way](), 0
-        for *_, joints, way in self._entries:
-            while common := joints & heads:
-                joints ^= rows[common & -common]
-            if joints:
-                rows[head := joints & -joints] = joints
+        for *_, row, way in self._entries:
+            while common := row & heads:
+                row ^= rows[common & -common]
+            if row:
+                rows[head := row & -row] = row
                 heads |= head
                 chosen.append(way)
         return chosen
@@ -64,8 +73,10 @@ class Ways:
             time = self._times[body] = self._times.get(body, 0) + 1
             for k, way in enumerate(self._from(body)):
                 bodies = [order[each] for each in way[0]]
-                joints = sum(bits.setdefault(joint, 1 << len(bits)) for joint in way[1])
-                heappush(self._entries, ((len(bodies), sorted(bodies), bodies), order[body], k, time, joints, way))
+                ends = [*zip(way[1], way[0]), *zip(way[1][1:], way[0])]
+                row = sum(bits.setdefault(end, 1 << len(bits)) for end in ends)
+                rank = floats(self.known, way[1]), len(bodies), sorted(bodies), bodies
+                heappush(self._entries, (rank, order[body], k, time, row, way))
         self._stale.clear()
 
     def _from(self, body: str) -> Iterator[Way]:
@@ -73,7 +84,7 @@ class Ways:
         if body in known.bodies or body in structure.followers:
             return
         for joint, others in structure.joints(body):
-            if known.joint(joint, others):
+            if known.joint(joint, others) or (self.floating and isinstance(joint, Hinge)):
                 yield from self._on((body,), (joint,), self._angles((), body), self._slides((), joint))
 
     def _on(
@@ -85,10 +96,13 @@ class Ways:
         if len(angles) + len(slides) > self.most:
             return
         for joint, others in known.structure.joints(bodies[-1]):
-            if joint in joints:
+            back = joint == joints[0] and isinstance(joint, Hinge) and len(bodies) > 2
+            if joint in joints and not back:
                 continue
             more = self._slides(slides, joint)
-            if known.joint(joint, others):
+            if back or known.joint(joint, others):
+                if not back and floats(known, joints):
+                    continue
                 if self.most > 2 or (len(angles) + len(more) == 2 and self._together(bodies)):
                     yield bodies, (*joints, joint), angles, more
                 continue

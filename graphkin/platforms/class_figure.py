@@ -25,6 +25,7 @@ _MOST = 25
 _LONGEST = 44
 _VERDICTS = (
     ("right", "#ffffff", ""), ("carried", "#dddddd", "////"), ("wrong", "#555555", ""), ("missing", "#ffffff", "...."),
+    ("dead point", "#ffffff", "xxxx"), ("too small", "#ffffff", "xxxx"),
 )  # fmt: skip
 """Fill and hatching: told apart in print without colours."""
 
@@ -70,8 +71,10 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
         _said(axes, say("class_report.nobody marked", lang))
         return
     starts = [0] * len(steps)
-    for name, colour, hatch in _VERDICTS:
+    for k, (name, colour, hatch) in enumerate(_VERDICTS):
         counts = [step.verdicts.get(name, 0) for step in steps]
+        if k > 3 and not any(counts):
+            continue
         axes.barh(range(len(steps)), counts, left=starts, color=colour, hatch=hatch, edgecolor="black", linewidth=0.6,
                   label=say(f"verdicts.verdict {name}", lang))  # fmt: skip
         starts = [start + count for start, count in zip(starts, counts, strict=True)]

@@ -10,15 +10,17 @@ from typing import Any, get_args
 
 from graphkin.errors import Lang
 from graphkin.marking.habits import Habit
+from graphkin.marking.marked import Verdict
 from graphkin.platforms.feedback import habit, suspected
 from graphkin.platforms.numbers import exponentless
-from graphkin.platforms.result import Line, Result, Suspicion, Verdict
+from graphkin.platforms.result import Line, Result, Suspicion
 from graphkin.say.catalogue import say
 from graphkin.value import frozen
 
 RANGES = 10
 """Scores are counted in so many ranges of the same width."""
 _FAILED: tuple[Verdict, ...] = ("wrong", "missing")
+_ALWAYS: tuple[Verdict, ...] = ("right", "carried", *_FAILED)
 """What is wrong comes before what is left out, which is normal on the way."""
 
 
@@ -165,7 +167,8 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
 
 def _steps(report: ClassReport, lang: Lang) -> Iterator[str]:
     for step in report.steps:
-        counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in get_args(Verdict))
+        shown = [name for name in get_args(Verdict) if name in _ALWAYS or step.verdicts.get(name)]
+        counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
         told = say("common.list", lang).join(counts)
         yield say("class_report.step", lang, name=step.name, verdicts=told, first=step.first)
 

@@ -27,7 +27,7 @@ def _part(key: Key, at: int, column: int) -> Part:
     entry = key.entries[column]
     unit = EDGE[entry.unit]
     return Part(
-        at_position(entry.text, at), entry.right * unit.factor, entry.tolerance * unit.factor, unit.sign, entry.points,
+        at_position(entry.text, at), entry.right * unit.factor, entry.allowed * unit.factor, unit.sign, entry.points,
         tuple(_wrongs(key, column, entry)), tuple(number * unit.factor for number in _also(entry)),
     )  # fmt: skip
 

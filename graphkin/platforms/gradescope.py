@@ -39,7 +39,7 @@ def _output(result: Result, lang: Lang) -> str:
 
 
 def _test(result: Result, line: Line, lang: Lang, reveal: Reveal) -> dict[str, Any]:
-    good = line.verdict in ("right", "carried") and line.points >= line.most
+    good = line.verdict not in ("wrong", "missing") and line.points >= line.most
     told = _told(line.name, quantity(result, line, lang, reveal), "passed" if good else "failed")
     return {**told, "score": float(line.points), "max_score": float(line.most)} if line.most else told
 

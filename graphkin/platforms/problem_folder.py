@@ -58,7 +58,7 @@ def write_problems(
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise CannotWrite(str(folder), error.strerror or str(error)) from None
+        raise CannotWrite.by(folder, error) from None
     for path in (*paths, folder / LIST):
         refuse(path, force, _MARKS)
     rates: list[tuple[float, float]] = []

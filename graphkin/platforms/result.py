@@ -12,13 +12,13 @@ from graphkin.construction import Plane
 from graphkin.errors import Lang, NotAResult, Where
 from graphkin.marking.habits import Habit
 from graphkin.marking.key import Name
+from graphkin.marking.marked import Verdict
 from graphkin.outputs.marks_json import drawn_of
 from graphkin.platforms.numbers import points
 from graphkin.platforms.question import Text
 from graphkin.value import frozen
 
 FORMAT = 1
-Verdict = Literal["right", "carried", "wrong", "missing"]
 Status = Literal["marked", "not marked"]
 
 

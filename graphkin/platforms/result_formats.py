@@ -131,7 +131,7 @@ def _made(folder: Path) -> Path:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise CannotWrite(str(folder), error.strerror or str(error)) from None
+        raise CannotWrite.by(folder, error) from None
     return folder
 
 
@@ -221,7 +221,7 @@ def _pages(order: Order) -> Written:
     """A page of feedback each."""
     folder = _made(order.folder / "pages")
     for name, result in _named(order):
-        with beside(folder / f"{name}.html", order.force, [PAGE], clear=False) as draft:
+        with beside(folder / f"{name}.html", order.force, [PAGE]) as draft:
             draft.write_bytes(html(order.told(result)))
     return Written((folder,))
 

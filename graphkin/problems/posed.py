@@ -83,14 +83,12 @@ def _short(method: Method, plot: Plot) -> bool:
 def _slow(method: Method, plot: Plot) -> bool:
     """Whether a rotation that is asked for is nearly nothing beside the fastest."""
     for question in method.mechanism.ask:
-        match read(method.mechanism, question):
-            case Rotation("omega" | "alpha" as word, _, link):
-                rates: Mapping[str, Value] = getattr(plot, word)
-                fastest = max(abs(float(rates[name])) for name in method.mechanism.moving if name in rates)
-                if _NOTHING * fastest < abs(float(rates[link])) < SHORTEST * fastest:
-                    return True
-            case _:
-                pass
+        quantity = read(method.mechanism, question)
+        if isinstance(quantity, Rotation) and quantity.word != "theta":
+            rates: Mapping[str, Value] = getattr(plot, quantity.word)
+            fastest = max(abs(float(rates[name])) for name in method.mechanism.moving if name in rates)
+            if _NOTHING * fastest < abs(float(rates[quantity.link])) < SHORTEST * fastest:
+                return True
     return False
 
 

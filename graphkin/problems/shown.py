@@ -6,13 +6,16 @@ could be measured on the figure. Then the drivers stand elsewhere, in the same a
 
 from __future__ import annotations
 
+from typing import assert_never
+
 import numpy as np
 
 from graphkin.construction import Plot
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
-from graphkin.quantities import Centre, Displacement, Place, Quantity, Quotient, Rotation, read
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
+from graphkin.quantities.reading import read
 from graphkin.running import replay_all
 from graphkin.running.assembled import assembled
 
@@ -30,12 +33,14 @@ def shown_at(method: Method, drawn: Plot) -> tuple[Plot, bool] | None:
 def _in_place(quantity: Quantity | None) -> bool:
     """Whether the position alone gives it."""
     match quantity:
-        case None | Centre() | Displacement() | Place() | Rotation(word="theta"):
+        case None | Centre() | Displacement() | Place() | Track() | Rotation(word="theta"):
             return True
         case Quotient():
             return any(map(_in_place, quantity.halves))
-        case _:
+        case Rotation() | Moving() | Component():
             return False
+        case _:
+            assert_never(quantity)
 
 
 def _moved(method: Method, drawn: Plot, by: float) -> Plot | None:

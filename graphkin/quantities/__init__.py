@@ -1,7 +1,8 @@
 """Quantities: what can be asked of a mechanism, read from text once.
 
 A `Quantity` knows its unit, its letters and its sign rule, and what it is in any `Motions`, whichever road they come
-from. To add one: a class in `kinds`, its word in `reading`. Units at the edge are one table, in `units`.
+from. To add one: a class in `kinds`, also in the union `Quantity` there, and its word in `reading`; mypy then lists the
+readers that do not know it yet. Units at the edge are one table, in `units`.
 """
 
 from graphkin.quantities.at_position import at_position, position_of

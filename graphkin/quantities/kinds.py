@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Literal, TypeAlias, cast
 
 import numpy as np
 
@@ -29,8 +29,8 @@ class Answer:
 
 
 @frozen
-class Quantity:
-    """What can be asked of any motions.
+class Kind:
+    """What all quantities have: each can be asked of any motions.
 
     word, of   as they are written: `a_k` and `B3B2`
     """
@@ -66,7 +66,7 @@ class Quantity:
     @property
     def halves(self) -> tuple[Quantity, ...]:
         """The two of a quotient, else itself."""
-        return (self,)
+        return (cast("Quantity", self),)
 
     @property
     def sites(self) -> tuple[Seen, ...]:
@@ -82,9 +82,15 @@ class Quantity:
         """What it is there; every value a scalar or an array over positions."""
         raise NotImplementedError
 
+    def shown(self, motions: Motions) -> Answer:
+        """The same without rounding noise, for people and files: 0 is 0."""
+        found, cut = self.answer(motions), motions.mechanism.usual.cut
+        vector = None if found.vector is None else cut(found.vector, found.unit)
+        return Answer(cut(found.value, found.unit) if vector is None else np.abs(vector), found.unit, vector)
+
 
 @frozen
-class Rotation(Quantity):
+class Rotation(Kind):
     """`theta 3`, `omega 3`, `alpha 3`."""
 
     link: str
@@ -102,7 +108,7 @@ class Rotation(Quantity):
 
 
 @frozen
-class Displacement(Quantity):
+class Displacement(Kind):
     """`s ram`: of a sliding pair, or of the centre of a wheel that rolls on a line."""
 
     slide: str
@@ -116,7 +122,7 @@ class Displacement(Quantity):
 
 
 @frozen
-class Place(Quantity):
+class Place(Kind):
     """`x E`, `y E`: where a point is, in the frame's axes."""
 
     axis: Axis
@@ -135,7 +141,7 @@ class Place(Quantity):
 
 
 @frozen
-class Track(Quantity):
+class Track(Kind):
     """`path E`: where a point is, in the frame's axes; over a motion, its path."""
 
     site: Seen
@@ -162,7 +168,7 @@ class Track(Quantity):
 
 
 @frozen
-class Moving(Quantity):
+class Moving(Kind):
     """`v E`, `a CB`, `a_k B3B2`: a vector; of a point, or of one seen from another, or a part of that.
 
     seen_from  the other point
@@ -207,7 +213,7 @@ class Moving(Quantity):
 
 
 @frozen
-class Component(Quantity):
+class Component(Kind):
     """`v_x E`, `a_y CB`: of a vector along one of the frame's axes."""
 
     axis: Axis
@@ -234,7 +240,7 @@ class Component(Quantity):
 
 
 @frozen
-class Centre(Quantity):
+class Centre(Kind):
     """`P13`: where the instant centre of two links is; at infinity that is infinite."""
 
     links: tuple[str, str]
@@ -267,7 +273,7 @@ class Centre(Quantity):
 
 
 @frozen
-class Quotient(Quantity):
+class Quotient(Kind):
     """`omega 3/omega 1`: of two quantities of one unit; `word` and `of` are their texts."""
 
     top: Quantity
@@ -287,6 +293,10 @@ class Quotient(Quantity):
 
     def answer(self, motions: Motions) -> Answer:
         return Answer(_divided(*(half.answer(motions).value for half in self.halves)), "1")
+
+
+Quantity: TypeAlias = Rotation | Displacement | Place | Track | Moving | Component | Centre | Quotient
+"""What can be asked; whoever reads its kinds one by one ends in `assert_never`, so that the type checker lists them."""
 
 
 def on_axis(vector: Value, axis: Axis) -> Value:

@@ -49,13 +49,7 @@ class Drawn:
 def replay_many(
     method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None = None
 ) -> Drawn:
-    """Every mechanism of a method's topology, each at its own drawn position or at driver values.
-
-    mechanisms  one after another; or one whose numbers are arrays (n,), those that all share scalars
-    values      one entry a driver, scalar, (positions, 1) or (positions, n) [rad, m]
-
-    Each is the assembly that its own sketch means. Raises ValueError for a mechanism of another topology.
-    """
+    """Every mechanism of a method's topology, as `api.replay_many` has it; none is held against the analysis."""
     _refuse_others(method, [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms)
     method = _accelerated(method, [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms)
     count = count_of(mechanisms) if isinstance(mechanisms, Mechanism) else len(mechanisms)
@@ -155,6 +149,14 @@ class _Drawing:
         for table in self.tables.values():
             for value in table.values():
                 value[..., row] = np.nan
+
+
+def rows_of(many: Plot, rows: np.ndarray | int, plot: Plot) -> Plot:
+    """A plot that is given some rows of another's, or one."""
+    for name in TABLES:
+        table = getattr(many, name)
+        setattr(plot, name, {key: value[..., rows] if np.ndim(value) else value for key, value in table.items()})
+    return plot
 
 
 # --- drawn together ---------------------------------------------------------------------------

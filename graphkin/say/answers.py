@@ -5,16 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from math import degrees, radians
+from typing import assert_never
 
 from graphkin.geometry import Value
 from graphkin.motions import Motions
-from graphkin.quantities import EDGE, Centre, Component, Moving, Quantity, Quotient, Rotation, Track
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
+from graphkin.quantities.units import EDGE
 from graphkin.readings import readings
 from graphkin.say import names
 from graphkin.say.asked import Asked
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence
 from graphkin.say.figures import Operand, Turned
-from graphkin.say.noise import ROUNDING
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
 from graphkin.value import frozen
@@ -64,9 +65,11 @@ class Answers:
             case Rotation() if quantity.word != "theta":
                 value = self.value(quantity)
                 return Calculation(name, (), "", abs(value), EDGE[quantity.unit].sign, self._sense(value))
-            case _:
+            case Rotation() | Displacement() | Place():
                 unit = EDGE[quantity.unit]
                 return Calculation(name, (), "", self.value(quantity) * unit.factor, unit.sign)
+            case _:
+                assert_never(quantity)
 
     def result(self, quantity: Quantity) -> str:
         """The answer without its name and without figures: `1.220 m/s (at 180° to +x)`."""
@@ -75,11 +78,13 @@ class Answers:
                 return self._place(quantity)
             case Track():
                 return f"{self._point(quantity)} mm"
-            case _:
+            case Rotation() | Displacement() | Place() | Moving() | Component() | Quotient():
                 entry = self.entry(quantity)
                 assert isinstance(entry, Calculation), quantity
                 note = self.reading.say("common.note", note=entry.note) if entry.note else ""
                 return f"{entry.result}{note}"
+            case _:
+                assert_never(quantity)
 
     def signed(self, quantity: Quantity) -> float:
         """The answer as a number, of a rotation with its sense."""
@@ -91,17 +96,21 @@ class Answers:
     def value(self, quantity: Quantity) -> float:
         """What a quantity is [SI], as it was read where a ruler reads; 0 where it is but rounding noise."""
         exactly, ruler = float(quantity.answer(self._motions).value), self.reading.ruler
-        if not abs(exactly) > self._noise(quantity):
+        if not self.reading.usual.cut(exactly, quantity.unit):
             return 0.0
-        if isinstance(quantity, Moving):
-            return self._told(quantity, exactly)
-        if isinstance(quantity, Component):
-            return self._component("", quantity).value
-        if quantity.unit == "m":
-            return self.reading.measured(exactly)
-        if quantity.unit == "rad" and ruler is not None:
-            return radians(ruler.angle(degrees(exactly)))
-        return exactly
+        match quantity:
+            case Moving():
+                return self._told(quantity, exactly)
+            case Component():
+                return self._component("", quantity).value
+            case Displacement() | Place() | Track() | Centre():
+                return self.reading.measured(exactly)
+            case Rotation(word="theta") if ruler is not None:
+                return radians(ruler.angle(degrees(exactly)))
+            case Rotation() | Quotient():
+                return exactly
+            case _:
+                assert_never(quantity)
 
     # --- vectors --------------------------------------------------------------------------------
 
@@ -134,7 +143,7 @@ class Answers:
         angle = self.reading.direction(vector)
         turned = Turned("cos" if quantity.axis == "x" else "sin", angle)
         value, unit = whole * turned.value, EDGE[quantity.unit].sign
-        if not abs(value) > self._noise(quantity):
+        if not self.reading.usual.cut(value, quantity.unit):
             return Calculation(name, (), "", 0.0, unit)
         return Calculation(name, (), Operand(whole) * turned, value, unit)
 
@@ -161,22 +170,8 @@ class Answers:
         x, y = (number(read(value) * 1000, noise) for value in (place.real, place.imag))
         return f"({x}, {y})"
 
-    # --- signs and noise ------------------------------------------------------------------------
+    # --- signs ----------------------------------------------------------------------------------
 
     def _sense(self, value: float) -> str:
         return self.reading.say("common.ccw" if value > 0 else "common.cw") if value else ""
 
-    @cached_property
-    def _still(self) -> dict[str, float]:
-        """Speeds and accelerations up to this are rounding noise [m/s, m/s^2]."""
-        points = {"velocity": self.reading.plot.velocity, "acceleration": self.reading.plot.acceleration}
-        return {plane: ROUNDING * max(float(abs(place)) for place in them.values()) for plane, them in points.items()}
-
-    def _noise(self, quantity: Quantity) -> float:
-        """Values up to this are rounding noise [SI]."""
-        if quantity.unit.startswith("rad/s"):
-            usual = self.reading.usual
-            return ROUNDING * (usual.omega if quantity.unit == "rad/s" else usual.alpha)
-        if quantity.unit in ("m/s", "m/s^2"):
-            return self._still["velocity" if quantity.unit == "m/s" else "acceleration"]
-        return self.reading.noise if quantity.unit == "m" else 0.0

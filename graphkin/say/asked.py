@@ -4,24 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, assert_never
 
 from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Size, Tangential, Turning
 from graphkin.mechanism import FRAME
 from graphkin.planning.held_still import standing
 from graphkin.planning.needed import Fact, Part, arms, needed, turning
-from graphkin.quantities import (
-    Centre,
-    Component,
-    Displacement,
-    Moving,
-    Place,
-    Quantity,
-    Quotient,
-    Rotation,
-    Track,
-    read,
-)
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
+from graphkin.quantities.reading import read
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.reading import Reading
@@ -122,7 +112,7 @@ class Asked:
             case Centre():
                 return self.reading.say("solution.centre", name=names.point(quantity.text))
             case _:
-                raise AssertionError("every quantity has a symbol")
+                assert_never(quantity)
 
 
 def asked(reading: Reading, everything: bool = False, only: Plane = "acceleration") -> Asked:
@@ -181,12 +171,19 @@ def _direct(facts: set[Fact], plane: Plane) -> bool:
 
 def _facts(reading: Reading, quantity: Quantity) -> Iterator[Fact]:
     """What a construction has to give for a quantity of motion; a place and a centre need no polygon."""
-    for half in quantity.halves:
-        if isinstance(half, Rotation) and half.word != "theta":
-            yield turning(reading.method, half.word, half.link)
-        elif isinstance(half, Moving | Component):
-            for site in half.sites:
-                yield from _point(reading, _plane(half), site.point, site.link)
+    match quantity:
+        case Rotation(word=word, link=link):
+            yield from (turning(reading.method, word, link),) if word != "theta" else ()
+        case Moving() | Component():
+            for site in quantity.sites:
+                yield from _point(reading, _plane(quantity), site.point, site.link)
+        case Quotient():
+            for half in quantity.halves:
+                yield from _facts(reading, half)
+        case Displacement() | Place() | Track() | Centre():
+            pass
+        case _:
+            assert_never(quantity)
 
 
 def _point(reading: Reading, plane: Plane, point: str, link: str) -> Iterator[Fact]:

@@ -6,7 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from graphkin.centres.about import About, CarriedPoint, Circle
+from graphkin.centres.about import About, Circle
 from graphkin.centres.about_bobillier import Bobillier, Guided
 from graphkin.centres.two_velocities import TwoVelocities
 from graphkin.drafting import Stage
@@ -27,7 +27,7 @@ def say(key: str, lang: Lang, /, **words: object) -> str:
 
 def about_words(seen: About, lang: Lang) -> list[str]:
     """What is known of the link and of its points at this instant, a sentence each."""
-    return [*link_words(seen, lang), *(_point(name, carried, lang) for name, carried in seen.points.items())]
+    return [*link_words(seen, lang), *(_point(seen, name, lang) for name in seen.points)]
 
 
 def link_words(seen: About, lang: Lang) -> Iterator[str]:
@@ -41,9 +41,9 @@ def link_words(seen: About, lang: Lang) -> Iterator[str]:
     elif seen.diameter is None:
         yield say("about.translation", lang, **known, at=_degrees(seen.towards))
     else:
-        yield say("about.pole", lang, **known, place=_place(seen.pole))
+        yield say("about.pole", lang, **known, place=_place(seen, seen.pole))
     if seen.acceleration_pole is not None:
-        yield say("about.acceleration", lang, place=_place(seen.acceleration_pole))
+        yield say("about.acceleration", lang, place=_place(seen, seen.acceleration_pole))
     elif seen.moves:
         yield say("about.no acceleration", lang)
     yield from _circles(seen, lang)
@@ -54,18 +54,19 @@ def _circles(seen: About, lang: Lang) -> Iterator[str]:
     if inflection is None:
         return
     if not isinstance(inflection, Circle):
-        place, at = _place(inflection.through), _degrees(inflection.direction)
+        place, at = _place(seen, inflection.through), _degrees(inflection.direction)
         yield say("about.inflection line", lang, place=place, at=at)
         return
     if seen.tangent is None or returning is None or seen.pole_velocity is None:
         yield say("about.pivot", lang)
         return
     yield say("about.moving pole", lang, u=abs(seen.pole_velocity), tangent=_degrees(seen.tangent))
-    yield say("about.inflection", lang, diameter=2e3 * inflection.radius, place=_place(inflection.centre))
-    yield say("about.return", lang, place=_place(returning.centre))
+    yield say("about.inflection", lang, diameter=2e3 * inflection.radius, place=_place(seen, inflection.centre))
+    yield say("about.return", lang, place=_place(seen, returning.centre))
 
 
-def _point(name: str, carried: CarriedPoint, lang: Lang) -> str:
+def _point(seen: About, name: str, lang: Lang) -> str:
+    carried = seen.points[name]
     known = {"name": name, "v": abs(carried.velocity), "a": abs(carried.acceleration)}
     if cmath.isnan(carried.centre):
         return say("about.still", lang, **known)
@@ -73,13 +74,13 @@ def _point(name: str, carried: CarriedPoint, lang: Lang) -> str:
         return say("about.straight", lang, **known)
     if carried.radius == 0:
         return say("about.cusp", lang, **known)
-    return say("about.curved", lang, **known, radius=1e3 * carried.radius, place=_place(carried.centre))
+    return say("about.curved", lang, **known, radius=1e3 * carried.radius, place=_place(seen, carried.centre))
 
 
-def _place(place: complex) -> str:
-    """`(66.4, 182.4) mm`; what is nothing but rounding as 0."""
-    x, y = (0.0 if abs(value) < 1e-9 else 1e3 * value for value in (place.real, place.imag))
-    return f"({number(x)}, {number(y)}) mm"
+def _place(seen: About, place: complex) -> str:
+    """`(66.4, 182.4) mm`."""
+    shown = 1e3 * complex(seen.found.method.mechanism.usual.cut(place, "m"))
+    return f"({number(shown.real)}, {number(shown.imag)}) mm"
 
 
 def _degrees(direction: complex) -> float:

@@ -70,7 +70,7 @@ class CentreReader:
     @cached_property
     def noise(self) -> float:
         """Lengths below this are rounding noise [m]."""
-        return 1e-9 * max(abs(complex(place)) for place in (*self.found.plot.position.values(), 1e-300))
+        return self.found.method.mechanism.usual.least("m")
 
     def place(self, centre: str) -> str:
         if self.is_far(centre):

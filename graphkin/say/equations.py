@@ -34,6 +34,7 @@ from graphkin.construction import (
     Turning,
 )
 from graphkin.say import names
+from graphkin.say.contact_points import same_velocities
 from graphkin.say.entry import Arrow, Calculation, Entry, Sentence, VectorEquation
 from graphkin.say.numbers import number
 from graphkin.say.plane import Polygon
@@ -47,6 +48,7 @@ def equation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
         yield polygon.told(next(step for step in part.steps if isinstance(step, LayOff)), sentence)
         return
     yield from _chosen(polygon, part)
+    yield from same_velocities(polygon, part)
     yield Sentence(_introduction(polygon, part))
     yield worded(polygon, part)
     yield from _whose_rotation(polygon, part)

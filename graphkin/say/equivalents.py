@@ -8,6 +8,7 @@ from typing import Any, assert_never
 
 from graphkin.construction import (
     Arc,
+    Arm,
     Fit,
     Given,
     Image,
@@ -160,18 +161,18 @@ def points_of(reading: Reading, line: Line) -> tuple[str, str] | None:
 
 def _path(reading: Reading, name: str) -> Iterator[Entry]:
     """Where the path of a centre lies, if it stands still; else where it starts, if that is needed."""
-    slide = reading.method.structure.slides[name]
+    slide, (line,) = reading.method.structure.slides[name], reading.mechanism.pair(name).lines
     origin, path = slide.line.origin, reading.path(name)
     if slide.guide == FRAME:
         place = reading.plot.facts.shapes[FRAME][origin]
         x, y = (reading.on_paper(value) for value in (place.real, place.imag))
         start, angle = path[0].upper() + path[1:], degrees(slide.line.direction)
         yield Sentence(reading.say("contacts.fixed path", path=start, place=f"({x}, {y})", angle=angle))
-    elif any(_uses(step, origin) for step in reading.method.position.steps):
-        (beside,), mark = reading.mechanism.pair(name).lines, names.point(origin)
-        if beside.named:
-            length = f"{names.pair(beside.origin, origin)} = {reading.rim(reading.mechanism.pair(name))}"
-            words = {"path": path, "mark": mark, "origin": names.point(beside.origin), "length": length}
+    elif origin != line.origin and any(_uses(step, origin) for step in reading.method.position.steps):
+        mark = names.point(origin)
+        if line.named:
+            length = f"{names.pair(line.origin, origin)} = {reading.rim(reading.mechanism.pair(name))}"
+            words = {"path": path, "mark": mark, "origin": names.point(line.origin), "length": length}
             yield Sentence(reading.say("contacts.abreast", **words))
         else:
             yield Sentence(reading.say("contacts.marked start", path=path, mark=mark))
@@ -187,7 +188,9 @@ def _uses(step: Step, origin: str) -> bool:
             return origin in (point, *through)
         case Image():
             return origin in step.base
-        case Measure() | Given() | Ray() | Arc() | Swing() | Roll() | Fit() | Touch() | Simultaneous():
+        case Fit(closures=closures):
+            return any(isinstance(part, Arm) and origin in (part.tail, part.head) for c in closures for part in c.parts)
+        case Measure() | Given() | Ray() | Arc() | Swing() | Roll() | Touch() | Simultaneous():
             return False
         case _:
             assert_never(step)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.by_pose import by_pose
+from graphkin.planning.by_pose import by_pose, shown
 from graphkin.say.answers import Answers
 from graphkin.say.asked import Asked, asked
 from graphkin.say.deviation import deviations
@@ -58,9 +58,9 @@ def derivation(
 ) -> Iterator[Entry]:
     """The solution as data: what is given and asked, the planes in the order of their constructions, the answers.
 
-    as_planned  every act of the method's own plan, though a pose or a driver at rest may make it easier
+    as_planned  every act of the polygons, though a driver at rest may make them easier
     """
-    reading = Reading(method, plot, scales, lang, ruler, apart=as_planned)
+    reading = Reading(*shown(method, plot), scales, lang, ruler, apart=as_planned)
     goal = asked(reading, everything, only)
     body = list(_drawn(goal, as_planned))
     yield from given(reading)
@@ -77,9 +77,9 @@ def _drawn(goal: Asked, as_planned: bool) -> Iterator[Entry]:
     """The mechanism, its instant centres where they are asked for, and the polygons that are needed."""
     reading = goal.reading
     method, plot = reading.method, reading.plot
-    posed = None if as_planned else by_pose(method, plot)
+    posed = by_pose(method, plot)
     drawn = reading if posed is None else Reading(*posed, reading.scales, reading.lang, reading.ruler)
-    yield from PositionReader(drawn, goal.levers, reading, angles=goal.angles).entries()
+    yield from PositionReader(drawn, reading, goal.levers, angles=goal.angles).entries()
     for number, part in enumerate(_parts(reading, goal, centred=not as_planned), start=2):
         yield from part(number=number)
 

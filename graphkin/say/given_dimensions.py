@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from cmath import phase
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from itertools import combinations
 from math import degrees as in_degrees
 from math import remainder
 from typing import Any
 
+from graphkin.geometry import cross, dot
 from graphkin.mechanism import FRAME
 from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Roll, Slide
 from graphkin.say import names
 from graphkin.say.equivalents import points_of
 from graphkin.say.given_sizes import Size, beside, circle, millimetres, radius, sides
-from graphkin.say.guide_angle import guide_angle
-from graphkin.say.numbers import degrees, given
+from graphkin.say.guide_angle import GuideAngle, guide_angle
+from graphkin.say.numbers import direction, given
 from graphkin.say.reading import Reading
 
 
@@ -59,20 +62,29 @@ def _slide(reading: Reading, pair: Slide) -> str:
     kind = "pin" if pair.block is None else "block"
     words["tilt"] = _tilt(reading, pair)
     if pair.guide == FRAME:
-        return reading.say(f"solution.{kind} on frame", line=_line(reading, pair.line), **words)
-    where = _on_link(reading, pair)
+        return reading.say(f"solution.{kind} on frame", line=_lying(reading, pair.line, pair), **words)
+    where = _lying(reading, pair.line, pair)
     return reading.say(f"solution.{kind} on link", link=reading.link(pair.guide), where=where, **words)
 
 
 def _tilt(reading: Reading, pair: Slide) -> str:
-    """`; AB makes 30 deg with the guide` of a block of more points than one."""
-    points = reading.mechanism.named(pair.block) if pair.block is not None else ()
-    if len(points) < 2:
+    """`; the direction of A→B is the guide's turned by 30° ..`, of a block with a direction of its own."""
+    if not (line := _axis(reading, pair)):
         return ""
-    line, turned = names.arrow(*points[:2]), remainder(round(in_degrees(pair.tilt), 9), 360)
+    turned = remainder(round(in_degrees(pair.tilt), 9), 360)
     sense = reading.say("common.ccw" if turned > 0 else "common.cw")
     words = {"line": line, "angle": f"{given(abs(turned))}°", "sense": sense}
     return reading.say("solution.tilt" if turned else "solution.tilt none", **words)
+
+
+def _axis(reading: Reading, pair: Slide) -> str:
+    """The direction of a block: of its points, +x of the frame, of one point that slid before the line it slid on."""
+    if pair.block is None or pair.block == FRAME:
+        return "+x" if pair.block else ""
+    if (axis := reading.mechanism.links[pair.block].axis) is not None:
+        return names.arrow(*axis)
+    first = next(slide for slide in reading.mechanism.slides if slide.block == pair.block)
+    return "" if first.name == pair.name else reading.say("solution.line of", link=reading.link(first.guide))
 
 
 def _guide(reading: Reading, pair: Slide) -> str:
@@ -85,34 +97,16 @@ def _guide(reading: Reading, pair: Slide) -> str:
     return reading.say("common.note", note=reading.say("common.and").join([*name, note]))
 
 
-def _on_link(reading: Reading, pair: Slide) -> str:
-    if (angle := guide_angle(reading, pair)) is not None:
-        size = f"{angle.symbol} = {given(abs(in_degrees(angle.angle)))}°"
-        sense = reading.say("common.ccw" if angle.angle > 0 else "common.cw")
-        through = names.point(angle.through)
-        return reading.say("solution.at angle", through=through, arrow=angle.arrow, angle=size, sense=sense)
-    if (two := reading.points_on(pair.name)) and all(p in reading.mechanism.named(pair.guide) for p in two):
-        return reading.say("solution.along", line=names.pair(*two))
-    origin = pair.line.origin
-    return reading.say("solution.own axis", through=names.point(origin)) if reading.named(origin) else ""
-
-
-def _line(reading: Reading, line: Line) -> str:
-    place = reading.mechanism.links[FRAME].points[line.origin]
-    start = names.point(line.origin) if line.named else _place(reading, place)
-    return reading.say("solution.line", start=start, angle=degrees(line.direction))
-
-
 def _circular(reading: Reading, pair: CircularSlot) -> str:
     words = {"pin": names.point(pair.point), "centre": names.point(pair.centre), "link": reading.link(pair.guide)}
     return reading.say("solution.circular slot", radius=circle(reading, pair.centre, pair.radius).text, **words)
 
 
 def _gear(reading: Reading, pair: Gear) -> str:
-    sizes = zip(pair.links, pair.radii, strict=True)
-    radii = [radius(reading, link, size).text for link, size in sizes]
+    radii = [radius(reading, link, size).text for link, _, size in pair.circles]
+    centres = reading.listed([names.point(centre) for centre in pair.centres])
     key = "solution.internal gears" if pair.internal else "solution.gears"
-    return reading.say(key, wheels=reading.listed([reading.link(link) for link in pair.links]),
+    return reading.say(key, wheels=reading.listed([reading.link(link) for link in pair.links]), centres=centres,
                        radii=reading.say("common.and").join(radii))  # fmt: skip
 
 
@@ -130,25 +124,63 @@ def _roll(reading: Reading, pair: Roll) -> str:
 
 def _track(reading: Reading, line: Line) -> str:
     """` B→Q`, ` (through D at 30° to E→F)`: where a line lies in its link, and which way it points."""
-    if line.link == FRAME:
-        return reading.say("common.note", note=_line(reading, line))
-    if ends := points_of(reading, line):
-        return f" {names.arrow(*ends)}"
-    link, points = reading.mechanism.links[line.link], reading.mechanism.named(line.link)
-    arms = ((one, p) for one in points[:1] for p in points[1:] if abs(link.arm(one, p)) > reading.noise)
-    through = names.point(line.origin) if line.named else ""
-    for first, second in arms:
-        turned = float(in_degrees(phase(line.direction / link.arm(first, second))))
-        size, sense = f"{given(abs(turned))}°", reading.say("common.ccw" if turned > 0 else "common.cw")
-        words = {"through": through, "arrow": names.arrow(first, second), "angle": size, "sense": sense}
-        return reading.say("common.note", note=reading.say("solution.at angle", **words))
-    return reading.say("common.note", note=reading.say("solution.own axis", through=through)) if through else ""
+    ends = _along(reading, line)
+    return f" {names.arrow(*ends)}" if ends else reading.say("common.note", note=_lying(reading, line))
+
+
+def _lying(reading: Reading, line: Line, slide: Slide | None = None) -> str:
+    """`along DE`, `through C that makes γ = 100° with D→C (..)`, `through (0, 10) at 0° to +x`."""
+    angle = guide_angle(reading, slide) if slide is not None else None
+    either = slide is not None and not slide.named and not _axis(reading, slide)
+    place, line = reading.mechanism.links[line.link].points.get(line.origin), _carried(reading, line)
+    through = names.point(line.origin) if line.named or place is None else _place(reading, place)
+    if ends := _along(reading, line):
+        return reading.say("solution.along", line=(names.pair if either else names.arrow)(*ends))
+    if line.base is None and line.link == FRAME:
+        return reading.say("solution.line", start=through, angle=f"{given(direction(line.direction))}°")
+    if (base := line.base or _base(reading, line.link, angle)) is None:
+        return reading.say("solution.own axis", through=through)
+    turned = in_degrees(phase(line.direction / reading.mechanism.links[line.link].arm(*base)))
+    sense = reading.say("common.ccw" if turned > 0 else "common.cw")
+    symbol = f"{angle.symbol} = " if angle is not None and angle.symbol else ""
+    words = {"through": through, "arrow": names.arrow(*base), "angle": f"{symbol}{given(abs(turned))}°", "sense": sense}
+    return reading.say("solution.at angle" if abs(turned) > 1e-9 else "solution.parallel", **words)
+
+
+def _base(reading: Reading, link: str, angle: GuideAngle | None) -> tuple[str, str] | None:
+    """Two points from whose direction a line is measured where no file says it: those of γ, else the link's first."""
+    if angle is not None:
+        return angle.corner, angle.through
+    shape, points = reading.mechanism.links[link], reading.mechanism.named(link)
+    return next((ends for ends in combinations(points, 2) if abs(shape.arm(*ends)) > reading.noise), None)
+
+
+def _along(reading: Reading, line: Line) -> tuple[str, str] | None:
+    """Two points on a line, in its direction: those from which the file measures it, else any of its moving link."""
+    link = reading.mechanism.links[line.link]
+    if line.base is None or line.origin not in link.points:
+        return points_of(reading, line) if line.origin in link.points else None
+    on_it = all(abs(cross(line.direction, link.arm(line.origin, end))) <= reading.noise for end in line.base)
+    return line.base if on_it and dot(line.direction, link.arm(*line.base)) > 0 else None
+
+
+def _carried(reading: Reading, line: Line) -> Line:
+    """The line of a link of one point in the guide along which it slides, against which it does not turn."""
+    for _ in reading.mechanism.links:
+        held = next((slide for slide in reading.mechanism.slides if slide.block == line.link), None)
+        if line.link == FRAME or len(reading.mechanism.links[line.link].points) > 1 or held is None:
+            break
+        line = replace(line, link=held.guide, direction=line.direction * held.line.direction)
+    return line
 
 
 def _cam(reading: Reading, pair: Cam) -> str:
     one, other = (_profile(reading, pair, k) for k in (0, 1))
     one = one[0].upper() + one[1:]
-    return reading.say("solution.cam", first=one, second=other)
+    where = reading.say("solution.inside" if pair.internal else "solution.outside")
+    round_both = all(profile.radius for profile in pair.profiles)
+    touch = reading.say("common.note", note=where) if round_both else ""
+    return reading.say("solution.cam", first=one, second=other, where=touch)
 
 
 def _profile(reading: Reading, pair: Cam, k: int) -> str:

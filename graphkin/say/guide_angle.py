@@ -20,7 +20,7 @@ from graphkin.value import frozen
 class GuideAngle:
     """The line through `through` makes `angle` [rad] with corner -> through, counter-clockwise where positive.
 
-    symbol  γ, with the number of the link where several guides have such an angle
+    symbol  γ, with the number of the link where several guides have such an angle; "" where another is given
     pivot   the point about which the drawing turns the link, from which γ is counted
     """
 
@@ -33,11 +33,6 @@ class GuideAngle:
     def arrow(self) -> str:
         return names.arrow(self.corner, self.through)
 
-    @property
-    def distance(self) -> str:
-        """`h = l_CD sin γ`: how far the line passes from the corner."""
-        return f"l_{names.pair(self.corner, self.through)} sin {self.symbol}"
-
 
 def guide_angle(reading: Reading, slide: Slide) -> GuideAngle | None:
     """The angle at which a moving guide's line lies; None of one through two points, or that is the link itself."""
@@ -49,6 +44,7 @@ def guide_angle(reading: Reading, slide: Slide) -> GuideAngle | None:
     angle = (float(np.angle(slide.line.direction / arm)) + pi) % (2 * pi) - pi
     alone = len({pair.guide for pair in reading.mechanism.slides if pair.name in found}) == 1
     symbol = "γ" if alone else names.of_link("γ", reading.mechanism.called(slide.guide))
+    symbol = symbol if slide.line.base in (None, (corner, through)) else ""
     return GuideAngle(symbol, corner, through, angle)
 
 
@@ -71,4 +67,5 @@ def _corner(reading: Reading, slide: Slide, pivots: list[str]) -> str:
     points = [p for p in reading.mechanism.named(slide.guide) if abs(link.arm(p, through)) > reading.noise]
     if any(abs(cross(slide.line.direction, link.arm(p, through))) <= reading.noise for p in points):
         return ""
-    return next((point for point in (*pivots, *points) if point in points), "")
+    stated = [slide.line.base[0]] if slide.line.base is not None and slide.line.base[1] == through else []
+    return next((point for point in (*stated, *pivots, *points) if point in points), "")

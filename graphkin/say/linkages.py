@@ -230,9 +230,10 @@ def family_lines(lang: Lang) -> Iterator[str]:
         yield name + (files if member.library else "")
 
 
-def titled(linkage: Linkage) -> Mechanism:
-    """The linkage as a mechanism with its title and its file."""
-    return filed(replace(linkage.mechanism(), title=in_both(f"linkages.title {linkage.word}")))
+def titled(linkage: Linkage, headline: str = "") -> Mechanism:
+    """The linkage as a mechanism with its title and its file; headline: a title of its own, in both languages."""
+    title = dict.fromkeys(LANGUAGES, headline) if headline else in_both(f"linkages.title {linkage.word}")
+    return filed(replace(linkage.mechanism(), title=title))
 
 
 def held(mechanism: Mechanism, link: str) -> Mechanism:

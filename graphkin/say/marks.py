@@ -27,7 +27,8 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
         reason = "" if graded.reason is None else graded.reason.message(lang)
         yield say("marks.not marked", lang, student=graded.student, file=graded.file, reason=reason)
         return
-    yield say("marks.student", lang, student=graded.student, file=graded.file, score=f"{marked.score:.2f}")
+    score = "–" if marked.score is None else f"{marked.score:.2f}"
+    yield say("marks.student", lang, student=graded.student, file=graded.file, score=score)
     yield from (f"  {row}" for row in table([_header(lang), *(_row(one, lang) for one in marked.judged)]))
     yield from (f"  {line}" for line in _arithmetic(marked, lang))
     yield from (f"  {line}" for line in _mistakes(marked, lang))

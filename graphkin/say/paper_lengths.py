@@ -17,14 +17,14 @@ from graphkin.say.reading import Reading
 class PaperLengths:
     """Turns lengths into millimetres on paper, and back.
 
+    moving   the reading by which the mechanism moves: with its drivers, where poses give the drawn position
     used     pairs of points whose distance the polygons need; those that nothing gives are measured at the end
-    special  the reading that has the special points, where the mechanism is drawn by another method
     measured pairs of points whose distance has been told
     """
 
     reading: Reading
+    moving: Reading
     used: tuple[tuple[str, str], ...] = ()
-    special: Reading | None = None
     measured: set[frozenset[str]] = field(default_factory=set)
 
     def _length(self, name: str, symbol: str, metres: float) -> str:
@@ -94,12 +94,9 @@ class PaperLengths:
                 continue
             self.measured.add(pair)
             line = names.pair(first, second)
-            found.append(self._ruler(f"l_{line}", line, self._apart(first, second)))
+            found.append(self._ruler(f"l_{line}", line, reading.distance(first, second)))
         if found:
             yield Sentence(reading.say("derivation.measured used", lengths=reading.say("common.semicolon").join(found)))
-
-    def _apart(self, first: str, second: str) -> float:
-        return (self.special or self.reading).distance(first, second)
 
     def _given(self, first: str, second: str) -> bool:
         """Whether one link, or a contact, holds two points apart."""

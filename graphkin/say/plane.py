@@ -25,7 +25,6 @@ from graphkin.construction import (
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Sentence
 from graphkin.say.figures import Operand
-from graphkin.say.noise import ROUNDING
 from graphkin.say.reading import Reading
 from graphkin.value import frozen
 
@@ -65,8 +64,7 @@ class Polygon:
     @cached_property
     def noise(self) -> float:
         """Arrows up to this are none [SI]."""
-        usual = self.reading.usual
-        return ROUNDING * (usual.velocity if self.plane == "velocity" else usual.acceleration)
+        return self.reading.usual.least("m/s" if self.plane == "velocity" else "m/s^2")
 
     def arrow(self, tail: str, head: str) -> complex:
         """An arrow of the finished polygon [SI]; exactly 0 where it is but rounding noise."""

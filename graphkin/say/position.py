@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from cmath import rect
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from itertools import count
@@ -25,7 +26,7 @@ from graphkin.construction import (
     Touch,
 )
 from graphkin.geometry import dot
-from graphkin.mechanism import FRAME
+from graphkin.mechanism import FRAME, Driver
 from graphkin.say import names
 from graphkin.say.drawn_points import DrawnPoints
 from graphkin.say.entry import Entry, Heading, Sentence
@@ -50,6 +51,9 @@ class PositionReader(DrawnPoints):
     angles: frozenset[str] | None = None
     waiting: list[str] = field(default_factory=list)
     told: set[str] = field(default_factory=set)
+
+    def __post_init__(self) -> None:
+        self.told |= {driver.link for _, driver in self._open() if driver.from_link == FRAME}  # told as driven
 
     def entries(self) -> Iterator[Entry]:
         """What is told, with letters for the points that have none."""
@@ -77,17 +81,21 @@ class PositionReader(DrawnPoints):
                 self.drawn |= _made(step)
                 yield from self._angles()
         yield from self._angles(True)
-        yield from self._specials()
+        yield from self._read_off()
         yield from self._used()
 
-    def _specials(self) -> Iterator[Entry]:
-        """The special points of a method whose mechanism is drawn by another one."""
-        if self.special is None or self.special is self.reading:
-            return
-        steps = (step for step in self.special.method.position.steps if isinstance(step, Meet))
-        for step in steps:
-            if step.point in self.special.method.special:
-                yield Sentence(special_point(self.special, step))
+    def _open(self) -> Iterator[tuple[int, Driver]]:
+        """The driven angles that the file leaves to a pose."""
+        drivers = enumerate(self.reading.mechanism.drivers)
+        return ((k, driver) for k, driver in drivers if driver.kind == "angle" and driver.value is None)
+
+    def _read_off(self) -> Iterator[Entry]:
+        """What drivers' values come to where poses stand for them."""
+        reading, values = self.reading, self.moving.plot.facts.values
+        found = {reading.against(driver, "φ"): reading.angle(rect(1.0, values[k])) for k, driver in self._open()}
+        if found:
+            angles = reading.say("common.and").join(f"{name} = {angle}" for name, angle in found.items())
+            yield Sentence(reading.say("derivation.measured angles", angles=angles))
 
     def _step(self, step: Step) -> Iterator[Entry]:
         match step:

@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, assert_never
 
 from graphkin.errors import Lang
 from graphkin.loading.names import split_points
 from graphkin.marking.handed import asked_of
 from graphkin.mechanism import Driver, Mechanism
-from graphkin.quantities import EDGE, Centre, Component, Quantity, Quotient, Rotation, at_position, read
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
+from graphkin.quantities.at_position import at_position
+from graphkin.quantities.reading import read
+from graphkin.quantities.units import EDGE
 from graphkin.running.assembled import Assembled
 from graphkin.say import names
 from graphkin.say.assembly import assembly
@@ -103,26 +106,30 @@ def _asked(question: str, quantity: Quantity | None) -> str:
         return question
     sign = EDGE[quantity.unit].sign
     unit = f" [{sign}]" if sign else ""
-    if isinstance(quantity, Quotient):
-        return f"{_symbol(quantity.top)} / {_symbol(quantity.bottom)}{unit}"
     return _symbol(quantity) + unit
 
 
 def _symbol(quantity: Quantity) -> str:
     """`ω3`, `aᵏ_B3B2`, `v_E,y`, `P13`."""
-    if isinstance(quantity, Centre):
-        return quantity.text
-    if isinstance(quantity, Component):
-        return f"{_symbol(quantity.whole)},{quantity.axis}"
-    if not quantity.sites:
-        return names.of_link(quantity.letter, quantity.of)
-    part = f"^{quantity.part}" if quantity.part else ""
-    return names.vector(f"{quantity.letter}{part}_{quantity.of}")
+    match quantity:
+        case Centre():
+            return quantity.text
+        case Component():
+            return f"{_symbol(quantity.whole)},{quantity.axis}"
+        case Quotient():
+            return f"{_symbol(quantity.top)} / {_symbol(quantity.bottom)}"
+        case Rotation() | Displacement():
+            return names.of_link(quantity.letter, quantity.of)
+        case Moving() | Place() | Track():
+            part = f"^{quantity.part}" if quantity.part else ""
+            return names.vector(f"{quantity.letter}{part}_{quantity.of}")
+        case _:
+            assert_never(quantity)
 
 
 def _measured(mechanism: Mechanism, quantity: Quantity | None, lang: Lang) -> str:
     """Along which line of its link an angle is measured, of all in what is asked."""
-    parts = quantity.halves if isinstance(quantity, Quotient) else (quantity,)
+    parts = () if quantity is None else quantity.halves
     told = (_line(mechanism, part, lang) for part in parts if isinstance(part, Rotation) and part.word == "theta")
     return "".join(dict.fromkeys(told))
 

@@ -18,8 +18,8 @@ from graphkin.planning.labels import Labels
 from graphkin.planning.needed import Fact, at_rest, turning
 from graphkin.say import names
 from graphkin.say.catalogue import say_close
-from graphkin.say.noise import ROUNDING, Usual
 from graphkin.say.numbers import degrees, direction, number
+from graphkin.usual import Usual
 from graphkin.value import frozen
 
 if TYPE_CHECKING:
@@ -122,12 +122,12 @@ class Reading:
 
     def relative_drivers(self, links: Iterable[str]) -> list[int]:
         """The numbers of the drivers that turn some of these links against others that move."""
-        turns, drivers = self.plot.facts.turns, self.mechanism.drivers
+        turns, drivers = self.plot.facts.turns, self.method.drivers
         return sorted({k for link in links for k, _ in turns[link].drivers if drivers[k].from_link != FRAME})
 
     def rotations(self, links: Iterable[str], symbol: str, relative: str = "") -> list[str]:
         """`ω1 = ω3 + ω13` of each driver between these links, from `ω`, and the symbol of ω13 if it is another."""
-        drivers = [self.mechanism.drivers[k] for k in self.relative_drivers(links)]
+        drivers = [self.method.drivers[k] for k in self.relative_drivers(links)]
         ends = [(self.rate(symbol, d.link), self.rate(symbol, d.from_link)) for d in drivers]
         sums = zip(ends, drivers, strict=True)
         return [f"{one} = {other} + {self.against(driver, relative or symbol)}" for (one, other), driver in sums]
@@ -171,20 +171,15 @@ class Reading:
 
     # --- lengths of the mechanism --------------------------------------------------------------
 
-    @cached_property
+    @property
     def usual(self) -> Usual:
         """What is usual here; what is far below is nothing."""
-        return Usual.of(self.plot)
+        return self.mechanism.usual
 
-    @cached_property
+    @property
     def noise(self) -> float:
         """Lengths up to this are none [m]."""
-        return ROUNDING * self.usual.length
-
-    @cached_property
-    def size(self) -> float:
-        """How far the mechanism reaches [m]."""
-        return self.usual.length
+        return self.usual.least("m")
 
     def distance(self, first: str, second: str) -> float:
         """Between two points of the mechanism [m]."""

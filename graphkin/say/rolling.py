@@ -22,8 +22,6 @@ def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:
     relation = turned(reading, step.contact)
     contact, moved = relation.contact, relation.slid_value
     wheels = reading.listed([reading.link(link) for link in contact.wheels])
-    if relation.nothing:
-        return  # the drawn position: as given
     yield Sentence(reading.say("contacts.rolled", wheels=wheels, relation=relation.text))
     links = _unknown(reading, step)
     if not links:

@@ -11,7 +11,6 @@ from graphkin.planning.equivalent import Contact
 from graphkin.say import names
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Formula, Operand
-from graphkin.say.noise import cut
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
 from graphkin.value import frozen
@@ -45,12 +44,6 @@ class Relation:
         still = [link for link in self.contact.wheels if link == FRAME != self.contact.arm]
         noted = "".join(self.reading.say("common.note", note=f"{self.symbol(link)} = 0") for link in still)
         return f"{halves[0]} {self._sign} {halves[1]} = 0{noted}"
-
-    @property
-    def nothing(self) -> bool:
-        """Whether nothing has moved since the drawn position."""
-        still = max(abs(self.value(link)) for link, _ in self.contact.angles) < 1e-6
-        return still and abs(self.slid_value) <= self.reading.noise
 
     @property
     def figures(self) -> str:
@@ -169,7 +162,7 @@ def relation_of(polygon: Polygon, contact: InStep) -> Relation:
     usual = reading.usual
 
     def value(link: str) -> float:
-        return usual.rate(float(table[link]), polygon.plane)
+        return float(usual.rate(table[link], polygon.plane))
 
     symbol = names.SLIDING[polygon.plane]
     moved = usual.motion(float(slid[contact.slide]), polygon.plane) if contact.slide else 0.0
@@ -207,9 +200,9 @@ def turned(reading: Reading, contact: InStep) -> Relation:
     drawn = plot.facts.drawn
 
     def value(link: str) -> float:
-        return cut(degrees(float(plot.theta[link]) - drawn.get(link, 0.0)), 360.0)
+        return degrees(float(reading.usual.cut(plot.theta[link] - drawn.get(link, 0.0), "rad")))
 
     moved = float(plot.s[found.slide]) - drawn[slide_key(found.slide)] if found.slide else 0.0
-    moved = cut(moved, reading.usual.length)
+    moved = float(reading.usual.cut(moved, "m"))
     slid = _slid(reading, "Δs", contact)
     return Relation(reading, found, lambda link: reading.rate("Δθ", link), value, slid, moved, degrees(1.0))

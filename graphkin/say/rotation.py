@@ -8,7 +8,7 @@ from graphkin.construction import Image, Measure
 from graphkin.geometry import cross
 from graphkin.mechanism import FRAME
 from graphkin.say import names
-from graphkin.say.contact_points import contacted, same_velocity
+from graphkin.say.contact_points import contacted, same_velocities
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Operand, figures, signed_sum
 from graphkin.say.numbers import number
@@ -28,13 +28,12 @@ def rotation(polygon: Polygon, step: Measure) -> Iterator[Entry]:
             name = polygon.name(step.tail, step.head)
         else:
             name = touching.name
-            for letter, contact, node in touching.contacts:
-                yield Sentence(same_velocity(polygon, step.of, letter, contact, node))
+            yield from same_velocities(polygon, step)
         yield _rate(polygon, step, name, polygon.length_mm(step.tail, step.head), direct=True)
         if (
             touching is not None
             and len(touching.contacts) == 1
-            and (check := checked(polygon, touching.contacts[0][1]))
+            and (check := checked(polygon, touching.contacts[0]))
         ):
             yield Sentence(check)
         if polygon.plane == "velocity" and not polygon.arrow(step.tail, step.head):

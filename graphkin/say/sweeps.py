@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, assert_never
 
 import numpy as np
 
 from graphkin.errors import Lang, listed
 from graphkin.mechanism import FRAME
-from graphkin.quantities import EDGE, IN_GRAVITY, Centre, Quotient, Rotation
+from graphkin.quantities import EDGE, IN_GRAVITY
+from graphkin.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.running.path import Event
 from graphkin.say.catalogue import say
 from graphkin.say.names import in_signs, relative
@@ -145,11 +146,15 @@ def _fixed(value: float) -> str:
 
 def _symbol(entry: Series) -> str:
     quantity = entry.quantity
-    if isinstance(quantity, Centre | Quotient):
-        return entry.name
-    if isinstance(quantity, Rotation):
-        return f"{quantity.letter}{'' if quantity.of.isdigit() else '_'}{quantity.of}"
-    return f"{quantity.word}_{quantity.of}"
+    match quantity:
+        case Centre() | Quotient():
+            return entry.name
+        case Rotation():
+            return f"{quantity.letter}{'' if quantity.of.isdigit() else '_'}{quantity.of}"
+        case Displacement() | Place() | Track() | Moving() | Component():
+            return f"{quantity.word}_{quantity.of}"
+        case _:
+            assert_never(quantity)
 
 
 def _driver_symbol(sweep: Sweep) -> str:

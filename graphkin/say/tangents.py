@@ -9,7 +9,7 @@ import numpy as np
 
 from graphkin.construction import Arm, LayOff, Span, Swing
 from graphkin.geometry import cross, dot
-from graphkin.pairs import Pair, Slot
+from graphkin.pairs import Slide, Slot
 from graphkin.say import names
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Formula, Operand, Turned
@@ -59,37 +59,32 @@ class Tangents(PaperLengths):
 
     def _distance(self, step: Swing, offset: float) -> str:
         """`h = l_CD sin γ = 0.048 × sin 100° = 0.04727 m`, and on paper; `h = r1 = 0.02 m` beside a face."""
-        reading = self.reading
-        pair = reading.method.structure.slides[step.slide]
-        angle = None if pair.stands_for is not None else guide_angle(reading, pair)
-        formula = ""
-        figures: Formula | str = ""
-        if angle is not None and angle.corner == step.pivot and not self._beside(step):
-            formula = angle.distance
-            length, turned = reading.distance(angle.corner, angle.through), abs(in_degrees(angle.angle))
-            figures = Operand(length) * Turned("sin", turned)
-        slot = None if pair.stands_for is None else pair.stands_for.equivalent
-        if pair.stands_for is not None and isinstance(slot, Slot) and abs(offset - abs(slot.offset)) <= reading.noise:
-            formula = reading.rim(pair.stands_for)
-        elif pair.stands_for is not None and isinstance(slot, Slot) and slot.line.named:
-            formula, figures = self._beside_face(step, pair.stands_for, slot, offset)
+        formula, figures = self._sum(step, self.reading.method.structure.slides[step.slide], offset)
         chain = Calculation("h", (formula,) if formula else (), figures, offset, "m").text
-        return f"{chain}{reading.say('derivation.on paper', length=self._length('', 'h', offset))}"
+        return f"{chain}{self.reading.say('derivation.on paper', length=self._length('', 'h', offset))}"
 
-    def _beside_face(self, step: Swing, pair: Pair, slot: Slot, offset: float) -> tuple[str, Formula | str]:
-        """`l_DM sin 20° + r_C` where the face passes the pivot at a distance."""
-        reading, link = self.reading, self.reading.mechanism.links[slot.line.link]
-        if step.pivot not in link.points:
+    def _sum(self, step: Swing, pair: Slide, offset: float) -> tuple[str, Formula | str]:
+        """`l_CD sin γ`; `l_DM sin 20° + r_C` where a face passes the pivot at a distance; "" of what is neither."""
+        reading, slot = self.reading, pair.path if pair.stands_for is None else pair.stands_for.equivalent
+        assert isinstance(slot, Slot), pair
+        radius, link = abs(slot.offset), reading.mechanism.links[slot.line.link]
+        symbol = reading.rim(pair.stands_for) if pair.stands_for is not None and radius else ""
+        if radius and abs(offset - radius) <= reading.noise:
+            return symbol, ""
+        if not slot.line.named or step.pivot not in link.points or step.pivot == slot.line.origin:
             return "", ""
         arm = link.arm(step.pivot, slot.line.origin)
-        aside, radius = abs(float(cross(slot.line.direction, arm))), abs(slot.offset)
-        turned = abs(in_degrees(float(np.angle(slot.line.direction / arm))))
-        length, sine, rim = Operand(abs(arm)), Turned("sin", min(turned, 180 - turned)), Operand(radius)
-        name, symbol = f"l_{names.pair(step.pivot, slot.line.origin)} {sine.text()}", reading.rim(pair)
-        ways = {
-            aside + radius: (f"{name} + {symbol}", length * sine + rim),
+        turned, aside = abs(in_degrees(np.angle(slot.line.direction / arm))), abs(cross(slot.line.direction, arm))
+        angle = guide_angle(reading, pair)
+        known = angle is not None and angle.corner == step.pivot and bool(angle.symbol)
+        sine = Turned("sin", turned if known else min(turned, 180 - turned))
+        length, rim = Operand(abs(arm)), Operand(radius)
+        turn = f"sin {angle.symbol}" if angle is not None and known else sine.text()
+        name = f"l_{names.pair(step.pivot, slot.line.origin)} {turn}"
+        ways: dict[float, tuple[str, Formula | str]] = {
             aside - radius: (f"{name} − {symbol}", length * sine - rim),
             radius - aside: (f"{symbol} − {name}", rim - length * sine),
+            aside + radius: (f"{name} + {symbol}", length * sine + rim) if radius else (name, length * sine),
         }
         return next((way for size, way in ways.items() if abs(size - offset) <= reading.noise), ("", ""))
 
@@ -108,8 +103,16 @@ class Tangents(PaperLengths):
         if abs(cross(along, arm)) <= reading.noise:
             return reading.say("derivation.lay off parallel", angle=degrees(arm), **words)
         sense = reading.say("common.ccw" if turned > 0 else "common.cw")
-        words["turned"] = f"{number(abs(in_degrees(turned)))}°"
+        words["turned"] = f"{self._corner_of_link(part.link, step)}{number(abs(in_degrees(turned)))}°"
         return reading.say("derivation.lay off turned", sense=sense, **words)
+
+    def _corner_of_link(self, link: str, step: LayOff) -> str:
+        """`∠CDE = ` where another point of the link lies on the guide line from D, at less than 90 deg to DC."""
+        plot, along = self.reading.plot, self.reading.plot.guide_direction(self.swung[link].slide)
+        ahead = along * np.sign(dot(along, plot.arm(step.start, step.tip)) or 1.0)
+        arms = ((p, plot.arm(step.start, p)) for p in self.reading.mechanism.named(link))
+        on_it = (p for p, arm in arms if abs(cross(ahead, arm)) <= self.reading.noise < dot(ahead, arm))
+        return next((f"∠{''.join(map(names.point, (step.tip, step.start, p)))} = " for p in on_it), "")
 
     def _on_tangent(self, step: LayOff, swing: Swing) -> str:
         """A point of the guide line itself: how far from the foot, and which way."""

@@ -14,6 +14,7 @@ from graphkin.construction import (
     Arm,
     Chain,
     Direction,
+    Drawn,
     Equation,
     Fit,
     Meet,
@@ -39,34 +40,32 @@ def fitted(reading: Reading, step: Fit) -> Iterator[Entry]:
     """A group's position by trial (样板法), or a train's by its relations; then what it comes to."""
     turning = {link for base in step.angles for link in _members(reading, base)}
     members = [link for link in reading.mechanism.moving if link in turning | _blocks(reading, step)]
-    links = reading.listed([reading.link(link) for link in members])
-    turns = [turned(reading, contact) for contact in step.contacts]
-    if not step.closures and all(turn.nothing for turn in turns):
-        values = reading.say("common.and").join(value for link in members if (value := _angle(reading, link)))
-        yield Sentence(reading.say("contacts.fit given", links=links, values=values))
-        return
-    if step.closures:
-        lengths = reading.listed(_arms(reading, step))
-        words = {"links": links, "template": reading.link(_template(reading, step)), "lengths": lengths}
-        drivers = reading.relative_drivers(turning)
-        turned_by = [driven(reading, k, reading.mechanism.drivers[k])[0].text for k in drivers]
-        if step.contacts or turned_by:
-            by = ["joints", *["rolling"] * bool(step.contacts), *["drivers"] * bool(turned_by)]
-            ties = [reading.say(f"contacts.by {each}") for each in by]
-            note = reading.say("contacts.since drawn") if step.contacts else ""
-            coupled = reading.listed([*turned_by, *(turn.text for turn in turns)])
-            words |= {"ties": reading.listed(ties), "relations": coupled, "note": note}
-            yield Sentence(reading.say("contacts.fit coupled", **words))
-        else:
-            cls = reading.say(f"structure.class {_class(reading, members)}")
-            yield Sentence(reading.say("contacts.fit", cls=cls, **words))
-    else:
-        relations = reading.listed([turn.text for turn in turns])
-        yield Sentence(reading.say("contacts.fit train", links=links, relations=relations))
+    yield Sentence(_tried(reading, step, members, turning))
     found = [_angle(reading, link) for link in members if link in turning]
     found += [_slide(reading, slide) for slide in step.slides]
     values = reading.say("common.and").join(value for value in found if value)
     yield Sentence(reading.say("contacts.fitted", values=values))
+
+
+def _tried(reading: Reading, step: Fit, members: list[str], turning: set[str]) -> str:
+    """The links that are to fit, and when they do."""
+    links = reading.listed([reading.link(link) for link in members])
+    relations = [turned(reading, contact).text for contact in step.contacts]
+    if not step.closures:
+        return reading.say("contacts.fit train", links=links, relations=reading.listed(relations))
+    if all(closure.floats for closure in step.closures):
+        return reading.say("contacts.fit floating", links=links, lengths=reading.listed(_arms(reading, step, "")))
+    template, numbers = _template(reading, step), reading.relative_drivers(turning)
+    turned_by = [driven(reading, k, reading.method.drivers[k])[0].text for k in numbers]
+    words = {"links": links, "template": reading.link(template)}
+    words["lengths"] = reading.listed(_arms(reading, step, template))
+    if not relations and not turned_by:
+        cls = reading.say(f"structure.class {_class(reading, members)}")
+        return reading.say("contacts.fit", cls=cls, **words)
+    by = ["joints", *["rolling"] * bool(relations), *["drivers"] * bool(turned_by)]
+    words["ties"] = reading.listed([reading.say(f"contacts.by {each}") for each in by])
+    words["note"] = reading.say("contacts.since drawn") if relations else ""
+    return reading.say("contacts.fit coupled", relations=reading.listed([*turned_by, *relations]), **words)
 
 
 def _class(reading: Reading, members: list[str]) -> int:
@@ -99,14 +98,13 @@ def _template(reading: Reading, step: Fit) -> str:
                 pair = reading.method.structure.slides[part.slide]
                 ends.setdefault(pair.guide, set()).add(part.slide)
                 ends.setdefault(reading.method.structure.block(pair), set()).add(part.slide)
-    joints = Counter({reading.body(link): len(held) for link, held in ends.items() if link != FRAME})
+    joints = Counter({reading.body(link): len(held) for link, held in ends.items() if reading.body(link) != FRAME})
     return joints.most_common(1)[0][0]
 
 
-def _arms(reading: Reading, step: Fit) -> list[str]:
+def _arms(reading: Reading, step: Fit, template: str) -> list[str]:
     """The other links' lengths, and the lines on which sliding points must lie."""
     found: dict[str, None] = {}
-    template = _template(reading, step)
     for closure in step.closures:
         for part in closure.parts:
             if isinstance(part, Arm) and part.link != template:
@@ -119,7 +117,8 @@ def _arms(reading: Reading, step: Fit) -> list[str]:
                     length = abs(float(reading.plot.s[part.slide]))
                     found[f"{symbol} = {reading.on_paper(length)} mm"] = None
                 else:
-                    along = reading.points_along(part.slide) if slide.guide != FRAME else None
+                    fixed = slide.guide == FRAME or part.slide in reading.contact_slides
+                    along = None if fixed else reading.points_along(part.slide)
                     guide = names.pair(*along) if along else reading.path(part.slide)
                     found[reading.say("contacts.lies on", point=names.point(slide.point), guide=guide)] = None
     return list(found)
@@ -234,9 +233,10 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
         said.append(reading.say("contacts.the rotations", sums=reading.listed(sums)))
     equations = reading.say("contacts.and both").join(said)
     equations = equations[0].upper() + equations[1:]
+    floats = not any(isinstance(size, Drawn) for chain in step.chains for size, _ in chain.known) and not step.contacts
     alone = len(said) == len(step.chains) == 1
-    key = "contacts.together, one" if alone else "contacts.together"
-    yield Sentence(reading.say(key, unknowns=unknowns, equations=equations))
+    key = "closed in themselves" if floats else "together, one" if alone else "together"
+    yield Sentence(reading.say(f"contacts.{key}", unknowns=unknowns, equations=equations))
     table = plot.omega if polygon.plane == "velocity" else plot.alpha
     for link in dict.fromkeys(members):
         value = reading.usual.rate(float(table[link]), polygon.plane)

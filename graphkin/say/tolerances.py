@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -53,14 +52,15 @@ def _pencil(marking: Marking, drawings: int, lang: Lang) -> Iterator[str]:
 
 def _rows(found: Tolerances, lang: Lang) -> Iterator[list[str]]:
     for entry in sorted(found.entries, key=lambda entry: entry.points == 0):
-        part = entry.tolerance / abs(entry.right) if entry.right else math.inf
-        worst = found.worst(entry.text)
-        yield [
-            f"{in_signs(entry.text, lang)}{' *' if entry.points else ''}", shown(entry.right, entry.unit),
-            shown(entry.scatter, entry.unit), f"±{shown(entry.tolerance, entry.unit)}",
-            f"{part:.1%}" if part < math.inf else "", EDGE[entry.unit].sign,
-            "" if worst is None else f"{_step(worst, lang)} ({worst.parts[entry.text]:.0%})",
-        ]  # fmt: skip
+        name = f"{in_signs(entry.text, lang)}{' *' if entry.points else ''}"
+        right, scatter, unit = shown(entry.right, entry.unit), shown(entry.scatter, entry.unit), EDGE[entry.unit].sign
+        if entry.doubt in ("dead point", "too small"):
+            yield [name, right, scatter, "", "", unit, say(f"verdicts.verdict {entry.doubt}", lang)]
+            continue
+        part, worst = f"{entry.tolerance / abs(entry.right):.1%}" if entry.right else "", found.worst(entry.text)
+        cost = "" if worst is None else f"{_step(worst, lang)} ({worst.parts[entry.text]:.0%})"
+        steep = say("tolerances.steep", lang) if entry.doubt else ""
+        yield [name, right, scatter, f"±{shown(entry.tolerance, entry.unit)}", part, unit, f"{cost}{steep}"]
 
 
 def _step(cost: Cost, lang: Lang) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal, Protocol
 
 from graphkin.errors import Lang
+from graphkin.marking.marked import Verdict
 from graphkin.say.catalogue import say
 
 
@@ -12,7 +13,7 @@ class Judged(Protocol):
     """What a verdict is told by."""
 
     @property
-    def verdict(self) -> Literal["right", "carried", "wrong", "missing"]: ...
+    def verdict(self) -> Verdict: ...
     @property
     def sense(self) -> Literal["right", "wrong"] | None: ...
     @property

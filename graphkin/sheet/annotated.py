@@ -18,13 +18,12 @@ from graphkin.mechanism import FRAME
 from graphkin.planning.found_when import rate_found
 from graphkin.quantities import Rotation, read
 from graphkin.say.dimensions import dimensions, length, measured_lengths
-from graphkin.say.noise import ROUNDING
 from graphkin.say.reading import Reading
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Added, FreeRoom
 from graphkin.sheet.lettering import quantity_label
-from graphkin.sheet.marks import Arc, Mark, Place, Stroke, Text
+from graphkin.sheet.marks import Arc, Form, Mark, Shows, Stroke, Text
 from graphkin.sheet.paper import LEAST
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
@@ -105,31 +104,33 @@ class Annotated:
         table = self.reading.plot.omega if plane == "velocity" else self.reading.plot.alpha
         value = float(table[link])
         driven = any(driver.link == link for driver in self.reading.mechanism.drivers)
-        if driven or abs(value) <= ROUNDING * max(abs(float(rate)) for rate in table.values()):
+        if driven or not self.reading.usual.rate(value, plane):
             return []
         step, sense = rate_found(self.reading.method, plane, link), math.copysign(1, value)
         label = quantity_label(letter, self.reading.mechanism.called(link))
-        for at, radius, start in islice(self._places(link, sense, free), _TRIED):
+        form: Form = "omega" if plane == "velocity" else "alpha"
+        for point, radius, start in islice(self._places(link, sense, free), _TRIED):
+            at, shows = self.skeleton.at(point), Shows(link, form, (point,))
             middle = start * cmath.rect(1, -sense * SWEEP / 2)
             want = Wanted(label, at + middle * radius, gap=0.9, away=middle, step=step)
-            arc = [_accented(mark, plane) for mark in spin(at, start, sense, radius, step)]
+            arc = [_accented(mark, plane) for mark in spin(at, start, sense, radius, step, shows)]
             if letters := free.letters_with(arc, want):
                 found = [*arc, *(_accented(mark, plane) for mark in letters)]
                 free.add(found)
                 return found
         return []
 
-    def _places(self, link: str, sense: float, free: FreeRoom) -> Iterator[tuple[Place, float, complex]]:
-        """Where such an arc has room: centre, radius, direction in which it starts; about fixed points first."""
+    def _places(self, link: str, sense: float, free: FreeRoom) -> Iterator[tuple[str, float, complex]]:
+        """Where such an arc has room: point it is about, radius, direction in which it starts; fixed points first."""
         owners, skeleton = self.reading.mechanism.owners, self.skeleton
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
         swept = (2 * np.arange(len(_TURNS))[:, None] - int(sense) * np.arange(_SWEPT)) % len(_ROUND)
-        for at in map(skeleton.at, points):
-            around = at + np.outer(_RADII, _ROUND)
+        for point in points:
+            around = skeleton.at(point) + np.outer(_RADII, _ROUND)
             middle = np.stack([around.real, around.imag], axis=-1)
             clear = free.free((middle - _HALF).reshape(-1, 2), (middle + _HALF).reshape(-1, 2)).reshape(around.shape)
             for radius, places in zip(_RADII, clear, strict=True):
-                yield from ((at, radius, _TURNS[k]) for k in np.flatnonzero(places[swept].all(axis=1)))
+                yield from ((point, radius, _TURNS[k]) for k in np.flatnonzero(places[swept].all(axis=1)))
 
 
 def _accented(mark: Mark, plane: Plane) -> Mark:

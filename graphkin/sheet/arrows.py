@@ -45,7 +45,8 @@ def side_by_side(figure: Figure) -> Figure:
         if not isinstance(mark, VectorMark) or (mark.plane, mark.name) not in asides:
             return mark
         aside = asides[mark.plane, mark.name]
-        return replace(mark, start=mark.start + aside, end=mark.end + aside)
+        steps = round(abs(aside) / ASIDE)
+        return replace(mark, start=mark.start + aside, end=mark.end + aside, aside=steps)
 
     by_name = {name: aside for (_, name), aside in asides.items()}
     return Figure([moved(mark) for mark in figure.marks], [_with_arrow(want, by_name) for want in figure.wanted])

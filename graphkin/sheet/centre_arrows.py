@@ -52,10 +52,8 @@ def _off(found: Centres, spot: Spot) -> Label:
 
 def coordinates(found: Centres, place: complex) -> Label:
     """`(34.37, −115.6)`: in mm; what is smaller than rounding is 0."""
-    places = [complex(v) for v in found.plot.position.values()]
-    least = 1e-9 * max(abs(place), *(abs(other) for other in places))
-    x, y = (1000 * v if abs(v) > least else 0.0 for v in (place.real, place.imag))
-    return (Run("("), *number(x), Run(", "), *number(y), Run(")"))
+    shown = 1000 * complex(found.method.mechanism.usual.cut(place, "m"))
+    return (Run("("), *number(shown.real), Run(", "), *number(shown.imag), Run(")"))
 
 
 # --- where an arrow stands --------------------------------------------------------------------

@@ -24,8 +24,8 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
     cut = symbols.arc_places(centre, radius * way, -half, half)
     fixed = slot.guide == FRAME
     marks = symbols.arc_ground(centre, cut, step) if fixed else _plate(skeleton, slot, centre, radius * way, half)
-    marks += symbols.arc_slot(centre, cut, step)
     shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
+    marks += symbols.arc_slot(centre, cut, shows, step)
     return [*marks, Stroke(tuple(cut), "centre", shows=shows, step=step)]
 
 

@@ -10,7 +10,7 @@ from graphkin.pairs import Line
 from graphkin.sheet import symbols
 from graphkin.sheet.fixed_link import ground_way
 from graphkin.sheet.lettering import Label, between, joined, quantity_label
-from graphkin.sheet.marks import Place
+from graphkin.sheet.marks import Place, Shows
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.wheels import circles, wheels_of
@@ -43,7 +43,7 @@ def _turn_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     radius = min(9.0, max(6.0, 0.45 * abs(tip - at)))
     ways = [towards * cmath.rect(1, -sense * math.radians(turn)) for turn in (14, -76, 149)]
     start = max(ways, key=lambda way: _room(skeleton, at + way * _half(sense) * radius))
-    marks = symbols.spin(at, start, sense, radius, skeleton.step(*driver.vector))
+    marks = symbols.spin(at, start, sense, radius, skeleton.step(*driver.vector), _turning(driver, driver.vector[0]))
     figure.marks += marks
     middle = start * _half(sense)
     label = _turn_label(skeleton, driver)
@@ -59,11 +59,17 @@ def _spin_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     sense, reach = math.copysign(1, driver.rate or driver.acceleration), min(9.0, max(4.0, 0.6 * radius))
     ways = [cmath.rect(1, math.radians(turn)) for turn in range(0, 360, 45)]
     start = max(ways, key=lambda way: _room(skeleton, at + way * _half(sense) * reach))
-    marks = symbols.spin(at, start, sense, reach, skeleton.step(own[0].centre))
+    marks = symbols.spin(at, start, sense, reach, skeleton.step(own[0].centre), _turning(driver, own[0].centre))
     figure.marks += marks
     middle = start * _half(sense)
     label = _turn_label(skeleton, driver)
     figure.wanted.append(Wanted(label, at + middle * reach, gap=0.3, away=middle, step=marks[0].step))
+
+
+def _turning(driver: Driver, about: str) -> Shows:
+    """The sense of a driver, about a point."""
+    seen_from = driver.from_link if driver.from_link != FRAME else ""
+    return Shows(driver.link, "omega" if driver.rate else "alpha", (about,), seen_from)
 
 
 def _half(sense: float) -> complex:
@@ -113,7 +119,7 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     out -= 1.5 if out > 6 else 0.0
     across = max((up, -up), key=lambda side: min(_room(skeleton, at + side * out + along * t) for t in (-3, 3, 6)))
     start = at + across * out - along * 4
-    marks = symbols.push(start, along, skeleton.step(point))
+    marks = symbols.push(start, along, Shows(line.link, "push", line=driver.link), skeleton.step(point))
     figure.marks += marks
     names = [skeleton.mechanism.called(link) for link in reversed(pair)]
     label = quantity_label("v", point if line.link == FRAME else between(names))

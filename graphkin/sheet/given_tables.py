@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from graphkin.quantities import Centre, Quantity, read
+from typing import assert_never
+
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
+from graphkin.quantities.reading import read
 from graphkin.say.catalogue import say
 from graphkin.say.dimensions import dimensions
 from graphkin.say.reading import Reading
@@ -26,12 +29,17 @@ def given_tables(reading: Reading) -> list[Table]:
 def _asked(reading: Reading, text: str) -> Label:
     """A question as the field writes it; what is no quantity, as the file does."""
     quantity = read(reading.mechanism, text)
-    if quantity is None:
-        return plain(text)
-    return joined([_letter(half) for half in quantity.halves], " / ")
+    return plain(text) if quantity is None else label_of(quantity)
 
 
-def _letter(quantity: Quantity) -> Label:
-    if isinstance(quantity, Centre):
-        return quantity_label("P", quantity.text.removeprefix("P"))
-    return quantity_label(quantity.letter, quantity.of.replace("@", " "), quantity.part)
+def label_of(quantity: Quantity, over: str = " / ") -> Label:
+    """A quantity as the field writes it: `theta 3` as θ₃, `a_k B3B2` as a with k above B3B2."""
+    match quantity:
+        case Quotient():
+            return joined([label_of(half) for half in quantity.halves], over)
+        case Rotation() | Displacement() | Place() | Track() | Moving() | Component():
+            return quantity_label(quantity.letter, quantity.of.replace(",", ", ").replace("@", " "), quantity.part)
+        case Centre():
+            return quantity_label("P", quantity.text.removeprefix("P"))
+        case _:
+            assert_never(quantity)

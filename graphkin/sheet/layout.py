@@ -110,9 +110,13 @@ def cut_to(layout: Layout, plane: Plane, extent: Extent) -> Layout:
     strip = layout.strip.size.imag
     over = extent.over[1].real + 2 * HEAD_LEFT if extent.over is not None else 0.0
     wide = paper.width if paper.margin else min(paper.width, max(HEAD_WIDTH, math.ceil(over), math.ceil(need.real)))
-    head = under_heading(Room(0.0, 0.0, replace(paper, width=wide).frame.size.real, 0.0), extent.over).top
-    high = min(paper.height, 2.0 * paper.margin + strip + math.ceil(head + need.imag))
-    cut = replace(paper, width=wide, height=high)
+
+    def high(wide: float) -> float:
+        head = under_heading(Room(0.0, 0.0, replace(paper, width=wide).frame.size.real, 0.0), extent.over).top
+        return 2.0 * paper.margin + strip + math.ceil(head + need.imag)
+
+    wide = wide if high(wide) <= paper.height else paper.width  # in less width the heading may need more lines
+    cut = replace(paper, width=wide, height=min(paper.height, high(wide)))
     field, foot = divided(cut, strip)
     return Layout(cut, {plane: field}, layout.scales, foot, layout.headed)
 

@@ -161,22 +161,21 @@ def _mixed(text: str, place: Literal["base", "sub", "sup"]) -> Label:
 
 @lru_cache(4096)
 def point_label(name: str) -> Label:
-    """A point of the mechanism or of a polygon: `B`, `O1`, `b3'`, `n'`, `b@guide`: digits as subscripts.
+    """A point of the mechanism or of a polygon: `B`, `O1`, `b3'`, `n'`, `b'@guide''`: digits and links as subscripts.
 
-    Points have one letter; at a corner the link's word follows its letter: `n_boom'`, `n_c1_2'`.
+    Points have one letter, and primes before their link; at a corner the link's word follows the letter: `n_boom'`.
     """
     name = _EQUIVALENT.sub(_equivalent, name)
     if corner := _CORNER.fullmatch(name):
         letter, link, more, primes = corner.groups()
         low = f"{link},{more}" if more else link
         return (*plain(letter, italic=True), *_mixed(low, "sub"), *plain("′" * len(primes)))
-    match = re.fullmatch(r"([A-Za-z^]+)(\d*(?:_\d+)?)(?:@([^']*))?('*)(.*)", name)
+    match = re.fullmatch(r"([A-Za-z^]+)(\d*(?:_\d+)?)('*)@?([^']*)('*)", name)
     if match is None:
         return _mixed(name, "base")
-    letters, digits, link, primes, rest = match.groups()
-    low = digits.replace("_", ",") + (link or "")
-    label = (*plain(letters, italic=True), *(_mixed(low, "sub") if low else ()), *plain("′" * len(primes)))
-    return label + (_mixed(rest, "sub") if rest else ())
+    letters, digits, own, link, primes = match.groups()
+    first = (*plain(letters, italic=True), *_mixed(digits.replace("_", ","), "sub"), *plain("′" * len(own)))
+    return (*first, *_mixed(link, "sub"), *plain("′" * len(primes)))
 
 
 def _equivalent(found: re.Match[str]) -> str:

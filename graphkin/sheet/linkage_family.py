@@ -29,7 +29,7 @@ def family_sheet(lang: Lang = "en", *, paper: str | None = None) -> Sheet:
     cells = chosen.frame.inset(0, _HEAD, 0).cells(len(FAMILY), _COLUMNS)
     pictures = [_picture(member, lang) for member in FAMILY]
     panels = [replace(one.panel(cell, one.scale(cell)), plane=None) for one, cell in zip(pictures, cells)]
-    machine = replace(titled(FAMILY[0].linkage), name="linkages", file="linkages.toml")
+    machine = replace(titled(FAMILY[0].linkage), name="linkages", file="linkages.toml", text="")
     drivers = [driver.value or 0.0 for driver in machine.drivers]
     base = [frame(chosen), _headline(chosen, lang)]
     return Page(chosen, panels, machine, drivers, lang, base=base, title=_TITLE[lang]).sheet()

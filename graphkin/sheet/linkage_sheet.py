@@ -7,12 +7,10 @@ positions between which the transmission angle lies. Both at one true scale.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 from graphkin.errors import Lang
 from graphkin.linkages import Report
 from graphkin.linkages.linkage import LinkagePosition
-from graphkin.mechanism import Mechanism
 from graphkin.say.linkages import amount, kind_name, titled
 from graphkin.say.numbers import angle as degrees
 from graphkin.say.numbers import number
@@ -45,7 +43,7 @@ def limit_sheet(reports: Sequence[Report], lang: Lang = "en", *, paper: str | No
     field, foot = divided(chosen, strip_height(chosen, tables))
     placed = _placed(rows, field, chosen.landscape)
     panels = [panel for row in placed for panel in _panels(row, len(rows) > 1)]
-    machine = _mechanism(reports[0], title or kind_name(reports[0], lang))
+    machine = titled(reports[0].linkage, title or kind_name(reports[0], lang))
     drivers = [driver.value or 0.0 for driver in machine.drivers]
     return Page(chosen, panels, machine, drivers, lang, Strip(foot, tables)).sheet()
 
@@ -63,11 +61,6 @@ def _panels(row: list[tuple[Picture, Room]], told: bool) -> Iterator[Panel]:
     for picture, cell in row:
         shown = picture.captioned(f"(1:{scale * 1e3:g}) ") if told else picture
         yield shown.panel(cell, scale)
-
-
-def _mechanism(report: Report, headline: str) -> Mechanism:
-    """The linkage as a mechanism, for what the drawing file says of it."""
-    return replace(titled(report.linkage), title={"en": headline, "zh": headline})
 
 
 # --- what is drawn ------------------------------------------------------------------------------

@@ -20,7 +20,7 @@ Fill = Literal["none", "paper", "ink", "grey", "tint"]
 Layer = Plane | Literal["centres", "detail"]
 """What a mark belongs to: a plane of the construction, the instant centres over the mechanism, a detail of a plane."""
 Half = Literal["", "left", "right"]
-Form = Literal["bar", "guide", "block", "slot", "wheel", "arc", "path"]
+Form = Literal["bar", "guide", "block", "slot", "wheel", "arc", "path", "omega", "alpha", "push", "ruler"]
 
 
 @frozen
@@ -29,10 +29,12 @@ class Shows:
 
     form    "bar": corners at `points`, one by one; "guide": on a line of the link, reaching over `points`;
             "block": about its point, sides along and across the line; "slot": its middle on the line, sides along it,
-            reaching over `points`; "wheel": a circle about its point; "arc": about the first point, past the second;
-            "path": where the point goes as the driver `line` moves
+            reaching over `points`; "wheel": a circle about its point; "arc": about the first point, past the second,
+            or a slot along it; "path": where the point goes as the driver `line` moves;
+            "omega", "alpha": the head of an arrow about its point, as the link turns against the link `line`;
+            "push": the head of one along a slide; "ruler": 100 mm on paper, of no link
     points  of the plane, as their marks are called
-    line    the slide, roll or cam whose line it is; of a path the driver
+    line    the slide, roll, slot or cam whose line it is; of a path the driver
     """
 
     link: str
@@ -108,6 +110,7 @@ class VectorMark:
     also   the names of others with the same ends, which it shows, too
     part   which part of the motion, as in `Term`
     solved the construction found its length
+    aside  how many steps it was moved off the line of its points, because another arrow lies there
     half   on which side of the line alone its head opens, seen along it; back: how far its tip stands off the end [mm]
     pen    a lighter one for an arrow that is laid off, or only compared with
     """
@@ -124,6 +127,7 @@ class VectorMark:
     also: tuple[str, ...] = ()
     part: str = ""
     solved: bool = False
+    aside: int = 0
     half: Half = ""
     back: float = 0.0
     pen: PenName = "vector"

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, CircularSlot, Pair, Slide, pin_name
+from graphkin.pairs import Cam, CircularSlot, Pair, Slide
 from graphkin.planning import Method
 from graphkin.sheet import symbols
 from graphkin.sheet.cams import equivalents, follower, profiles
@@ -124,9 +124,9 @@ def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
 
 def _cylinder(slide: Slide) -> tuple[Shows, Shows, Shows]:
     """Foot and tube of the guide; the rod, which ends at the point that slides."""
-    rod = slide.block or pin_name(slide)
+    assert slide.block is not None, slide
     foot, tube = (Shows(slide.guide, "guide", points, slide.name) for points in ((slide.line.origin,), ()))
-    return foot, tube, Shows(rod, "guide", (slide.point,), slide.name)
+    return foot, tube, Shows(slide.block, "guide", (slide.point,), slide.name)
 
 
 def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:

@@ -12,6 +12,7 @@ from dataclasses import replace
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
+from graphkin.planning.by_pose import shown
 from graphkin.sheet.composed import Composed, Work
 from graphkin.sheet.layout import Layout, cut_to, papers_for
 from graphkin.sheet.page import Sheet
@@ -55,6 +56,7 @@ def mechanism_sheet(
     """
     if style == "given":
         return _given(Planes(method, plot, ("position",), style, lang), paper, tight)
+    method, plot = shown(method, plot)
     drawing = Planes(method, plot, _planes(only), style, lang, paths)
     work = Work(drawing, [] if tight else tables(method, plot, lang), tight)
     if upto is not None:
@@ -99,6 +101,7 @@ def mechanism_step_sheets(
     tight: bool = False,
 ) -> Iterator[Sheet]:
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
+    method, plot = shown(method, plot)
     drawing = Planes(method, plot, _planes(only), "construction", lang)
     yield from _staged(Work(drawing, [] if tight else tables(method, plot, lang), tight), paper)
 

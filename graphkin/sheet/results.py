@@ -8,7 +8,6 @@ from graphkin.construction import Node, Plot
 from graphkin.errors import Lang
 from graphkin.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.say.noise import Usual
 from graphkin.sheet.lettering import (
     Label,
     Run,
@@ -21,6 +20,7 @@ from graphkin.sheet.lettering import (
     vector_label,
 )
 from graphkin.sheet.table import Table
+from graphkin.usual import Usual
 from graphkin.value import frozen
 
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
@@ -143,7 +143,7 @@ class _Results:
 
 def tables(method: Method, plot: Plot, lang: Lang) -> list[Table]:
     """Links, points, coincident points, slides; empty ones left out."""
-    results = _Results(method, plot, lang, Usual.of(plot))
+    results = _Results(method, plot, lang, method.mechanism.usual)
     found = (results.links(), results.points(), results.parts(), results.slides())
     return [table for table in found if table.rows]
 

@@ -79,9 +79,9 @@ class Skeleton:
         return self.window.turned(line.direction * cmath.rect(1, float(self.plot.theta.get(line.link, 0.0))))
 
     def is_cylinder(self, slide: Slide) -> bool:
-        """A moving guide of one point that is its own line."""
+        """A moving guide of one point that is its own line, with a block for its piston; a pin runs in a slot."""
         alone = slide.guide != FRAME and len(self.mechanism.links[slide.guide].points) == 1
-        return alone and slide.line.on_axis
+        return alone and slide.line.on_axis and slide.block is not None
 
     def is_welded(self, slide: Slide) -> bool:
         """Whether a guide's line is a bar of its own, joined to the rest of the link at its origin."""

@@ -133,7 +133,7 @@ def arc_places(centre: Place, arm: complex, start: float, end: float) -> list[Pl
     return [centre + arm * cmath.rect(1, start + (end - start) * k / steps) for k in range(steps + 1)]
 
 
-def arc_slot(centre: Place, along: Sequence[Place], step: int | None = None) -> list[Mark]:
+def arc_slot(centre: Place, along: Sequence[Place], shows: Shows, step: int | None = None) -> list[Mark]:
     """A slot with round ends along an arc, white over what it is cut into."""
     ends = [(place - centre) / abs(place - centre) * _SLOT for place in (along[0], along[-1])]
     outer = [place + (place - centre) / abs(place - centre) * _SLOT for place in along]
@@ -142,7 +142,7 @@ def arc_slot(centre: Place, along: Sequence[Place], step: int | None = None) -> 
     caps = [[cmath.rect(1, sense * math.pi * k / 10) for k in range(1, 10)] for _ in ends]
     far = [along[-1] + ends[1] * turn for turn in caps[1]]
     near = [along[0] - ends[0] * turn for turn in caps[0]]
-    return [Stroke((*outer, *far, *inner, *near), "outline", closed=True, fill="paper", step=step)]
+    return [Stroke((*outer, *far, *inner, *near), "outline", closed=True, fill="paper", shows=shows, step=step)]
 
 
 def arc_ground(centre: Place, along: Sequence[Place], step: int | None = None) -> list[Mark]:
@@ -170,7 +170,9 @@ def cylinder(foot: Place, rod_end: Place, shows: tuple[Shows, Shows, Shows], ste
     ]
 
 
-def spin(at: Place, towards: complex, sense: float, radius: float, step: int | None = None) -> list[Mark]:
+def spin(
+    at: Place, towards: complex, sense: float, radius: float, step: int | None = None, shows: Shows | None = None
+) -> list[Mark]:
     """An arc with an arrow about a pivot, from the direction `towards` on; sense +1 is counter-clockwise.
 
     Paper has y down, so counter-clockwise is a negative sweep.
@@ -179,13 +181,15 @@ def spin(at: Place, towards: complex, sense: float, radius: float, step: int | N
     tip = at + cmath.rect(radius, start + turn)
     shaft = turn + sense * 0.8 * _HEAD / radius
     back = at + cmath.rect(radius, start + turn + sense * _HEAD / radius)
-    return [Arc(at, radius, start, shaft, "vector", step=step), arrow_head(tip, (tip - back) / abs(tip - back), step)]
+    head = arrow_head(tip, (tip - back) / abs(tip - back), step)
+    return [Arc(at, radius, start, shaft, "vector", step=step), replace(head, shows=shows)]
 
 
-def push(start: Place, along: complex, step: int | None = None) -> list[Mark]:
+def push(start: Place, along: complex, shows: Shows, step: int | None = None) -> list[Mark]:
     """A straight arrow beside a driven slide."""
     tip = start + 11 * along
-    return [Stroke((start, tip - 0.8 * _HEAD * along), "vector", step=step), arrow_head(tip, along, step)]
+    shaft = Stroke((start, tip - 0.8 * _HEAD * along), "vector", step=step)
+    return [shaft, replace(arrow_head(tip, along, step), shows=shows)]
 
 
 def arrow(start: Place, tip: Place, accent: Plane) -> list[Mark]:

@@ -11,7 +11,7 @@ from graphkin.errors import Lang
 from graphkin.mechanism import Mechanism
 from graphkin.sheet.equation_rows import EquationBlock, flowed, head_of, laid_out
 from graphkin.sheet.lettering import Label, plain, width
-from graphkin.sheet.marks import Mark, Place, Stroke, Text
+from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room
 from graphkin.sheet.paragraphs import Paragraphs
 from graphkin.sheet.scales import written
@@ -104,7 +104,7 @@ def frame(paper: Paper) -> Mark:
 
 def _check_bar(at: Place, lang: Lang) -> list[Mark]:
     """A line of 100 mm to lay a ruler on."""
-    marks: list[Mark] = [Stroke((at, at + 100), "thin")]
+    marks: list[Mark] = [Stroke((at, at + 100), "thin", shows=Shows("", "ruler", plane="position"))]
     marks += [Stroke((at + x - 1j, at + x + 1j), "thin") for x in (0, 100)]
     marks += [Stroke((at + x - 0.5j, at + x), "hatch") for x in range(10, 100, 10)]
     marks.append(Text(plain(_CHECK[lang]), at + 2 - 1.3j, LEAST))

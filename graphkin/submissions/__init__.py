@@ -18,9 +18,9 @@ from graphkin.submissions.handed import Handed, handed_in
 from graphkin.submissions.pool import guarded
 from graphkin.submissions.reading import read, read_one
 from graphkin.submissions.submission import Asked, Drawn, Given, Limits, Sense, Submission
-from graphkin.submissions.twice import FirstOnes
+from graphkin.submissions.twice import FirstOnes, called
 
 __all__ = [
-    "Asked", "Drawn", "FirstOnes", "Given", "Handed", "Limits", "Sense", "Submission", "guarded", "handed_in",
+    "Asked", "Drawn", "FirstOnes", "Given", "Handed", "Limits", "Sense", "Submission", "called", "guarded", "handed_in",
     "limited", "read", "read_one", "safe_name",
 ]  # fmt: skip

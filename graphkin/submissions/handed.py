@@ -9,6 +9,7 @@ import hashlib
 import io
 import os
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
@@ -25,6 +26,7 @@ from graphkin.submissions.tables import Row, csv_cells, rows_of, xlsx_cells
 from graphkin.submissions.texts import decoded
 from graphkin.value import frozen
 
+LIMITS = Limits()
 _TABLES, _SHEETS = (".csv", ".tsv"), (".xlsx", ".xlsm")
 
 
@@ -67,6 +69,19 @@ def handed_in(paths: Iterable[str | Path], limits: Limits) -> Iterator[Handed]:
             yield Handed(owner(path.name), str(path), reason=reason)
         except OSError as problem:
             yield Handed(owner(path.name), str(path), reason=Unreadable(where, problem.strerror or str(problem)))
+
+
+def named_in(paths: Iterable[str | Path], limits: Limits = LIMITS) -> Iterator[Owner]:
+    """Who files, folders and members of archives are named after, unread."""
+    for path in map(Path, paths):
+        with suppress(GraphkinError, OSError):
+            names = [path.name]
+            if path.is_dir():
+                names = sorted(_walked(path))
+            elif path.suffix.lower() == ".zip":
+                with archives.opened(path, where := Where(str(path))) as archive:
+                    names = [*map(archives.member_name, archives.members(archive, where, limits))]
+            yield from (who for who, _ in _grouped(names))
 
 
 def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
@@ -246,7 +261,7 @@ def _folder(name: str) -> str:
 
 def _root(names: list[str]) -> str:
     """The folder about everything, where it is nobody's own: `homework 3/` of an archive that holds only that."""
-    folder, slash, _ = names[0].partition("/")
+    folder, slash, _ = names[0].partition("/") if names else ("", "", "")
     shared = slash and all(name.startswith(f"{folder}/") for name in names)
     if not shared or "_assignsubmission_" in folder:
         return ""

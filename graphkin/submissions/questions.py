@@ -8,12 +8,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from typing import assert_never
 
 from graphkin.errors import GraphkinError
 from graphkin.loading.names import split_points, tidy
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.naming import Seen
-from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, read
+from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
+from graphkin.quantities.reading import read
 from graphkin.submissions.numbers import unit_named
 from graphkin.submissions.spelling import plain, unaccented
 
@@ -194,8 +196,10 @@ def _meaning(mechanism: Mechanism, quantity: Quantity) -> object:
             return word, frozenset(links)
         case Rotation(word, of) | Displacement(word, of):
             return word, of
-        case _:
+        case Track():
             return quantity.text
+        case _:
+            assert_never(quantity)
 
 
 def _site(mechanism: Mechanism, site: Seen) -> tuple[str, str]:

@@ -14,6 +14,7 @@ from graphkin.errors import (
     OwnFault,
     SeveralStudents,
     TooMuch,
+    TwoNames,
     UnknownStudent,
     Where,
 )
@@ -30,7 +31,7 @@ from graphkin.submissions.spelling import short
 from graphkin.submissions.submission import Asked, Drawn, Given, Limits, Submission
 from graphkin.submissions.tables import Row, csv_cells, rows_of, xlsx_cells
 from graphkin.submissions.texts import decoded
-from graphkin.submissions.twice import FirstOnes
+from graphkin.submissions.twice import FirstOnes, called
 
 Key = Asked | Callable[[str], Asked | None]
 """One problem for all, or each student's own by id; None for a student there is not."""
@@ -43,11 +44,12 @@ _INNER = 50
 
 def read(paths: Iterable[str | Path], asked: Key, limits: Limits = USUAL) -> Iterator[Submission]:
     """Every submission in these files, archives and folders, in order; a second one of a student says so."""
-    seen = FirstOnes()
+    paths = [*paths]
+    seen = FirstOnes(paths)
     for handed in handed_in(paths, limits):
         one = read_one(handed, asked, limits)
         second = seen.reason(one.student, one.file, one.place) if one.reason is None else None
-        yield one if second is None else Submission(one.student, one.file, reason=second, place=one.place)
+        yield one if second is None else _refused(handed, one.student, second)
 
 
 def read_one(handed: Handed, asked: Key, limits: Limits = USUAL) -> Submission:
@@ -70,15 +72,18 @@ def read_one(handed: Handed, asked: Key, limits: Limits = USUAL) -> Submission:
 
 
 def _refused(handed: Handed, student: str, reason: GraphkinError) -> Submission:
-    return Submission(student, handed.file, reason=reason, place=handed.place)
+    return Submission(called(student, reason), handed.file, reason=reason, place=handed.place)
 
 
 def _key(handed: Handed, stated: str, asked: Key, where: Where) -> tuple[str, Asked]:
-    """The problem of a student: by what the platform calls them, which no file can claim; else by the id it states."""
+    """The problem of a student: by what the platform calls them, which no file can claim; else by the id it states,
+    unless the file is named after another student."""
     owner, own = handed.owner, [tidy_id(stated)] if tidy_id(stated) else []
     names = [owner.student, *owner.others, *own] if owner.others else own or [owner.student]
     if isinstance(asked, Asked):
         return names[0], asked
+    if names == own != [owner.student] and asked(owner.student) is not None and asked(own[0]) is not None:
+        raise TwoNames(where, owner.student, own[0])
     for name in names:
         if (found := asked(name)) is not None:
             return name, found

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from graphkin.agreement import AGREE, apart
+from graphkin.agreement import AGREE, PLACES, apart
 from graphkin.errors import RoadsDiffer
 from graphkin.kept import kept
 from graphkin.planning import Method
@@ -12,8 +12,6 @@ from graphkin.running.path import Path, stride
 from graphkin.sweeps.course import Course
 from graphkin.sweeps.roads import moving
 
-PLACES = 12
-"""Positions at which they are held: both ends, and ten between."""
 ASIDE_DEG, ASIDE_PART = 0.5, 0.005
 """So near a stop speeds grow without bound, and digits are lost: there it is held this far from it instead."""
 BESIDE = 4

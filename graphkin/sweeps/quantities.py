@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from graphkin.measured import Measured, Numbers, measured
 from graphkin.mechanism import Mechanism
 from graphkin.motions import Motions
 from graphkin.quantities import Quantity, Track, named, read
+from graphkin.usual import Usual
 from graphkin.value import frozen
 
 
@@ -55,7 +57,8 @@ class Series(Measured):
         return found
 
     def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
-        return np.array(self.si if self.is_place else self.signed, dtype=dtype, copy=copy)
+        own = self.si if self.is_place else self.signed
+        return np.asarray(own, dtype) if copy is None else np.array(own, dtype, copy=copy)  # NumPy 1 knows no copy=None
 
     def __len__(self) -> int:
         return len(self.values)
@@ -72,6 +75,11 @@ class Series(Measured):
     def is_place(self) -> bool:
         """Whether this is where a point or an instant centre lies; that one at infinity is infinite."""
         return self.quantity.is_place
+
+    def without_noise(self, usual: Usual) -> Series:
+        """The same, with 0 for what is but rounding."""
+        vectors = None if self.vectors is None else usual.cut(self.vectors, self.unit)
+        return replace(self, values=usual.cut(self.values, self.unit), vectors=vectors)
 
     @property
     def signed(self) -> np.ndarray:

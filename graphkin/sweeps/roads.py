@@ -169,7 +169,7 @@ class _Mend:
     def _put(self, value: Value, others: Sequence[Value], turning: bool = False) -> Value:
         found = np.array(np.broadcast_to(value, (self.count,)))
         for patch, other in zip(self.patches, others, strict=True):
-            told = np.broadcast_to(other, (int(patch.places.max()) + 1,))[patch.places]
+            told = other[patch.places] if np.ndim(other) else np.broadcast_to(other, patch.places.shape)
             found[patch.rows] = np.sum(patch.weights * (np.unwrap(told, axis=1) if turning else told), axis=1)
         return found
 

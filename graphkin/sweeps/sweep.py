@@ -158,7 +158,8 @@ def _at(
             found.append(Series(name, quantity, np.abs(places), places))
         else:
             found.append(turned.on(series(name, quantity, motions, t.size), t))
-    return Sweep(course, t, np.asarray(course.value(t)), tuple(found), np.empty(0), by)
+    series_there = tuple(entry.without_noise(course.method.mechanism.usual) for entry in found)
+    return Sweep(course, t, np.asarray(course.value(t)), series_there, np.empty(0), by)
 
 
 class _Turned:

@@ -44,6 +44,8 @@ positions, a turn of a mechanism that was only loaded."""
 OF = {"ex3-5": ("theta 3", "omega 3", "alpha 3", "v E", "a E"), "ex3-7": ("theta 4", "omega 4", "alpha 4", "v E", "a E")}
 TIMES_SWEPT = {MANY: 2.2, TURN: 8.0}
 """How many times as long as the replay a sweep of five quantities may take, once its mechanism is planned and proved."""
+TIMES_HELD = 1.15
+"""How many times as long a replay may take that is held, once its method is known, as one that is not."""
 SHORT, LONG, LIMIT_MIB = 10**5, 4 * 10**5, 1024
 OWN_BYTES = 30
 """What a position of a table may cost: the driver's value, where on the way it is, and what is made of them."""
@@ -303,6 +305,28 @@ def test_sweep_beside_its_replay(name: str, capsys: pytest.CaptureFixture[str]) 
             print(f"\n{MECHANISMS[name]}, {count} positions: sweep {told(count, best['sweep'])}", end="")
             print(f", {best['sweep'] / best['replay']:.1f} times as long as its replay")
         assert won(best), best
+
+
+@pytest.mark.bench
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_held_beside_unproved(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    """A turn as a program reads it, of a method that was held before: hardly more than without."""
+    method, angles = planned(name), turn(name, TURN)
+    mechanism = method.mechanism
+
+    def read(held: bool) -> None:
+        state = graphkin.replay(method, [angles], held=held)
+        for table, names in ((state.position, mechanism.points), (state.v, mechanism.points), (state.a, mechanism.points),
+                             (state.theta, mechanism.moving), (state.omega, mechanism.moving), (state.alpha, mechanism.moving)):  # fmt: skip
+            for each in names:
+                table[each]
+
+    works = {"held": (partial(read, True), nothing), "unproved": (partial(read, False), nothing)}
+    best = raced(TURN, works, lambda best: best["held"] <= TIMES_HELD * best["unproved"])
+    with capsys.disabled():
+        print(f"\n{MECHANISMS[name]}, {TURN} positions by `replay`: {told(TURN, best['held'])}", end="")
+        print(f", {best['held'] / best['unproved']:.2f} times as long as unproved")
+    assert best["held"] <= TIMES_HELD * best["unproved"], best
 
 
 # --- memory -----------------------------------------------------------------------------------

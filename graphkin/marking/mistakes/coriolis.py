@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.construction import Coriolis
-from graphkin.geometry import Value, unit
+from graphkin.geometry import Value
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
@@ -58,7 +58,7 @@ def not_turned(scene: Scene) -> Iterator[Rewrite]:
 
 def _along_slip(size: Coriolis) -> Change:
     def change(plot: Redrawing, right: Value) -> Value:
-        return np.abs(right) * unit(slip(plot, size))
+        return -1j * np.sign(plot.omega[size.link]) * right
 
     return change
 
@@ -78,7 +78,7 @@ def crank_omega(scene: Scene) -> Iterator[Rewrite]:
 
 def _by_crank(scene: Scene, size: Coriolis, link: str) -> Iterator[tuple[str, Change]]:
     def in_right_sense(plot: Redrawing, right: Value) -> Value:
-        return 2j * in_sense_of(plot.omega[link], plot.omega[size.link]) * slip(plot, size)
+        return 2j * in_sense_of(plot, plot.omega[link], plot.omega[size.link], "rad/s") * slip(plot, size)
 
     def in_its_sense(plot: Redrawing, right: Value) -> Value:
         return 2j * plot.omega[link] * slip(plot, size)
@@ -95,7 +95,7 @@ def absolute_velocity(scene: Scene) -> Iterator[Rewrite]:
         for end in (size.tail, size.head):
 
             def change(plot: Redrawing, right: Value, size: Coriolis = size, end: str = end) -> Value:
-                return 2 * np.abs(plot.omega[size.link] * plot.velocity[end]) * unit(right)
+                return in_sense_of(plot, 2 * plot.omega[size.link] * plot.velocity[end], right, "m/s^2")
 
             form = scene.velocity_name(end)
             yield Rewrite("coriolis-absolute-velocity", name, form, (Edit(("arrow", "acceleration", size), change),))
@@ -125,7 +125,8 @@ def _of_block(scene: Scene, size: Coriolis) -> dict[str, Change]:
 
 def _crank(link: str, in_right_sense: bool) -> Change:
     def change(plot: Redrawing, right: Value) -> Value:
-        return in_sense_of(plot.omega[link], right) if in_right_sense else plot.omega[link]
+        own = plot.omega[link]
+        return in_sense_of(plot, own, right, "rad/s") if in_right_sense else own
 
     return change
 
@@ -134,6 +135,6 @@ def _about(node: str, length: float) -> Change:
     """The velocity of the block's point over a length, in the right sense."""
 
     def change(plot: Redrawing, right: Value) -> Value:
-        return in_sense_of(np.abs(plot.velocity[node]) / length, right)
+        return in_sense_of(plot, np.abs(plot.velocity[node]) / length, right, "rad/s")
 
     return change

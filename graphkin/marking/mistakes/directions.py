@@ -91,7 +91,7 @@ def with_its_sense(step: Measure, length: float | None = None) -> Change:
     def change(plot: Redrawing, right: Value) -> Value:
         arrow, arm = plot.velocity[step.head] - plot.velocity[step.tail], plot.arm(*step.lever)
         size = np.abs(arrow) / (np.abs(arm) if length is None else length)
-        return in_sense_of(size, cross(arm, arrow) / np.abs(arm) ** 2)
+        return in_sense_of(plot, size, cross(arm, arrow) / np.abs(arm) ** 2, "rad/s")
 
     return change
 

@@ -10,7 +10,7 @@ from graphkin.construction import AlongGuide, Normal, Ray, Relative, Size
 from graphkin.geometry import Value, unit
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.mistakes.directions import rays
-from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
 __all__: list[str] = []
@@ -49,8 +49,7 @@ def size(scene: Scene) -> Iterator[Rewrite]:
     """In the right direction: omega l; omega^2; v^2 / l with an absolute v, or that of sliding; another l."""
     for normal, name in scene.sized("acceleration", Normal).items():
         length = scene.length(normal.tail, normal.head)
-        right = length * abs(scene.plot.omega[normal.link]) ** 2
-        if right == 0:
+        if not scene.method.mechanism.usual.cut(length * scene.plot.omega[normal.link] ** 2, "m/s^2"):
             continue
         for form, change in _sizes(scene, normal, length):
             edits = (Edit(("arrow", "acceleration", normal), change),)
@@ -60,7 +59,7 @@ def size(scene: Scene) -> Iterator[Rewrite]:
 def _sizes(scene: Scene, normal: Normal, length: float) -> Iterator[tuple[str, Change]]:
     link, ends = normal.link, (normal.tail, normal.head)
     omega = f"ω{scene.method.mechanism.called(scene.method.structure.home(link))}"
-    yield f"{omega} {scene.length_name(*ends)}", lambda plot, right: np.abs(plot.omega[link]) * length * unit(right)
+    yield f"{omega} {scene.length_name(*ends)}", lambda p, right: in_sense_of(p, p.omega[link] * length, right, "m/s^2")
     yield f"{omega}²", times(1.0 / length)
     pole = scene.method.velocity.pole
     for point in ends:
@@ -78,7 +77,7 @@ def _squared(tail: str, head: str, length: float) -> Change:
     """v^2 / l of an arrow of the velocity polygon."""
 
     def change(plot: Redrawing, right: Value) -> Value:
-        return np.abs(plot.velocity[head] - plot.velocity[tail]) ** 2 / length * unit(right)
+        return in_sense_of(plot, np.abs(plot.velocity[head] - plot.velocity[tail]) ** 2 / length, right, "m/s^2")
 
     return change
 

@@ -31,7 +31,8 @@ def over(plane: Plane, tail: str, head: str, length: float) -> Change:
 
     def change(plot: Redrawing, right: Value) -> Value:
         points = plot.points(plane)
-        return in_sense_of(np.abs(points[head] - points[tail]) / length, right)
+        what = "rad/s" if plane == "velocity" else "rad/s^2"
+        return in_sense_of(plot, np.abs(points[head] - points[tail]) / length, right, what)
 
     return change
 

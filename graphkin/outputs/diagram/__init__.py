@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
+from threading import RLock
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from graphkin.errors import GraphkinError, Lang
@@ -27,6 +28,8 @@ FORMATS = (".svg", ".png", ".pdf")
 MARK = "https://graphkin.invalid/diagram/1"
 """By this graphkin knows a diagram of its own, whatever the format."""
 DPI = 200
+_ALONE = RLock()
+"""matplotlib's settings, and what it writes formulas by, are one for all threads: diagrams are made one at a time."""
 
 
 class NotADiagram(GraphkinError):
@@ -107,7 +110,7 @@ def settings() -> Iterator[None]:
     """matplotlib as it comes, with our letters; what the user has set is there again afterwards."""
     import matplotlib
 
-    with matplotlib.rc_context():
+    with _ALONE, matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(
             {

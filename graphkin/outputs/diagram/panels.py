@@ -6,8 +6,9 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from graphkin.outputs.diagram.curves import Curves
-from graphkin.quantities import EDGE, Displacement, Quantity, Quotient, Rotation
-from graphkin.sheet.lettering import Label, joined, quantity_label, vector_label
+from graphkin.quantities import EDGE, Quantity
+from graphkin.sheet.given_tables import label_of
+from graphkin.sheet.lettering import Label, joined
 from graphkin.value import frozen
 
 MOST = 6
@@ -109,14 +110,4 @@ def division(low: float, high: float, most: int, degrees: bool = False) -> list[
 
 def labels_of(quantities: Sequence[Quantity]) -> Label:
     """`ω₂ = ω₃`: curves that lie on one another."""
-    return joined([label_of(quantity) for quantity in quantities], " = ")
-
-
-def label_of(quantity: Quantity) -> Label:
-    """A quantity as the field writes it: `theta 3` as θ₃, `a_k B3B2` as a with k above B3B2."""
-    if isinstance(quantity, Quotient):
-        return joined([label_of(half) for half in quantity.halves], "/")
-    if isinstance(quantity, Rotation | Displacement):
-        return quantity_label(quantity.letter, quantity.of)
-    part = f"^{quantity.part}" if quantity.part else ""
-    return vector_label(f"{quantity.letter}{part}_{quantity.of}")
+    return joined([label_of(quantity, "/") for quantity in quantities], " = ")

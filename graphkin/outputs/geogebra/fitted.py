@@ -84,7 +84,9 @@ def settle(step: Fit, state: State, trial: Mapping[str, str]) -> None:
 def closure_rows(closure: Closure, state: State) -> Iterator[Row]:
     """What is left open of a way round, along x and along y, and what each unknown does to it [m]."""
     points = state.points["position"]
-    gap = between(points[closure.end], points[closure.start]).times(value(state.scales["position"]))
+    gap = known(0j)
+    if not closure.floats:
+        gap = between(points[closure.end], points[closure.start]).times(value(state.scales["position"]))
     slopes: dict[str, Pair] = {}
     for part in closure.parts:
         if isinstance(part, Arm):

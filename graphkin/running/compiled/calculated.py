@@ -69,7 +69,7 @@ def _gaps(step: Fit, plot: Plot) -> list[Row]:
 
 def _closure(closure: Closure, plot: Plot) -> Row:
     """What is left open of a way round, and what each unknown does to it [m]."""
-    gap = plot.position[closure.start] - plot.position[closure.end]
+    gap = 0.0 if closure.floats else plot.position[closure.start] - plot.position[closure.end]
     slopes: dict[str, Value] = {}
     for part in closure.parts:
         base, arrow = _stretch(part, plot)

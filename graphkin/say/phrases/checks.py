@@ -20,6 +20,7 @@ PHRASES: Phrases = {
     "note": ("not judged", "未判断"),
     "unit": ("unit", "单位"),
     "plane position": ("mechanism", "机构图"),
+    "plane sheet": ("sheet", "图纸"),
     "plane centres": ("instant centres", "瞬心"),
     "plane velocity": ("velocity", "速度图"),
     "plane acceleration": ("acceleration", "加速度图"),
@@ -47,6 +48,14 @@ PHRASES: Phrases = {
         "an arrow at {what} mm bears no name, so it cannot be measured",
         "{what} mm 处的箭头没有名称，无法测量",
     ),
+    "fault signs": (
+        "lines and signs were moved, hidden or taken away: {what} mm",
+        "线条和符号被移动、遮盖或删去：{what} mm",
+    ),
+    "fault tip": (
+        "the value that {what} shows when pointed at is not its length",
+        "鼠标指向 {what} 时显示的数值与其长度不符",
+    ),
     "fault hidden": ("{what} cannot be seen", "{what} 看不见"),
     "fault covered": ("something is drawn over {what}", "{what} 被别的图形盖住"),
     "fault name": ("the point {what} is not called as what it shows", "点 {what} 的名称与其所指不符"),
@@ -54,18 +63,21 @@ PHRASES: Phrases = {
     "fault end": ("a vector does not end at its point: {what}", "矢量端点与点不重合：{what}"),
     # --- not judged
     "note signs": (
-        "{what} lines and signs that show no length, and where letters stand",
-        "{what} 个不表示长度的线条和符号，以及文字的位置",
+        "{what} lines and signs that show no length, which are as they were drawn, and where letters stand",
+        "{what} 个不表示长度的线条和符号（与作图时相同），以及文字的位置",
     ),
     "note other": (
-        "lines and signs added or taken away: there were {what}",
-        "增添或删去的线条和符号：原有 {what} 个",
+        "lines and signs added since: {what} mm",
+        "后来增添的线条和符号：{what} mm",
     ),
     "note words": ("{what} texts that graphkin did not write", "{what} 处不是 graphkin 写的文字"),
     "note blank": (
         'what viewers make of the size "{what}", with a blank in it',
         "看图程序如何理解带空格的尺寸“{what}”",
     ),
-    "note nothing": ("anything: there is no point to measure from yet", "整张图：还没有可供测量的点"),
+    "note nothing": (
+        "lengths of links: there is no point to measure from; their lines are as they were drawn",
+        "构件的长度：没有可供测量的点；其图线与作图时相同",
+    ),
     "note unknown": ("the point {what}, which graphkin does not know", "点 {what}：不是 graphkin 所知的点"),
 }

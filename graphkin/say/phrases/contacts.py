@@ -102,9 +102,9 @@ PHRASES: Phrases = {
         "The turns of links {links} since the drawn position (Δθ) are coupled; the rolling relations {relations} are solved together:",
         "构件 {links} 自给定位置起的转角 Δθ 互相关联，须联立求解纯滚动关系 {relations}：",
     ),
-    "fit given": (
-        "Links {links} stand as the drawn position gives them: {values}.",
-        "构件 {links} 按给定位置取：{values}。",
+    "fit floating": (
+        "The directions of links {links} follow from a closed figure alone, wherever it lies: it is drawn apart with {lengths}, and turned until the known directions agree. Here it is found numerically:",
+        "构件 {links} 的方位由自身封闭的图形单独确定，与其位置无关：另作此图形，使 {lengths}，并转至与已知方位相符；此处用数值法求得：",
     ),
     "lies on": ("{point} on {guide}", "{point} 在 {guide} 上"),
     "fitted": ("This gives {values}.", "得 {values}。"),
@@ -120,7 +120,7 @@ PHRASES: Phrases = {
         "取构件 {link} 上的特殊点 {of}，分别由 {first} 和 {second} 列方程；每一支路的两个未知矢量在同一方向线上，合为一个矢量作出：",
     ),
     "instant centre": (
-        "Both legs are hinged to the fixed link: {point} is the absolute instant centre of link {link}, {name} = 0. (Its acceleration is not 0.)",
+        "Both legs are joined to the fixed link: {point} is the absolute instant centre of link {link}, {name} = 0. (Its acceleration is not 0.)",
         "两支路均与机架相连，{point} 即为构件 {link} 的绝对瞬心，{name} = 0（但其加速度一般不为零）。",
     ),
     "constant ratio at rest": (
@@ -138,6 +138,10 @@ PHRASES: Phrases = {
     "together, one": (
         "No order of ruler and triangle gives {unknowns} one after another. {equations} is solved for them together:",
         "{unknowns} 不能用作图法依次求得，须由{equations}联立求解：",
+    ),
+    "closed in themselves": (
+        "The links are closed in themselves: {unknowns} do not hang on how any point of them moves. {equations} alone gives them:",
+        "各构件自身封闭，{unknowns} 与其上任一点的运动无关，仅由{equations}即可求得：",
     ),
     "the loop": ("The vector equation of the loop {loops}", "封闭矢量方程 {loops} "),
     "the loops": ("The vector equations of the loops {loops}", "封闭矢量方程 {loops} "),

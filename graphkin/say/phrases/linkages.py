@@ -145,7 +145,7 @@ PHRASES: Phrases = {
         "滑块沿导杆主动时（{driver} 为其位移）：死点位置在 {driver} = {values}",
     ),
     "cosine": ("{cosine}, ", "{cosine}，"),
-    "no dead": ("{driver} driving: no dead point, γ never becomes 0", "{driver} 主动时：无死点（γ 不为 0）"),
+    "no dead": ("{driver} driving: no dead point, γ is then never 0", "{driver} 主动时：无死点（此时 γ 恒不为 0）"),
     "advantage": (
         "least mechanical advantage {value} with {driver} at {at}{endless}",
         "最小机械增益 {value}，{driver} 在 {at}{endless}",

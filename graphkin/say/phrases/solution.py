@@ -33,20 +33,25 @@ PHRASES: Phrases = {
         "; the direction of {line} is the guide's turned by {angle} {sense}",
         "；将导路方向{sense}转过 {angle} 即为 {line} 的方向",
     ),
+    "line of": ("the guide of link {link}", "构件 {link} 的导路"),
     "tilt none": ("; {line} points along the guide", "；{line} 沿导路方向"),
     "at angle": (
         "through {through} that makes {angle} with {arrow} ({sense})",
         "过 {through} 点，与 {arrow} 成 {angle}（{sense}）",
     ),
-    "along": ("along {line}", "沿 {line}"),
-    "own axis": ("through {through}", "过 {through} 点"),
+    "along": ("along {line}", "为直线 {line}"),
+    "parallel": ("through {through}, parallel to {arrow}", "过 {through} 点，平行于 {arrow}"),
+    "own axis": ("through {through}, the link's own axis", "过 {through} 点，即该构件的轴线"),
     "line": ("through {start} at {angle} to +x", "过 {start}，与 x 轴正向成 {angle}"),
     "circular slot": (
         "Pin {pin} moves in a circular slot of link {link} about {centre} with radius {radius}.",
         "销 {pin} 在构件 {link} 的圆弧槽中移动，圆心为 {centre}，半径为 {radius}。",
     ),
-    "gears": ("Gears {wheels} are in external mesh: {radii}.", "齿轮 {wheels} 外啮合：{radii}。"),
-    "internal gears": ("Gears {wheels} are in internal mesh: {radii}.", "齿轮 {wheels} 内啮合：{radii}。"),
+    "gears": ("Gears {wheels} about {centres} are in external mesh: {radii}.", "齿轮 {wheels}（轮心 {centres}）外啮合：{radii}。"),
+    "internal gears": (
+        "Gears {wheels} about {centres} are in internal mesh: {radii}.",
+        "齿轮 {wheels}（轮心 {centres}）内啮合：{radii}。",
+    ),
     "rolls on circle": (
         "Wheel {wheel} about {centre}, {radius}, rolls without slip on the circle of link {track} about {about} with radius {other} ({where}).",
         "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 上以 {about} 为圆心、半径为 {other} 的圆上作纯滚动（{where}）。",
@@ -60,7 +65,7 @@ PHRASES: Phrases = {
     "wheel left": (" ({centre} on its left)", "（沿此方向看 {centre} 在其左侧）"),
     "wheel right": (" ({centre} on its right)", "（沿此方向看 {centre} 在其右侧）"),
     "displacement": ("displacement {s}", "位移 {s}"),
-    "cam": ("{first} and {second} touch and slide on each other.", "{first}与{second}相接触，组成高副。"),
+    "cam": ("{first} and {second} touch and slide on each other{where}.", "{first}与{second}相接触{where}，组成高副。"),
     "flat face": ("the flat face{line} of link {link}{side}", "构件 {link} 的平底{line}{side}"),
     "knife edge": ("the knife edge {point} of link {link}", "构件 {link} 的尖顶 {point}"),
     "circle": (

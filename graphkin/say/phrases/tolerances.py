@@ -20,6 +20,7 @@ PHRASES: Phrases = {
     "column scatter": ("scatter", "标准差"),
     "column part": ("part", "相对"),
     "column worst step": ("what costs it most", "影响最大的一步"),
+    "steep": ("; near a dead point: not in proportion to the errors", "；接近死点，与作图误差不成比例"),
     "asked": ("* is asked for; the others are on the way.", "* 为所求量，其余为中间量。"),
     "costs": (
         "What costs most accuracy, over all that is asked (one error at a time):",

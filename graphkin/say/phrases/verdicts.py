@@ -7,6 +7,8 @@ PHRASES: Phrases = {
     "verdict carried": ("carried", "沿用正确"),
     "verdict wrong": ("wrong", "错误"),
     "verdict missing": ("missing", "未答"),
+    "verdict dead point": ("near a dead point: paper cannot tell this value", "接近死点，图上无法确定该值"),
+    "verdict too small": ("less than a pencil errs by: paper cannot tell this value", "小于作图误差，图上无法确定该值"),
     "verdict wrong sense": ("wrong sense", "转向（符号）相反"),
     "verdict wrong direction": ("wrong direction", "方向错误"),
     "verdict wrong unit": ("wrong unit", "单位不符"),

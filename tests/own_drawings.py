@@ -1,0 +1,146 @@
+"""Every kind of drawing that the commands write, of any mechanism, as the text of its file."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from graphkin import Drawing, sweeps
+from graphkin.centres import Centres, centres
+from graphkin.centres.about import about
+from graphkin.centres.about_bobillier import bobillier
+from graphkin.centres.centrodes import centrodes, path, whole
+from graphkin.errors import GraphkinError
+from graphkin.finding import find
+from graphkin.linkages import reported, some_found_in
+from graphkin.mechanism import FRAME, Mechanism
+from graphkin.outputs.animation import animation
+from graphkin.outputs.svg import svg
+from graphkin.planning import plan
+from graphkin.running import replay_all
+from graphkin.sheet import finding_sheet
+from graphkin.sheet.about_bobillier_sheet import bobillier_sheet, bobillier_step_sheets
+from graphkin.sheet.about_sheet import about_sheet
+from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets
+from graphkin.sheet.centrode_frames import centrode_frames
+from graphkin.sheet.centrode_sheet import centrode_sheet
+from graphkin.sheet.linkage_sheet import limit_sheet
+from graphkin.sheet.motion_frames import motion_frames
+
+
+@dataclass
+class Of:
+    """A mechanism, and what options are drawn by lot from."""
+
+    mechanism: Mechanism
+    rng: random.Random
+
+    @property
+    def lang(self) -> str:
+        return self.rng.choice(("en", "zh"))
+
+    def links(self, count: int) -> list[str]:
+        return self.rng.sample(list(self.mechanism.links), count)
+
+    @cached_property
+    def drawing(self) -> Drawing:
+        return Drawing.of(self.mechanism)
+
+    @cached_property
+    def centres(self) -> Centres:
+        method = plan(self.mechanism)
+        return centres(method, replay_all(method))
+
+
+def draw(of: Of) -> Iterator[str]:
+    rng = of.rng
+    only = rng.choice((None, None, "position", "velocity", "acceleration"))
+    style, tight, ink = rng.choice(("construction", "result")), rng.random() < 0.3, rng.choice(("accent", "black"))
+    yield svg(of.drawing.sheet(lang=of.lang, only=only, style=style, tight=tight), ink)
+
+
+def given(of: Of) -> Iterator[str]:
+    yield svg(of.drawing.sheet(lang=of.lang, style="given"))
+
+
+def elsewhere(of: Of) -> Iterator[str]:
+    values = [float(value) + of.rng.uniform(-0.2, 0.2) * (1 if driver.kind == "angle" else 0.05)
+              for driver, value in zip(of.mechanism.drivers, of.drawing.plot.facts.values, strict=True)]  # fmt: skip
+    yield svg(Drawing.of(of.mechanism, values).sheet(lang=of.lang))
+
+
+def steps(of: Of) -> Iterator[str]:
+    pages = list(of.drawing.step_sheets(lang=of.lang, tight=of.rng.random() < 0.2))
+    yield from map(svg, of.rng.sample(pages, min(4, len(pages))))
+
+
+def by_centre(of: Of) -> Iterator[str]:
+    yield svg(Drawing.at(plan(of.mechanism, "", True)).sheet(lang=of.lang))
+
+
+def coincident(of: Of) -> Iterator[str]:
+    yield svg(Drawing.at(plan(of.mechanism, of.rng.choice(of.mechanism.points))).sheet(lang=of.lang))
+
+
+def paths(of: Of) -> Iterator[str]:
+    moving = [point for point in of.mechanism.points if FRAME not in of.mechanism.owners[point]]
+    arrows, only = of.rng.random() < 0.5, of.rng.choice((None, "position"))
+    yield svg(of.drawing.sheet(lang=of.lang, only=only, paths=[of.rng.choice(moving)], arrows=arrows))
+
+
+def moving(of: Of) -> Iterator[str]:
+    yield animation(motion_frames(plan(of.mechanism), 6, lang=of.lang))
+
+
+def linkage(of: Of) -> Iterator[str]:
+    if reports := [reported(found) for found in some_found_in(of.mechanism)]:
+        yield svg(limit_sheet(reports, of.lang, title=of.mechanism.headline(of.lang)))
+
+
+def all_centres(of: Of) -> Iterator[str]:
+    yield svg(centre_sheet(of.centres, lang=of.lang, fit=of.rng.random() < 0.3))
+    pages = list(centre_step_sheets(of.centres, lang=of.lang))
+    yield svg(of.rng.choice(pages))
+
+
+def one_link(of: Of) -> Iterator[str]:
+    seen = about(of.centres, of.rng.choice(list(of.mechanism.moving)))
+    yield svg(about_sheet(seen, lang=of.lang))
+    drawn = bobillier(seen, of.rng.choice(of.mechanism.points))
+    yield svg(bobillier_sheet(seen, drawn, lang=of.lang))
+    yield svg(of.rng.choice(list(bobillier_step_sheets(seen, drawn, lang=of.lang))))
+
+
+def curves(of: Of) -> Iterator[str]:
+    course = sweeps.course(plan(of.mechanism))
+    if of.rng.random() < 0.5:
+        found = path(of.centres, of.rng.choice(of.centres.names), course, whole(course))
+    else:
+        found = centrodes(of.centres, *of.links(2), course, whole(course))
+    yield svg(centrode_sheet(found, lang=of.lang))
+    frames = list(centrode_frames(found, lang=of.lang))
+    yield svg(of.rng.choice(frames))
+    yield animation(frames)
+
+
+def finding(of: Of) -> Iterator[str]:
+    method, link = plan(of.mechanism), of.rng.choice(list(of.mechanism.moving))
+    condition = of.rng.choice((f"max omega {link}", f"min omega {link}", f"omega {link} = 0", f"theta {link} = 30"))
+    if (drawn := finding_sheet.drawn(method, find(method, condition), of.lang)) is not None:
+        yield svg(drawn[0])
+
+
+COMMANDS: tuple[Callable[[Of], Iterator[str]], ...] = (
+    draw, given, elsewhere, steps, by_centre, coincident, paths, moving, linkage, all_centres, one_link, curves,
+    finding,
+)  # fmt: skip
+
+
+def drawings(mechanism: Mechanism, command: Callable[[Of], Iterator[str]], seed: object) -> Iterator[str]:
+    """As many as there are before something cannot be drawn."""
+    try:
+        yield from command(Of(mechanism, random.Random(f"{command.__name__} {seed}")))
+    except GraphkinError:
+        return
