@@ -78,7 +78,7 @@ def driver_values(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[float, .
         value = applied(loops.weights([relation]), q)[..., 0] + relation.constant
         if driver.kind != "slide":
             value = np.angle(np.exp(1j * value))
-        values.append(value[()])
+        values.append(float(value))
     return tuple(values)
 
 
