@@ -17,6 +17,7 @@ from graphkin.errors import Lang, NothingToMeasure
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.planning.acts import Act, made
+from graphkin.planning.by_pose import shown
 from graphkin.running import replay_all
 from graphkin.say import derivation, vector_equations
 from graphkin.say.entry import Sentence
@@ -57,6 +58,7 @@ def test_every_act_is_told_once_in_its_order(name: str) -> None:
     plot = replay_all(method)
     entries = derivation(method, plot, SCALES, "en", as_planned=True)
     told = [entry.act for entry in entries if isinstance(entry, Sentence) and entry.act is not None]
+    method, plot = shown(method, plot)
     assert told == [act for act in method.acts if act in told or not nothing_to_draw(act, plot)]
     numbered = [act for act in method.acts if act.numbered]
     assert [act.number for act in numbered] == list(range(1, len(numbered) + 1))

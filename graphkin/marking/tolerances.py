@@ -73,11 +73,12 @@ def tolerances(key: Key, method: Method) -> Tolerances:
 def _cost(mark: Mark, names: Mapping[tuple[str, ...], str], key: Key, alone: np.ndarray, whole: np.ndarray) -> Cost:
     with np.errstate(invalid="ignore", divide="ignore"):
         parts = np.nan_to_num((alone / whole) ** 2, nan=0.0, posinf=0.0)
-    # both are sampled: of one step's scatter alone there may come out a little more
-    parts = np.where(parts > ROUNDING, np.minimum(parts, 1.0), 0.0)
     asked = [part for part, entry in zip(parts, key.entries, strict=True) if entry.points]
-    by_text = {entry.text: float(part) for entry, part in zip(key.entries, parts, strict=True)}
-    return Cost(mark, names.get(mark.of, ""), by_text, float(np.mean(asked)) if asked else 0.0)
+    parts = np.append(parts, np.mean(asked) if asked else 0.0)
+    # both are sampled: of one step's scatter alone there may come out a little more
+    *of_each, over_all = map(float, np.where(parts > ROUNDING, np.minimum(parts, 1.0), 0.0))
+    by_text = {entry.text: part for entry, part in zip(key.entries, of_each, strict=True)}
+    return Cost(mark, names.get(mark.of, ""), by_text, over_all)
 
 
 def _arrows(method: Method) -> dict[tuple[str, ...], str]:
