@@ -92,8 +92,10 @@ def _refuse_wrong_side(mechanism: Mechanism) -> None:
         raise error
 
 
-def replay(method: Method, values: Sequence[Value] | None = None) -> State:
+def replay(method: Method, values: Sequence[Value] | None = None, compiled: bool | None = None) -> State:
     """Carry the constructions out at the drawn position, or at driver `values` [rad, m]: scalars or arrays (n,).
+
+    compiled  of arrays by a C function, if a compiler is at hand (`CC`, `cc`); None: of a million positions or more
 
     >>> import numpy as np
     >>> drawn = replay(plan(load("ex3-1")), [np.radians([60, 90, 120])])
@@ -102,7 +104,7 @@ def replay(method: Method, values: Sequence[Value] | None = None) -> State:
     """
     from graphkin.readings import readings
 
-    plot = running.replay_all(method, values)
+    plot = running.replay_all(method, values, compiled)
     return State(partial(readings, method, plot), plot)
 
 

@@ -24,7 +24,7 @@ from graphkin.batches import solve_many
 from graphkin.cli import main
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Link, Mechanism
-from graphkin.running.compiled import TABLES
+from graphkin.running.program import TABLES
 
 COUNT = max(8, int(os.environ.get("GRAPHKIN_RANDOM", "0")) // 10)
 """Variants of each topology; more of them with GRAPHKIN_RANDOM in the environment."""

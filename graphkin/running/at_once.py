@@ -14,7 +14,6 @@ from graphkin.planning.equivalent import Contact, lower_pairs
 from graphkin.planning.method import Method
 from graphkin.planning.starting_facts import facts_of, with_sides
 from graphkin.running.assemblies import Told, assembled_by_sketch, few_ways
-from graphkin.running.compiled import TABLES
 from graphkin.running.contacts_at_once import (
     Standing,
     contacts_of,
@@ -23,6 +22,7 @@ from graphkin.running.contacts_at_once import (
     standing,
     with_contacts,
 )
+from graphkin.running.program import TABLES
 from graphkin.stacking import coincidences, cut, stacked
 from graphkin.value import frozen
 

@@ -23,7 +23,7 @@ from graphkin.planning.method import Method
 from graphkin.planning.starting_facts import facts_of
 from graphkin.running.assemblies import few_ways
 from graphkin.running.at_once import alike, drawn_at_once, facts_in
-from graphkin.running.compiled import TABLES
+from graphkin.running.program import TABLES
 from graphkin.running.replaying import replay_all
 from graphkin.stacking import count_of, cut, single, stacked, topology
 from graphkin.value import filled, frozen

@@ -19,9 +19,9 @@ from graphkin.motions import Motions
 from graphkin.planning import Method, with_other_points
 from graphkin.readings import readings
 from graphkin.running import replay_all
-from graphkin.running.compiled import Entry
 from graphkin.running.many_positions import replay_along
 from graphkin.running.path import Path, along, stride
+from graphkin.running.program import Entry
 from graphkin.value import Lazy, frozen
 
 Road = Literal["construction", "analysis"]

@@ -13,10 +13,10 @@ from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.quantities import EDGE, Centre, Quantity, Quotient, named
 from graphkin.readable import Readable
-from graphkin.running.compiled import Entry
-from graphkin.running.compiled.memory import lent
 from graphkin.running.many_positions import MANY
 from graphkin.running.path import stride
+from graphkin.running.program import Entry
+from graphkin.running.program.memory import lent
 from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.proof import prove
 from graphkin.sweeps.quantities import Series, asked, series

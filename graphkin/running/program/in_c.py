@@ -1,0 +1,83 @@
+"""A tape as a C function of many positions."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from graphkin.running.program.tape import FAILING, INPUT, NUMBER, Tape
+
+HEAD = """\
+#include <math.h>
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) \\
+    && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 35)
+/* the library has them for vectors, too, and the loop is compiled for each kind of processor */
+__attribute__((const, simd("notinbranch"))) double tan(double);
+__attribute__((const, simd("notinbranch"))) double atan2(double, double);
+__attribute__((target_clones("avx512f", "avx2", "default")))
+#endif
+"""
+FUNCTION = """\
+long long run(long long n, long long begin, long long end, const double *const *in, double *vectors, double *numbers,
+              long long *doubtful)
+{{
+{before}
+    long long any = 0;
+#pragma GCC ivdep
+    for (long long i = begin; i < end; i++) {{
+{body}
+        long long doubt = !(least > {flat});
+        doubtful[i - begin] = doubt;
+        any |= doubt;
+    }}
+    return any;
+}}
+"""
+WRITTEN = {
+    "add": "{0} + {1}",
+    "subtract": "{0} - {1}",
+    "multiply": "{0} * {1}",
+    "minimum": "{0} < {1} ? {0} : {1}",
+    "maximum": "{0} > {1} ? {0} : {1}",
+    "negative": "-{0}",
+    "reciprocal": "1.0 / {0}",
+    "sign": "(double)(({0} > 0) - ({0} < 0))",
+    "absolute": "fabs({0})",
+    "arctan2": "atan2({0}, {1})",
+}
+"""Operations in C; the others are functions of the same name."""
+
+
+def in_c(
+    tape: Tape, arrays: Sequence[bool], vectors: Sequence[tuple[int, int]], numbers: Sequence[int], sure: int,
+    flat: float,
+) -> str:  # fmt: skip
+    """The C text of a function that fills vectors (k, n) and numbers (m, n), and marks positions that are doubtful.
+
+    arrays  of each input whether it has an entry a position
+    sure    what is above `flat` at positions that are not; infinite results of what may fail make it NaN
+    """
+    results = [place for pair in vectors for place in pair] + [*numbers, sure]
+    needed = tape.needed(results)
+    before = [f"    const double *x{k} = in[{k}];" for k, array in enumerate(arrays) if array]
+    before += [f"    const double x{k} = *in[{k}];" for k, array in enumerate(arrays) if not array]
+    before += [f"    double *v{k} = vectors + {2 * k} * n;" for k in range(len(vectors))]
+    before += [f"    double *r{k} = numbers + {k} * n;" for k in range(len(numbers))]
+
+    def name(place: int) -> str:
+        does, _, number = tape.operations[place]
+        if does == NUMBER:
+            return f"({float(number)!r})"
+        return f"t{place}" if does != INPUT else f"x{int(number)}" + "[i]" * arrays[int(number)]
+
+    body = []
+    for place in needed:
+        does, of, _ = tape.operations[place]
+        text = WRITTEN.get(does, f"{does}({{0}})").format(*map(name, of))
+        body.append(f"const double t{place} = {text};")
+    for k, (x, y) in enumerate(vectors):
+        body += [f"v{k}[2 * i] = {name(x)};", f"v{k}[2 * i + 1] = {name(y)};"]
+    body += [f"r{k}[i] = {name(place)};" for k, place in enumerate(numbers)]
+    failing = [name(place) for place in needed if tape.operations[place].does in FAILING]
+    failing += [f"x{k}[i]" for k, array in enumerate(arrays) if array]
+    body.append(f"const double least = {name(sure)} + 0.0 * ({' + '.join(failing) or '0.0'});")
+    return HEAD + FUNCTION.format(before="\n".join(before), body="\n".join(" " * 8 + line for line in body), flat=flat)
