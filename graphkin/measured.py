@@ -167,10 +167,9 @@ class Vectors(Numbers):
 
 def measured(value: Value, unit: str) -> Any:
     """A `Number`, a `Vector`, or an array of either."""
-    array = np.asarray(value)
-    if array.ndim:
-        return (Vectors if np.iscomplexobj(array) else Numbers)(array, unit)
-    return Vector(complex(array), unit) if np.iscomplexobj(array) else Number(float(array), unit)
+    if isinstance(value, np.ndarray) and value.ndim:
+        return (Vectors if value.dtype.kind == "c" else Numbers)(value, unit)
+    return Vector(complex(value), unit) if np.iscomplexobj(value) else Number(float(value), unit)
 
 
 def _plain(value: Any) -> Any:

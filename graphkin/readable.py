@@ -15,10 +15,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from graphkin.errors import GraphkinError, NoSuchName, UnknownQuantity, Where
+from graphkin.geometry import Value
+from graphkin.kept import kept
 from graphkin.measured import measured
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
-from graphkin.quantities import named
+from graphkin.quantities import Centre, Moving, Quantity, Track, named
 from graphkin.value import frozen
 
 __all__ = ["Readable", "State", "Table", "read_off"]
@@ -37,7 +39,7 @@ class Table(Mapping[str, Any]):
         if name == FRAME and self._where in _TURNS:
             return measured(0.0, _TURNS[self._where])
         try:
-            return self._read(str(name))
+            return self._read(name)
         except UnknownQuantity:
             raise NoSuchName(Where(self._where), str(name), self._names) from None
         except GraphkinError as problem:
@@ -165,6 +167,26 @@ class State(Readable):
 
 def read_off(motions: Motions, text: str) -> Any:
     """What a text names in any motions, with its unit: of a vector the vector."""
-    quantity = named(motions.mechanism, text, Where("quantity"))
-    found = quantity.answer(motions)
-    return measured(found.value if found.vector is None else found.vector, found.unit)
+    quantities = _read(motions.mechanism)
+    if (quantity := quantities.get(text)) is None:
+        quantity = quantities[text] = named(motions.mechanism, text, Where("quantity"))
+    return measured(_value(quantity, motions), quantity.unit)
+
+
+@kept(4)
+def _read(mechanism: Mechanism) -> dict[str, Quantity]:
+    """Quantities of a mechanism by their texts, as far as they were read."""
+    return {}
+
+
+def _value(quantity: Quantity, motions: Motions) -> Value:
+    """Of a vector the vector alone: its size is not asked for."""
+    match quantity:
+        case Moving():
+            return quantity.vector(motions)
+        case Track():
+            return motions.position[quantity.site.point]
+        case Centre():
+            return quantity.place(motions)
+        case _:
+            return quantity.answer(motions).value

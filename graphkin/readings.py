@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-
-import numpy as np
+from functools import partial
 
 from graphkin.construction import Plot
+from graphkin.construction.plot import within_a_turn
 from graphkin.geometry import Value
 from graphkin.motions import Motions
 from graphkin.naming import primes
 from graphkin.planning import Method
+from graphkin.running.program import Table
 from graphkin.value import Lazy
 
 __all__ = ["readings"]
@@ -23,7 +24,7 @@ def readings(method: Method, plot: Plot) -> Motions:
     slides = {pair.name for pair in mechanism.pairs if pair.path is not None}
     links, nodes = set(mechanism.moving), method.nodes_of_links
     prime = primes(mechanism, "acceleration")
-    theta = Lazy((link for link in plot.theta if link in links), lambda link: _within_a_turn(plot.theta[link]))
+    theta = Lazy((link for link in plot.theta if link in links), partial(_turn, plot))
     return Motions(
         mechanism, theta, _of(plot.omega, links), _of(plot.alpha, links),
         _of(plot.s, slides), _of(plot.s_rate, slides), _of(plot.s_acceleration, slides),
@@ -31,9 +32,9 @@ def readings(method: Method, plot: Plot) -> Motions:
     )  # fmt: skip
 
 
-def _within_a_turn(angle: Value) -> Value:
-    """From 0 on; over many positions `np.mod` takes ten times as long."""
-    return angle - 2 * np.pi * np.floor(angle / (2 * np.pi))
+def _turn(plot: Plot, link: str) -> Value:
+    """A link's angle between 0 and a full turn; a program has it beside the angle."""
+    return plot.theta.results.read("turn", link) if isinstance(plot.theta, Table) else within_a_turn(plot.theta[link])
 
 
 def _of(table: Mapping[str, Value], names: Collection[str]) -> Mapping[str, Value]:

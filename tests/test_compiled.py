@@ -36,8 +36,8 @@ from graphkin.running import replay_all
 from graphkin.running.many_positions import FITTED_MANY, MANY, by_program, program_of, replay_along
 from graphkin.running.path import Path, along
 from graphkin.running.program.in_numpy import in_numpy
-from graphkin.running.program.program import BLOCK, TABLES, Program, Table, compiled_program
-from graphkin.running.program.recorder import Recorded
+from graphkin.running.program.program import BLOCK, Program, Table, compiled_program
+from graphkin.running.program.recorder import TABLES, Recorded
 from graphkin.running.program.tape import CannotRecord, Tape
 from graphkin.running.reaching import on_one_way
 from graphkin.running.tracing import trace

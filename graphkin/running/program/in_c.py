@@ -14,6 +14,8 @@ HEAD = """\
 __attribute__((const, simd("notinbranch"))) double tan(double);
 __attribute__((const, simd("notinbranch"))) double atan2(double, double);
 __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#error "no tangent of vectors: NumPy is faster"
 #endif
 """
 FUNCTION = """\

@@ -47,7 +47,7 @@ class Part:
         """For some entries; those that are the same lie in one room."""
         vectors, numbers, rooms = dict[tuple[int, int], int](), dict[int, int](), dict[Entry, int]()
         for table, name in entries:
-            value: Recorded = getattr(recording.plot, table)[name]
+            value: Recorded = recording.tables[table][name]
             if table in PLANES:
                 rooms[table, name] = vectors.setdefault((value.x, value.y), len(vectors))
             else:

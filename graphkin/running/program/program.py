@@ -7,7 +7,7 @@ positions are replayed plainly.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, MutableMapping, Sequence, Set
-from dataclasses import fields, replace
+from dataclasses import replace
 from functools import cached_property, partial
 from typing import Any
 
@@ -17,15 +17,14 @@ from graphkin.construction.construction import Construction
 from graphkin.construction.fitting import sense_and_sine
 from graphkin.construction.kinds import Fit
 from graphkin.construction.pencil import replay
-from graphkin.construction.plot import Facts, Plot
+from graphkin.construction.plot import Facts, Plot, within_a_turn
 from graphkin.geometry import Value
 from graphkin.running.program.fitting import Judged
 from graphkin.running.program.part import BLOCK, Part
-from graphkin.running.program.recorder import Entry, Recorded, Recording, record
+from graphkin.running.program.recorder import TABLES, Entry, Recorded, Recording, record
 from graphkin.value import Lazy, filled, frozen
 
-TABLES = tuple(each.name for each in fields(Plot) if each.name not in ("facts", "near", "follows"))
-USUAL = ("position", "velocity", "acceleration", "theta", "omega", "alpha")
+USUAL = ("position", "velocity", "acceleration", "theta", "omega", "alpha", "turn")
 """Tables that are calculated at once; the others when they are read."""
 
 
@@ -58,9 +57,8 @@ class Program:
     @cached_property
     def entries(self) -> frozenset[Entry]:
         """All quantities of the plot that are not the same at all positions."""
-        tables = {table: getattr(self.recording.plot, table) for table in TABLES}
-        of = ((table, name) for table in tables for name in tables[table])
-        return frozenset((table, name) for table, name in of if isinstance(tables[table][name], Recorded))
+        of = ((table, name, value) for table, values in self.recording.tables.items() for name, value in values.items())
+        return frozenset((table, name) for table, name, value in of if isinstance(value, Recorded))
 
     @cached_property
     def usual(self) -> frozenset[Entry]:
@@ -112,6 +110,10 @@ class Program:
 class Table(Lazy[Value], MutableMapping[str, Value]):
     """A table of a plot, to be written in as any; an entry is made when it is first read."""
 
+    def __init__(self, results: Results, table: str) -> None:
+        super().__init__(results.program.recording.tables[table], partial(results.read, table))
+        self.results = results
+
     def __setitem__(self, name: str, value: Value) -> None:
         self._made[name] = value
 
@@ -142,9 +144,7 @@ class Results:
     @property
     def plot(self) -> Plot:
         """A plot each quantity of which is made when it is first read."""
-        names = self.program.recording.plot
-        tables = {table: Table(getattr(names, table), partial(self.read, table)) for table in TABLES}
-        return Plot(self.facts, **tables)
+        return Plot(self.facts, **{table: Table(self, table) for table in TABLES})
 
     @cached_property
     def late(self) -> Results:
@@ -153,7 +153,7 @@ class Results:
 
     def read(self, table: str, name: Any) -> Value:
         """A scalar, or an array (n,) that cannot be written into."""
-        entry, value = (table, name), getattr(self.program.recording.plot, table)[name]
+        entry, value = (table, name), self.program.recording.tables[table][name]
         if isinstance(value, Judged):
             value = self._judged[value.step.name][value.which]
         elif isinstance(value, Recorded) and entry not in self.entries:
@@ -163,7 +163,8 @@ class Results:
         elif isinstance(value, Recorded):
             value = self.rows[self.part.rooms[entry]]
         for here, plot in self.patches:
-            value = _patched(value, self.count, here, getattr(plot, table)[name])
+            plain = getattr(plot, table)[name] if table != "turn" else within_a_turn(plot.theta[name])
+            value = _patched(value, self.count, here, plain)
         return value
 
     @property

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -11,14 +11,16 @@ import numpy as np
 from graphkin.construction.construction import Construction
 from graphkin.construction.kinds import Meet, Swing
 from graphkin.construction.pencil import Compass, replay
-from graphkin.construction.plot import Facts, Plot
+from graphkin.construction.plot import Facts, Plot, within_a_turn
 from graphkin.geometry import Value, leg, meet_circles, meet_line_circle
 from graphkin.running.program.fitting import fitted, together
 from graphkin.running.program.tape import CannotRecord, Tape
 from graphkin.value import Lazy, frozen
 
+TABLES = tuple(each.name for each in fields(Plot) if each.name not in ("facts", "near", "follows"))
+"""What a plot holds."""
 Entry = tuple[str, Any]
-"""A table of a plot, and a name in it."""
+"""A table of a plot, or "turn", and a name in it."""
 
 
 class Recorded:
@@ -141,6 +143,7 @@ class Recorded:
         "exp": _exponential,
         "sqrt": lambda a: a._function(a.tape.sqrt),
         "sign": lambda a: a._function(a.tape.sign),
+        "floor": lambda a: a._function(a.tape.floor),
         "rint": lambda a: a._function(a.tape.whole),
         "maximum": lambda a, b: a._function(a.tape.maximum, b),
     }
@@ -153,7 +156,7 @@ class Recorded:
 class Recording:
     """A replay noted on a tape.
 
-    plot   its plot: every value a number, or `Recorded`
+    tables of its plot, every value a number or `Recorded`; and "turn": angles of links between 0 and a full turn
     sides  of the crossings that may be taken either way, as the steps have them, by number of the choice; the tape's
            inputs are the drivers' values, then a side of each of these
     near   what is asked of a position close by, the last inputs: angles by base link, displacements by `slide_key`
@@ -162,7 +165,7 @@ class Recording:
     """
 
     tape: Tape
-    plot: Plot
+    tables: Mapping[str, Mapping[Any, Value]]
     sides: Mapping[int, int]
     near: tuple[str, ...]
     inputs: int
@@ -196,7 +199,9 @@ def record(constructions: Sequence[Construction], facts: Facts, near: Iterable[s
     for value in (*plot.sines.values(), *fits):
         if isinstance(value, Recorded):
             sure = tape.minimum(sure, value.x)
-    return Recording(tape, plot, usual, tuple(read), count + len(usual) + len(read), sure)
+    tables = {table: getattr(plot, table) for table in TABLES}
+    tables["turn"] = {link: within_a_turn(angle) for link, angle in plot.theta.items()}
+    return Recording(tape, tables, usual, tuple(read), count + len(usual) + len(read), sure)
 
 
 def _leg(hypotenuse: Value, other: Value) -> Value:

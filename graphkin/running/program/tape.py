@@ -24,6 +24,7 @@ WITH_NUMBERS: Mapping[str, Callable[..., float]] = {
     "negative": lambda a: -a,
     "absolute": abs,
     "rint": lambda a: float(round(a)),
+    "floor": lambda a: float(math.floor(a)),
     "sign": lambda a: float((a > 0) - (a < 0)),
     "reciprocal": lambda a: 1 / a,
     "tan": math.tan,
@@ -205,6 +206,9 @@ class Tape:
     def whole(self, a: int) -> int:
         """The nearest whole number."""
         return self._done("rint", a)
+
+    def floor(self, a: int) -> int:
+        return self._done("floor", a)
 
     def minimum(self, a: int, b: int) -> int:
         return self._done("minimum", min(a, b), max(a, b))
