@@ -102,10 +102,10 @@ def replay(method: Method, values: Sequence[Value] | None = None, compiled: bool
     >>> np.round(drawn.omega["3"], 3)
     array([-3.919, -1.132,  0.64 ])
     """
-    from graphkin.readings import readings
+    from graphkin.readings import readings, where
 
     plot = running.replay_all(method, values, compiled)
-    return State(partial(readings, method, plot), plot)
+    return State(partial(readings, method, plot), plot, where(method))
 
 
 def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> State:
@@ -124,14 +124,16 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> S
 
 
 def sweep(
-    mechanism: Mechanism | Method, ranges: Ranges = (), of: str | Sequence[str] = (), by: Road = "construction"
-) -> Sweep:
+    mechanism: Mechanism | Method, ranges: Ranges = (), of: str | Sequence[str] = (), by: Road = "construction",
+    compiled: bool | None = None,
+) -> Sweep:  # fmt: skip
     """Quantities over a turn, or as far as the mechanism gets; angles go on beyond a full turn.
 
     ranges  by driver, in deg and mm: an array, a text `"0:360:10"`, or a number that holds it still; nothing: the first
             driver through a turn. Drivers that move together do so in proportion
     of      `["theta 4", "v E"]`, or one text with commas; nothing: what the file asks
     by      "construction", or "analysis"
+    compiled  as `replay` has it
 
     Raises BadRange, NoSuchDriver, UnknownQuantity and their like, and RoadsDiffer where the two roads do not agree.
 
@@ -149,7 +151,7 @@ def sweep(
 
     method = mechanism if isinstance(mechanism, Method) else plan(mechanism)
     with in_python():
-        return framed(sweeps.sweep(method, ranges, sweeps.split(of) if isinstance(of, str) else of, by))
+        return framed(sweeps.sweep(method, ranges, sweeps.split(of) if isinstance(of, str) else of, by, compiled))
 
 
 _ARGUMENTS = {"--driver": "ranges", "--of": "of"}

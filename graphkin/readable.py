@@ -8,7 +8,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -32,14 +33,18 @@ _TURNS = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s^2"}
 class Table(Mapping[str, Any]):
     """Values by the name of a link, a point or a slide; a name that is not there raises KeyError and says which are."""
 
-    def __init__(self, names: Iterable[str], read: Callable[[str], Any], where: str) -> None:
-        self._names, self._read, self._where = tuple(names), read, where
+    def __init__(self, owner: Readable, word: str, names: Callable[[], tuple[str, ...]], where: str) -> None:
+        self._owner, self._word, self._listed, self._where = owner, word, names, where
+
+    @property
+    def _names(self) -> tuple[str, ...]:
+        return self._listed()
 
     def __getitem__(self, name: str) -> Any:
         if name == FRAME and self._where in _TURNS:
             return measured(0.0, _TURNS[self._where])
         try:
-            return self._read(name)
+            return self._owner.quantity(f"{self._word} {name}")
         except UnknownQuantity:
             raise NoSuchName(Where(self._where), str(name), self._names) from None
         except GraphkinError as problem:
@@ -76,44 +81,44 @@ class Readable:
     def quantity(self, text: str) -> Any:
         raise NotImplementedError
 
-    @property
+    @cached_property
     def theta(self) -> Table:
-        return self._table("theta", self.mechanism.moving)
+        return self._table("theta", lambda: self.mechanism.moving)
 
-    @property
+    @cached_property
     def omega(self) -> Table:
-        return self._table("omega", self.mechanism.moving)
+        return self._table("omega", lambda: self.mechanism.moving)
 
-    @property
+    @cached_property
     def alpha(self) -> Table:
-        return self._table("alpha", self.mechanism.moving)
+        return self._table("alpha", lambda: self.mechanism.moving)
 
-    @property
+    @cached_property
     def s(self) -> Table:
-        return self._table("s", [pair.name for pair in self.mechanism.pairs if pair.path is not None])
+        return self._table("s", lambda: tuple(pair.name for pair in self.mechanism.pairs if pair.path is not None))
 
-    @property
+    @cached_property
     def position(self) -> Table:
-        return self._table("path", self.mechanism.points, "position")
+        return self._table("path", lambda: self.mechanism.points, "position")
 
-    @property
+    @cached_property
     def x(self) -> Table:
-        return self._table("x", self.mechanism.points)
+        return self._table("x", lambda: self.mechanism.points)
 
-    @property
+    @cached_property
     def y(self) -> Table:
-        return self._table("y", self.mechanism.points)
+        return self._table("y", lambda: self.mechanism.points)
 
-    @property
+    @cached_property
     def v(self) -> Table:
-        return self._table("v", self.mechanism.points)
+        return self._table("v", lambda: self.mechanism.points)
 
-    @property
+    @cached_property
     def a(self) -> Table:
-        return self._table("a", self.mechanism.points)
+        return self._table("a", lambda: self.mechanism.points)
 
-    def _table(self, word: str, names: Iterable[str], where: str = "") -> Table:
-        return Table(names, lambda name: self.quantity(f"{word} {name}"), where or word)
+    def _table(self, word: str, names: Callable[[], tuple[str, ...]], where: str = "") -> Table:
+        return Table(self, word, names, where or word)
 
 
 @frozen
@@ -122,10 +127,12 @@ class State(Readable):
 
     source      all of it as plain tables, or what reads them off when they are first asked for
     plot        the finished drawing, where this was drawn (`graphkin.replay`)
+    places      by text where that holds a quantity as it is: the table, the name there and the unit, or an empty table
     """
 
     source: Motions | Callable[[], Motions]
     plot: Any = None
+    places: Mapping[str, tuple[str, str, str]] = field(default_factory=dict)
 
     @cached_property
     def motions(self) -> Motions:
@@ -144,6 +151,10 @@ class State(Readable):
 
     def quantity(self, text: str) -> Any:
         """Whatever `ask` can name, as a number with its unit. Raises what a wrong name raises."""
+        if self.plot is not None:
+            table, name, unit = self.places[text]
+            if table:
+                return measured(getattr(self.plot, table)[name], unit)
         return read_off(self.motions, text)
 
     def __getitem__(self, text: str) -> Any:

@@ -3,18 +3,55 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from functools import partial
 
+from graphkin import errors
 from graphkin.construction import Plot
-from graphkin.construction.plot import within_a_turn
 from graphkin.geometry import Value
+from graphkin.kept import kept
+from graphkin.mechanism import FRAME
 from graphkin.motions import Motions
 from graphkin.naming import primes
 from graphkin.planning import Method
-from graphkin.running.program import Table
+from graphkin.quantities import Displacement, Moving, Quantity, Rotation, Track, named
 from graphkin.value import Lazy
 
-__all__ = ["readings"]
+__all__ = ["readings", "where"]
+
+
+class Where(dict[str, tuple[str, str, str]]):
+    """By text where a finished drawing holds a quantity as it is: the table, the name there, and the unit.
+
+    The table is empty where a quantity is calculated.
+    """
+
+    def __init__(self, method: Method) -> None:
+        super().__init__()
+        self.method, self.prime = method, primes(method.mechanism, "acceleration")
+
+    def __missing__(self, text: str) -> tuple[str, str, str]:
+        quantity = named(self.method.mechanism, text, errors.Where("quantity"))
+        self[text] = (*self._place(quantity), quantity.unit)
+        return self[text]
+
+    def _place(self, quantity: Quantity) -> tuple[str, str]:
+        match quantity:
+            case Rotation():
+                return ("turn" if quantity.word == "theta" else quantity.word), quantity.link
+            case Displacement():
+                return "s", quantity.slide
+            case Track():
+                return "position", quantity.site.point
+            case Moving(seen_from=None):
+                node = self.method.nodes_of_links.get(quantity.site.link, {}).get(quantity.site.point)
+                if node is not None and quantity.site.link != FRAME:
+                    return ("velocity", node) if quantity.letter == "v" else ("acceleration", node + self.prime)
+        return "", ""
+
+
+@kept(4)
+def where(method: Method) -> Where:
+    """The same for all plots of a method."""
+    return Where(method)
 
 
 def readings(method: Method, plot: Plot) -> Motions:
@@ -24,17 +61,11 @@ def readings(method: Method, plot: Plot) -> Motions:
     slides = {pair.name for pair in mechanism.pairs if pair.path is not None}
     links, nodes = set(mechanism.moving), method.nodes_of_links
     prime = primes(mechanism, "acceleration")
-    theta = Lazy((link for link in plot.theta if link in links), partial(_turn, plot))
     return Motions(
-        mechanism, theta, _of(plot.omega, links), _of(plot.alpha, links),
+        mechanism, _of(plot.turn, links), _of(plot.omega, links), _of(plot.alpha, links),
         _of(plot.s, slides), _of(plot.s_rate, slides), _of(plot.s_acceleration, slides),
         plot.position, _of_nodes(plot.velocity, nodes, ""), _of_nodes(plot.acceleration, nodes, prime),
     )  # fmt: skip
-
-
-def _turn(plot: Plot, link: str) -> Value:
-    """A link's angle between 0 and a full turn; a program has it beside the angle."""
-    return plot.theta.results.read("turn", link) if isinstance(plot.theta, Table) else within_a_turn(plot.theta[link])
 
 
 def _of(table: Mapping[str, Value], names: Collection[str]) -> Mapping[str, Value]:

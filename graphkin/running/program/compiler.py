@@ -35,7 +35,7 @@ def compiled(text: str, command: tuple[str, ...]) -> Function | None:
         logging.getLogger("graphkin").debug("not compiled, done by NumPy: %s", error)
         return None
     whole, pointer = ctypes.c_longlong, ctypes.c_void_p
-    run.restype, run.argtypes = whole, (whole, whole, whole, pointer, pointer, pointer, pointer)  # type: ignore[attr-defined]
+    run.restype, run.argtypes = whole, (whole, whole, whole, pointer, pointer)  # type: ignore[attr-defined]
     return run
 
 

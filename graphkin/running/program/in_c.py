@@ -19,17 +19,16 @@ __attribute__((target_clones("avx512f", "avx2", "default")))
 #endif
 """
 FUNCTION = """\
-long long run(long long n, long long begin, long long end, const double *const *in, double *vectors, double *numbers,
-              long long *doubtful)
+long long run(long long n, long long begin, long long end, const double *const *in, double *results)
 {{
 {before}
-    long long any = 0;
+    long long *marks = (long long *)(results + {rows} * n), any = 0;
 #pragma GCC ivdep
     for (long long i = begin; i < end; i++) {{
 {body}
-        long long doubt = !(least > {flat});
-        doubtful[i - begin] = doubt;
-        any |= doubt;
+        long long doubtful = !(least > {flat});
+        marks[i - begin] = doubtful;
+        any |= doubtful;
     }}
     return any;
 }}
@@ -53,7 +52,8 @@ def in_c(
     tape: Tape, arrays: Sequence[bool], vectors: Sequence[tuple[int, int]], numbers: Sequence[int], sure: int,
     flat: float,
 ) -> str:  # fmt: skip
-    """The C text of a function that fills vectors (k, n) and numbers (m, n), and marks positions that are doubtful.
+    """The C text of a function that fills vectors (k, n) and after them numbers (m, n), for some positions; beyond them
+    it marks which of these are doubtful, and returns whether any is.
 
     arrays  of each input whether it has an entry a position
     sure    what is above `flat` at positions that are not; infinite results of what may fail make it NaN
@@ -62,8 +62,8 @@ def in_c(
     needed = tape.needed(results)
     before = [f"    const double *x{k} = in[{k}];" for k, array in enumerate(arrays) if array]
     before += [f"    const double x{k} = *in[{k}];" for k, array in enumerate(arrays) if not array]
-    before += [f"    double *v{k} = vectors + {2 * k} * n;" for k in range(len(vectors))]
-    before += [f"    double *r{k} = numbers + {k} * n;" for k in range(len(numbers))]
+    before += [f"    double *v{k} = results + {2 * k} * n;" for k in range(len(vectors))]
+    before += [f"    double *r{k} = results + {2 * len(vectors) + k} * n;" for k in range(len(numbers))]
 
     def name(place: int) -> str:
         does, _, number = tape.operations[place]
@@ -82,4 +82,5 @@ def in_c(
     failing = [name(place) for place in needed if tape.operations[place].does in FAILING]
     failing += [f"x{k}[i]" for k, array in enumerate(arrays) if array]
     body.append(f"const double least = {name(sure)} + 0.0 * ({' + '.join(failing) or '0.0'});")
-    return HEAD + FUNCTION.format(before="\n".join(before), body="\n".join(" " * 8 + line for line in body), flat=flat)
+    lines = {"before": "\n".join(before), "body": "\n".join(" " * 8 + line for line in body)}
+    return HEAD + FUNCTION.format(rows=2 * len(vectors) + len(numbers), flat=flat, **lines)

@@ -8,7 +8,9 @@ from functools import cached_property
 
 import numpy as np
 
+from graphkin.geometry import Value
 from graphkin.running.program.compiler import Function, compiled, compiler
+from graphkin.running.program.fitting import Judged
 from graphkin.running.program.in_c import in_c
 from graphkin.running.program.in_numpy import Calls, in_numpy
 from graphkin.running.program.memory import lent
@@ -56,55 +58,64 @@ class Part:
         return cls(recording, (*vectors,), (*numbers,), rooms, [], {})
 
     @cached_property
+    def at_hand(self) -> Mapping[str, tuple[dict[str, Value], list[tuple[str, int]]]]:
+        """By table, what is the same at all positions, and the rooms of the rest."""
+        tables: dict[str, tuple[dict[str, Value], list[tuple[str, int]]]] = {}
+        for table, values in self.recording.tables.items():
+            still = {name: value for name, value in values.items() if not isinstance(value, Recorded | Judged)}
+            rooms = [(name, self.rooms[table, name]) for name in values if (table, name) in self.rooms]
+            tables[table] = still, rooms
+        return tables
+
+    @cached_property
     def calls(self) -> Calls:
-        """On rows for x of each vector, then y of each, then numbers, then the least sine."""
+        """On rows for x of each vector, then y of each, numbers, and the least sine."""
         x, y = zip(*self.vectors) if self.vectors else ((), ())
         return in_numpy(self.recording.tape, self.recording.inputs, [*x, *y, *self.numbers, self.recording.sure])
 
     def run(self, inputs: Sequence[np.ndarray], in_c: bool | None) -> tuple[list[np.ndarray], np.ndarray]:
         """The arrays of all rooms (n,), and the numbers of positions that are to be replayed plainly (m,)."""
         count, split = max(value.size for value in inputs), 2 * len(self.vectors)
-        room = lent((split + len(self.numbers)) * count)
+        end = (split + len(self.numbers)) * count
+        room = lent(end + min(count, BLOCK))
         vectors = room[: split * count].view(complex).reshape(-1, count)
-        numbers = room[split * count :].reshape(-1, count)
+        numbers = room[split * count : end].reshape(-1, count)
         function = self._function(inputs) if in_c or (in_c is None and count >= VERY_MANY) else None
         if function is None:
-            doubtful = self._by_numpy(inputs, vectors, numbers)
+            doubtful = self._by_numpy(inputs, vectors, numbers, room[end:])
         else:
-            doubtful = _by_c(function, inputs, vectors, numbers)
+            doubtful = _by_c(function, inputs, count, room, room[end:].view(np.longlong))
         vectors.flags.writeable = numbers.flags.writeable = False
         return [*vectors, *numbers], np.concatenate(doubtful) if doubtful else np.empty(0, dtype=int)
 
-    # --- NumPy ------------------------------------------------------------------------------------
-
-    def _by_numpy(self, inputs: Sequence[np.ndarray], vectors: np.ndarray, numbers: np.ndarray) -> list[np.ndarray]:
+    def _by_numpy(
+        self, inputs: Sequence[np.ndarray], vectors: np.ndarray, numbers: np.ndarray, least: np.ndarray
+    ) -> list[np.ndarray]:
         """Fill all rooms; positions at which something failed, or that are dead points."""
-        failures, doubtful = list[str](), list[np.ndarray]()
-        registers = self._borrowed(min(numbers.shape[1], BLOCK))
+        failures, doubtful, registers = list[str](), list[np.ndarray](), self._borrowed(least.size)
         with np.errstate(call=lambda kind, _: failures.append(kind), divide="call", invalid="call", over="ignore"):
             for here in _blocks(numbers.shape[1]):
-                least, *rest = registers[:, : here.stop - here.start]
-                rows = [*vectors.real[:, here], *vectors.imag[:, here], *numbers[:, here], least]
-                self.calls.run([value[here] if value.ndim else value for value in inputs], rows, rest)
-                if failures or not np.minimum.reduce(least) > FLAT_SINE:  # NaN, too
+                sines = least[: here.stop - here.start]
+                rows = [*vectors.real[:, here], *vectors.imag[:, here], *numbers[:, here], sines]
+                values = [value[here] if value.ndim else value for value in inputs]
+                self.calls.run(values, rows, registers[:, : sines.size])
+                if failures or not np.minimum.reduce(sines) > FLAT_SINE:  # NaN, too
                     failures.clear()
-                    sound = np.logical_and.reduce([least > FLAT_SINE, *map(np.isfinite, rows)])
+                    sound = np.logical_and.reduce([sines > FLAT_SINE, *map(np.isfinite, rows)])
                     doubtful.append(here.start + np.flatnonzero(~sound))
         self.registers.append(registers)
         return doubtful
 
     def _borrowed(self, size: int) -> np.ndarray:
-        """Room for the least sine, and after it registers (k, size)."""
+        """Registers (k, size)."""
         try:
             registers = self.registers.pop()
         except IndexError:
             registers = np.empty((0, 0))
-        return registers if registers.shape[1] == size else np.empty((1 + self.calls.registers, size))
-
-    # --- C ----------------------------------------------------------------------------------------
+        return registers if registers.shape[1] == size else np.empty((self.calls.registers, size))
 
     def _function(self, inputs: Sequence[np.ndarray]) -> Function | None:
-        """For inputs of which the same are arrays."""
+        """In C, for inputs of which the same are arrays."""
         arrays, recording = tuple(value.ndim > 0 for value in inputs), self.recording
         if arrays not in self.texts:
             text = in_c(recording.tape, arrays, self.vectors, self.numbers, recording.sure, FLAT_SINE)
@@ -113,15 +124,13 @@ class Part:
 
 
 def _by_c(
-    function: Function, inputs: Sequence[np.ndarray], vectors: np.ndarray, numbers: np.ndarray
+    function: Function, inputs: Sequence[np.ndarray], count: int, room: np.ndarray, marks: np.ndarray
 ) -> list[np.ndarray]:
-    """The same."""
-    count = numbers.shape[1]
-    pointers = (ctypes.c_void_p * len(inputs))(*(value.ctypes.data for value in inputs))
-    marks, doubtful = np.empty(min(count, BLOCK), dtype=np.longlong), list[np.ndarray]()
-    rooms = pointers, vectors.ctypes.data, numbers.ctypes.data, marks.ctypes.data
+    """The same; the function marks doubtful positions of a block."""
+    pointers, doubtful = (ctypes.c_void_p * len(inputs))(*(value.ctypes.data for value in inputs)), list[np.ndarray]()
+    results = room.ctypes.data
     for here in _blocks(count):
-        if function(count, here.start, here.stop, *rooms):
+        if function(count, here.start, here.stop, pointers, results):
             doubtful.append(here.start + np.flatnonzero(marks[: here.stop - here.start]))
     return doubtful
 

@@ -7,7 +7,7 @@ positions are replayed plainly.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, MutableMapping, Sequence, Set
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cached_property, partial
 from typing import Any
 
@@ -91,9 +91,9 @@ class Program:
         inputs = tuple(np.array(value, dtype=float) for value in everything)
         for value in inputs:
             value.flags.writeable = False  # what is read late is calculated from it
-        facts = replace(self.facts, values=tuple(value[()] for value in inputs[: len(values)]))
         at_once = self.usual if asked is None else self.entries & asked
-        return Results(self, facts, inputs, at_once, compiled, asked).plot
+        results = Results(self, inputs, at_once, compiled, asked)
+        return LazyPlot.of(results)
 
     def plainly(self, facts: Facts, inputs: Sequence[np.ndarray], here: np.ndarray) -> Plot:
         """Plain replay at some positions, by their numbers."""
@@ -112,13 +112,38 @@ class Table(Lazy[Value], MutableMapping[str, Value]):
 
     def __init__(self, results: Results, table: str) -> None:
         super().__init__(results.program.recording.tables[table], partial(results.read, table))
-        self.results = results
+        self._made |= results.at_hand(table)
 
     def __setitem__(self, name: str, value: Value) -> None:
         self._made[name] = value
 
     def __delitem__(self, name: str) -> None:
         del self._made[name]
+
+
+class LazyPlot(Plot):
+    """A finished plot, each table of which is made when it is first read."""
+
+    @classmethod
+    def of(cls, results: Results) -> LazyPlot:
+        plot = cls.__new__(cls)
+        plot.__dict__ |= {"near": {}, "follows": False, "results": results}
+        return plot
+
+    def __getattr__(self, name: str) -> Any:
+        if name not in ("facts", *TABLES) or "results" not in self.__dict__:
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
+        made = self.__dict__[name] = self.results.facts if name == "facts" else Table(self.results, name)
+        return made
+
+    @cached_property
+    def turn(self) -> Mapping[str, Value]:
+        """Angles of links between 0 and a full turn [rad]."""
+        return Table(self.results, "turn") if "results" in self.__dict__ else super().turn
+
+    def __reduce__(self) -> tuple[type[Plot], tuple[Any, ...]]:
+        """Sent elsewhere it is a plain plot."""
+        return Plot, tuple(getattr(self, each.name) for each in fields(Plot))
 
 
 @filled
@@ -129,7 +154,6 @@ class Results:
     """
 
     program: Program
-    facts: Facts
     inputs: tuple[np.ndarray, ...]
     entries: frozenset[Entry]
     compiled: bool | None
@@ -141,15 +165,23 @@ class Results:
         blocks = np.array_split(doubtful, -(-doubtful.size // BLOCK)) if doubtful.size else []
         self.patches = [(here, self.program.plainly(self.facts, self.inputs, here)) for here in blocks]
 
-    @property
-    def plot(self) -> Plot:
-        """A plot each quantity of which is made when it is first read."""
-        return Plot(self.facts, **{table: Table(self, table) for table in TABLES})
+    def at_hand(self, table: str) -> Mapping[str, Value]:
+        """What is the same at all positions, and what lies in the rooms, where nothing is to be mended."""
+        if self.patches:
+            return {}
+        still, rooms = self.part.at_hand[table]
+        return still | {name: self.rows[room] for name, room in rooms}
+
+    @cached_property
+    def facts(self) -> Facts:
+        """With the drivers where they are."""
+        facts = self.program.facts
+        return replace(facts, values=tuple(value[()] for value in self.inputs[: len(facts.values)]))
 
     @cached_property
     def late(self) -> Results:
         """All other quantities."""
-        return Results(self.program, self.facts, self.inputs, self.program.entries - self.entries, self.compiled)
+        return Results(self.program, self.inputs, self.program.entries - self.entries, self.compiled)
 
     def read(self, table: str, name: Any) -> Value:
         """A scalar, or an array (n,) that cannot be written into."""
@@ -176,7 +208,7 @@ class Results:
     def _judged(self) -> Mapping[str, tuple[Value, Value]]:
         """Senses and sines of groups that are fitted."""
         fits = (step for step in self.program.constructions[0].steps if isinstance(step, Fit))
-        return {step.name: sense_and_sine(step, self.plot) for step in fits}
+        return {step.name: sense_and_sine(step, LazyPlot.of(self)) for step in fits}
 
 
 def _patched(value: Value, count: int, here: np.ndarray, other: Value) -> Value:

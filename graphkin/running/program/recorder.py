@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields, replace
+from functools import partial
 from typing import Any, ClassVar
 
 import numpy as np
@@ -21,6 +22,13 @@ TABLES = tuple(each.name for each in fields(Plot) if each.name not in ("facts", 
 """What a plot holds."""
 Entry = tuple[str, Any]
 """A table of a plot, or "turn", and a name in it."""
+
+
+def _real(does: str, *of: Recorded) -> Recorded:
+    """A function of real numbers."""
+    if any(each.y != each.tape.zero for each in of):
+        raise CannotRecord("a vector where a number belongs")
+    return Recorded(of[0].tape, of[0].tape.done(does, *(each.x for each in of)))
 
 
 class Recorded:
@@ -105,7 +113,7 @@ class Recorded:
     def __array_function__(self, function: Any, types: Any, operands: Sequence[Value], more: Any) -> Recorded:
         if function is not np.angle or more or len(operands) > 1:
             raise CannotRecord(function.__name__)
-        return Recorded(self.tape, self.tape.angle(self.x, self.y))
+        return Recorded(self.tape, self.tape.done("arctan2", self.y, self.x))
 
     def __array__(self, *_: Any, **__: Any) -> np.ndarray:
         raise CannotRecord("an array of it")
@@ -126,12 +134,6 @@ class Recorded:
             raise CannotRecord("exp of other than i times an angle")
         return Recorded(self.tape, *self.tape.turned(self.y))
 
-    def _function(self, does: Callable[..., int], *others: Recorded) -> Recorded:
-        """A function of real numbers."""
-        if any(each.y != self.tape.zero for each in (self, *others)):
-            raise CannotRecord("a vector where a number belongs")
-        return Recorded(self.tape, does(self.x, *(each.x for each in others)))
-
     UFUNCS: ClassVar[Mapping[str, Callable[..., Recorded]]] = {
         "add": __add__,
         "subtract": __sub__,
@@ -141,11 +143,7 @@ class Recorded:
         "conjugate": conjugate,
         "absolute": __abs__,
         "exp": _exponential,
-        "sqrt": lambda a: a._function(a.tape.sqrt),
-        "sign": lambda a: a._function(a.tape.sign),
-        "floor": lambda a: a._function(a.tape.floor),
-        "rint": lambda a: a._function(a.tape.whole),
-        "maximum": lambda a, b: a._function(a.tape.maximum, b),
+        **{name: partial(_real, name) for name in ("sqrt", "sign", "floor", "rint", "maximum")},
     }
 
 
@@ -198,7 +196,7 @@ def record(constructions: Sequence[Construction], facts: Facts, near: Iterable[s
     sure = tape.one
     for value in (*plot.sines.values(), *fits):
         if isinstance(value, Recorded):
-            sure = tape.minimum(sure, value.x)
+            sure = tape.done("minimum", sure, value.x)
     tables = {table: getattr(plot, table) for table in TABLES}
     tables["turn"] = {link: within_a_turn(angle) for link, angle in plot.theta.items()}
     return Recording(tape, tables, usual, tuple(read), count + len(usual) + len(read), sure)
@@ -212,14 +210,14 @@ def _leg(hypotenuse: Value, other: Value) -> Value:
 
 
 def _meet_line_circle(p: Value, u: Value, c: Value, r: Value, side: Value) -> tuple[Value, Value, Value]:
-    """The same crossing; the compass has laid its distance from the centre off, and it need not be measured again."""
+    """The same crossing, whose distance from the centre is known."""
     crossing = meet_line_circle(p, u, c, r, side, _leg)
     _know_length(crossing[0] - c, r)
     return crossing
 
 
 def _meet_circles(c1: Value, r1: Value, c2: Value, r2: Value, side: Value) -> tuple[Value, Value, Value]:
-    """The same crossing, of which both distances are known."""
+    """The same crossing, whose distances from both centres are known."""
     crossing = meet_circles(c1, r1, c2, r2, side, _leg)
     _know_length(crossing[0] - c1, r1)
     _know_length(crossing[0] - c2, r2)
