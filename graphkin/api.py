@@ -102,10 +102,10 @@ def replay(method: Method, values: Sequence[Value] | None = None, compiled: bool
     >>> np.round(drawn.omega["3"], 3)
     array([-3.919, -1.132,  0.64 ])
     """
-    from graphkin.readings import readings, where
+    from graphkin.readings import places, readings
 
     plot = running.replay_all(method, values, compiled)
-    return State(partial(readings, method, plot), plot, where(method))
+    return State(partial(readings, method, plot), plot, places(method))
 
 
 def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> State:

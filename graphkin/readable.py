@@ -33,24 +33,31 @@ _TURNS = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s^2"}
 class Table(Mapping[str, Any]):
     """Values by the name of a link, a point or a slide; a name that is not there raises KeyError and says which are."""
 
-    def __init__(self, owner: Readable, word: str, names: Callable[[], tuple[str, ...]], where: str) -> None:
-        self._owner, self._word, self._listed, self._where = owner, word, names, where
+    def __init__(self, owner: Readable, word: str) -> None:
+        self._owner, self._word = owner, word
 
     @property
     def _names(self) -> tuple[str, ...]:
-        return self._listed()
+        mechanism = self._owner.mechanism
+        if self._word == "s":
+            return tuple(pair.name for pair in mechanism.pairs if pair.path is not None)
+        return mechanism.moving if self._word in _TURNS else mechanism.points
+
+    @property
+    def _where(self) -> Where:
+        return Where("position" if self._word == "path" else self._word)
 
     def __getitem__(self, name: str) -> Any:
-        if name == FRAME and self._where in _TURNS:
-            return measured(0.0, _TURNS[self._where])
+        if name == FRAME and self._word in _TURNS:
+            return measured(0.0, _TURNS[self._word])
         try:
             return self._owner.quantity(f"{self._word} {name}")
         except UnknownQuantity:
-            raise NoSuchName(Where(self._where), str(name), self._names) from None
+            raise NoSuchName(self._where, str(name), self._names) from None
         except GraphkinError as problem:
             if isinstance(problem, KeyError) or not hasattr(problem, "possible"):
                 raise
-            raise NoSuchName(Where(self._where), str(name), self._names) from None
+            raise NoSuchName(self._where, str(name), self._names) from None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)
@@ -81,44 +88,41 @@ class Readable:
     def quantity(self, text: str) -> Any:
         raise NotImplementedError
 
-    @cached_property
+    @property
     def theta(self) -> Table:
-        return self._table("theta", lambda: self.mechanism.moving)
+        return Table(self, "theta")
 
-    @cached_property
+    @property
     def omega(self) -> Table:
-        return self._table("omega", lambda: self.mechanism.moving)
+        return Table(self, "omega")
 
-    @cached_property
+    @property
     def alpha(self) -> Table:
-        return self._table("alpha", lambda: self.mechanism.moving)
+        return Table(self, "alpha")
 
-    @cached_property
+    @property
     def s(self) -> Table:
-        return self._table("s", lambda: tuple(pair.name for pair in self.mechanism.pairs if pair.path is not None))
+        return Table(self, "s")
 
-    @cached_property
+    @property
     def position(self) -> Table:
-        return self._table("path", lambda: self.mechanism.points, "position")
+        return Table(self, "path")
 
-    @cached_property
+    @property
     def x(self) -> Table:
-        return self._table("x", lambda: self.mechanism.points)
+        return Table(self, "x")
 
-    @cached_property
+    @property
     def y(self) -> Table:
-        return self._table("y", lambda: self.mechanism.points)
+        return Table(self, "y")
 
-    @cached_property
+    @property
     def v(self) -> Table:
-        return self._table("v", lambda: self.mechanism.points)
+        return Table(self, "v")
 
-    @cached_property
+    @property
     def a(self) -> Table:
-        return self._table("a", lambda: self.mechanism.points)
-
-    def _table(self, word: str, names: Callable[[], tuple[str, ...]], where: str = "") -> Table:
-        return Table(self, word, names, where or word)
+        return Table(self, "a")
 
 
 @frozen
@@ -154,7 +158,8 @@ class State(Readable):
         if self.plot is not None:
             table, name, unit = self.places[text]
             if table:
-                return measured(getattr(self.plot, table)[name], unit)
+                value = getattr(self.plot, table)[name]
+                return measured(value if isinstance(value, np.ndarray) else value + 0, unit)  # never -0
         return read_off(self.motions, text)
 
     def __getitem__(self, text: str) -> Any:

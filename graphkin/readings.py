@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-from graphkin import errors
 from graphkin.construction import Plot
+from graphkin.errors import Where
 from graphkin.geometry import Value
 from graphkin.kept import kept
 from graphkin.mechanism import FRAME
@@ -15,10 +15,10 @@ from graphkin.planning import Method
 from graphkin.quantities import Displacement, Moving, Quantity, Rotation, Track, named
 from graphkin.value import Lazy
 
-__all__ = ["readings", "where"]
+__all__ = ["places", "readings"]
 
 
-class Where(dict[str, tuple[str, str, str]]):
+class Places(dict[str, tuple[str, str, str]]):
     """By text where a finished drawing holds a quantity as it is: the table, the name there, and the unit.
 
     The table is empty where a quantity is calculated.
@@ -29,7 +29,7 @@ class Where(dict[str, tuple[str, str, str]]):
         self.method, self.prime = method, primes(method.mechanism, "acceleration")
 
     def __missing__(self, text: str) -> tuple[str, str, str]:
-        quantity = named(self.method.mechanism, text, errors.Where("quantity"))
+        quantity = named(self.method.mechanism, text, Where("quantity"))
         self[text] = (*self._place(quantity), quantity.unit)
         return self[text]
 
@@ -45,13 +45,15 @@ class Where(dict[str, tuple[str, str, str]]):
                 node = self.method.nodes_of_links.get(quantity.site.link, {}).get(quantity.site.point)
                 if node is not None and quantity.site.link != FRAME:
                     return ("velocity", node) if quantity.letter == "v" else ("acceleration", node + self.prime)
+            case _:
+                pass
         return "", ""
 
 
 @kept(4)
-def where(method: Method) -> Where:
+def places(method: Method) -> Places:
     """The same for all plots of a method."""
-    return Where(method)
+    return Places(method)
 
 
 def readings(method: Method, plot: Plot) -> Motions:

@@ -36,7 +36,7 @@ from graphkin.running import replay_all
 from graphkin.running.many_positions import FITTED_MANY, MANY, by_program, program_of, replay_along
 from graphkin.running.path import Path, along
 from graphkin.running.program.in_numpy import in_numpy
-from graphkin.running.program.program import BLOCK, Program, Table, compiled_program
+from graphkin.running.program.program import BLOCK, LazyPlot, Program, compiled_program
 from graphkin.running.program.recorder import TABLES, Recorded
 from graphkin.running.program.tape import CannotRecord, Tape
 from graphkin.running.reaching import on_one_way
@@ -65,7 +65,7 @@ def records(method: Method) -> Program:
 
 
 def by_a_program(plot: Plot) -> bool:
-    return isinstance(plot.position, Table)
+    return isinstance(plot, LazyPlot)
 
 
 def plainly(method: Method, values: Sequence[Any], sides: dict[int, Any] | None = None) -> Plot:
@@ -191,13 +191,13 @@ def test_what_moves_on_alike(kind: str):
     assert tried > 1000
 
 
-def alike_on_its_way(method: Method) -> int:
+def alike_on_its_way(method: Method, compiled: bool | None = None) -> int:
     """At how many positions of a turn, or of what is reached of it, the first driver moving, and somewhat beyond."""
     far = 2 * np.pi if method.drivers[0].kind != "slide" else method.size
     path = trace(method, [1.0, *[0.0] * (len(method.drivers) - 1)], -far, far)
     t = np.linspace(1.001 * path.first, 1.001 * path.last, COUNT)
     assert records(method)
-    found, plain = replay_along(method, path, t), along(method, path, t)
+    found, plain = replay_along(method, path, t, compiled=compiled), along(method, path, t)
     replay(method.acceleration, replay(method.velocity, plain))
     assert by_a_program(found)
     return hold_alike(method, found, plain, COUNT, lambda change: nudged(method, path, t, 10 * change))

@@ -17,7 +17,7 @@ from graphkin.running.many_positions import MANY
 from graphkin.running.path import stride
 from graphkin.running.program import Entry
 from graphkin.running.program.memory import lent
-from graphkin.running.program.part import VERY_MANY
+from graphkin.running.program.program import VERY_MANY
 from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.proof import prove
 from graphkin.sweeps.quantities import Series, asked, series

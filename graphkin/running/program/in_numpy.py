@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
@@ -21,7 +21,7 @@ class Calls:
     numbers: tuple[np.ndarray, ...]
     registers: int
 
-    def run(self, inputs: Sequence[np.ndarray], rows: Sequence[np.ndarray], registers: Sequence[np.ndarray]) -> None:
+    def run(self, inputs: Sequence[np.ndarray], rows: Sequence[np.ndarray], registers: Iterable[np.ndarray]) -> None:
         """Fill the rows (n,) each; inputs (n,) or () each."""
         memory = [*inputs, *rows, *self.numbers, *registers]
         for function, a, b, into in self.calls:

@@ -6,7 +6,8 @@ positions are replayed plainly.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, MutableMapping, Sequence, Set
+import ctypes
+from collections.abc import Iterable, Iterator, Mapping, MutableMapping, Sequence, Set
 from dataclasses import fields, replace
 from functools import cached_property, partial
 from typing import Any
@@ -17,15 +18,25 @@ from graphkin.construction.construction import Construction
 from graphkin.construction.fitting import sense_and_sine
 from graphkin.construction.kinds import Fit
 from graphkin.construction.pencil import replay
-from graphkin.construction.plot import Facts, Plot, within_a_turn
+from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.running.program.fitting import Judged
-from graphkin.running.program.part import BLOCK, Part
+from graphkin.running.program.in_c import Function, compiled, compiler, in_c
+from graphkin.running.program.in_numpy import Calls, in_numpy
+from graphkin.running.program.memory import lent
 from graphkin.running.program.recorder import TABLES, Entry, Recorded, Recording, record
 from graphkin.value import Lazy, filled, frozen
 
 USUAL = ("position", "velocity", "acceleration", "theta", "omega", "alpha", "turn")
 """Tables that are calculated at once; the others when they are read."""
+BLOCK = 8192
+"""Positions done at once: what they need stays in the processor's cache."""
+VERY_MANY = 10**6
+"""From so many positions on a C compiler is asked for without being told to."""
+FLAT_SINE = 1e-5
+"""Crossings under a smaller angle are dead points but for rounding: such positions are replayed plainly."""
+PLANES = ("position", "velocity", "acceleration")
+"""Tables of vectors; the others are of numbers."""
 
 
 def compiled_program(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> Program:
@@ -91,9 +102,8 @@ class Program:
         inputs = tuple(np.array(value, dtype=float) for value in everything)
         for value in inputs:
             value.flags.writeable = False  # what is read late is calculated from it
-        at_once = self.usual if asked is None else self.entries & asked
-        results = Results(self, inputs, at_once, compiled, asked)
-        return LazyPlot.of(results)
+        part = self.part(self.usual if asked is None else self.entries & asked)
+        return LazyPlot.of(Results(self, part, inputs, compiled, asked))
 
     def plainly(self, facts: Facts, inputs: Sequence[np.ndarray], here: np.ndarray) -> Plot:
         """Plain replay at some positions, by their numbers."""
@@ -105,6 +115,126 @@ class Program:
         for construction in self.constructions:
             replay(construction, plot, sides if construction.plane == "position" else None)
         return plot
+
+
+# --- carried out --------------------------------------------------------------------------------
+
+
+@frozen
+class Part:
+    """The operations for some entries of a plot, and where their results lie.
+
+    vectors    places of x and y of each vector; numbers: of each real result
+    rooms      by entry, the number of its vector or (after these) of its number
+    registers  sets that no run has in hand: a run takes one from here, or a new one, so runs never share any
+    texts      in C, by which inputs are arrays
+    """
+
+    recording: Recording
+    vectors: tuple[tuple[int, int], ...]
+    numbers: tuple[int, ...]
+    rooms: Mapping[Entry, int]
+    registers: list[np.ndarray]
+    texts: dict[tuple[bool, ...], str]
+
+    @classmethod
+    def of(cls, recording: Recording, entries: Iterable[Entry]) -> Part:
+        """For some entries; those that are the same lie in one room."""
+        vectors, numbers, rooms = dict[tuple[int, int], int](), dict[int, int](), dict[Entry, int]()
+        for table, name in entries:
+            value: Recorded = recording.tables[table][name]
+            if table in PLANES:
+                rooms[table, name] = vectors.setdefault((value.x, value.y), len(vectors))
+            else:
+                rooms[table, name] = ~numbers.setdefault(value.x, len(numbers))
+        rooms = {entry: room if room >= 0 else len(vectors) + ~room for entry, room in rooms.items()}
+        return cls(recording, (*vectors,), (*numbers,), rooms, [], {})
+
+    @cached_property
+    def at_hand(self) -> Mapping[str, tuple[dict[str, Value], list[tuple[str, int]]]]:
+        """By table, what is the same at all positions, and the rooms of the rest."""
+        tables: dict[str, tuple[dict[str, Value], list[tuple[str, int]]]] = {}
+        for table, values in self.recording.tables.items():
+            still = {name: value for name, value in values.items() if not isinstance(value, Recorded | Judged)}
+            rooms = [(name, self.rooms[table, name]) for name in values if (table, name) in self.rooms]
+            tables[table] = still, rooms
+        return tables
+
+    @cached_property
+    def calls(self) -> Calls:
+        """On rows for x of each vector, then y of each, numbers, and the least sine."""
+        x, y = zip(*self.vectors) if self.vectors else ((), ())
+        return in_numpy(self.recording.tape, self.recording.inputs, [*x, *y, *self.numbers, self.recording.sure])
+
+    def run(
+        self, inputs: Sequence[np.ndarray], in_c: bool | None
+    ) -> tuple[list[np.ndarray], list[np.ndarray]]:
+        """The arrays of all rooms (n,); positions, block by block, that are to be replayed plainly: (m,) each."""
+        count, split = max(value.size for value in inputs), 2 * len(self.vectors)
+        end = (split + len(self.numbers)) * count
+        room = lent(end + min(count, BLOCK))
+        vectors = room[: split * count].view(complex).reshape(-1, count)
+        numbers = room[split * count : end].reshape(-1, count)
+        function = self._function(inputs) if in_c or (in_c is None and count >= VERY_MANY) else None
+        if function is None:
+            doubtful = self._by_numpy(inputs, vectors, numbers, room[end:])
+        else:
+            doubtful = _by_c(function, inputs, count, room, room[end:].view(np.longlong))
+        vectors.flags.writeable = numbers.flags.writeable = False
+        return [*vectors, *numbers], doubtful
+
+    def _by_numpy(
+        self, inputs: Sequence[np.ndarray], vectors: np.ndarray, numbers: np.ndarray, least: np.ndarray
+    ) -> list[np.ndarray]:
+        """Fill all rooms; positions at which something failed, or that are dead points."""
+        failures, doubtful, registers = list[str](), list[np.ndarray](), self._borrowed(least.size)
+        with np.errstate(call=lambda kind, _: failures.append(kind), divide="call", invalid="call", over="ignore"):
+            for here in _blocks(numbers.shape[1]):
+                sines = least[: here.stop - here.start]
+                rows = [*vectors.real[:, here], *vectors.imag[:, here], *numbers[:, here], sines]
+                values = [value[here] if value.ndim else value for value in inputs]
+                self.calls.run(values, rows, registers[:, : sines.size])
+                if failures or not np.minimum.reduce(sines) > FLAT_SINE:  # NaN, too
+                    failures.clear()
+                    sound = np.logical_and.reduce([sines > FLAT_SINE, *map(np.isfinite, rows)])
+                    doubtful.append(here.start + np.flatnonzero(~sound))
+        self.registers.append(registers)
+        return doubtful
+
+    def _borrowed(self, size: int) -> np.ndarray:
+        """Registers (k, size)."""
+        try:
+            registers = self.registers.pop()
+        except IndexError:
+            registers = np.empty((0, 0))
+        return registers if registers.shape[1] == size else np.empty((self.calls.registers, size))
+
+    def _function(self, inputs: Sequence[np.ndarray]) -> Function | None:
+        """In C, for inputs of which the same are arrays."""
+        arrays, recording = tuple(value.ndim > 0 for value in inputs), self.recording
+        if arrays not in self.texts:
+            text = in_c(recording.tape, arrays, self.vectors, self.numbers, recording.sure, FLAT_SINE)
+            self.texts[arrays] = text
+        return compiled(self.texts[arrays], compiler())
+
+
+def _by_c(
+    function: Function, inputs: Sequence[np.ndarray], count: int, room: np.ndarray, marks: np.ndarray
+) -> list[np.ndarray]:
+    """The same; the function marks doubtful positions of a block."""
+    pointers, doubtful = (ctypes.c_void_p * len(inputs))(*(value.ctypes.data for value in inputs)), list[np.ndarray]()
+    results = room.ctypes.data
+    for here in _blocks(count):
+        if function(count, here.start, here.stop, pointers, results):
+            doubtful.append(here.start + np.flatnonzero(marks[: here.stop - here.start]))
+    return doubtful
+
+
+def _blocks(count: int) -> Iterator[slice]:
+    return (slice(begin, min(begin + BLOCK, count)) for begin in range(0, count, BLOCK))
+
+
+# --- plots ---------------------------------------------------------------------------------------
 
 
 class Table(Lazy[Value], MutableMapping[str, Value]):
@@ -148,26 +278,24 @@ class LazyPlot(Plot):
 
 @filled
 class Results:
-    """Quantities over positions, some calculated at once and the others when one of them is read.
+    """Quantities over positions, those of one part of a program at once, the others when one of them is read.
 
     asked  takes up what is read late
     """
 
     program: Program
+    part: Part
     inputs: tuple[np.ndarray, ...]
-    entries: frozenset[Entry]
     compiled: bool | None
     asked: set[Entry] | None = None
 
     def __post_init__(self) -> None:
-        self.part = self.program.part(self.entries)
         self.rows, doubtful = self.part.run(self.inputs, self.compiled)
-        blocks = np.array_split(doubtful, -(-doubtful.size // BLOCK)) if doubtful.size else []
-        self.patches = [(here, self.program.plainly(self.facts, self.inputs, here)) for here in blocks]
+        self.plain = [(here, self.program.plainly(self.facts, self.inputs, here)) for here in doubtful]
 
     def at_hand(self, table: str) -> Mapping[str, Value]:
         """What is the same at all positions, and what lies in the rooms, where nothing is to be mended."""
-        if self.patches:
+        if self.plain:
             return {}
         still, rooms = self.part.at_hand[table]
         return still | {name: self.rows[room] for name, room in rooms}
@@ -181,28 +309,22 @@ class Results:
     @cached_property
     def late(self) -> Results:
         """All other quantities."""
-        return Results(self.program, self.inputs, self.program.entries - self.entries, self.compiled)
+        part = self.program.part(self.program.entries - self.part.rooms.keys())
+        return Results(self.program, part, self.inputs, self.compiled)
 
     def read(self, table: str, name: Any) -> Value:
         """A scalar, or an array (n,) that cannot be written into."""
-        entry, value = (table, name), self.program.recording.tables[table][name]
+        value = self.program.recording.tables[table][name]
         if isinstance(value, Judged):
             value = self._judged[value.step.name][value.which]
-        elif isinstance(value, Recorded) and entry not in self.entries:
-            if self.asked is not None:
-                self.asked.add(entry)
-            return self.late.read(table, name)
         elif isinstance(value, Recorded):
-            value = self.rows[self.part.rooms[entry]]
-        for here, plot in self.patches:
-            plain = getattr(plot, table)[name] if table != "turn" else within_a_turn(plot.theta[name])
-            value = _patched(value, self.count, here, plain)
-        return value
-
-    @property
-    def count(self) -> int:
-        """Of positions."""
-        return max(value.size for value in self.inputs)
+            room = self.part.rooms.get((table, name))
+            if room is None:
+                if self.asked is not None:
+                    self.asked.add((table, name))
+                return self.late.read(table, name)
+            value = self.rows[room]
+        return self._mended(value, [getattr(plot, table)[name] for _, plot in self.plain]) if self.plain else value
 
     @cached_property
     def _judged(self) -> Mapping[str, tuple[Value, Value]]:
@@ -210,13 +332,11 @@ class Results:
         fits = (step for step in self.program.constructions[0].steps if isinstance(step, Fit))
         return {step.name: sense_and_sine(step, LazyPlot.of(self)) for step in fits}
 
-
-def _patched(value: Value, count: int, here: np.ndarray, other: Value) -> Value:
-    """A quantity with other values at some positions; a scalar remains one where they are no other."""
-    if not np.ndim(value):
-        if np.all(np.equal(other, value)):
+    def _mended(self, value: Value, plain: Sequence[Value]) -> Value:
+        """A quantity with the values of plain replay where there are any; a scalar remains one if they are no other."""
+        if not np.ndim(value) and all(np.all(np.equal(other, value)) for other in plain):
             return value
-        value = np.full(count, value)
-    patched = np.array(value)
-    patched[here] = other
-    return patched
+        mended = np.array(np.broadcast_to(value, (max(each.size for each in self.inputs),)))
+        for (here, _), other in zip(self.plain, plain, strict=True):
+            mended[here] = other
+        return mended

@@ -97,7 +97,7 @@ class Tape:
             if one == self.zero:
                 return other
             if inside := self._of("negative", one):
-                return self.subtract(other, *inside)
+                return self.subtract(other, inside[0])
         return self.done("add", min(a, b), max(a, b))
 
     def subtract(self, a: int, b: int) -> int:
@@ -106,9 +106,9 @@ class Tape:
         if b == self.zero:
             return a
         if inside := self._of("negative", b):
-            return self.add(a, *inside)
+            return self.add(a, inside[0])
         if inside := self._of("negative", a):
-            return self.negative(self.add(*inside, b))
+            return self.negative(self.add(inside[0], b))
         if a == self.zero or a > b:  # one of a - b and b - a is enough
             return self.negative(self.subtract(b, a))
         return self.done("subtract", a, b)
@@ -126,7 +126,7 @@ class Tape:
             if (number := self.number_at(one)) is not None and number < 0:
                 return self.negative(self.multiply(self.number(-number), other))
             if inside := self._of("negative", one):
-                return self.negative(self.multiply(*inside, other))
+                return self.negative(self.multiply(inside[0], other))
         root = self._of("sqrt", a)
         return root[0] if root and a == b else self.done("multiply", min(a, b), max(a, b))
 
@@ -135,7 +135,7 @@ class Tape:
 
     def reciprocal(self, a: int) -> int:
         inside = self._of("negative", a)
-        return self.negative(self.reciprocal(*inside)) if inside else self.done("reciprocal", a)
+        return self.negative(self.reciprocal(inside[0])) if inside else self.done("reciprocal", a)
 
     # --- lengths and angles -----------------------------------------------------------------------
 
