@@ -52,7 +52,7 @@ def called(monkeypatch: pytest.MonkeyPatch) -> list[str]:
             texts.append(text)
         return function
 
-    monkeypatch.setattr(program, "compiled", spied)
+    monkeypatch.setattr(in_c, "compiled", spied)
     return texts
 
 
@@ -61,7 +61,7 @@ def at_hand() -> None:
     """A compiler that makes what is asked of it."""
     method = plan(library.load("ex3-1"))
     part = records(method).part(records(method).usual)
-    if part._function([np.zeros(2), *map(np.array, records(method).sides.values())]) is None:
+    if part.function([np.zeros(2), *map(np.array, records(method).sides.values())]) is None:
         pytest.skip("no compiler that knows functions of vectors")
 
 
@@ -153,7 +153,7 @@ def test_compiled_once_in_a_private_folder(cache: Path, tmp_path: Path) -> None:
     script = tmp_path / "compiler"
     script.write_text(f'#!/bin/sh\necho x >> {counted}\nexec cc "$@"\n')
     script.chmod(0o700)
-    work = f"import ctypes; from graphkin.running.program.in_c import compiled; print(compiled({ONE!r}, ({str(script)!r},))(7, 0, 0, None, None))"
+    work = f"import ctypes; from graphkin.running.program.in_c import compiled; print(compiled({ONE!r}, ({str(script)!r},)).run(7, 0, 0, None, None))"
     for _ in range(2):
         done = subprocess.run([sys.executable, "-c", work], capture_output=True, text=True, check=True)
         assert done.stdout.strip() == "7"
@@ -165,7 +165,7 @@ def test_compiled_once_in_a_private_folder(cache: Path, tmp_path: Path) -> None:
 def test_processes_at_once(cache: Path) -> None:
     """None of them sees half a file."""
     text = ONE.replace("return n", "return n + 1")
-    work = f"from graphkin.running.program.in_c import compiled; print(compiled({text!r}, ('cc',))(7, 0, 0, None, None))"
+    work = f"from graphkin.running.program.in_c import compiled; print(compiled({text!r}, ('cc',)).run(7, 0, 0, None, None))"
     at_once = [subprocess.Popen([sys.executable, "-c", work], stdout=subprocess.PIPE, text=True) for _ in range(3)]
     assert [each.communicate()[0].strip() for each in at_once] == ["8"] * 3
     assert {file.suffix for file in cache.iterdir()} == {".so"}

@@ -80,7 +80,7 @@ def compiles() -> bool:
     program = program_of(planned("ex3-5"))
     assert program is not None
     inputs = [np.zeros(2), *(np.array(float(side)) for side in program.sides.values())]
-    return program.part(program.usual)._function(inputs) is not None
+    return program.part(program.usual).function(inputs) is not None
 
 
 # --- what the tests share ---------------------------------------------------------------------

@@ -13,9 +13,11 @@ import shlex
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 from pathlib import Path
+
+import numpy as np
 
 from graphkin.running.program.tape import FAILING, INPUT, NUMBER, Tape
 
@@ -61,7 +63,7 @@ WRITTEN = {
 """Operations in C; the others are functions of the same name."""
 
 
-def in_c(
+def written(
     tape: Tape, arrays: Sequence[bool], vectors: Sequence[tuple[int, int]], numbers: Sequence[int], sure: int,
     flat: float,
 ) -> str:  # fmt: skip
@@ -101,7 +103,6 @@ def in_c(
 
 # --- compiled -----------------------------------------------------------------------------------
 
-Function = Callable[..., int]
 FLAGS = (
     "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fno-builtin-tan", "-fno-builtin-atan2",
     "-shared", "-fPIC",
@@ -113,17 +114,34 @@ LONGEST_S = 60
 
 @cache
 def compiled(text: str, command: tuple[str, ...]) -> Function | None:
-    """The function `run` of a C text; None where there is no compiler, or it fails."""
+    """The function of a C text; None where there is no compiler, or it fails."""
     if not command:
         return None
     try:
-        run: Function = ctypes.CDLL(str(_library(command, text))).run
+        return Function(ctypes.CDLL(str(_library(command, text))))
     except (OSError, subprocess.SubprocessError, AttributeError) as error:
         logging.getLogger("graphkin").debug("not compiled, done by NumPy: %s", error)
         return None
-    whole, pointer = ctypes.c_longlong, ctypes.c_void_p
-    run.restype, run.argtypes = whole, (whole, whole, whole, pointer, pointer)  # type: ignore[attr-defined]
-    return run
+
+
+class Function:
+    """A compiled function, called with arrays."""
+
+    def __init__(self, library: ctypes.CDLL) -> None:
+        whole, pointer = ctypes.c_longlong, ctypes.c_void_p
+        self.run = library.run
+        self.run.restype, self.run.argtypes = whole, (whole, whole, whole, pointer, pointer)
+
+    def __call__(
+        self, inputs: Sequence[np.ndarray], room: np.ndarray, end: int, blocks: Iterable[slice]
+    ) -> list[np.ndarray]:
+        """Fill a room with results, block by block; beyond its `end` the function marks what is doubtful of a block."""
+        count, results, marks = max(value.size for value in inputs), room.ctypes.data, room[end:].view(np.longlong)
+        pointers, doubtful = (ctypes.c_void_p * len(inputs))(*(value.ctypes.data for value in inputs)), []
+        for here in blocks:
+            if self.run(count, here.start, here.stop, pointers, results):
+                doubtful.append(here.start + np.flatnonzero(marks[: here.stop - here.start]))
+        return doubtful
 
 
 def compiler() -> tuple[str, ...]:

@@ -6,8 +6,7 @@ positions are replayed plainly.
 
 from __future__ import annotations
 
-import ctypes
-from collections.abc import Iterable, Iterator, Mapping, MutableMapping, Sequence, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping, MutableMapping, Sequence, Set
 from dataclasses import fields, replace
 from functools import cached_property, partial
 from typing import Any
@@ -21,7 +20,6 @@ from graphkin.construction.pencil import replay
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
 from graphkin.running.program.fitting import Judged
-from graphkin.running.program.in_c import Function, compiled, compiler, in_c
 from graphkin.running.program.in_numpy import Calls, in_numpy
 from graphkin.running.program.memory import lent
 from graphkin.running.program.recorder import TABLES, Entry, Recorded, Recording, record
@@ -35,6 +33,8 @@ VERY_MANY = 10**6
 """From so many positions on a C compiler is asked for without being told to."""
 FLAT_SINE = 1e-5
 """Crossings under a smaller angle are dead points but for rounding: such positions are replayed plainly."""
+Run = Callable[[Sequence[np.ndarray], np.ndarray, int, Iterable[slice]], list[np.ndarray]]
+"""Fills a room (its first numbers are results) of inputs, block by block; positions that are doubtful."""
 PLANES = ("position", "velocity", "acceleration")
 """Tables of vectors; the others are of numbers."""
 
@@ -167,7 +167,7 @@ class Part:
         return in_numpy(self.recording.tape, self.recording.inputs, [*x, *y, *self.numbers, self.recording.sure])
 
     def run(
-        self, inputs: Sequence[np.ndarray], in_c: bool | None
+        self, inputs: Sequence[np.ndarray], compiled: bool | None
     ) -> tuple[list[np.ndarray], list[np.ndarray]]:
         """The arrays of all rooms (n,); positions, block by block, that are to be replayed plainly: (m,) each."""
         count, split = max(value.size for value in inputs), 2 * len(self.vectors)
@@ -175,11 +175,12 @@ class Part:
         room = lent(end + min(count, BLOCK))
         vectors = room[: split * count].view(complex).reshape(-1, count)
         numbers = room[split * count : end].reshape(-1, count)
-        function = self._function(inputs) if in_c or (in_c is None and count >= VERY_MANY) else None
+        asked = compiled or (compiled is None and count >= VERY_MANY)
+        function = self.function(inputs) if asked else None
         if function is None:
             doubtful = self._by_numpy(inputs, vectors, numbers, room[end:])
         else:
-            doubtful = _by_c(function, inputs, count, room, room[end:].view(np.longlong))
+            doubtful = function(inputs, room, end, _blocks(count))
         vectors.flags.writeable = numbers.flags.writeable = False
         return [*vectors, *numbers], doubtful
 
@@ -209,25 +210,16 @@ class Part:
             registers = np.empty((0, 0))
         return registers if registers.shape[1] == size else np.empty((self.calls.registers, size))
 
-    def _function(self, inputs: Sequence[np.ndarray]) -> Function | None:
-        """In C, for inputs of which the same are arrays."""
+    def function(self, inputs: Sequence[np.ndarray]) -> Run | None:
+        """In C, for inputs of which the same are arrays; None where no compiler is at hand."""
+        from graphkin.running.program import in_c  # loaded where it is asked for: a compiler is called with much
+
         arrays, recording = tuple(value.ndim > 0 for value in inputs), self.recording
         if arrays not in self.texts:
-            text = in_c(recording.tape, arrays, self.vectors, self.numbers, recording.sure, FLAT_SINE)
-            self.texts[arrays] = text
-        return compiled(self.texts[arrays], compiler())
-
-
-def _by_c(
-    function: Function, inputs: Sequence[np.ndarray], count: int, room: np.ndarray, marks: np.ndarray
-) -> list[np.ndarray]:
-    """The same; the function marks doubtful positions of a block."""
-    pointers, doubtful = (ctypes.c_void_p * len(inputs))(*(value.ctypes.data for value in inputs)), list[np.ndarray]()
-    results = room.ctypes.data
-    for here in _blocks(count):
-        if function(count, here.start, here.stop, pointers, results):
-            doubtful.append(here.start + np.flatnonzero(marks[: here.stop - here.start]))
-    return doubtful
+            self.texts[arrays] = in_c.written(
+                recording.tape, arrays, self.vectors, self.numbers, recording.sure, FLAT_SINE
+            )
+        return in_c.compiled(self.texts[arrays], in_c.compiler())
 
 
 def _blocks(count: int) -> Iterator[slice]:
