@@ -425,6 +425,41 @@ def carried_out(tape: Tape, places: Sequence[int], *inputs: np.ndarray) -> list[
     return [*rows]
 
 
+ONE_OPERAND = ("negative", "absolute", "floor", "rint", "sign", "tan", "sqrt", "reciprocal")
+TWO_OPERANDS = ("add", "subtract", "multiply", "divide", "minimum", "maximum", "arctan2")
+
+
+def random_tape(seed: int) -> tuple[Tape, list[int], list[np.ndarray], list[np.ndarray]]:
+    """Operations on what was there before, often on one and the same thing: their places, the inputs, and NumPy's own results."""
+    rng, tape = np.random.default_rng(seed), Tape()
+    inputs = [rng.uniform(0.5, 2.0, 70), rng.uniform(0.5, 2.0, 70), np.array(-1.0)]
+    places, values = [tape.input(k) for k in range(3)], [np.broadcast_to(value, 70) for value in inputs]
+    for number in (0.0, 1.0, -2.5):
+        places.append(tape.number(number))
+        values.append(np.full(70, number))
+    while len(places) < 60:
+        one, other = rng.integers(max(0, len(places) - 12), len(places), 2)
+        two = bool(rng.random() < 0.7)
+        does = str(rng.choice(TWO_OPERANDS if two else ONE_OPERAND))
+        operands = [values[one], values[other]] if two else [values[one]]
+        with np.errstate(all="ignore"):
+            value, *beside = (getattr(np, does)(*(each + change for each in operands)) for change in (0.0, -1e-9, 1e-9))
+        if np.all(np.abs(value) < 1e3) and all(np.allclose(value, each, rtol=0, atol=1e-6) for each in beside):
+            of = (places[one], places[other]) if two else (places[one],)
+            places.append(getattr(tape, does)(*of) if hasattr(tape, does) else tape.done(does, *of))
+            values.append(value)
+    return tape, places, inputs, values
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_whatever_is_done(seed: int):
+    tape, places, inputs, values = random_tape(seed)
+    rows, registers = np.empty((len(places), 70)), np.empty((len(places), 70))
+    in_numpy(tape, 3, places).run(inputs, [*rows], [*registers])
+    for row, value in zip(rows, values, strict=True):
+        assert np.allclose(row, value, rtol=1e-6, atol=1e-6)
+
+
 def test_cosine_and_sine_by_one_tangent():
     """To 4e-16, near and at multiples of a quarter turn and far out as well."""
     near = np.add.outer(np.arange(-40, 41) * np.pi / 2, np.linspace(-1e-8, 1e-8, 11)).ravel()

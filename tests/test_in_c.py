@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from random_mechanisms import cylinder, rolling
-from test_compiled import COUNT, MAKERS, alike_on_its_way, around, hold_alike, plainly, records
+from test_compiled import COUNT, MAKERS, alike_on_its_way, around, hold_alike, plainly, random_tape, records
 
 import graphkin
 from graphkin import library
@@ -86,6 +86,18 @@ def test_the_same_plot(kind: str, called: list[str]) -> None:
         plot = records(method).run(values, compiled=True)
         assert hold_alike(method, plot, plainly(method, values), COUNT)
     assert called
+
+
+@pytest.mark.usefixtures("at_hand")
+@pytest.mark.parametrize("seed", range(3))
+def test_whatever_is_done(seed: int) -> None:
+    tape, places, inputs, values = random_tape(seed)
+    function = compiled(in_c.written(tape, [True, True, False], [], places, tape.one, 0.0), compiler())
+    assert function is not None
+    room = np.empty((len(places) + 1, 70))
+    assert not function(inputs, room.ravel(), 70 * len(places), [slice(0, 50), slice(50, 70)])
+    for row, value in zip(room, values):
+        assert np.allclose(row, value, rtol=1e-6, atol=1e-6)
 
 
 @pytest.mark.usefixtures("at_hand")

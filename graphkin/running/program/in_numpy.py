@@ -72,11 +72,10 @@ class _Writer:
 
     def _call(self, does: str, operands: list[int], into: int) -> None:
         if does == "reciprocal":  # NumPy's own is not vectorised
-            operands = [self.held[self.tape.one], *operands]
-            does = "divide"
+            does, operands = "divide", [self.held[self.tape.one], *operands]
+        if does == "multiply" and operands[0] == operands[1]:
+            does, operands = "square", operands[:1]
         function = _OWN.get(does) or getattr(np, does)
-        if len({*operands}) < len(operands):
-            function, operands = np.square, operands[:1]
         self.calls.append((function, operands[0], operands[1] if len(operands) > 1 else -1, into))
 
     def _register(self) -> int:

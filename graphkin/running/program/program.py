@@ -126,7 +126,6 @@ class Part:
 
     vectors    places of x and y of each vector; numbers: of each real result
     rooms      by entry, the number of its vector or (after these) of its number
-    registers  sets that no run has in hand: a run takes one from here, or a new one, so runs never share any
     texts      in C, by which inputs are arrays
     """
 
@@ -134,21 +133,20 @@ class Part:
     vectors: tuple[tuple[int, int], ...]
     numbers: tuple[int, ...]
     rooms: Mapping[Entry, int]
-    registers: list[np.ndarray]
     texts: dict[tuple[bool, ...], str]
 
     @classmethod
     def of(cls, recording: Recording, entries: Iterable[Entry]) -> Part:
         """For some entries; those that are the same lie in one room."""
         vectors, numbers, rooms = dict[tuple[int, int], int](), dict[int, int](), dict[Entry, int]()
-        for table, name in entries:
+        for table, name in entries:  # ~k: the k-th number, which comes after all vectors
             value: Recorded = recording.tables[table][name]
             if table in PLANES:
                 rooms[table, name] = vectors.setdefault((value.x, value.y), len(vectors))
             else:
                 rooms[table, name] = ~numbers.setdefault(value.x, len(numbers))
         rooms = {entry: room if room >= 0 else len(vectors) + ~room for entry, room in rooms.items()}
-        return cls(recording, (*vectors,), (*numbers,), rooms, [], {})
+        return cls(recording, (*vectors,), (*numbers,), rooms, {})
 
     @cached_property
     def at_hand(self) -> Mapping[str, tuple[dict[str, Value], list[tuple[str, int]]]]:
@@ -166,9 +164,7 @@ class Part:
         x, y = zip(*self.vectors) if self.vectors else ((), ())
         return in_numpy(self.recording.tape, self.recording.inputs, [*x, *y, *self.numbers, self.recording.sure])
 
-    def run(
-        self, inputs: Sequence[np.ndarray], compiled: bool | None
-    ) -> tuple[list[np.ndarray], list[np.ndarray]]:
+    def run(self, inputs: Sequence[np.ndarray], compiled: bool | None) -> tuple[list[np.ndarray], list[np.ndarray]]:
         """The arrays of all rooms (n,); positions, block by block, that are to be replayed plainly: (m,) each."""
         count, split = max(value.size for value in inputs), 2 * len(self.vectors)
         end = (split + len(self.numbers)) * count
@@ -188,7 +184,8 @@ class Part:
         self, inputs: Sequence[np.ndarray], vectors: np.ndarray, numbers: np.ndarray, least: np.ndarray
     ) -> list[np.ndarray]:
         """Fill all rooms; positions at which something failed, or that are dead points."""
-        failures, doubtful, registers = list[str](), list[np.ndarray](), self._borrowed(least.size)
+        failures, doubtful = list[str](), list[np.ndarray]()
+        registers = lent(self.calls.registers * least.size).reshape(-1, least.size)
         with np.errstate(call=lambda kind, _: failures.append(kind), divide="call", invalid="call", over="ignore"):
             for here in _blocks(numbers.shape[1]):
                 sines = least[: here.stop - here.start]
@@ -198,17 +195,8 @@ class Part:
                 if failures or not np.minimum.reduce(sines) > FLAT_SINE:  # NaN, too
                     failures.clear()
                     sound = np.logical_and.reduce([sines > FLAT_SINE, *map(np.isfinite, rows)])
-                    doubtful.append(here.start + np.flatnonzero(~sound))
-        self.registers.append(registers)
+                    doubtful += [here.start + np.flatnonzero(~sound)] * (not sound.all())
         return doubtful
-
-    def _borrowed(self, size: int) -> np.ndarray:
-        """Registers (k, size)."""
-        try:
-            registers = self.registers.pop()
-        except IndexError:
-            registers = np.empty((0, 0))
-        return registers if registers.shape[1] == size else np.empty((self.calls.registers, size))
 
     def function(self, inputs: Sequence[np.ndarray]) -> Run | None:
         """In C, for inputs of which the same are arrays; None where no compiler is at hand."""
@@ -216,9 +204,8 @@ class Part:
 
         arrays, recording = tuple(value.ndim > 0 for value in inputs), self.recording
         if arrays not in self.texts:
-            self.texts[arrays] = in_c.written(
-                recording.tape, arrays, self.vectors, self.numbers, recording.sure, FLAT_SINE
-            )
+            results = self.vectors, self.numbers, recording.sure
+            self.texts[arrays] = in_c.written(recording.tape, arrays, *results, FLAT_SINE)
         return in_c.compiled(self.texts[arrays], in_c.compiler())
 
 
