@@ -18,7 +18,7 @@ from graphkin.value import Lazy
 __all__ = ["places", "readings"]
 
 
-class Places(dict[str, tuple[str, str, str]]):
+class DrawnPlaces(dict[str, tuple[str, str, str]]):
     """By text where a finished drawing holds a quantity as it is: the table, the name there, and the unit.
 
     The table is empty where a quantity is calculated.
@@ -51,9 +51,9 @@ class Places(dict[str, tuple[str, str, str]]):
 
 
 @kept(4)
-def places(method: Method) -> Places:
+def places(method: Method) -> DrawnPlaces:
     """The same for all plots of a method."""
-    return Places(method)
+    return DrawnPlaces(method)
 
 
 def readings(method: Method, plot: Plot) -> Motions:

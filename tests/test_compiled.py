@@ -36,7 +36,7 @@ from graphkin.running import replay_all
 from graphkin.running.many_positions import FITTED_MANY, MANY, by_program, program_of, replay_along
 from graphkin.running.path import Path, along
 from graphkin.running.program.in_numpy import in_numpy
-from graphkin.running.program.program import BLOCK, LazyPlot, Program, compiled_program
+from graphkin.running.program.program import BLOCK, LazyPlot, ReplayProgram, recorded_program
 from graphkin.running.program.recorder import TABLES, Recorded
 from graphkin.running.program.tape import CannotRecord, Tape
 from graphkin.running.reaching import on_one_way
@@ -57,7 +57,7 @@ MAKERS: dict[str, Callable[[int], Mechanism]] = {
 MOVING_ON = {"triad": triad, "geared": geared_five_bar, "epicyclic": epicyclic, "rolling": rolling, "circular": circular_slot}
 
 
-def records(method: Method) -> Program:
+def records(method: Method) -> ReplayProgram:
     """The program of a method that must have one."""
     found = program_of(method)
     assert found is not None, method.mechanism.name
@@ -518,4 +518,4 @@ def test_numbers_that_fail_are_refused():
 def test_a_program_is_made_once():
     method = plan(library.load("ex3-1"))
     assert program_of(method) is program_of(method)
-    assert compiled_program(method.constructions, method.facts()) is not program_of(method)
+    assert recorded_program(method.constructions, method.facts()) is not program_of(method)

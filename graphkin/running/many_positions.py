@@ -11,7 +11,7 @@ from graphkin.construction import Plot, replay
 from graphkin.geometry import Value
 from graphkin.planning.method import Method
 from graphkin.running.path import Path, along
-from graphkin.running.program import TABLES, CannotRecord, Entry, Program, compiled_program
+from graphkin.running.program import TABLES, CannotRecord, Entry, ReplayProgram, recorded_program
 
 MANY = 64
 """From so many positions on a program is worth being made: a few such sweeps take as long as making it."""
@@ -21,13 +21,13 @@ PART = 4096
 """Positions that are fitted at once."""
 
 
-_PROGRAMS: dict[int, Program | None] = {}
+_PROGRAMS: dict[int, ReplayProgram | None] = {}
 """By the identity of their methods, as long as these live: methods are alike by value, and too large to be hashed."""
 _ASKED: dict[int, int] = {}
 """How many positions were replayed without a program, by method, the same."""
 
 
-def program_of(method: Method) -> Program | None:
+def program_of(method: Method) -> ReplayProgram | None:
     """The program, made once; None where a step can't be written down."""
     key = id(method)
     if key not in _PROGRAMS:
@@ -36,9 +36,9 @@ def program_of(method: Method) -> Program | None:
     return _PROGRAMS[key]
 
 
-def _made(method: Method) -> Program | None:
+def _made(method: Method) -> ReplayProgram | None:
     try:
-        return compiled_program(method.constructions, method.facts(None), method.near if method.moves_on else ())
+        return recorded_program(method.constructions, method.facts(None), method.near if method.moves_on else ())
     except CannotRecord:
         return None
 
@@ -65,7 +65,7 @@ def by_program(
     """All three constructions at driver values, scalar or (n,) each; None where they are few, or no program does it.
 
     near   angles and displacements close by, without which no program does positions that hang on how they are reached
-    asked, compiled  as `Program.run` has them
+    asked, compiled  as `ReplayProgram.run` has them
     """
     if method.moves_on and not near:
         return None
@@ -97,6 +97,6 @@ def replay_along(
     method: Method, path: Path, t: np.ndarray, asked: set[Entry] | None = None, compiled: bool | None = None
 ) -> Plot:
     """All three constructions at t (n,) on the path, each choice on the side that is right there; `asked`, `compiled`:
-    as `Program.run` has them."""
+    as `ReplayProgram.run` has them."""
     plot = by_program(method, path.values(t), path.crossings(t), path.near(t), asked, compiled)
     return plot or replay(method.acceleration, replay(method.velocity, along_in_parts(method, path, t)))

@@ -14,7 +14,7 @@ from graphkin.planning.starting_facts import refuse_contacts_apart
 
 def replay_all(method: Method, values: Sequence[Value] | None = None, compiled: bool | None = None) -> Plot:
     """All three constructions at the drawn position, or at `values`: one entry a driver, scalar or (n,) [rad, m];
-    `compiled`: as `Program.run` has it.
+    `compiled`: as `ReplayProgram.run` has it.
 
     A single position that is a dead point, or that is not reached from the drawn one without passing a dead
     point, raises; in arrays such positions are what the crossings give, or NaN, and `Plot.sines` tells how near

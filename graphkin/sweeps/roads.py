@@ -41,7 +41,7 @@ def moving(
     method: Method, path: Path, t: np.ndarray, by: Road, asked: set[Entry] | None = None, compiled: bool | None = None
 ) -> Motions:
     """Position, velocity and acceleration at t (n,) on the path, by one of the roads; `asked`, `compiled`: as
-    `Program.run` has them."""
+    `ReplayProgram.run` has them."""
     if by == "analysis":
         from graphkin.analytic import motion
 

@@ -7,8 +7,8 @@ carries either out, block by block, and gives a plot.
 
 from __future__ import annotations
 
-from graphkin.running.program.program import Program, compiled_program
+from graphkin.running.program.program import ReplayProgram, recorded_program
 from graphkin.running.program.recorder import TABLES, Entry
 from graphkin.running.program.tape import CannotRecord
 
-__all__ = ["TABLES", "CannotRecord", "Entry", "Program", "compiled_program"]
+__all__ = ["TABLES", "CannotRecord", "Entry", "ReplayProgram", "recorded_program"]

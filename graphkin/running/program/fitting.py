@@ -28,7 +28,7 @@ SHORT = 1e-7
 
 
 @frozen
-class Judged:
+class GroupSense:
     """A group's sense (0) or its sine (1), which is calculated from the finished plot when it is read."""
 
     step: Fit
@@ -44,7 +44,7 @@ def fitted(step: Fit, plot: Plot) -> Value:
         change = solved(_gaps(step, plot), dict(zip(unknowns_of(step), units)))
         x = [value - part * unit for value, part, unit in zip(x, change, units)]
     settle_all(step, plot, x)
-    plot.senses[step.name], plot.sines["position", step.name] = Judged(step, 0), Judged(step, 1)
+    plot.senses[step.name], plot.sines["position", step.name] = GroupSense(step, 0), GroupSense(step, 1)
     plot.misses[step.name] = 0.0
     longest = np.abs(change[0])
     for part in change[1:]:

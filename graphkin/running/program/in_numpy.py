@@ -33,7 +33,7 @@ class Calls:
 
 def in_numpy(tape: Tape, inputs: int, rows: Sequence[int]) -> Calls:
     """The calls that fill rows with the results at some places of a tape."""
-    writer = _Writer(tape, inputs, rows)
+    writer = _CallWriter(tape, inputs, rows)
     for place in tape.needed(rows):
         writer.write(place)
     for row, place in enumerate(rows):
@@ -41,7 +41,7 @@ def in_numpy(tape: Tape, inputs: int, rows: Sequence[int]) -> Calls:
     return Calls(tuple(writer.calls), writer.numbers, writer.registers)
 
 
-class _Writer:
+class _CallWriter:
     """Writes calls, and deals out registers: one is free again after the last call that reads it."""
 
     def __init__(self, tape: Tape, inputs: int, rows: Sequence[int]) -> None:

@@ -19,7 +19,7 @@ from graphkin.construction.kinds import Fit
 from graphkin.construction.pencil import replay
 from graphkin.construction.plot import Facts, Plot
 from graphkin.geometry import Value
-from graphkin.running.program.fitting import Judged
+from graphkin.running.program.fitting import GroupSense
 from graphkin.running.program.in_numpy import Calls, in_numpy
 from graphkin.running.program.memory import lent
 from graphkin.running.program.recorder import TABLES, Entry, Recorded, Recording, record
@@ -39,16 +39,16 @@ PLANES = ("position", "velocity", "acceleration")
 """Tables of vectors; the others are of numbers."""
 
 
-def compiled_program(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> Program:
+def recorded_program(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> ReplayProgram:
     """The program of a method's three constructions. Raises CannotRecord where they can't be recorded.
 
     near  what a position close by has: angles by base link, displacements by `slide_key`
     """
-    return Program(tuple(constructions), facts, record(constructions, facts, near), {})
+    return ReplayProgram(tuple(constructions), facts, record(constructions, facts, near), {})
 
 
 @frozen
-class Program:
+class ReplayProgram:
     """Three constructions as one list of operations, for any values of the drivers and any sides of the crossings.
 
     facts  with the drivers at any values
@@ -58,7 +58,7 @@ class Program:
     constructions: tuple[Construction, ...]
     facts: Facts
     recording: Recording
-    parts: dict[frozenset[Entry], Part]
+    parts: dict[frozenset[Entry], ProgramPart]
 
     @property
     def sides(self) -> Mapping[int, int]:
@@ -77,10 +77,10 @@ class Program:
         between = {name for each in self.constructions for name, node in each.nodes.items() if node.site is None}
         return frozenset(entry for entry in self.entries if entry[0] in USUAL and entry[1] not in between)
 
-    def part(self, entries: Set[Entry]) -> Part:
+    def part(self, entries: Set[Entry]) -> ProgramPart:
         """What calculates some entries at once."""
         if (key := frozenset(entries)) not in self.parts:
-            self.parts[key] = Part.of(self.recording, sorted(key, key=str))
+            self.parts[key] = ProgramPart.of(self.recording, sorted(key, key=str))
         return self.parts[key]
 
     def run(
@@ -121,7 +121,7 @@ class Program:
 
 
 @frozen
-class Part:
+class ProgramPart:
     """The operations for some entries of a plot, and where their results lie.
 
     vectors    places of x and y of each vector; numbers: of each real result
@@ -136,7 +136,7 @@ class Part:
     texts: dict[tuple[bool, ...], str]
 
     @classmethod
-    def of(cls, recording: Recording, entries: Iterable[Entry]) -> Part:
+    def of(cls, recording: Recording, entries: Iterable[Entry]) -> ProgramPart:
         """For some entries; those that are the same lie in one room."""
         vectors, numbers, rooms = dict[tuple[int, int], int](), dict[int, int](), dict[Entry, int]()
         for table, name in entries:  # ~k: the k-th number, which comes after all vectors
@@ -153,7 +153,7 @@ class Part:
         """By table, what is the same at all positions, and the rooms of the rest."""
         tables: dict[str, tuple[dict[str, Value], list[tuple[str, int]]]] = {}
         for table, values in self.recording.tables.items():
-            still = {name: value for name, value in values.items() if not isinstance(value, Recorded | Judged)}
+            still = {name: value for name, value in values.items() if not isinstance(value, Recorded | GroupSense)}
             rooms = [(name, self.rooms[table, name]) for name in values if (table, name) in self.rooms]
             tables[table] = still, rooms
         return tables
@@ -216,7 +216,7 @@ def _blocks(count: int) -> Iterator[slice]:
 # --- plots ---------------------------------------------------------------------------------------
 
 
-class Table(Lazy[Value], MutableMapping[str, Value]):
+class PlotTable(Lazy[Value], MutableMapping[str, Value]):
     """A table of a plot, to be written in as any; an entry is made when it is first read."""
 
     def __init__(self, results: Results, table: str) -> None:
@@ -242,13 +242,13 @@ class LazyPlot(Plot):
     def __getattr__(self, name: str) -> Any:
         if name not in ("facts", *TABLES) or "results" not in self.__dict__:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
-        made = self.__dict__[name] = self.results.facts if name == "facts" else Table(self.results, name)
+        made = self.__dict__[name] = self.results.facts if name == "facts" else PlotTable(self.results, name)
         return made
 
     @cached_property
     def turn(self) -> Mapping[str, Value]:
         """Angles of links between 0 and a full turn [rad]."""
-        return Table(self.results, "turn") if "results" in self.__dict__ else super().turn
+        return PlotTable(self.results, "turn") if "results" in self.__dict__ else super().turn
 
     def __reduce__(self) -> tuple[type[Plot], tuple[Any, ...]]:
         """Sent elsewhere it is a plain plot."""
@@ -262,8 +262,8 @@ class Results:
     asked  takes up what is read late
     """
 
-    program: Program
-    part: Part
+    program: ReplayProgram
+    part: ProgramPart
     inputs: tuple[np.ndarray, ...]
     compiled: bool | None
     asked: set[Entry] | None = None
@@ -294,7 +294,7 @@ class Results:
     def read(self, table: str, name: Any) -> Value:
         """A scalar, or an array (n,) that cannot be written into."""
         value = self.program.recording.tables[table][name]
-        if isinstance(value, Judged):
+        if isinstance(value, GroupSense):
             value = self._judged[value.step.name][value.which]
         elif isinstance(value, Recorded):
             room = self.part.rooms.get((table, name))
