@@ -9,7 +9,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -136,7 +135,7 @@ class State(Readable):
 
     source: Motions | Callable[[], Motions]
     plot: Any = None
-    places: Mapping[str, tuple[str, str, str]] = field(default_factory=dict)
+    places: Mapping[str, tuple[str, str, str]] | None = None
 
     @cached_property
     def motions(self) -> Motions:
@@ -155,7 +154,7 @@ class State(Readable):
 
     def quantity(self, text: str) -> Any:
         """Whatever `ask` can name, as a number with its unit. Raises what a wrong name raises."""
-        if self.plot is not None:
+        if self.places is not None:
             table, name, unit = self.places[text]
             if table:
                 value = getattr(self.plot, table)[name]

@@ -46,7 +46,7 @@ def called(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The texts for which a function was used."""
     texts: list[str] = []
 
-    def spied(text: str, command: tuple[str, ...]) -> in_c.Function | None:
+    def spied(text: str, command: str) -> in_c.Function | None:
         function = compiled(text, command)
         if function is not None:
             texts.append(text)
@@ -126,9 +126,18 @@ def test_when_a_compiler_is_asked(called: list[str], monkeypatch: pytest.MonkeyP
         graphkin.replay(method, values, compiled=asked)
         assert len(called) == uses
     monkeypatch.setenv("GRAPHKIN_CC", "none")
-    assert compiler() == ()
+    assert compiler() == ""
     graphkin.replay(method, many, compiled=True)
     assert len(called) == 2
+
+
+@pytest.mark.usefixtures("at_hand")
+def test_long_programs_are_left_to_numpy(called: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(program, "MOST_CALLS", 50)
+    method = plan(library.load("ex3-1"))
+    values = around(method)
+    assert hold_alike(method, replay_all(method, values, True), plainly(method, values), COUNT)
+    assert not called
 
 
 @pytest.mark.usefixtures("at_hand")
@@ -146,7 +155,7 @@ def test_sweeps_ask_too(called: list[str]) -> None:
 # --- the compiler -----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("failing", ["false", "/no/such/compiler", "true", "cc -no-such-option"])
+@pytest.mark.parametrize("failing", ["false", "/no/such/compiler", "true", "cc -no-such-option", "cc '", " "])
 def test_a_compiler_that_fails(failing: str, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture) -> None:
     """NumPy does it, and a note for who looks for one."""
     monkeypatch.setenv("CC", failing)
@@ -155,7 +164,7 @@ def test_a_compiler_that_fails(failing: str, monkeypatch: pytest.MonkeyPatch, ca
     with caplog.at_level(logging.DEBUG, "graphkin"):
         plot = records(method).run(values, compiled=True)
     assert hold_alike(method, plot, plainly(method, values), COUNT)
-    assert bool(caplog.records) == (failing != "/no/such/compiler")
+    assert bool(caplog.records) == (failing not in ("/no/such/compiler", " "))
     assert all(record.levelno == logging.DEBUG for record in caplog.records)
 
 
@@ -165,7 +174,7 @@ def test_compiled_once_in_a_private_folder(cache: Path, tmp_path: Path) -> None:
     script = tmp_path / "compiler"
     script.write_text(f'#!/bin/sh\necho x >> {counted}\nexec cc "$@"\n')
     script.chmod(0o700)
-    work = f"import ctypes; from graphkin.running.program.in_c import compiled; print(compiled({ONE!r}, ({str(script)!r},)).run(7, 0, 0, None, None))"
+    work = f"import ctypes; from graphkin.running.program.in_c import compiled; print(compiled({ONE!r}, {str(script)!r}).run(7, 0, 0, None, None))"
     for _ in range(2):
         done = subprocess.run([sys.executable, "-c", work], capture_output=True, text=True, check=True)
         assert done.stdout.strip() == "7"
@@ -177,7 +186,7 @@ def test_compiled_once_in_a_private_folder(cache: Path, tmp_path: Path) -> None:
 def test_processes_at_once(cache: Path) -> None:
     """None of them sees half a file."""
     text = ONE.replace("return n", "return n + 1")
-    work = f"from graphkin.running.program.in_c import compiled; print(compiled({text!r}, ('cc',)).run(7, 0, 0, None, None))"
+    work = f"from graphkin.running.program.in_c import compiled; print(compiled({text!r}, 'cc').run(7, 0, 0, None, None))"
     at_once = [subprocess.Popen([sys.executable, "-c", work], stdout=subprocess.PIPE, text=True) for _ in range(3)]
     assert [each.communicate()[0].strip() for each in at_once] == ["8"] * 3
     assert {file.suffix for file in cache.iterdir()} == {".so"}
@@ -189,7 +198,7 @@ def test_a_folder_that_others_may_write_in_is_not_used(tmp_path: Path, monkeypat
     folder.mkdir()
     folder.chmod(0o777)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    assert compiled(ONE.replace("return n", "return n + 2"), ("cc",)) is None
+    assert compiled(ONE.replace("return n", "return n + 2"), "cc") is None
     assert not [*folder.iterdir()]
 
 

@@ -113,15 +113,21 @@ LONGEST_S = 60
 
 
 @cache
-def compiled(text: str, command: tuple[str, ...]) -> Function | None:
+def compiled(text: str, compiler: str) -> Function | None:
     """The function of a C text; None where there is no compiler, or it fails."""
-    if not command:
-        return None
     try:
+        command = shlex.split(compiler)
+        if not command or shutil.which(command[0]) is None:
+            return None
         return Function(ctypes.CDLL(str(_library(command, text))))
-    except (OSError, subprocess.SubprocessError, AttributeError) as error:
+    except (OSError, ValueError, RuntimeError, AttributeError, subprocess.SubprocessError) as error:
         logging.getLogger("graphkin").debug("not compiled, done by NumPy: %s", error)
         return None
+
+
+def compiler() -> str:
+    """The command of the C compiler; empty where there is to be none."""
+    return "" if os.environ.get("GRAPHKIN_CC") == "none" else os.environ.get("CC") or "cc"
 
 
 class Function:
@@ -144,18 +150,7 @@ class Function:
         return doubtful
 
 
-def compiler() -> tuple[str, ...]:
-    """The command of the C compiler; empty where there is none."""
-    return () if os.environ.get("GRAPHKIN_CC") == "none" else _command(os.environ.get("CC") or "cc")
-
-
-@cache
-def _command(text: str) -> tuple[str, ...]:
-    command = tuple(shlex.split(text))
-    return command if shutil.which(command[0]) else ()
-
-
-def _library(command: tuple[str, ...], text: str) -> Path:
+def _library(command: Sequence[str], text: str) -> Path:
     """The compiled file, named by all that it is made of; it appears there at once and whole."""
     folder = _own_folder()
     name = hashlib.sha256("\0".join((*command, *FLAGS, text)).encode()).hexdigest()
@@ -175,6 +170,6 @@ def _own_folder() -> Path:
     folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "graphkin")
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     state = folder.lstat()
-    if hasattr(os, "getuid") and (state.st_uid != os.getuid() or state.st_mode & 0o077):
+    if hasattr(os, "getuid") and (state.st_uid != os.getuid() or state.st_mode & 0o022):
         raise PermissionError(f"{folder} is not the user's alone")
     return folder

@@ -31,6 +31,8 @@ BLOCK = 8192
 """Positions done at once: what they need stays in the processor's cache."""
 VERY_MANY = 10**6
 """From so many positions on a C compiler is asked for without being told to."""
+MOST_CALLS = 1000
+"""Of more NumPy calls no C function is made: a compiler takes seconds for them, and they gain less."""
 FLAT_SINE = 1e-5
 """Crossings under a smaller angle are dead points but for rounding: such positions are replayed plainly."""
 Run = Callable[[Sequence[np.ndarray], np.ndarray, int, Iterable[slice]], list[np.ndarray]]
@@ -199,7 +201,9 @@ class ProgramPart:
         return doubtful
 
     def function(self, inputs: Sequence[np.ndarray]) -> Run | None:
-        """In C, for inputs of which the same are arrays; None where no compiler is at hand."""
+        """In C, for inputs of which the same are arrays; None where no compiler is at hand, or it would take long."""
+        if len(self.calls.calls) > MOST_CALLS:
+            return None
         from graphkin.running.program import in_c  # loaded where it is asked for: a compiler is called with much
 
         arrays, recording = tuple(value.ndim > 0 for value in inputs), self.recording
