@@ -68,13 +68,13 @@ def proved(method: Method, values: Sequence[float] | None = None) -> Proved:
 # --- numbers side by side ---------------------------------------------------------------------
 
 
-def held(method: Method, values: Sequence[Value] | None = None) -> Plot:
+def held(method: Method, values: Sequence[Value] | None = None, compiled: bool | None = None) -> Plot:
     """A replay, and the analysis beside it: of arrays (n,) at both ends and at ten places between, once for as far as
     the drivers of a method go. Raises RoadsDiffer, and what single positions raise: NotReached beyond a dead point."""
     if values is None or not any(map(np.ndim, values)):
         _worst_at(method, None if values is None else tuple(map(float, values)))
         return replay_all(method, values)
-    plot = replay_all(method, values)
+    plot = replay_all(method, values, compiled)
     if not all(map(np.size, values)):
         return plot
     ends = [(np.fmin.reduce(value, axis=None), np.fmax.reduce(value, axis=None)) for value in plot.facts.values]

@@ -93,11 +93,14 @@ def _refuse_wrong_side(mechanism: Mechanism) -> None:
         raise error
 
 
-def replay(method: Method, values: Sequence[Value] | None = None, *, held: bool = True) -> State:
+def replay(
+    method: Method, values: Sequence[Value] | None = None, *, compiled: bool | None = None, held: bool = True
+) -> State:
     """Carry the constructions out at the drawn position, or at driver `values` [rad, m]: scalars or arrays (n,).
 
-    held    against the analysis, arrays at both ends and at ten places between, once for as far as the drivers of a
-            method go; False: unproved numbers, as the steps give them
+    compiled  of arrays by a C function, if a compiler is at hand (`CC`, `cc`); None: of a million positions or more
+    held      against the analysis, arrays at both ends and at ten places between, once for as far as the drivers of a
+              method go; False: unproved numbers, as the steps give them
 
     Raises RoadsDiffer where the analysis does not confirm what is drawn, NotReached for a position, one of those places
     too, that lies beyond a dead point. Other positions of an array may do so, or be nan: see `sweep`.
@@ -108,10 +111,11 @@ def replay(method: Method, values: Sequence[Value] | None = None, *, held: bool 
     array([-3.919, -1.132,  0.64 ])
     """
     from graphkin import agreement
-    from graphkin.readings import readings
+    from graphkin.readings import places, readings
 
-    plot = agreement.held(method, values) if held else running.replay_all(method, values)
-    return State(partial(readings, method, plot), plot)
+    drawn = agreement.held if held else running.replay_all
+    plot = drawn(method, values, compiled)
+    return State(partial(readings, method, plot), plot, places(method))
 
 
 def replay_many(
@@ -158,14 +162,16 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> S
 
 
 def sweep(
-    mechanism: Mechanism | Method, ranges: Ranges = (), of: str | Sequence[str] = (), by: Road = "construction"
-) -> Sweep:
+    mechanism: Mechanism | Method, ranges: Ranges = (), of: str | Sequence[str] = (), by: Road = "construction",
+    compiled: bool | None = None,
+) -> Sweep:  # fmt: skip
     """Quantities over a turn, or as far as the mechanism gets; angles go on beyond a full turn.
 
     ranges  by driver, in deg and mm: an array, a text `"0:360:10"`, or a number that holds it still; nothing: the first
             driver through a turn. Drivers that move together do so in proportion
     of      `["theta 4", "v E"]`, or one text with commas; nothing: what the file asks
     by      "construction", or "analysis"
+    compiled  as `replay` has it
 
     Raises BadRange, NoSuchDriver, UnknownQuantity and their like, and RoadsDiffer where the two roads do not agree.
 
@@ -183,7 +189,7 @@ def sweep(
 
     method = mechanism if isinstance(mechanism, Method) else plan(mechanism)
     with in_python():
-        return framed(sweeps.sweep(method, ranges, sweeps.split(of) if isinstance(of, str) else of, by))
+        return framed(sweeps.sweep(method, ranges, sweeps.split(of) if isinstance(of, str) else of, by, compiled))
 
 
 _ARGUMENTS = {"--driver": "ranges", "--of": "of"}

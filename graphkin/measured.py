@@ -135,9 +135,8 @@ class Numbers(Measured, np.ndarray):
     """
 
     def __new__(cls, values: Any, unit: str) -> Numbers:
-        made = np.asarray(values).view(cls)
-        made.unit = unit
-        made.flags.writeable = False
+        made: Numbers = np.asarray(values).view(cls)
+        made.unit, made.flags.writeable = unit, False
         return made
 
     @property
@@ -167,10 +166,12 @@ class Vectors(Numbers):
 
 def measured(value: Value, unit: str) -> Any:
     """A `Number`, a `Vector`, or an array of either."""
-    array = np.asarray(value)
-    if array.ndim:
-        return (Vectors if np.iscomplexobj(array) else Numbers)(array, unit)
-    return Vector(complex(array), unit) if np.iscomplexobj(array) else Number(float(array), unit)
+    if isinstance(value, np.ndarray) and value.ndim:
+        made = value.view(Vectors if value.dtype.kind == "c" else Numbers)
+        made.unit, made.flags.writeable = unit, False
+        return made
+    number = value.item() if isinstance(value, np.generic | np.ndarray) else value
+    return Vector(number, unit) if isinstance(number, complex) else Number(number, unit)
 
 
 def _plain(value: Any) -> Any:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+import numpy as np
+
 from graphkin.geometry import Value
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.value import frozen
@@ -39,7 +41,7 @@ class Motions:
             return self._still(point)
         known = self.velocities[link]
         if (base := _base(known, point)) == point:
-            return known[base] + 0j  # a value of its own, and never -0
+            return _as_it_is(known[base])
         return known[base] + 1j * self.omega[link] * (self.position[point] - self.position[base])
 
     def acceleration_at(self, point: str, link: str) -> Value:
@@ -48,7 +50,7 @@ class Motions:
             return self._still(point)
         known = self.accelerations[link]
         if (base := _base(known, point)) == point:
-            return known[base] + 0j
+            return _as_it_is(known[base])
         turning = 1j * self.alpha[link] - self.omega[link] ** 2
         return known[base] + turning * (self.position[point] - self.position[base])
 
@@ -67,3 +69,8 @@ class Motions:
 
 def _base(known: Mapping[str, Value], point: str) -> str:
     return point if point in known else next(iter(known))
+
+
+def _as_it_is(value: Value) -> Value:
+    """A number without -0; what is known of many positions is not copied."""
+    return value if isinstance(value, np.ndarray) else value + 0j

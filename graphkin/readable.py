@@ -8,18 +8,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, assert_never
 
 import numpy as np
 
 from graphkin.errors import GraphkinError, NoSuchName, UnknownQuantity, Where
+from graphkin.geometry import Value
 from graphkin.kept import kept
 from graphkin.measured import measured
 from graphkin.mechanism import FRAME, Mechanism
 from graphkin.motions import Motions
 from graphkin.quantities import Quantity, named
+from graphkin.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.value import frozen
 
 __all__ = ["Readable", "State", "Table", "read_off"]
@@ -31,20 +33,31 @@ _TURNS = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s^2"}
 class Table(Mapping[str, Any]):
     """Values by the name of a link, a point or a slide; a name that is not there raises KeyError and says which are."""
 
-    def __init__(self, names: Iterable[str], read: Callable[[str], Any], where: str) -> None:
-        self._names, self._read, self._where = tuple(names), read, where
+    def __init__(self, owner: Readable, word: str) -> None:
+        self._owner, self._word = owner, word
+
+    @property
+    def _names(self) -> tuple[str, ...]:
+        mechanism = self._owner.mechanism
+        if self._word == "s":
+            return tuple(pair.name for pair in mechanism.pairs if pair.path is not None)
+        return mechanism.moving if self._word in _TURNS else mechanism.points
+
+    @property
+    def _where(self) -> Where:
+        return Where("position" if self._word == "path" else self._word)
 
     def __getitem__(self, name: str) -> Any:
-        if name == FRAME and self._where in _TURNS:
-            return measured(0.0, _TURNS[self._where])
+        if name == FRAME and self._word in _TURNS:
+            return measured(0.0, _TURNS[self._word])
         try:
-            return self._read(str(name))
+            return self._owner.quantity(f"{self._word} {name}")
         except UnknownQuantity:
-            raise NoSuchName(Where(self._where), str(name), self._names) from None
+            raise NoSuchName(self._where, str(name), self._names) from None
         except GraphkinError as problem:
             if isinstance(problem, KeyError) or not hasattr(problem, "possible"):
                 raise
-            raise NoSuchName(Where(self._where), str(name), self._names) from None
+            raise NoSuchName(self._where, str(name), self._names) from None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)
@@ -77,42 +90,39 @@ class Readable:
 
     @property
     def theta(self) -> Table:
-        return self._table("theta", self.mechanism.moving)
+        return Table(self, "theta")
 
     @property
     def omega(self) -> Table:
-        return self._table("omega", self.mechanism.moving)
+        return Table(self, "omega")
 
     @property
     def alpha(self) -> Table:
-        return self._table("alpha", self.mechanism.moving)
+        return Table(self, "alpha")
 
     @property
     def s(self) -> Table:
-        return self._table("s", [pair.name for pair in self.mechanism.pairs if pair.path is not None])
+        return Table(self, "s")
 
     @property
     def position(self) -> Table:
-        return self._table("path", self.mechanism.points, "position")
+        return Table(self, "path")
 
     @property
     def x(self) -> Table:
-        return self._table("x", self.mechanism.points)
+        return Table(self, "x")
 
     @property
     def y(self) -> Table:
-        return self._table("y", self.mechanism.points)
+        return Table(self, "y")
 
     @property
     def v(self) -> Table:
-        return self._table("v", self.mechanism.points)
+        return Table(self, "v")
 
     @property
     def a(self) -> Table:
-        return self._table("a", self.mechanism.points)
-
-    def _table(self, word: str, names: Iterable[str], where: str = "") -> Table:
-        return Table(names, lambda name: self.quantity(f"{word} {name}"), where or word)
+        return Table(self, "a")
 
 
 @frozen
@@ -121,10 +131,12 @@ class State(Readable):
 
     source      all of it as plain tables, or what reads them off when they are first asked for
     plot        the finished drawing, where this was drawn (`graphkin.replay`)
+    places      by text where that holds a quantity as it is: the table, the name there and the unit, or an empty table
     """
 
     source: Motions | Callable[[], Motions]
     plot: Any = None
+    places: Mapping[str, tuple[str, str, str]] | None = None
 
     @cached_property
     def motions(self) -> Motions:
@@ -143,6 +155,11 @@ class State(Readable):
 
     def quantity(self, text: str) -> Any:
         """Whatever `ask` can name, as a number with its unit. Raises what a wrong name raises."""
+        if self.places is not None:
+            table, name, unit = self.places[text]
+            if table:
+                value = getattr(self.plot, table)[name]
+                return measured(value if isinstance(value, np.ndarray) else value + 0, unit)  # never -0
         return read_off(self.motions, text)
 
     def __getitem__(self, text: str) -> Any:
@@ -166,11 +183,28 @@ class State(Readable):
 
 def read_off(motions: Motions, text: str) -> Any:
     """What a text names in any motions, with its unit: of a vector the vector."""
-    found = _meant(motions.mechanism, text).answer(motions)
-    return measured(found.value if found.vector is None else found.vector, found.unit)
+    quantities = _read(motions.mechanism)
+    if (quantity := quantities.get(text)) is None:
+        quantity = quantities[text] = named(motions.mechanism, text, Where("quantity"))
+    return measured(_value(quantity, motions), quantity.unit)
 
 
-@kept(256)
-def _meant(mechanism: Mechanism, text: str) -> Quantity:
-    """What is read off again and again is parsed once."""
-    return named(mechanism, text, Where("quantity"))
+@kept(4)
+def _read(mechanism: Mechanism) -> dict[str, Quantity]:
+    """Quantities of a mechanism by their texts, as far as they were read."""
+    return {}
+
+
+def _value(quantity: Quantity, motions: Motions) -> Value:
+    """Of a vector the vector alone: its size is not asked for."""
+    match quantity:
+        case Moving():
+            return quantity.vector(motions)
+        case Track():
+            return motions.position[quantity.site.point]
+        case Centre():
+            return quantity.place(motions)
+        case Component() | Displacement() | Place() | Quotient() | Rotation():
+            return quantity.answer(motions).value
+        case _:
+            assert_never(quantity)

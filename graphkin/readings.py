@@ -4,16 +4,56 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 
-import numpy as np
-
 from graphkin.construction import Plot
+from graphkin.errors import Where
 from graphkin.geometry import Value
+from graphkin.kept import kept
+from graphkin.mechanism import FRAME
 from graphkin.motions import Motions
 from graphkin.naming import primes
 from graphkin.planning import Method
+from graphkin.quantities import Displacement, Moving, Quantity, Rotation, Track, named
 from graphkin.value import Lazy
 
-__all__ = ["readings"]
+__all__ = ["places", "readings"]
+
+
+class DrawnPlaces(dict[str, tuple[str, str, str]]):
+    """By text where a finished drawing holds a quantity as it is: the table, the name there, and the unit.
+
+    The table is empty where a quantity is calculated.
+    """
+
+    def __init__(self, method: Method) -> None:
+        super().__init__()
+        self.method, self.prime = method, primes(method.mechanism, "acceleration")
+
+    def __missing__(self, text: str) -> tuple[str, str, str]:
+        quantity = named(self.method.mechanism, text, Where("quantity"))
+        self[text] = (*self._place(quantity), quantity.unit)
+        return self[text]
+
+    def _place(self, quantity: Quantity) -> tuple[str, str]:
+        match quantity:
+            case Rotation():
+                return ("turn" if quantity.word == "theta" else quantity.word), quantity.link
+            case Displacement():
+                return "s", quantity.slide
+            case Track():
+                return "position", quantity.site.point
+            case Moving(seen_from=None):
+                node = self.method.nodes_of_links.get(quantity.site.link, {}).get(quantity.site.point)
+                if node is not None and quantity.site.link != FRAME:
+                    return ("velocity", node) if quantity.letter == "v" else ("acceleration", node + self.prime)
+            case _:
+                pass
+        return "", ""
+
+
+@kept(4)
+def places(method: Method) -> DrawnPlaces:
+    """The same for all plots of a method."""
+    return DrawnPlaces(method)
 
 
 def readings(method: Method, plot: Plot) -> Motions:
@@ -23,17 +63,11 @@ def readings(method: Method, plot: Plot) -> Motions:
     slides = {pair.name for pair in mechanism.pairs if pair.path is not None}
     links, nodes = set(mechanism.moving), method.nodes_of_links
     prime = primes(mechanism, "acceleration")
-    theta = Lazy((link for link in plot.theta if link in links), lambda link: _within_a_turn(plot.theta[link]))
     return Motions(
-        mechanism, theta, _of(plot.omega, links), _of(plot.alpha, links),
+        mechanism, _of(plot.turn, links), _of(plot.omega, links), _of(plot.alpha, links),
         _of(plot.s, slides), _of(plot.s_rate, slides), _of(plot.s_acceleration, slides),
         plot.position, _of_nodes(plot.velocity, nodes, ""), _of_nodes(plot.acceleration, nodes, prime),
     )  # fmt: skip
-
-
-def _within_a_turn(angle: Value) -> Value:
-    """From 0 on; over many positions `np.mod` takes ten times as long."""
-    return angle - 2 * np.pi * np.floor(angle / (2 * np.pi))
 
 
 def _of(table: Mapping[str, Value], names: Collection[str]) -> Mapping[str, Value]:

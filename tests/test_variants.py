@@ -16,7 +16,7 @@ from graphkin import library
 from graphkin.construction import Plot
 from graphkin.errors import GraphkinError
 from graphkin.mechanism import Mechanism
-from graphkin.running.compiled import TABLES
+from graphkin.running.program import TABLES
 from graphkin.running.variants import Drawn, is_simple, replay_many
 from graphkin.stacking import stacked
 

@@ -29,7 +29,7 @@ from graphkin.construction.terms import (
     Turning,
 )
 from graphkin.geometry import Value, unit
-from graphkin.value import filled, frozen
+from graphkin.value import Lazy, filled, frozen
 
 
 def slide_key(slide: str) -> str:
@@ -90,6 +90,11 @@ class Facts:
         return sum([sign * given[k] for k, sign in self.turns[link].drivers])
 
 
+def within_a_turn(angle: Value) -> Value:
+    """From 0 on; over many positions `np.mod` takes ten times as long."""
+    return angle - 2 * np.pi * np.floor(angle / (2 * np.pi))
+
+
 @filled
 class Plot:
     """Named points and quantities of the finished drawing; every value a scalar or an array over positions.
@@ -121,6 +126,11 @@ class Plot:
     sines: dict[tuple[Plane, str], Value] = field(default_factory=dict)
     misses: dict[str, Value] = field(default_factory=dict)
     senses: dict[str, Value] = field(default_factory=dict)
+
+    @property
+    def turn(self) -> Mapping[str, Value]:
+        """Angles of links between 0 and a full turn [rad]."""
+        return Lazy(self.theta, lambda link: within_a_turn(self.theta[link]))
 
     def points(self, plane: Plane) -> dict[str, Value]:
         return {"position": self.position, "velocity": self.velocity, "acceleration": self.acceleration}[plane]

@@ -4,7 +4,7 @@
 values along a line, with the dead points where it ends and the change points that it goes through. `tracing` finds
 them: it looks along the whole path in small steps (`scanning`), or follows it where links are fitted (`continuation`,
 from `nodes` that `looking` finds); `singularities` looks closely where two loci come to touch. `reaching` takes a
-mechanism to other positions, and `many_positions` does many of them at once, by the program that `compiled` makes of
+mechanism to other positions, and `many_positions` does many of them at once, by the `program` made of
 the steps.
 """
 

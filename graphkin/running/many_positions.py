@@ -10,8 +10,8 @@ import numpy as np
 from graphkin.construction import Plot, replay
 from graphkin.geometry import Value
 from graphkin.planning.method import Method
-from graphkin.running.compiled import TABLES, CannotRecord, Entry, Program, compiled_program
 from graphkin.running.path import Path, along
+from graphkin.running.program import TABLES, CannotRecord, Entry, ReplayProgram, recorded_program
 
 MANY = 64
 """From so many positions on a program is worth being made: a few such sweeps take as long as making it."""
@@ -21,13 +21,13 @@ PART = 4096
 """Positions that are fitted at once."""
 
 
-_PROGRAMS: dict[int, Program | None] = {}
+_PROGRAMS: dict[int, ReplayProgram | None] = {}
 """By the identity of their methods, as long as these live: methods are alike by value, and too large to be hashed."""
 _ASKED: dict[int, int] = {}
 """How many positions were replayed without a program, by method, the same."""
 
 
-def program_of(method: Method) -> Program | None:
+def program_of(method: Method) -> ReplayProgram | None:
     """The program, made once; None where a step can't be written down."""
     key = id(method)
     if key not in _PROGRAMS:
@@ -36,9 +36,9 @@ def program_of(method: Method) -> Program | None:
     return _PROGRAMS[key]
 
 
-def _made(method: Method) -> Program | None:
+def _made(method: Method) -> ReplayProgram | None:
     try:
-        return compiled_program(method.constructions, method.facts(None), method.near if method.moves_on else ())
+        return recorded_program(method.constructions, method.facts(None), method.near if method.moves_on else ())
     except CannotRecord:
         return None
 
@@ -60,11 +60,12 @@ def by_program(
     sides: Mapping[int, Value] | None = None,
     near: Mapping[str, Value] | None = None,
     asked: set[Entry] | None = None,
+    compiled: bool | None = None,
 ) -> Plot | None:
     """All three constructions at driver values, scalar or (n,) each; None where they are few, or no program does it.
 
     near   angles and displacements close by, without which no program does positions that hang on how they are reached
-    asked  as `Program.run` has it
+    asked, compiled  as `ReplayProgram.run` has them
     """
     if method.moves_on and not near:
         return None
@@ -72,7 +73,7 @@ def by_program(
     if len(shapes) != 1 or len(shape := shapes.pop()) != 1 or shape[0] < MANY:
         return None
     made = program_of(method) if _worth_it(method, shape[0]) else None
-    return None if made is None else made.run(values, sides, near, asked)
+    return None if made is None else made.run(values, sides, near, asked, compiled)
 
 
 def along_in_parts(method: Method, path: Path, t: Value) -> Plot:
@@ -92,8 +93,10 @@ def _joined(values: Sequence[Value]) -> Value:
     return np.concatenate(values) if np.ndim(values[0]) else values[0]
 
 
-def replay_along(method: Method, path: Path, t: np.ndarray, asked: set[Entry] | None = None) -> Plot:
-    """All three constructions at t (n,) on the path, each choice on the side that is right there; `asked`: as
-    `Program.run` has it."""
-    found = by_program(method, path.values(t), path.crossings(t), path.near(t), asked)
-    return found or replay(method.acceleration, replay(method.velocity, along_in_parts(method, path, t)))
+def replay_along(
+    method: Method, path: Path, t: np.ndarray, asked: set[Entry] | None = None, compiled: bool | None = None
+) -> Plot:
+    """All three constructions at t (n,) on the path, each choice on the side that is right there; `asked`, `compiled`:
+    as `ReplayProgram.run` has them."""
+    plot = by_program(method, path.values(t), path.crossings(t), path.near(t), asked, compiled)
+    return plot or replay(method.acceleration, replay(method.velocity, along_in_parts(method, path, t)))

@@ -12,8 +12,9 @@ from graphkin.planning.method import Method
 from graphkin.planning.starting_facts import refuse_contacts_apart
 
 
-def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
-    """All three constructions at the drawn position, or at `values`: one entry a driver, scalar or (n,) [rad, m].
+def replay_all(method: Method, values: Sequence[Value] | None = None, compiled: bool | None = None) -> Plot:
+    """All three constructions at the drawn position, or at `values`: one entry a driver, scalar or (n,) [rad, m];
+    `compiled`: as `ReplayProgram.run` has it.
 
     A single position that is a dead point, or that is not reached from the drawn one without passing a dead
     point, raises; in arrays such positions are what the crossings give, or NaN, and `Plot.sines` tells how near
@@ -28,10 +29,10 @@ def replay_all(method: Method, values: Sequence[Value] | None = None) -> Plot:
     from graphkin.running.many_positions import by_program, replay_along
     from graphkin.running.reaching import moved_to, on_one_way
 
-    if (found := by_program(method, values)) is not None:
+    if (found := by_program(method, values, compiled=compiled)) is not None:
         return found
     way = on_one_way(method, values)
-    return _finished(method, moved_to(method, values)) if way is None else replay_along(method, *way)
+    return _finished(method, moved_to(method, values)) if way is None else replay_along(method, *way, compiled=compiled)
 
 
 def _finished(method: Method, plot: Plot) -> Plot:

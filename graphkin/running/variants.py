@@ -24,7 +24,7 @@ from graphkin.planning.assembly import DEAD_SINE
 from graphkin.planning.branch_search import BETWEEN
 from graphkin.planning.method import Method
 from graphkin.planning.starting_facts import facts_of
-from graphkin.running.compiled import TABLES
+from graphkin.running.program import TABLES
 from graphkin.running.replaying import replay_all
 from graphkin.stacking import coincidences, count_of, cut, single, stacked, topology
 from graphkin.value import filled, frozen

@@ -29,6 +29,7 @@ class Course:
     t       where on the path the positions are (n,)
     values  of the swept driver there, as they were asked for (n,) [rad, m]
     dropped values of the swept driver that were asked for and are not reached [rad, m]
+    compiled  as `ReplayProgram.run` has it; None: by the number of positions
     """
 
     method: Method
@@ -37,6 +38,7 @@ class Course:
     t: np.ndarray
     values: np.ndarray
     dropped: np.ndarray
+    compiled: bool | None = None
 
     @property
     def driver(self) -> Driver:

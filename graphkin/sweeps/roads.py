@@ -19,9 +19,9 @@ from graphkin.motions import Motions
 from graphkin.planning import Method, with_other_points
 from graphkin.readings import readings
 from graphkin.running import replay_all
-from graphkin.running.compiled import Entry
 from graphkin.running.many_positions import replay_along
 from graphkin.running.path import Path, along, stride
+from graphkin.running.program import Entry
 from graphkin.value import Lazy, frozen
 
 Road = Literal["construction", "analysis"]
@@ -37,23 +37,25 @@ FAR_SINE, OTHER_POINTS = 0.05, 4
 """Where the lines of a special point meet under a smaller angle, another one is taken; so often at most."""
 
 
-def moving(method: Method, path: Path, t: np.ndarray, by: Road, asked: set[Entry] | None = None) -> Motions:
-    """Position, velocity and acceleration at t (n,) on the path, by one of the roads; `asked`: as `Program.run` has
-    it."""
+def moving(
+    method: Method, path: Path, t: np.ndarray, by: Road, asked: set[Entry] | None = None, compiled: bool | None = None
+) -> Motions:
+    """Position, velocity and acceleration at t (n,) on the path, by one of the roads; `asked`, `compiled`: as
+    `ReplayProgram.run` has them."""
     if by == "analysis":
         from graphkin.analytic import motion
 
         return motion(method.mechanism, [np.broadcast_to(value, t.shape) for value in path.values(t)])
-    rows, patches = _drawn(method, path, t, asked)
+    rows, patches = _drawn(method, path, t, asked, compiled)
     patches += [patch for change in path.changes if (patch := _beside(method, path, t, change.at))]
     return mended(rows, t.size, tuple(patches)) if patches else rows
 
 
 def _drawn(
-    method: Method, path: Path, t: np.ndarray, asked: set[Entry] | None = None
+    method: Method, path: Path, t: np.ndarray, asked: set[Entry] | None = None, compiled: bool | None = None
 ) -> tuple[Motions, list[Patch]]:
     """Motions by the construction, but for change points."""
-    plot = replay_along(method, path, t, asked)
+    plot = replay_along(method, path, t, asked, compiled)
     return readings(method, plot), _by_other_points(method, path, t, plot)
 
 

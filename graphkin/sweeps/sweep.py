@@ -13,10 +13,11 @@ from graphkin.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.quantities import EDGE, Centre, Quantity, Quotient, named
 from graphkin.readable import Readable
-from graphkin.running.compiled import Entry
-from graphkin.running.compiled.memory import lent
 from graphkin.running.many_positions import MANY
 from graphkin.running.path import stride
+from graphkin.running.program import Entry
+from graphkin.running.program.memory import lent
+from graphkin.running.program.program import VERY_MANY
 from graphkin.sweeps.course import Course, course
 from graphkin.sweeps.proof import prove
 from graphkin.sweeps.quantities import Series, asked, series
@@ -89,13 +90,16 @@ class Sweep(Readable, Mapping[str, Series]):
         return f"<Sweep of {about}, {self.t.size} positions: {', '.join(self)}>"
 
 
-def sweep(method: Method, ranges: Ranges = (), of: Sequence[str] = (), by: Road = "construction") -> Sweep:
-    """Quantities `of` a mechanism over the driver values of `ranges`; see `course` and `asked` for what is usual.
+def sweep(
+    method: Method, ranges: Ranges = (), of: Sequence[str] = (), by: Road = "construction", compiled: bool | None = None
+) -> Sweep:
+    """Quantities `of` a mechanism over the driver values of `ranges`; see `course` and `asked` for what is usual, and
+    `Course` for `compiled`.
 
     Angles are continuous along the sweep, from between 0 and a full turn at its first position. Raises RoadsDiffer
     where the two roads do not agree.
     """
-    found, names = course(method, ranges), asked(method.mechanism, of)
+    found, names = replace(course(method, ranges), compiled=compiled), asked(method.mechanism, of)
     prove(found)
     return sweep_over(found, names, by)
 
@@ -110,6 +114,7 @@ def in_parts(course: Course, names: Sequence[str], by: Road = "construction", si
     """The same, some positions at a time: a sweep of any length needs no more memory."""
     wanted = _read(course, names)
     turned = _Turned(course, wanted, by)
+    course = replace(course, compiled=course.t.size >= VERY_MANY or None) if course.compiled is None else course
     asked = _asked(course, wanted, by, turned) if course.t.size > size else None
     for begin in range(0, course.t.size, size):
         here = slice(begin, begin + size)
@@ -150,7 +155,7 @@ def _read(course: Course, names: Sequence[str]) -> Wanted:
 def _at(
     course: Course, wanted: Wanted, t: np.ndarray, by: Road, turned: _Turned, asked: set[Entry] | None = None
 ) -> Sweep:
-    motions = moving(course.method, course.path, t, by, asked)
+    motions = moving(course.method, course.path, t, by, asked, course.compiled)
     found = []
     for name, quantity in wanted.items():
         if isinstance(quantity, Centre) and by == "construction":

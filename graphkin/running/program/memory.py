@@ -7,23 +7,19 @@ import numpy as np
 LEAST, MOST = 2**15, 2**23
 """Numbers in what is lent, and kept, at the least and at most: from a quarter of a MiB to 64."""
 
-KEPT = 2
-"""Pieces that are kept at most: those of a program, and of what its results are put together in."""
+KEPT = 3
+"""Pieces that are kept at most: results of a program, its registers, and what results are put together in."""
 
-_KEPT: list[np.ndarray] = []
-"""What came back last."""
+_KEPT: dict[int, np.ndarray] = {}
+"""By identity, in the order in which they came back. Each change is one step, whatever else a thread does meanwhile."""
 
 
 def lent(size: int) -> np.ndarray:
     """So many numbers of any value (size,)."""
-    if size < LEAST:
-        return np.empty(size)
-    fitting = (number for number, memory in enumerate(_KEPT) if size <= memory.size <= 2 * size)
-    try:
-        memory = _KEPT.pop(next(fitting))
-    except (IndexError, StopIteration):
-        memory = np.empty(size)
-    return np.asarray(_Lent(memory))[:size]
+    for key, memory in [*_KEPT.items()] if size >= LEAST else ():
+        if size <= memory.size <= 2 * size and _KEPT.pop(key, None) is not None:
+            return np.asarray(_Lent(memory))[:size]
+    return np.asarray(_Lent(np.empty(size))) if size >= LEAST else np.empty(size)
 
 
 class _Lent:
@@ -35,4 +31,6 @@ class _Lent:
 
     def __del__(self) -> None:
         if self.memory.size <= MOST:
-            _KEPT[:] = [*_KEPT, self.memory][-KEPT:]
+            _KEPT[id(self.memory)] = self.memory
+            for oldest in [*_KEPT][:-KEPT]:
+                _KEPT.pop(oldest, None)

@@ -1,7 +1,7 @@
-"""What is found by calculation, written down: links tried until they fit, and chains of arrows closed at once.
+"""Calculated positions and rates for a recorder: links tried until they fit, chains of arrows closed at once.
 
 From close by, two steps of Newton's method come to the last digit. Where the second is not as short as that asks for,
-a position is stubborn: whoever carries the tape out does it by plain replay, as where a division fails.
+a position is replayed plainly, as where a division fails.
 """
 
 from __future__ import annotations
@@ -19,16 +19,24 @@ from graphkin.construction.plot import Plot, slide_key
 from graphkin.construction.rolling import in_step
 from graphkin.construction.terms import Arm, Plane, Slid
 from graphkin.geometry import Value
-from graphkin.running.compiled.columns import Judged
-from graphkin.running.compiled.operations import CannotRecord
+from graphkin.running.program.tape import CannotRecord
+from graphkin.value import frozen
 
 STEPS = 2
 SHORT = 1e-7
 """The last step at most [rad, of the group's size]; what it leaves is of the order of its square."""
 
 
+@frozen
+class GroupSense:
+    """A group's sense (0) or its sine (1), which is calculated from the finished plot when it is read."""
+
+    step: Fit
+    which: int
+
+
 def fitted(step: Fit, plot: Plot) -> Value:
-    """Settle a group's unknowns; gives what is above 0 where they are found, 1 at best."""
+    """Settle a group's unknowns; the result is above 0 where they converge, 1 at best."""
     x: list[Value] = [plot.near[name] for name in unknowns_of(step)]
     units = _units(step, reach(step, plot))
     for _ in range(STEPS):
@@ -36,7 +44,7 @@ def fitted(step: Fit, plot: Plot) -> Value:
         change = solved(_gaps(step, plot), dict(zip(unknowns_of(step), units)))
         x = [value - part * unit for value, part, unit in zip(x, change, units)]
     settle_all(step, plot, x)
-    plot.senses[step.name], plot.sines["position", step.name] = Judged(step, 0), Judged(step, 1)
+    plot.senses[step.name], plot.sines["position", step.name] = GroupSense(step, 0), GroupSense(step, 1)
     plot.misses[step.name] = 0.0
     longest = np.abs(change[0])
     for part in change[1:]:
@@ -45,7 +53,7 @@ def fitted(step: Fit, plot: Plot) -> Value:
 
 
 def _units(step: Fit, size: float) -> list[float]:
-    """What each unknown is counted in: 1 rad, or the group's size [m]."""
+    """The unit of each unknown: 1 rad, or the group's size [m]."""
     return [1.0] * len(step.angles) + [size] * len(step.slides)
 
 
@@ -59,7 +67,7 @@ def together(step: Simultaneous, plot: Plot, plane: Plane) -> None:
 
 
 def _gaps(step: Fit, plot: Plot) -> list[Row]:
-    """What closures and contacts leave open, and what each unknown does to it."""
+    """The gaps of closures and contacts, with their slope for each unknown."""
     rows = [row for closure in step.closures for row in two(*_closure(closure, plot))]
     for contact in step.contacts:
         gap, _ = in_step(contact, plot, "position", set(), set())
@@ -133,10 +141,10 @@ def _nothing(value: Value) -> bool:
 
 def _upwards(lines: Sequence[Sequence[Value]]) -> list[Value]:
     """The unknowns of rows that have nothing before the diagonal, from the last one on."""
-    found: dict[int, Value] = {}
+    x: dict[int, Value] = {}
     for k in reversed(range(len(lines))):
         rest = lines[k][-1]
-        for other, value in found.items():
+        for other, value in x.items():
             rest = rest - lines[k][other] * value
-        found[k] = rest / lines[k][k]
-    return [found[k] for k in range(len(lines))]
+        x[k] = rest / lines[k][k]
+    return [x[k] for k in range(len(lines))]

@@ -1,0 +1,97 @@
+"""A tape as NumPy calls over a block of positions: registers are used again, and nothing is allocated on the way."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+import numpy as np
+
+from graphkin.running.program.tape import INPUT, Tape
+from graphkin.value import frozen
+
+Call = tuple[Callable[..., object], int, int, int]
+"""A NumPy function, its operands' places in memory (-1: it has one operand), and its result's."""
+
+
+@frozen
+class Calls:
+    """NumPy calls on a memory of arrays: inputs, rows for results, numbers, registers."""
+
+    calls: tuple[Call, ...]
+    numbers: tuple[np.ndarray, ...]
+    registers: int
+
+    def run(self, inputs: Sequence[np.ndarray], rows: Sequence[np.ndarray], registers: Iterable[np.ndarray]) -> None:
+        """Fill the rows (n,) each; inputs (n,) or () each."""
+        memory = [*inputs, *rows, *self.numbers, *registers]
+        for function, a, b, into in self.calls:
+            if b < 0:
+                function(memory[a], memory[into])
+            else:
+                function(memory[a], memory[b], memory[into])
+
+
+def in_numpy(tape: Tape, inputs: int, rows: Sequence[int]) -> Calls:
+    """The calls that fill rows with the results at some places of a tape."""
+    writer = _CallWriter(tape, inputs, rows)
+    for place in tape.needed(rows):
+        writer.write(place)
+    for row, place in enumerate(rows):
+        writer.copy(place, inputs + row)
+    return Calls(tuple(writer.calls), writer.numbers, writer.registers)
+
+
+class _CallWriter:
+    """Writes calls, and deals out registers: one is free again after the last call that reads it."""
+
+    def __init__(self, tape: Tape, inputs: int, rows: Sequence[int]) -> None:
+        self.tape, self.calls, self.registers = tape, list[Call](), 0
+        needed = tape.needed(rows)
+        self.last = {of: place for place in needed for of in tape.operations[place].of}
+        self.held = {place: inputs + row for row, place in reversed([*enumerate(rows)])}
+        self.at_once = {*self.held}
+        numbers = [place for place in (tape.one, *self.last, *rows) if tape.number_at(place) is not None]
+        self.numbers = tuple(np.array(tape.number_at(place)) for place in dict.fromkeys(numbers))
+        self.first, self.free = inputs + len(rows) + len(self.numbers), list[int]()
+        self.held |= {place: inputs + len(rows) + k for k, place in enumerate(dict.fromkeys(numbers))}
+        self.held |= {place: int(op.number) for place, op in enumerate(tape.operations) if op.does == INPUT}
+
+    def write(self, place: int) -> None:
+        """The call for one operation, into the row of its result or a register."""
+        does, of, _ = self.tape.operations[place]
+        operands = [self.held[each] for each in of]
+        self.free += {self.held[each] for each in of if self.last[each] == place and self.held[each] >= self.first}
+        if place not in self.at_once:
+            self.held[place] = self._register()
+        self._call(does, operands, self.held[place])
+
+    def copy(self, place: int, row: int) -> None:
+        """A result that lies in another row, too, or an input or a number."""
+        if self.held[place] != row:
+            self._call("positive", [self.held[place]], row)
+
+    def _call(self, does: str, operands: list[int], into: int) -> None:
+        if does == "reciprocal":  # NumPy's own is not vectorised
+            does, operands = "divide", [self.held[self.tape.one], *operands]
+        if does == "multiply" and operands[0] == operands[1]:
+            does, operands = "square", operands[:1]
+        function = _OWN.get(does) or getattr(np, does)
+        self.calls.append((function, operands[0], operands[1] if len(operands) > 1 else -1, into))
+
+    def _register(self) -> int:
+        if self.free:
+            return self.free.pop()
+        self.registers += 1
+        return self.first + self.registers - 1
+
+
+def _maximum(a: np.ndarray, b: np.ndarray, into: np.ndarray) -> None:
+    np.maximum(a, b, out=into)
+
+
+def _minimum(a: np.ndarray, b: np.ndarray, into: np.ndarray) -> None:
+    np.minimum(a, b, out=into)
+
+
+_OWN: dict[str, Callable[..., object]] = {"maximum": _maximum, "minimum": _minimum}
+"""NumPy takes what these give by name only."""
