@@ -3,34 +3,39 @@
 A mechanism is one TOML file. graphkin draws it to scale, writes its vector equations, constructs its
 velocity and its acceleration polygon step by step, and proves them right against an analytic solution.
 
-    mechanism.toml -- loading --> Mechanism     what the machine is; frozen, holds no position
+    mechanism.toml -- files --> Mechanism       what the machine is; frozen, holds no position
     Mechanism -- planning.plan --> Method       three constructions, planned once, from topology
     Method + driver values -- running --> Plot  named points and quantities, scalars or arrays
     Plot -- sheet --> Sheet -- outputs --> SVG
     Mechanism -- analytic --> Motion            the other road; it never reads a construction
+    proof: one reader of a position holds both roads
 
-    subjects: centres, linkages, design, sweeps, finding    data; what of it is drawn, by drafting.replay on a Board
-    homework: submissions  whatever students hand in -> the numbers in it, SI
-              marking      a Key of a Method, and numbers -> verdicts, own values carried on, likely mistakes
-              grading      a key and files -> a record a submission
-              problems     a template with ranges -> a mechanism for each student, posed well and tellable
-              handouts     a problem or its solution on paper, from what `say` and `sheet` make
-              platforms    sets and records -> files of teaching platforms, and back
+    studies: centres, linkages, design, sweeps, finding    data; what of it is drawn, by drafting.replay on a Board
     check: Plot, or a drawing file, beside Motion           results: all of it as plain data
+    submissions: whatever students hand in -> the numbers in it, SI
+    marking: a Key of a Method, and numbers -> verdicts, own values carried on, likely mistakes
+    homework: problems     a template with ranges -> a mechanism for each student, posed well and tellable
+              grading      a key and files -> a record a submission
+              platforms    sets and records -> files of teaching platforms, and back
+    handouts: a problem or its solution on paper, from what `say` and `sheet` make
     any of these -- say --> lines in either language        -- sheet, outputs, equations --> files
 
-A module imports only from those before it in `ORDER`. A construction is data: a reader of its steps (replay,
+A package imports only from those before it in `ORDER`. A construction is data: a reader of its steps (replay,
 say, sheet, check) handles every kind of step, and the type checker sees to that. The steps of `construction` draw a
-mechanism and its polygons, on complex numbers; `drafting` is beside them, for what is no polygon. A subject makes data
-and knows no language; say, sheet, outputs and platforms read any subject's data.
+mechanism and its polygons, on complex numbers; `construction.drafting` is beside them, for what is no polygon. A
+subject makes data and knows no language; say, sheet, outputs and homework read any subject's data.
 
-How to add a subject:
-1. A package with a public face of one page, its line in `ORDER` before `say`: data made of a mechanism, a method or
-   numbers. Its errors in a file of `errors`.
-2. `say/phrases/SUBJECT.py`, and a reader `say/SUBJECT.py`: its data and a language -> lines.
-3. `sheet/SUBJECT_sheet.py` where there is something to draw: its data -> Sheet.
-4. A command in `cli`, its line in `COMMANDS` there: parse, call one function, print.
-5. Its command lines, in both languages, in tests/golden.py. test_order and test_catalogue hold it to the house's laws.
+Where a new thing goes, and the test that guides it:
+- a pair kind: a file of `model/pairs` and its line in `PAIRS`; tests/test_pairs.py names every table that lacks it.
+- a quantity: a class of `model/quantities/kinds` and its place in the union `Quantity`; mypy names every reader.
+- a step: a class of `construction/kinds` and its place in the union `Step`; mypy names every reader.
+- a mistake: a way of `marking/mistakes` and its phrase in `say/phrases/mistakes.py`; tests/test_mistakes.py.
+- an output format: a file of `outputs` with its line in `WRITERS`; tests/test_exports.py.
+- a phrase: a line of `say/phrases/SUBJECT.py`, both languages side by side; tests/test_catalogue.py.
+- an error: a class in a file of `errors`, raised as data; tests/test_catalogue.py.
+- a subject: a package of `studies` with a public face of one page; `say/phrases/SUBJECT.py` and a reader
+  `say/SUBJECT.py`; `sheet/SUBJECT_sheet.py` where there is something to draw; a command in `cli` with its line in
+  `COMMANDS`; its command lines, in both languages, in tests/golden.py. tests/test_order.py holds the house's laws.
 """
 
 from __future__ import annotations
@@ -41,29 +46,25 @@ from typing import TYPE_CHECKING, Any
 __version__ = "0.2.0"
 
 ORDER = (
-    "value", "kept", "waiting", "sending", "errors", "geometry", "tolerances", "usual", "construction", "drafting",
-    "pairs", "mechanism", "stacking", "naming", "motions", "quantities", "measured", "readable", "loading", "library",
-    "starters", "planning", "running", "seal", "analytic", "freedoms", "assur", "readings", "standing", "agreement",
-    "centres", "linkages", "design", "sweeps", "finding",
-    "check", "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "batches", "grading",
-    "problems", "platforms", "handouts", "reference", "cli",
+    "base", "errors", "construction", "model", "files", "planning", "running", "analytic", "proof", "studies", "check",
+    "submissions", "marking", "results", "say", "sheet", "outputs", "equations", "api", "homework", "handouts", "cli",
 )  # fmt: skip
 
 _WHERE = {
-    "Mechanism": "loading",
+    "Mechanism": "files",
     "load": "api",
-    "loads": "loading",
-    "from_dict": "loading",
+    "loads": "files",
+    "from_dict": "files",
     "Drawing": "api",
-    "State": "readable",
+    "State": "model.readout",
     "Sweep": "outputs.frames",
     "plan": "api",
     "replay": "api",
     "replay_many": "api",
     "motion": "api",
     "sweep": "api",
-    "sweep_many": "batches",
-    "solve_many": "batches",
+    "sweep_many": "api.batches",
+    "solve_many": "api.batches",
     "explain": "say",
     "measure": "check",
     "GraphkinError": "errors",
@@ -76,12 +77,12 @@ __all__ = [
 
 if TYPE_CHECKING:
     from graphkin.api import Drawing, load, motion, plan, replay, replay_many, sweep
-    from graphkin.batches import solve_many, sweep_many
+    from graphkin.api.batches import solve_many, sweep_many
     from graphkin.check import measure
     from graphkin.errors import GraphkinError
-    from graphkin.loading import Mechanism, from_dict, loads
+    from graphkin.files import Mechanism, from_dict, loads
+    from graphkin.model.readout import State
     from graphkin.outputs.frames import Sweep
-    from graphkin.readable import State
     from graphkin.say import explain
 
 

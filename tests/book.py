@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
+from graphkin.files import loads
+from graphkin.model.mechanism import Mechanism
 
 TEXT = (Path(__file__).parent / "cases" / "book-scales.toml").read_text(encoding="utf-8")
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.analytic import Motion
-from graphkin.pairs import Cam, CircularSlot, Gear, Line, Roll
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Roll
 
 Array = np.ndarray
 Circle = tuple[str, str, float]

@@ -8,12 +8,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphkin.agreement import apart
-from graphkin.mechanism import Mechanism
-from graphkin.motions import Motions
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
-from graphkin.sweeps import Course, course, prove
-from graphkin.sweeps.roads import moving
+from graphkin.proof.roads import apart
+from graphkin.studies.sweeps import Course, course, prove
+from graphkin.studies.sweeps.roads import moving
 
 BESIDE, SHARP = 0.03, 0.02
 """Two roads are held together this far from events [rad, size], where the matrix is not worse conditioned than this."""

@@ -7,8 +7,8 @@ import itertools
 import math
 import random
 
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
+from graphkin.files import loads
+from graphkin.model.mechanism import Mechanism
 
 LINKAGES = ("parallelogram", "rhombus", "kite of crank and frame", "kite of crank and coupler", "folding slider-crank")
 WHEELS = ("none", "crank", "rocker", "frame", "coupler hinge", "roll", "bar on a planet")

@@ -25,8 +25,8 @@ from xml.etree import ElementTree
 
 from click.testing import CliRunner
 
-from graphkin import library
 from graphkin.cli import main
+from graphkin.files import library
 
 SECONDS = 10.0
 """CPU time that no command may pass, whatever it is given."""

@@ -17,11 +17,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from unittest import mock
 
-from graphkin import Drawing, grading, library, platforms
+from graphkin import Drawing
 from graphkin.errors import Where
+from graphkin.files import library
+from graphkin.homework import grading, platforms
+from graphkin.homework.platforms.svg_page import drawing as page
 from graphkin.outputs.marks_json import record
 from graphkin.outputs.svg import svg
-from graphkin.platforms.svg_page import drawing as page
 
 if TYPE_CHECKING:
     from PIL.Image import Image

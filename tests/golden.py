@@ -20,8 +20,8 @@ from pathlib import Path
 from click.testing import CliRunner
 from gallery import differences
 
-from graphkin import library
 from graphkin.cli import main as graphkin
+from graphkin.files import library
 
 GOLDEN = Path(__file__).parent / "golden"
 HOMEWORK = Path(__file__).parent / "cases" / "homework"

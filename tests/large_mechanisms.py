@@ -13,7 +13,7 @@ from functools import cache
 import numpy as np
 from random_mechanisms import DYADS, Build
 
-from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.model.mechanism import FRAME, Driver, Mechanism
 
 REACH = 0.1
 """About how long links are [m]."""

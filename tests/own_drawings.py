@@ -7,15 +7,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from graphkin import Drawing, sweeps
-from graphkin.centres import Centres, centres
-from graphkin.centres.about import about
-from graphkin.centres.about_bobillier import bobillier
-from graphkin.centres.centrodes import centrodes, path, whole
+from graphkin import Drawing
 from graphkin.errors import GraphkinError
-from graphkin.finding import find
-from graphkin.linkages import reported, some_found_in
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.outputs.animation import animation
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
@@ -28,6 +22,13 @@ from graphkin.sheet.centrode_frames import centrode_frames
 from graphkin.sheet.centrode_sheet import centrode_sheet
 from graphkin.sheet.linkage_sheet import limit_sheet
 from graphkin.sheet.motion_frames import motion_frames
+from graphkin.studies import sweeps
+from graphkin.studies.centres import Centres, centres
+from graphkin.studies.centres.about import about
+from graphkin.studies.centres.about_bobillier import bobillier
+from graphkin.studies.centres.centrodes import centrodes, path, whole
+from graphkin.studies.finding import find
+from graphkin.studies.linkages import reported, some_found_in
 
 
 @dataclass

@@ -12,8 +12,8 @@ import math
 import random
 from dataclasses import dataclass, field, replace
 
-from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
-from graphkin.pairs import Cam, CircularSlot, Gear, Line, Profile, Roll, Slide
+from graphkin.model.mechanism import FRAME, Driver, Link, Mechanism, Pose
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Profile, Roll, Slide
 
 DYADS = ("RRR", "RRP", "PRR", "RPR", "PRP", "RPP", "PPR")
 

@@ -17,7 +17,7 @@ from random_mechanisms import DYADS, Build, dyad
 
 from graphkin.analytic import Motion, mobility, motion
 from graphkin.errors import GraphkinError
-from graphkin.mechanism import Driver, Mechanism, Pose
+from graphkin.model.mechanism import Driver, Mechanism, Pose
 
 FAMILIES: dict[str, Callable[[int], Mechanism]] = {
     kind: lambda seed, kind=kind: dyad(kind, seed) for kind in DYADS

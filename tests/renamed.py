@@ -5,8 +5,8 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 
-from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
-from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Profile, Roll, Slide
+from graphkin.model.mechanism import FRAME, Driver, Link, Mechanism, Pose
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Profile, Roll, Slide
 
 WORDS = ("crank", "coupler", "rocker", "guide", "ram", "连杆", "arm_2", "b3", "x'", "slider", "disc", "s0", "r0", "kite")
 

@@ -8,13 +8,13 @@ from collections.abc import Callable, Iterable
 import numpy as np
 from random_mechanisms import Seed
 
-from graphkin.agreement import Proved, compare
 from graphkin.analytic import motion
 from graphkin.construction import Plot
 from graphkin.errors import DeadPoint
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method, plan
-from graphkin.readings import readings
+from graphkin.proof.readings import readings
+from graphkin.proof.roads import Proved, compare
 from graphkin.running import replay_all
 
 Make = Callable[[int], Mechanism]

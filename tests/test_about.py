@@ -12,19 +12,18 @@ import numpy as np
 import pytest
 from random_mechanisms import DYADS, Build, cam, chain, coupler_angle, dyad, epicyclic, rolling, triad
 
-from graphkin import library
 from graphkin.analytic import Motion, motion
-from graphkin.centres import Centres, centres
-from graphkin.centres.about import About, Circle, InflectionLine, about
-from graphkin.centres.about_bobillier import bobillier, guided
-from graphkin.drafting import replay
+from graphkin.construction.drafting import replay
 from graphkin.errors import GraphkinError, UnknownLink, UnknownPoint
 from graphkin.errors.centring import FrameStands, NoBobillier
-from graphkin.loading import loads
-from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.files import library, loads
+from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say.centre_about import about_words, bobillier_words
+from graphkin.studies.centres import Centres, centres
+from graphkin.studies.centres.about import About, Circle, InflectionLine, about
+from graphkin.studies.centres.about_bobillier import bobillier, guided
 
 MAKERS: dict[str, Callable[[int], Mechanism]] = {
     **{kind: lambda seed, kind=kind: dyad(kind, seed) for kind in DYADS},

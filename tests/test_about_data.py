@@ -6,14 +6,14 @@ import json
 
 import pytest
 
-from graphkin import library
-from graphkin.centres import centres
-from graphkin.centres.about import about
-from graphkin.centres.about_data import about_json, centrodes_json
-from graphkin.centres.centrodes import centrodes, whole
+from graphkin.files import library
 from graphkin.planning import plan
 from graphkin.running import replay_all
-from graphkin.sweeps import course
+from graphkin.studies.centres import centres
+from graphkin.studies.centres.about import about
+from graphkin.studies.centres.about_data import about_json, centrodes_json
+from graphkin.studies.centres.centrodes import centrodes, whole
+from graphkin.studies.sweeps import course
 
 
 @pytest.mark.parametrize("name", library.names())

@@ -6,10 +6,7 @@ import cmath
 
 import pytest
 
-from graphkin import library
-from graphkin.centres import centres
-from graphkin.centres.about import About, Circle, about
-from graphkin.centres.about_bobillier import bobillier
+from graphkin.files import library
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
@@ -17,6 +14,9 @@ from graphkin.sheet import Sheet, UnknownPaper
 from graphkin.sheet.about_bobillier_sheet import bobillier_sheet, bobillier_step_sheets
 from graphkin.sheet.about_sheet import about_sheet
 from graphkin.sheet.marks import Disc, Stroke, Text
+from graphkin.studies.centres import centres
+from graphkin.studies.centres.about import About, Circle, about
+from graphkin.studies.centres.about_bobillier import bobillier
 
 
 def seen(name: str, link: str) -> About:

@@ -9,10 +9,10 @@ import random
 import pytest
 from calculator import hold
 
-from graphkin.centres.two_velocities import from_text, pole_of
 from graphkin.errors import UnknownUnit
 from graphkin.errors.centring import BadVelocities, NotOneBody, OnePlace
 from graphkin.say.centre_about import pole_words
+from graphkin.studies.centres.two_velocities import from_text, pole_of
 
 CASES = [  # text, case, pole [mm], omega
     ("A 0,0 1,0.5; B 100,0 1,-0.2", "meet", 500 / 7 - 1000j / 7, -7),

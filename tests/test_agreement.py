@@ -13,10 +13,11 @@ from folding import LINKAGES, folding
 from random_mechanisms import DYADS, chain, cylinder, dyad, geared_five_bar, rolling, six_bar, triad
 
 import graphkin
-from graphkin import agreement, library
 from graphkin.errors import GraphkinError, NotReached, RoadsDiffer
-from graphkin.mechanism import Mechanism
+from graphkin.files import library
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
+from graphkin.proof import roads as agreement
 from graphkin.running import variants
 
 KINDS = {kind: lambda seed, kind=kind: dyad(kind, seed) for kind in DYADS} | {

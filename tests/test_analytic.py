@@ -15,8 +15,8 @@ from graphkin.analytic import NoAssembly, NotJoined, SingularPosition, condition
 from graphkin.analytic.elimination import eliminate
 from graphkin.analytic.newton import inverse
 from graphkin.analytic.rules import RULES
-from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
-from graphkin.pairs import PAIRS, Line, Slide
+from graphkin.model.mechanism import FRAME, Driver, Link, Mechanism, Pose
+from graphkin.model.pairs import PAIRS, Line, Slide
 
 
 def build(links: dict[str, dict[str, complex]], sketch: dict[str, complex], *rest: object) -> Mechanism:

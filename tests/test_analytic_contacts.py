@@ -11,9 +11,9 @@ import pytest
 from contacts import touching
 
 from graphkin.analytic import NoAssembly, mobility, motion
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
-from graphkin.pairs import Roll
+from graphkin.files import loads
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.pairs import Roll
 
 CRANK = """
 [frame]

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from contacts import touching
 
-from graphkin import library
 from graphkin.analytic import Motion, mobility, motion
+from graphkin.files import library
 
 TABLE = [
     # name, quantity (v, a: sizes; vx, vy: parts; px, py: instant centre), exact value in SI, source

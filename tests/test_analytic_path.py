@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 from folding import folding
 
-from graphkin import analytic, library
+from graphkin import analytic
 from graphkin.analytic.assembly import drawn
 from graphkin.analytic.motions import driving
 from graphkin.analytic.path import RightSides, path_along
 from graphkin.analytic.vectors import applied, through
+from graphkin.files import library
 
 
 @pytest.mark.parametrize(("linkage", "wheel"), [("parallelogram", "roll"), ("rhombus", "none")])

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from random_mechanisms import DYADS, dyad
 
-from graphkin import api, library
+from graphkin import api
 from graphkin.construction import Meet, Plot, Swing, replay
+from graphkin.files import library
 from graphkin.planning import Method
 from graphkin.running.assembled import assembled
 from graphkin.say.assembly import assembly

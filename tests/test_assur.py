@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from graphkin import api, library
-from graphkin.assur import structure
-from graphkin.loading import loads
+from graphkin import api
+from graphkin.files import library, loads
 from graphkin.planning import plan
 from graphkin.say.structure import structure_lines
+from graphkin.studies.assur import structure
 
 THREE_CRANKS = """
 [frame]

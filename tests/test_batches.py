@@ -13,9 +13,10 @@ import pytest
 from random_mechanisms import dyad
 
 import graphkin
-from graphkin import api, library, solve_many, sweep_many
-from graphkin.batches import Swept
+from graphkin import api, solve_many, sweep_many
+from graphkin.api.batches import Swept
 from graphkin.errors import GraphkinError
+from graphkin.files import library
 
 RANGES: list[str] = []
 OF: list[str] = []

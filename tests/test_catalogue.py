@@ -180,9 +180,9 @@ def test_only_the_catalogue_reads_phrases():
 
 # --- languages ----------------------------------------------------------------------------------
 
-SPOKEN = {"errors", "say", "sheet", "outputs", "platforms", "handouts", "page", "cli"}
-"""What speaks: errors bring their words, the others are media; `platforms` are formats of files."""
-TITLED = {"mechanism", "loading", "library", "starters"}
+SPOKEN = {"errors", "say", "sheet", "outputs", "homework", "handouts", "page", "cli"}
+"""What speaks: errors bring their words, the others are media; `homework` has formats of files."""
+TITLED = {"model", "files"}
 """A mechanism bears its title in each language; files to start from have comments in one of them."""
 EDGE = {"results", "equations", "api"}
 """`equations` is data but for its pages; `results` gives the title in the language asked for, as `api` hands it on."""
@@ -209,10 +209,10 @@ def test_formulas_know_no_language():
 
 def test_subjects_hold_no_chinese():
     """Beside docstrings: what is to be read stands in the catalogue, in errors, and on sheets; `submissions` read what
-    students write, in either language, and a format of a platform may have words of its own; `loading` shows how keys
+    students write, in either language, and a format of a platform may have words of its own; `files` shows how keys
     are written, titles too."""
     holding = {part(path) for path in readers() if any(map(is_chinese, said_in(parsed(path))))}
-    assert holding <= {"errors", "sheet", "outputs", "platforms", "submissions", "loading"}
+    assert holding <= {"errors", "sheet", "outputs", "homework", "submissions", "files"}
 
 
 def said_in(tree: ast.Module) -> Iterator[str]:

@@ -12,11 +12,12 @@ import numpy as np
 import pytest
 import random_mechanisms
 
-from graphkin import library, loading, motion
-from graphkin.centres import Centres, centres
+from graphkin import files as loading
+from graphkin import motion
 from graphkin.check import RulerReport, measure
 from graphkin.check.centre_measure import pole_of, ways_to_move
-from graphkin.mechanism import Mechanism
+from graphkin.files import library
+from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
@@ -24,6 +25,7 @@ from graphkin.sheet import PAPERS, Sheet
 from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets
 from graphkin.sheet.marks import PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import obstacles
+from graphkin.studies.centres import Centres, centres
 
 SVG = "{http://www.w3.org/2000/svg}"
 EACH_KIND = ("fig3-4", "p3-11a", "p3-11b", "fig3-5", "p3-8", "p3-15", "ex3-3", "p3-14", "s4-ex3")

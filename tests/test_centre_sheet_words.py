@@ -9,17 +9,18 @@ import numpy as np
 import pytest
 from calculator import hold
 
-from graphkin import library, loading
+from graphkin import files as loading
 from graphkin.analytic import Motion, motion
-from graphkin.centres import Centres, centres
 from graphkin.errors import NOWHERE
-from graphkin.mechanism import Mechanism
+from graphkin.files import library
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.quantities import named
 from graphkin.planning import plan
-from graphkin.quantities import named
 from graphkin.running import replay_all
 from graphkin.say import names
 from graphkin.say.centre_explained import centre_entries, explain_centres
 from graphkin.say.entry import Calculation, Sentence
+from graphkin.studies.centres import Centres, centres
 
 GEARED_MOTOR = """
 [frame]

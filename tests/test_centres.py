@@ -10,21 +10,20 @@ import pytest
 import random_mechanisms
 from random_mechanisms import DYADS, dyad
 
-from graphkin import library
 from graphkin.analytic import Motion, motion
 from graphkin.api import plan
-from graphkin.centres import Centres, centres
-from graphkin.centres.advantages import carried_through
-from graphkin.centres.levers import Levers
-from graphkin.centres.shortest import shortest
-from graphkin.drafting import Board, LineStep, Meet, drawn_through, ruled
-from graphkin.drafting.projective import Homogeneous
+from graphkin.construction.drafting import Board, LineStep, Meet, drawn_through, ruled
+from graphkin.construction.drafting.projective import Homogeneous
 from graphkin.errors import NOWHERE, GraphkinError
-from graphkin.loading import loads
-from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.quantities import centre_of, named
+from graphkin.files import library, loads
+from graphkin.model.mechanism import FRAME, Driver, Mechanism
+from graphkin.model.quantities import centre_of, named
 from graphkin.running import replay_all
-from graphkin.sweeps import sweep
+from graphkin.studies.centres import Centres, centres
+from graphkin.studies.centres.advantages import carried_through
+from graphkin.studies.centres.levers import Levers
+from graphkin.studies.centres.shortest import shortest
+from graphkin.studies.sweeps import sweep
 
 KINDS = (
     *DYADS, "cylinder", "relative_angle", "coupler_angle", "chain", "triad", "six_bar", "geared_five_bar", "epicyclic",
@@ -239,7 +238,7 @@ def test_each_of_kennedys_lines_is_drawn_once(monkeypatch: pytest.MonkeyPatch) -
         drawn.append(line)
         return ruled(line, board)
 
-    monkeypatch.setattr("graphkin.centres.search.ruled", once)
+    monkeypatch.setattr("graphkin.studies.centres.search.ruled", once)
     method = plan(loads(train_of(8)))
     found = centres(method, replay_all(method))
     assert len(found.names) == 9 * 8 // 2

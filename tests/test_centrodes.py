@@ -22,17 +22,13 @@ from random_mechanisms import (
     triad,
 )
 
-from graphkin import library, sweep
+from graphkin import sweep
 from graphkin.analytic import motion
-from graphkin.centres import Centres, centres
-from graphkin.centres.centrode_places import carried_to, over
-from graphkin.centres.centrode_sampling import arc_length
-from graphkin.centres.centrodes import Centrodes, centrodes, path, whole
-from graphkin.drafting import INFINITE
+from graphkin.construction.drafting import INFINITE
 from graphkin.errors import GraphkinError, UnknownLink
 from graphkin.errors.centring import NoCentrode, UnknownCentre
-from graphkin.loading import loads
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.files import library, loads
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.outputs.animation import animation
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
@@ -40,7 +36,11 @@ from graphkin.running import replay_all
 from graphkin.sheet.centrode_frames import centrode_frames
 from graphkin.sheet.centrode_sheet import centrode_sheet
 from graphkin.sheet.marks import Stroke
-from graphkin.sweeps import Course, course
+from graphkin.studies.centres import Centres, centres
+from graphkin.studies.centres.centrode_places import carried_to, over
+from graphkin.studies.centres.centrode_sampling import arc_length
+from graphkin.studies.centres.centrodes import Centrodes, centrodes, path, whole
+from graphkin.studies.sweeps import Course, course
 
 
 def moved(mechanism: Mechanism) -> tuple[Centres, Course]:
@@ -255,7 +255,7 @@ def test_cut_at_infinity_and_closed():
 
 def test_lengths_to_the_fourth_order():
     """A circle of radius 1: a quarter of it from twenty chords."""
-    from graphkin.centres.centrode_sampling import Piece
+    from graphkin.studies.centres.centrode_sampling import Piece
 
     t = np.linspace(0, np.pi / 2, 41)
     assert arc_length(Piece(t, np.exp(1j * t)[None]))[-1] == pytest.approx(np.pi / 2, rel=1e-7)

@@ -10,9 +10,10 @@ from pathlib import Path
 import book
 import pytest
 
-from graphkin import Drawing, library
+from graphkin import Drawing
 from graphkin.check import measure
 from graphkin.errors import BadDrawing, GraphkinError, NoDrawing
+from graphkin.files import library
 from graphkin.outputs.svg import svg
 
 SVG = "{http://www.w3.org/2000/svg}"

@@ -20,8 +20,8 @@ from broken_submissions import broken
 from click.testing import CliRunner, Result
 
 from graphkin.cli import main
-from graphkin.grading import Journal, batch, grade, judge_from, key_from, resumed, running
-from graphkin.grading.batch import Kept
+from graphkin.homework.grading import Journal, batch, grade, judge_from, key_from, resumed, running
+from graphkin.homework.grading.batch import Kept
 from graphkin.outputs import marks_file
 from graphkin.outputs.key_json import key_text
 from graphkin.outputs.marks_json import record

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner, Result
 
-from graphkin import library
 from graphkin.cli import main
+from graphkin.files import library
 
 FOUR_BAR = """
 [frame]

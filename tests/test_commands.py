@@ -12,11 +12,12 @@ import pytest
 from click.shell_completion import ShellComplete
 from click.testing import CliRunner, Result
 
-from graphkin import api, library
+from graphkin import api
 from graphkin.cli import main, watching
 from graphkin.cli.drawing import draw
 from graphkin.cli.short_options import spelled_out
-from graphkin.standing import standing
+from graphkin.files import library
+from graphkin.proof.repose import standing
 
 FILE = library.text("ex3-5")
 

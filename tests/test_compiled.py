@@ -27,10 +27,10 @@ from random_mechanisms import (
     triad,
 )
 
-from graphkin import library
 from graphkin.construction import Plot, replay
 from graphkin.errors import GraphkinError
-from graphkin.mechanism import Mechanism
+from graphkin.files import library
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.running.many_positions import FITTED_MANY, MANY, by_program, program_of, replay_along

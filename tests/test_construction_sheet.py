@@ -9,11 +9,12 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from graphkin import Drawing, library
+from graphkin import Drawing
 from graphkin.check import measure
 from graphkin.cli import main
 from graphkin.construction import Drawn, Fit, Image, LayOff, Meet, Plot
 from graphkin.errors import Lang, NothingToMeasure
+from graphkin.files import library
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.planning.acts import Act, made

@@ -27,14 +27,14 @@ from random_mechanisms import (
     triad,
 )
 
-from graphkin.agreement import apart
 from graphkin.errors import DeadPoint, RoadsDiffer
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
+from graphkin.files import loads
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
+from graphkin.proof.roads import apart
 from graphkin.say.sweeps import left_out
-from graphkin.sweeps import course, in_parts, prove, sweep
-from graphkin.sweeps.roads import moving
+from graphkin.studies.sweeps import course, in_parts, prove, sweep
+from graphkin.studies.sweeps.roads import moving
 
 COUNT = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
 """Mechanisms of each kind; 0: one of some kinds."""
@@ -127,7 +127,7 @@ def test_a_fit_ends_where_it_stands_at_right_angles():
 
 
 def test_roads_that_differ_give_no_sweep(monkeypatch: pytest.MonkeyPatch):
-    module = import_module("graphkin.sweeps.proof")
+    module = import_module("graphkin.studies.sweeps.proof")
     moved = course(plan(folding("parallelogram", "crank", 0)), ["0:360:30"])
     assert prove(moved) < 1e-9
     other = course(plan(folding("parallelogram", "crank", 1)), ["0:360:30"])
@@ -140,7 +140,7 @@ def test_roads_that_differ_give_no_sweep(monkeypatch: pytest.MonkeyPatch):
 
 
 def test_positions_without_a_motion_are_left_out(monkeypatch: pytest.MonkeyPatch):
-    module = import_module("graphkin.sweeps.sweep")
+    module = import_module("graphkin.studies.sweeps.sweep")
     told = module.series
 
     def failing(*words):

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 import graphkin
-from graphkin import loading
-from graphkin.design import angle_pairs, coupler_positions, guide_bar, hinges, rocker, slider
+from graphkin import files as loading
 from graphkin.errors import (
     CouplerChanges,
     NotOnBisector,
@@ -18,10 +17,11 @@ from graphkin.errors import (
     WantedRange,
     WrongNumber,
 )
-from graphkin.linkages import FourBar, SliderCrank, report
 from graphkin.outputs.designs import as_json
 from graphkin.say import design as words
 from graphkin.say.numbers import Figure
+from graphkin.studies.design import angle_pairs, coupler_positions, guide_bar, hinges, rocker, slider
+from graphkin.studies.linkages import FourBar, SliderCrank, report
 
 RANDOM = np.random.default_rng(23)
 rad = math.radians

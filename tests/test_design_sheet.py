@@ -8,8 +8,7 @@ import pytest
 from test_design import DESIGNS, rad
 
 import graphkin
-from graphkin import loading
-from graphkin.design import rocker
+from graphkin import files as loading
 from graphkin.errors import NoDesign
 from graphkin.outputs.svg import svg
 from graphkin.say.design import as_toml
@@ -17,6 +16,7 @@ from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Stroke, Text
 from graphkin.sheet.obstacles import obstacles
+from graphkin.studies.design import rocker
 
 
 def words(mark):

@@ -15,16 +15,17 @@ import numpy as np
 import pytest
 
 import graphkin
-from graphkin import loading, sweeps
+from graphkin import files as loading
 from graphkin.errors import Lang, NoFolder
-from graphkin.naming import Seen
+from graphkin.model.naming import Seen
+from graphkin.model.quantities import EDGE, Displacement, Moving, Quantity, Rotation, centre_of
 from graphkin.outputs import diagram
 from graphkin.outputs.diagram import fonts
 from graphkin.outputs.diagram.curves import Curves, curves, span
 from graphkin.outputs.diagram.panels import division, label_of, panels
 from graphkin.outputs.files import FileInTheWay
-from graphkin.quantities import EDGE, Displacement, Moving, Quantity, Rotation, centre_of
-from graphkin.sweeps import Course
+from graphkin.studies import sweeps
+from graphkin.studies.sweeps import Course
 
 NAMES = (
     "ex3-1", "ex3-7", "p3-15", "p3-19", "p3-20", "p3-21", "p3-22", "p3-23a", "fig3-10", "s4-ex3", "ex3-3", "s3-cam",

@@ -7,7 +7,7 @@ import typing
 import numpy as np
 import pytest
 
-from graphkin.drafting import (
+from graphkin.construction.drafting import (
     Bisector,
     Board,
     CarriedAngle,

@@ -14,13 +14,13 @@ from xml.etree import ElementTree
 import pytest
 from click.testing import CliRunner, Result
 
-from graphkin import Drawing, library
+from graphkin import Drawing
 from graphkin.cli import main
 from graphkin.cli.shared import json_line
 from graphkin.errors import AlongOwnAxis, JoinedToNothing
-from graphkin.freedoms import wrong_drivers
-from graphkin.loading import loads
-from graphkin.mechanism import FRAME
+from graphkin.files import library, loads
+from graphkin.model.mechanism import FRAME
+from graphkin.proof.mobility_errors import wrong_drivers
 
 COLLAR = """
 [frame]

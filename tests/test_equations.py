@@ -29,14 +29,14 @@ from random_mechanisms import (
 )  # fmt: skip
 
 import graphkin
-from graphkin import library
 from graphkin.equations import document, write_html, write_tex, write_text
 from graphkin.equations.legend import values
 from graphkin.equations.model import model_of
 from graphkin.equations.text import symbol_text
 from graphkin.equations.written import written
 from graphkin.errors import DeadPoint
-from graphkin.usual import ROUNDING
+from graphkin.files import library
+from graphkin.model.usual import ROUNDING
 
 EPS = 1e-9
 """Relative to what the terms of a formula add up to."""

@@ -12,17 +12,18 @@ from pathlib import Path
 import pytest
 import random_mechanisms
 
-from graphkin import grading, library, platforms
 from graphkin.construction import Plot
 from graphkin.errors import Where
+from graphkin.files import library
+from graphkin.homework import grading, platforms
+from graphkin.homework.platforms.svg_page import drawing
+from graphkin.homework.platforms.web_page import html
 from graphkin.marking import Rewrite, rewrites, rewritten
-from graphkin.marking.beside import Beside, beside
+from graphkin.marking.comparison import Beside, beside
 from graphkin.outputs import marks_file
 from graphkin.outputs.marks_json import drawn_of, record
 from graphkin.outputs.svg import inline, svg
 from graphkin.planning import Method, plan
-from graphkin.platforms.svg_page import drawing
-from graphkin.platforms.web_page import html
 from graphkin.running import replay_all
 from graphkin.say.catalogue import say
 from graphkin.sheet import Sheet, sheet
@@ -283,7 +284,7 @@ def test_what_is_not_drawn_otherwise_is_said(tmp_path: Path):
 def test_an_error_of_ours_costs_the_picture_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     judge = grading.judge_from("ex3-1")
     (result,) = graded(judge, answers(tmp_path / "a.toml", "s", '"alpha 3" = 12.5\n"a_k B3B2" = 0'))
-    monkeypatch.setattr("graphkin.platforms.polygon_pictures.mistake_sheet", lambda *a, **k: 1 / 0)
+    monkeypatch.setattr("graphkin.homework.platforms.polygon_pictures.mistake_sheet", lambda *a, **k: 1 / 0)
     (picture,) = platforms.PolygonPictures(judge)(result, "en", "answer")
     assert "ZeroDivisionError" in picture.label
     assert not picture.data
@@ -304,8 +305,8 @@ def test_a_page_for_each(tmp_path: Path):
 
 
 def test_the_class_figure_says_where_nothing_was_diagnosed():
+    from graphkin.homework.platforms.class_figure import class_figure
     from graphkin.outputs.diagram import settings
-    from graphkin.platforms.class_figure import class_figure
 
     with settings():
         page = class_figure(platforms.class_report([]), "en")

@@ -8,12 +8,14 @@ import math
 import numpy as np
 import pytest
 
-from graphkin import Mechanism, api, finding, loading, sweeps
+from graphkin import Mechanism, api
+from graphkin import files as loading
 from graphkin.errors import GraphkinError, Lang
-from graphkin.finding.search import Curve, crossings, differences, followed, tops, touches, vanishing
 from graphkin.say.finding import lines
 from graphkin.sheet import finding_sheet, slowest_point
 from graphkin.sheet.marks import Disc, Stroke
+from graphkin.studies import finding, sweeps
+from graphkin.studies.finding.search import Curve, crossings, differences, followed, tops, touches, vanishing
 
 PLAIN = """
 [frame]

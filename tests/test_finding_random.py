@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 import random_mechanisms as made
 
-from graphkin import finding
 from graphkin.errors import CannotAssemble, DeadPoint
-from graphkin.finding.search import differences
-from graphkin.finding.stretch import Stretch, stretch
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning import Method, plan
-from graphkin.sweeps import course
+from graphkin.studies import finding
+from graphkin.studies.finding.search import differences
+from graphkin.studies.finding.stretch import Stretch, stretch
+from graphkin.studies.sweeps import course
 
 KINDS: dict[str, Callable[[int], Mechanism]] = {
     **{kind: (lambda seed, kind=kind: made.dyad(kind, seed)) for kind in made.DYADS},

@@ -10,15 +10,18 @@ import numpy as np
 import pytest
 import shapely
 
-from graphkin import api, finding, library, loading
+from graphkin import api
+from graphkin import files as loading
 from graphkin.errors import GraphkinError
-from graphkin.finding.dimensions import dimension, replaced
+from graphkin.files import library
 from graphkin.outputs import svg
 from graphkin.say.finding_table import table_lines
 from graphkin.sheet.finding_sheet import drawn as drawn_positions
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Text
 from graphkin.sheet.obstacles import bounds
+from graphkin.studies import finding
+from graphkin.studies.finding.dimensions import dimension, replaced
 
 
 def test_strokes_over_the_screw_of_the_engine() -> None:
@@ -114,7 +117,7 @@ def test_only_the_one_number_of_a_file_changes() -> None:
 
 
 def loading_points(name: str) -> tuple[str, ...]:
-    from graphkin.loading.names import split_points, tidy
+    from graphkin.files.names import split_points, tidy
 
     return split_points(tidy(name.split(".")[-1]))
 

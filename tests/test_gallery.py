@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 from gallery import FEEDBACK, FIGURES, HANDOUT, PATH, differences, drawings, special, worksheet
 
-from graphkin import library
 from graphkin.check import measure
+from graphkin.files import library
 
 
 @pytest.mark.parametrize("name", [*library.names(), FEEDBACK, PATH])

@@ -16,8 +16,8 @@ import pytest
 from geogebra import Reckoned
 
 import graphkin
-from graphkin import library
 from graphkin.errors import GraphkinError
+from graphkin.files import library
 from graphkin.outputs.geogebra import ggb
 from graphkin.outputs.geogebra.file import written
 from graphkin.running import replay_all

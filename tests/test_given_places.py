@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from graphkin import library, loads
+from graphkin import loads
+from graphkin.files import library
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say.dimensions import dimensions

@@ -26,11 +26,11 @@ from random_mechanisms import (
 )
 
 import graphkin
-from graphkin import library
 from graphkin.errors import Lang
-from graphkin.loading.names import split_points
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Roll, Slide
+from graphkin.files import library
+from graphkin.files.names import split_points
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Roll, Slide
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say import names

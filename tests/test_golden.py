@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from golden import GOLDEN, commands, place, said, unlike
 
-from graphkin import library
+from graphkin.files import library
 
 LINES = list(commands())
 TOLD = {name for k, name in enumerate(library.names()) if k % 3 == 0}

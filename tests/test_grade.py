@@ -12,7 +12,7 @@ from click.testing import CliRunner, Result
 
 from graphkin.cli import main
 from graphkin.errors import Lang
-from graphkin.grading import key_from
+from graphkin.homework.grading import key_from
 from graphkin.outputs.key_json import key_text
 from graphkin.say import say
 

@@ -7,16 +7,15 @@ import pytest
 import random_mechanisms
 from roads import BATCHES, hold_derivatives, hold_roads_together, kinds
 
-from graphkin import library
-from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.construction import Equation, Simultaneous, Term
 from graphkin.errors import GearsApart
-from graphkin.loading import loads
+from graphkin.files import library, loads
 from graphkin.planning import Method, plan
+from graphkin.proof.roads import compare
 from graphkin.running import replay_all
-from graphkin.sweeps import course
-from graphkin.sweeps.roads import moving
+from graphkin.studies.sweeps import course
+from graphkin.studies.sweeps.roads import moving
 
 KINDS = ("triad", "six_bar", "geared_five_bar", "epicyclic", "rolling", "cam", "circular_slot")
 

@@ -16,8 +16,8 @@ from pdf_lines import lines
 from printed_markers import markers
 
 import graphkin
-from graphkin import library
 from graphkin.cli import main
+from graphkin.files import library
 from graphkin.handouts import fonts, handout, proofs, stages
 from graphkin.handouts.document import Picture, Room, Rows, Text
 from graphkin.handouts.markers import MARKERS, MOST, digits

@@ -18,9 +18,9 @@ from random_mechanisms import cylinder, rolling
 from test_compiled import COUNT, MAKERS, alike_on_its_way, around, hold_alike, plainly, random_tape, records
 
 import graphkin
-from graphkin import library
 from graphkin.errors import GraphkinError
-from graphkin.mechanism import Mechanism
+from graphkin.files import library
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.running.program import in_c, program

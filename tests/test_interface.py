@@ -16,12 +16,13 @@ import pytest
 from click.testing import CliRunner
 
 import graphkin
-from graphkin import Mechanism, library, reference
-from graphkin.cli import main
+from graphkin import Mechanism
+from graphkin.cli import main, reference
 from graphkin.errors import BadValues, GraphkinError, NoSuchDriver, NoSuchValue, UnknownQuantity, WrongType
-from graphkin.loading.builder import Builder
-from graphkin.loading.changing import rewritten
-from graphkin.loading.toml import toml
+from graphkin.files import library
+from graphkin.files.builder import Builder
+from graphkin.files.changing import rewritten
+from graphkin.files.toml import toml
 
 FEW = int(os.environ.get("GRAPHKIN_RANDOM", "40"))
 

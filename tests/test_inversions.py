@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from graphkin import library
-from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.api import plan
 from graphkin.errors import DeadPoint, NoFixing
-from graphkin.loading import loads
+from graphkin.files import library, loads
+from graphkin.proof.roads import compare
 from graphkin.running import replay_all
 from graphkin.say import linkages as words
 

@@ -17,16 +17,16 @@ import pytest
 from large_mechanisms import dyads, ladder, triads
 from random_mechanisms import chain
 
-from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.construction import Plot, replay
 from graphkin.errors import AmbiguousSketch, CannotAssemble, GraphkinError
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.planning.position import position
 from graphkin.planning.stages import stages
 from graphkin.planning.starting_facts import facts_of
 from graphkin.planning.structure import Structure
+from graphkin.proof.roads import compare
 from graphkin.running import replay_all
 
 LONG = {

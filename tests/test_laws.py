@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 import random_mechanisms
 
-from graphkin import library, tolerances
+from graphkin.base import tolerances
 from graphkin.construction import (
     Across,
     Along,
@@ -28,7 +28,8 @@ from graphkin.construction import (
     Turning,
 )
 from graphkin.errors import GraphkinError
-from graphkin.mechanism import Mechanism
+from graphkin.files import library
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
 
 MAKERS = {kind: partial(random_mechanisms.dyad, kind) for kind in random_mechanisms.DYADS} | {

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from graphkin import library
 from graphkin.errors import UnknownMechanism
-from graphkin.loading import loads
+from graphkin.files import library, loads
 
 
 @pytest.mark.parametrize("name", library.names())

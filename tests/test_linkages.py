@@ -12,11 +12,18 @@ import numpy as np
 import pytest
 from just_reaching import STRETCHED
 
-from graphkin import library
 from graphkin.analytic import motion
 from graphkin.api import Drawing
 from graphkin.errors import CannotClose, CannotDriveBy, GraphkinError, NoFixing, NoLinkage, NotALength, OnlyStretched
-from graphkin.linkages import (
+from graphkin.files import library, loads
+from graphkin.outputs.svg import svg
+from graphkin.say.catalogue import phrase
+from graphkin.say.linkages import family_lines, found_lines, held, kind_name, lines, titled
+from graphkin.sheet.lettering import box
+from graphkin.sheet.linkage_family import family_sheet
+from graphkin.sheet.linkage_sheet import limit_sheet
+from graphkin.sheet.marks import PointMark, Stroke, Text
+from graphkin.studies.linkages import (
     FAMILY,
     KINDS,
     FourBar,
@@ -30,16 +37,8 @@ from graphkin.linkages import (
     reported,
     some_found_in,
 )
-from graphkin.linkages.placement import posed
-from graphkin.linkages.triangles import whole
-from graphkin.loading import loads
-from graphkin.outputs.svg import svg
-from graphkin.say.catalogue import phrase
-from graphkin.say.linkages import family_lines, found_lines, held, kind_name, lines, titled
-from graphkin.sheet.lettering import box
-from graphkin.sheet.linkage_family import family_sheet
-from graphkin.sheet.linkage_sheet import limit_sheet
-from graphkin.sheet.marks import PointMark, Stroke, Text
+from graphkin.studies.linkages.placement import posed
+from graphkin.studies.linkages.triangles import whole
 
 deg = math.degrees
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from graphkin.errors import CannotClose, OnlyStretched
-from graphkin.linkages import FourBar, GuideBar, SliderCrank, report
+from graphkin.studies.linkages import FourBar, GuideBar, SliderCrank, report
 
 STEPS = 3600
 CLOSE = 1e-7

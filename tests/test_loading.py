@@ -15,12 +15,12 @@ from hypothesis import strategies as st
 
 import graphkin.errors as errors
 from graphkin.errors import GraphkinError, Several, Where
-from graphkin.loading import load, loads
-from graphkin.loading.positions import positions
-from graphkin.loading.source import LARGEST_FILE
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.files import load, loads
+from graphkin.files.positions import positions
+from graphkin.files.source import LARGEST_FILE
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.pairs import Cam, CircularSlot
 from graphkin.outputs.json_schema import json_schema_text
-from graphkin.pairs import Cam, CircularSlot
 
 FOURBAR = """\
 [frame]
@@ -737,7 +737,7 @@ def _paths(node: object, path: tuple[str | int, ...] = ()) -> list[tuple[str | i
 
 
 def test_the_json_schema_is_current() -> None:
-    shipped = Path(errors.__file__).parent.parent / "loading" / "graphkin.schema.json"
+    shipped = Path(errors.__file__).parent.parent / "files" / "graphkin.schema.json"
     assert shipped.read_text("utf-8") == json_schema_text()
 
 

@@ -13,8 +13,8 @@ import pytest
 
 from graphkin import api
 from graphkin.errors import NOWHERE, BadKey
-from graphkin.grading import Pencils, key_for, key_from, marking_of
-from graphkin.grading.keys import key_drawn
+from graphkin.homework.grading import Pencils, key_for, key_from, marking_of
+from graphkin.homework.grading.keys import key_drawn
 from graphkin.marking import making
 from graphkin.marking.diagnosis import independent
 from graphkin.marking.habits import Trace, added
@@ -25,8 +25,8 @@ from graphkin.marking.pencil import Pencil
 from graphkin.marking.scatter import Drawings, spread
 from graphkin.marking.slips import Mark, Slips
 from graphkin.marking.tolerances import tolerances
+from graphkin.model.quantities import named
 from graphkin.outputs.key_json import key_data, key_of, key_text
-from graphkin.quantities import named
 
 CASES = Path(__file__).parent / "cases"
 

@@ -7,8 +7,9 @@ from functools import cache
 import numpy as np
 import pytest
 
-from graphkin import library, loading
-from graphkin.geometry import Value
+from graphkin import files as loading
+from graphkin.base.geometry import Value
+from graphkin.files import library
 from graphkin.marking import (
     MISTAKES,
     Consequences,
@@ -26,9 +27,9 @@ from graphkin.marking import (
     rewrites,
     rewritten,
 )
+from graphkin.model.quantities import Moving, Quantity, read
 from graphkin.planning import Method, plan
-from graphkin.quantities import Moving, Quantity, read
-from graphkin.readings import readings
+from graphkin.proof.readings import readings
 from graphkin.running import replay_all
 from graphkin.say.phrases.mistakes import PHRASES
 

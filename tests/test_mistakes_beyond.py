@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 import random_mechanisms
 
-from graphkin import library, loading
+from graphkin import files as loading
 from graphkin.analytic import motion
-from graphkin.geometry import cross
+from graphkin.base.geometry import cross
+from graphkin.files import library
 from graphkin.marking import Consequences, consequences
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.quantities import Quantity, read
 from graphkin.planning import plan
-from graphkin.quantities import Quantity, read
 from graphkin.running import replay_all
 
 

@@ -14,14 +14,13 @@ import random_mechanisms
 import repeating
 import rolling_machines
 
-from graphkin import library
 from graphkin.construction import Plot
 from graphkin.errors import DeadPoint
-from graphkin.loading import loads
+from graphkin.files import library, loads
 from graphkin.marking import MISTAKES, Consequences, combined, consequences, redraw
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.quantities import Quantity, read
 from graphkin.planning import Method, plan
-from graphkin.quantities import Quantity, read
 from graphkin.running import replay_all
 from graphkin.say.phrases.mistakes import PHRASES
 

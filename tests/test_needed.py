@@ -8,11 +8,10 @@ from dataclasses import replace
 import pytest
 from random_mechanisms import cam, circular_slot, epicyclic, geared_five_bar, rolling, triad
 
-from graphkin import library
 from graphkin.construction import Drawn, Equation, Given, LayOff, Measure, Plane
 from graphkin.errors import GraphkinError
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
+from graphkin.files import library, loads
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method, plan
 from graphkin.planning.held_still import standing
 from graphkin.planning.needed import Fact, _Reader, at_rest, needed, turning

@@ -17,16 +17,14 @@ from renamed import renamed
 from test_design import DESIGNS
 from test_read_back import FAMILIES, make, wrong
 
-from graphkin import Drawing, library
+from graphkin import Drawing
 from graphkin.analytic import motion
-from graphkin.centres import centres
-from graphkin.centres.two_velocities import from_text
 from graphkin.check import measured
 from graphkin.check.centre_measure import pole_of, ways_to_move
 from graphkin.check.drawing import mechanism_of, read
 from graphkin.errors import GraphkinError, NothingToMeasure
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
+from graphkin.files import library, loads
+from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
@@ -34,6 +32,8 @@ from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
 from graphkin.sheet.linkage_family import family_sheet
 from graphkin.sheet.marks import PointMark
 from graphkin.sheet.pole_sheet import pole_sheet
+from graphkin.studies.centres import centres
+from graphkin.studies.centres.two_velocities import from_text
 
 MANY = int(os.environ.get("GRAPHKIN_RANDOM", "0"))
 APART = 1 if MANY else 4

@@ -13,10 +13,7 @@ import numpy as np
 import pytest
 
 import graphkin
-from graphkin import library
-from graphkin.centres import centres
-from graphkin.centres.about import about
-from graphkin.loading import loads
+from graphkin.files import library, loads
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet, sheet
@@ -32,6 +29,8 @@ from graphkin.sheet.paper import Room
 from graphkin.sheet.scales import SERIES, finer
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
+from graphkin.studies.centres import centres
+from graphkin.studies.centres.about import about
 
 PACKAGE = Path(graphkin.__file__).parent
 TEXTS = {path.relative_to(PACKAGE).as_posix(): path.read_text("utf-8") for path in PACKAGE.rglob("*.py")}

@@ -9,17 +9,16 @@ import numpy as np
 import pytest
 
 import graphkin
-from graphkin import library
 from graphkin.analytic import mobility, motion
 from graphkin.analytic.rules import RULES
 from graphkin.errors import CannotAssemble
 from graphkin.errors.motion import PAIRS as CALLED
-from graphkin.loading import loads
-from graphkin.loading.pairs import READERS
-from graphkin.loading.schema import File
-from graphkin.mechanism import Mechanism
-from graphkin.naming import named
-from graphkin.pairs import PAIRS, Pair, Revolute
+from graphkin.files import library, loads
+from graphkin.files.pairs import READERS
+from graphkin.files.schema import File
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.naming import named
+from graphkin.model.pairs import PAIRS, Pair, Revolute
 from graphkin.planning import plan
 from graphkin.say.centre_steps import NORMALS
 from graphkin.say.equivalents import EQUIVALENTS
@@ -27,7 +26,7 @@ from graphkin.say.structure import KINDS, structure_lines
 from graphkin.say.sweeps import remarks
 from graphkin.sheet.mechanism_figure import BEFORE_LINKS, OVER_LINKS
 from graphkin.sheet.wheels import UNDER_LINKS
-from graphkin.sweeps import course
+from graphkin.studies.sweeps import course
 
 EVERY = set(PAIRS)
 REPLACED = {kind for kind in PAIRS if kind.equivalent is not Pair.equivalent}

@@ -13,8 +13,9 @@ from xml.etree.ElementTree import Element
 import pytest
 from defusedxml.ElementTree import fromstring
 
-from graphkin import Drawing, library
+from graphkin import Drawing
 from graphkin.check import measure
+from graphkin.files import library
 from graphkin.outputs.spans import runs
 from graphkin.outputs.svg import svg
 from graphkin.sheet.lettering import number, plain, point_label, quantity_label, vector_label

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from test_mistakes_everywhere import FAMILIES
 
-from graphkin import library
 from graphkin.analytic import motion
 from graphkin.construction import Plot, replay
 from graphkin.errors import GraphkinError
-from graphkin.grading import key_for, marking_of
+from graphkin.files import library
+from graphkin.homework.grading import key_for, marking_of
 from graphkin.marking.handed import readable
 from graphkin.marking.key import Entry, Key
 from graphkin.marking.making import half_digit, pencil_of
@@ -24,8 +24,8 @@ from graphkin.marking.pencil import _on_paper, drawn_positions
 from graphkin.marking.scatter import Drawings, spread
 from graphkin.marking.slips import Slips, seed_of
 from graphkin.marking.tolerances import tolerances
-from graphkin.mechanism import Mechanism
-from graphkin.pairs import Slide
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.pairs import Slide
 from graphkin.planning import Method, plan
 from graphkin.running.path import turned
 from graphkin.say.tolerances import tolerance_lines

@@ -11,13 +11,13 @@ import pytest
 from click.testing import CliRunner
 
 import graphkin
-from graphkin import library
 from graphkin.check.ruler import measure
 from graphkin.cli import main
 from graphkin.errors import GraphkinError
+from graphkin.files import library
 from graphkin.outputs.svg import svg
 from graphkin.sheet.marks import Stroke
-from graphkin.sweeps import PointPath, point_path
+from graphkin.studies.sweeps import PointPath, point_path
 
 TURNING_WITHOUT_RATE = '''[frame]
 A = [0, 0]

@@ -20,8 +20,7 @@ from defusedxml.ElementTree import fromstring
 from graphkin.cli import main as graphkin
 from graphkin.cli.marking import PLATFORMS
 from graphkin.errors import CannotWrite, NoFile, NotAnOverride, NotAResult, Unreadable, Where
-from graphkin.outputs.files import FileInTheWay
-from graphkin.platforms import (
+from graphkin.homework.platforms import (
     RESULTS,
     Picture,
     class_report,
@@ -33,10 +32,11 @@ from graphkin.platforms import (
     write_class_figure,
     write_results,
 )
-from graphkin.platforms.cells import harmless, unharmed
-from graphkin.platforms.marked_up import one_line
-from graphkin.platforms.platform_names import canvas, moodle
-from graphkin.platforms.prairielearn import LARGEST
+from graphkin.homework.platforms.cells import harmless, unharmed
+from graphkin.homework.platforms.marked_up import one_line
+from graphkin.homework.platforms.platform_names import canvas, moodle
+from graphkin.homework.platforms.prairielearn import LARGEST
+from graphkin.outputs.files import FileInTheWay
 from graphkin.say import say
 
 MOODLE = "class.zip!Li Lei_{k}_assignsubmission_file_/answers.toml"

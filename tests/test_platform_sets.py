@@ -20,27 +20,18 @@ from hypothesis import strategies as st
 from moodle_rules import imported, shown
 
 import graphkin
-from graphkin import grading
 from graphkin.cli import main
 from graphkin.cli.problems import PLATFORMS
 from graphkin.errors import GraphkinError, NotForPlatform
+from graphkin.homework import grading
+from graphkin.homework.platforms import SETS, Part, ProblemSet, Question, Wrong, alternatives, question_of, write_set
+from graphkin.homework.platforms.alternatives import most
+from graphkin.homework.platforms.cells import line, read_table, unharmed
+from graphkin.homework.platforms.marked_up import one_line
+from graphkin.homework.platforms.moodle_set import weights
+from graphkin.homework.platforms.numbers import points
+from graphkin.model.quantities import EDGE, read
 from graphkin.outputs.files import FileInTheWay
-from graphkin.platforms import (
-    SETS,
-    Part,
-    ProblemSet,
-    Question,
-    Wrong,
-    alternatives,
-    question_of,
-    write_set,
-)
-from graphkin.platforms.alternatives import most
-from graphkin.platforms.cells import line, read_table, unharmed
-from graphkin.platforms.marked_up import one_line
-from graphkin.platforms.moodle_set import weights
-from graphkin.platforms.numbers import points
-from graphkin.quantities import EDGE, read
 
 HOSTILE = (
     "plain", "a\"b'c", "x~y#z}w{v\\u", "\\", "~", "#", "}", "}~=1:1#", "{1:NUMERICAL:=1:9}", "{#1}", "<b>&amp;</b>",

@@ -8,8 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from graphkin import library, loading
+from graphkin import files as loading
 from graphkin.construction import Construction, Normal
+from graphkin.files import library
 from graphkin.planning import Method, plan
 from graphkin.say import names
 from graphkin.sheet.lettering import point_label

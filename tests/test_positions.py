@@ -11,19 +11,21 @@ from typing import Any
 import pytest
 from click.testing import CliRunner
 
-from graphkin import api, library, loading
+from graphkin import api
+from graphkin import files as loading
 from graphkin.cli import main
 from graphkin.errors import NoKeyAtPosition, Where
-from graphkin.grading import OneKey, grade, judge_from, key_for
-from graphkin.grading.positions import further_methods
+from graphkin.files import library
+from graphkin.homework.grading import OneKey, grade, judge_from, key_for
+from graphkin.homework.grading.positions import further_methods
+from graphkin.homework.platforms import PolygonPictures
+from graphkin.homework.platforms.from_key import question_of
+from graphkin.homework.platforms.result import from_record
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.key_json import key_of, key_text
 from graphkin.outputs.marks_json import record
-from graphkin.platforms import PolygonPictures
-from graphkin.platforms.from_key import question_of
-from graphkin.platforms.result import from_record
 from graphkin.results import driver_values, results
 from graphkin.say.problems import problem
 

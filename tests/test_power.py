@@ -13,9 +13,10 @@ import numpy as np
 import pytest
 from random_mechanisms import DYADS, dyad
 
-from graphkin import api, library
+from graphkin import api
 from graphkin.errors import NOWHERE
-from graphkin.grading import key_for, marking_of
+from graphkin.files import library
+from graphkin.homework.grading import key_for, marking_of
 from graphkin.marking.explaining import Explainer
 from graphkin.marking.key import Entry, Hypotheses, Key, Marking
 from graphkin.marking.making import drawings_of, pencil_of

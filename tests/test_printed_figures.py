@@ -13,18 +13,18 @@ from calculator import NUMBER, calculated, hold
 from golden import GOLDEN, LANGUAGES
 from random_mechanisms import epicyclic
 
-from graphkin import library
 from graphkin.api import Drawing
-from graphkin.centres import centres
-from graphkin.linkages import FourBar, GuideBar, Linkage, SliderCrank, report
+from graphkin.files import library
 from graphkin.marking import ruler
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say import explain
 from graphkin.say.centre_explained import explain_centres
 from graphkin.say.figures import Operand, figures, signed_sum, squared, written
 from graphkin.say.linkages import lines as linkage_lines
+from graphkin.studies.centres import centres
+from graphkin.studies.linkages import FourBar, GuideBar, Linkage, SliderCrank, report
 
 
 @cache

@@ -13,11 +13,11 @@ import rolling_machines
 from click.testing import CliRunner
 from test_mistakes_everywhere import REPEATING, from_text, repeated
 
-from graphkin import library
 from graphkin.cli import main as graphkin
-from graphkin.mechanism import Mechanism
-from graphkin.quantities import EDGE
-from graphkin.usual import Usual
+from graphkin.files import library
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.quantities import EDGE
+from graphkin.model.usual import Usual
 
 COMMANDS = (
     "solve @", "solve @ --json", "explain @ --all", "explain @ --all --lang zh", "equations @",

@@ -11,14 +11,16 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from graphkin import api, library, loading
+from graphkin import api
+from graphkin import files as loading
 from graphkin.cli import main
 from graphkin.errors import GraphkinError, NoRange, NotATemplate, NoVariant, OutOfRange, StudentTwice, UnknownQuantity
+from graphkin.files import library
+from graphkin.homework.platforms import write_problems
+from graphkin.homework.problems import Student, read_template, roster, variants, well_posed
+from graphkin.homework.problems.shown import shown_at
 from graphkin.outputs.files import FileInTheWay
 from graphkin.planning import plan
-from graphkin.platforms import write_problems
-from graphkin.problems import Student, read_template, roster, variants, well_posed
-from graphkin.problems.shown import shown_at
 from graphkin.running import replay_all
 from graphkin.say.problems import problem
 from graphkin.submissions import Asked, read
@@ -122,8 +124,8 @@ def test_every_variant_is_posed_well(template: Path):
 def test_what_is_wrong_with_a_template_is_said(
     template: Path, change: tuple[str, str], error: type[GraphkinError], monkeypatch: pytest.MonkeyPatch
 ):
-    monkeypatch.setattr("graphkin.problems.draws._HOPELESS", 3)
-    monkeypatch.setattr("graphkin.problems.draws._TRIES", 20)
+    monkeypatch.setattr("graphkin.homework.problems.draws._HOPELESS", 3)
+    monkeypatch.setattr("graphkin.homework.problems.draws._TRIES", 20)
     assert change[0] in TEXT
     template.write_text(TEXT.replace(*change), encoding="utf-8")
     with pytest.raises(error) as caught:

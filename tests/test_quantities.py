@@ -12,19 +12,19 @@ import numpy as np
 import pytest
 
 import graphkin
-from graphkin import library, starters, sweeps
 from graphkin.analytic import motion
-from graphkin.centres import centres
 from graphkin.errors import NOWHERE, GraphkinError, UnknownPoint, Where
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
-from graphkin.motions import Motions
+from graphkin.files import library, loads, starters
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.quantities import EDGE, WORDS, Centre, Quantity, Rotation, meant, named, parts, read
+from graphkin.model.quantities.kinds import Kind
 from graphkin.planning import plan
-from graphkin.quantities import EDGE, WORDS, Centre, Quantity, Rotation, meant, named, parts, read
-from graphkin.quantities.kinds import Kind
-from graphkin.readings import readings
+from graphkin.proof.readings import readings
 from graphkin.running import replay_all
-from graphkin.sweeps.roads import mended
+from graphkin.studies import sweeps
+from graphkin.studies.centres import centres
+from graphkin.studies.sweeps.roads import mended
 
 PACKAGE = Path(graphkin.__file__).parent
 FILES = sorted(PACKAGE.rglob("*.py"))

@@ -11,10 +11,10 @@ import pytest
 from random_mechanisms import DYADS, Seed, chain, coupler_angle, cylinder, dyad, relative_angle
 from roads import ALIKE, BATCHES, hold_derivatives, hold_roads_together, kinds, planned
 
-from graphkin.agreement import proved
 from graphkin.errors import DeadPoint
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
+from graphkin.proof.roads import proved
 from graphkin.running import replay_all
 
 KINDS = (*DYADS, "cylinder", "relative", "coupler", "chain")

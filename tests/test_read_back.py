@@ -37,8 +37,8 @@ from graphkin import Drawing
 from graphkin.check import RulerReport, measured
 from graphkin.check.drawing import read
 from graphkin.errors import BadDrawing, DeadPoint
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
+from graphkin.files import loads
+from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.svg import svg
 from graphkin.sheet.scales import TooLargeForPaper
 

@@ -9,18 +9,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from graphkin import api, library, loading
+from graphkin import api
+from graphkin import files as loading
 from graphkin.construction import Plot
 from graphkin.errors import Where
-from graphkin.grading import grade, key_drawn
-from graphkin.grading.again import again
+from graphkin.files import library
+from graphkin.homework.grading import grade, key_drawn
+from graphkin.homework.grading.again import again
 from graphkin.marking.consequences import rewrites, rewritten
 from graphkin.marking.graded import Drawn
 from graphkin.marking.marked import Number, Work
 from graphkin.marking.marker import Marker
 from graphkin.marking.rewrite import Rewrite
+from graphkin.model.quantities import Moving
 from graphkin.outputs.marks_json import record
-from graphkin.quantities import Moving
 from graphkin.submissions import Limits
 
 NAMES = ("ex3-5", "clockwise")

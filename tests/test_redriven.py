@@ -13,13 +13,13 @@ import pytest
 from redriving import FAMILIES, KINDS, redriven
 from roads import planned
 
-from graphkin.agreement import compare
 from graphkin.analytic import Motion, motion
 from graphkin.api import Drawing
 from graphkin.construction import LayOff, Measure, Plot, Simultaneous, replay
-from graphkin.loading import loads
+from graphkin.files import loads
 from graphkin.planning import Method, plan
 from graphkin.planning.by_pose import by_pose
+from graphkin.proof.roads import compare
 from graphkin.running import replay_all
 
 COUNT = max(1, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 400)

@@ -10,20 +10,20 @@ import numpy as np
 import pytest
 from repeating import FAMILIES
 
-from graphkin.agreement import compare
 from graphkin.analytic import mobility, motion
 from graphkin.api import Drawing, plan
-from graphkin.assur import structure
 from graphkin.errors import NotRepeated, TooManyDrivers
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
+from graphkin.files import loads
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.planning.equivalent import contacts, lower_pairs
 from graphkin.planning.repeated import repeated
 from graphkin.planning.structure import Structure
+from graphkin.proof.roads import compare
 from graphkin.results import results
 from graphkin.running import replay_all
 from graphkin.say.structure import structure_lines
+from graphkin.studies.assur import structure
 
 COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 200)
 """Random mechanisms of each kind; more of them with GRAPHKIN_RANDOM=20000 in the environment."""

@@ -13,13 +13,13 @@ import pytest
 from contacts import touching
 from rolling_machines import FAMILIES
 
-from graphkin.agreement import compare
 from graphkin.analytic import motion
 from graphkin.api import Drawing
 from graphkin.errors import GearsApart, GraphkinError, Lang, NotPlaced, OffTrack, PosesDiffer
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
+from graphkin.files import loads
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
+from graphkin.proof.roads import compare
 from graphkin.running import replay_all
 from graphkin.say import explain
 

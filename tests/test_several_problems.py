@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner, Result
 
 from graphkin.cli import main
-from graphkin.grading import key_from
+from graphkin.homework.grading import key_from
 from graphkin.marking import MISTAKES
 from graphkin.marking.habits import Trace, added, habits
 from graphkin.marking.key import Key

@@ -21,8 +21,8 @@ from graphkin.errors import (
     TooManyPoints,
     Where,
 )
-from graphkin.loading.measures import link_points, read_measures
-from graphkin.loading.shapes import Measures, solve_shape
+from graphkin.files.measures import link_points, read_measures
+from graphkin.files.shapes import Measures, solve_shape
 
 
 def shape(table: dict[str, object], *ccw: str) -> dict[str, complex]:

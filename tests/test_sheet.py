@@ -11,9 +11,8 @@ import book
 import pytest
 from large_mechanisms import dyads
 
-from graphkin import library
 from graphkin.construction import LETTER, Drawn, Given, LayOff, Plane, Plot
-from graphkin.loading import loads
+from graphkin.files import library, loads
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_sheets

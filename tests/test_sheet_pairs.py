@@ -8,9 +8,8 @@ from typing import Literal
 
 import pytest
 
-from graphkin import library
 from graphkin.construction import Plot
-from graphkin.loading import loads
+from graphkin.files import library, loads
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet

@@ -8,10 +8,10 @@ from itertools import product
 import pytest
 
 import graphkin
-from graphkin import loading
+from graphkin import files as loading
 from graphkin.errors import OtherSide
-from graphkin.mechanism import Mechanism
-from graphkin.pairs import Cam, Roll
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.pairs import Cam, Roll
 
 FOLLOWER = """
 [frame]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from graphkin import loading
-from graphkin.grading import key_for
+from graphkin import files as loading
+from graphkin.homework.grading import key_for
 from graphkin.marking.marked import Number, Work
 from graphkin.marking.marker import Marker
 

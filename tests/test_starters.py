@@ -9,9 +9,10 @@ import pytest
 from click.testing import CliRunner
 
 import graphkin
-from graphkin import loading, starters
+from graphkin import files as loading
 from graphkin.cli import main
 from graphkin.errors import Lang
+from graphkin.files import starters
 from graphkin.results import results
 
 LANGUAGES: tuple[Lang, ...] = get_args(Lang)

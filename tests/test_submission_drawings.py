@@ -15,10 +15,11 @@ from pathlib import Path
 import book
 import pytest
 
-from graphkin import api, library
+from graphkin import api
 from graphkin.errors import LetterTwice, NoLetters, NoScaleDrawn, Where
-from graphkin.quantities import read as quantity
-from graphkin.readings import readings
+from graphkin.files import library
+from graphkin.model.quantities import read as quantity
+from graphkin.proof.readings import readings
 from graphkin.submissions import Asked, Limits, Submission, read_one
 from graphkin.submissions.class_names import owner
 from graphkin.submissions.dxf import read_dxf

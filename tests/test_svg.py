@@ -11,7 +11,8 @@ import book
 import pytest
 from defusedxml.ElementTree import fromstring
 
-from graphkin import Drawing, library
+from graphkin import Drawing
+from graphkin.files import library
 from graphkin.outputs.drawings import write
 from graphkin.outputs.files import FileInTheWay
 from graphkin.outputs.spans import mm

@@ -14,15 +14,14 @@ import pytest
 from click.testing import CliRunner, Result
 from random_mechanisms import DYADS, chain, circular_slot, coupler_angle, cylinder, dyad, triad
 
-from graphkin import library
-from graphkin.agreement import apart
 from graphkin.cli import main
 from graphkin.errors import BadRange, GraphkinError, NoPosition, NoSuchDriver
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
+from graphkin.files import library, loads
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
-from graphkin.sweeps import course, quantities_at, sweep
-from graphkin.sweeps.roads import moving
+from graphkin.proof.roads import apart
+from graphkin.studies.sweeps import course, quantities_at, sweep
+from graphkin.studies.sweeps.roads import moving
 
 LIMITED = ("fig3-6", "fig3-10", "p3-22", "s4-ex3", "ex3-2", "s4-ex8")
 

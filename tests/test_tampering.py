@@ -19,16 +19,17 @@ import book
 import pytest
 from test_read_back import FAMILIES, drawn, make, read_back, wrong
 
-from graphkin import Drawing, library
-from graphkin.centres import centres
+from graphkin import Drawing
+from graphkin.base.checksum import seal
 from graphkin.check import measure
 from graphkin.errors import BadDrawing
+from graphkin.files import library
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say.checks import check_lines
-from graphkin.seal import seal
 from graphkin.sheet.centre_sheet import centre_sheet
+from graphkin.studies.centres import centres
 
 Change = Callable[[str], str]
 

@@ -12,16 +12,18 @@ import pytest
 from click.testing import CliRunner
 from test_problems import TEXT
 
-from graphkin import api, library, loading
+from graphkin import api
+from graphkin import files as loading
 from graphkin.cli import main
-from graphkin.grading import key_for
-from graphkin.grading.keys import marking_of
+from graphkin.files import library
+from graphkin.homework.grading import key_for
+from graphkin.homework.grading.keys import marking_of
+from graphkin.homework.problems import draws, read_template, roster, variants, well_posed
+from graphkin.homework.problems.paper import Paper
+from graphkin.homework.problems.shown import shown_at
 from graphkin.marking.key import Entry
 from graphkin.marking.telling import Telling, compared, telling
 from graphkin.marking.told import Always, set_told
-from graphkin.problems import draws, read_template, roster, variants, well_posed
-from graphkin.problems.paper import Paper
-from graphkin.problems.shown import shown_at
 from graphkin.running import replay_all
 from graphkin.say.told import told_lines
 

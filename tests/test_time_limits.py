@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from graphkin.grading import grade, key_from
+from graphkin.homework.grading import grade, key_from
 from graphkin.marking.marker import Marker
 from graphkin.submissions import Limits
 

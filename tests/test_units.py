@@ -7,7 +7,7 @@ import math
 import pytest
 
 from graphkin.errors import GraphkinError, NotANumber, NoUnit, OtherDimension, OutOfRange, UnknownUnit
-from graphkin.loading.units import UNITS, Dimension, read_quantity
+from graphkin.files.units import UNITS, Dimension, read_quantity
 
 GOOD: list[tuple[float | str, Dimension, float]] = [
     (24, "length", 0.024),

@@ -9,7 +9,7 @@ from dataclasses import FrozenInstanceError, field, fields, replace
 
 import pytest
 
-from graphkin.value import frozen
+from graphkin.base.value import frozen
 
 
 @frozen

@@ -12,13 +12,13 @@ import pytest
 from random_mechanisms import DYADS, chain, coupler_angle, cylinder, dyad, relative_angle, rolling, triad
 
 import graphkin
-from graphkin import library
 from graphkin.construction import Plot
 from graphkin.errors import GraphkinError
-from graphkin.mechanism import Mechanism
+from graphkin.files import library
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.variants import stacked
 from graphkin.running.program import TABLES
 from graphkin.running.variants import Drawn, is_simple, replay_many
-from graphkin.stacking import stacked
 
 COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40)
 OTHERS = {"cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import random
 
-from graphkin.waiting import Rounds, Waiting
+from graphkin.base.worklist import Rounds, Waiting
 
 
 def test_the_first_that_gives_anything_stays_first():

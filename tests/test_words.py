@@ -11,11 +11,10 @@ import pytest
 from calculator import calculated, hold
 from random_mechanisms import cam, circular_slot, epicyclic, geared_five_bar, rolling, triad
 
-from graphkin import library
 from graphkin.construction import Plot
 from graphkin.errors import GraphkinError, Lang
-from graphkin.loading import loads
-from graphkin.mechanism import Mechanism
+from graphkin.files import library, loads
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.say import (

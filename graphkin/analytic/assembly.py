@@ -18,12 +18,12 @@ from graphkin.analytic.newton import EquationSystem, close, search
 from graphkin.analytic.rules import Relation, driven, placing
 from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Complex, Real, applied
+from graphkin.base.cache import kept
+from graphkin.base.geometry import wrapped
+from graphkin.base.tolerances import ROUNDED
+from graphkin.base.value import frozen
 from graphkin.errors import NoAssembly
-from graphkin.geometry import wrapped
-from graphkin.kept import kept
-from graphkin.mechanism import FRAME, Link, Mechanism
-from graphkin.tolerances import ROUNDED
-from graphkin.value import frozen
+from graphkin.model.mechanism import FRAME, Link, Mechanism
 
 _STARTS = 128
 _MANY = 32

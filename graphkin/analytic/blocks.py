@@ -14,7 +14,7 @@ import numpy as np
 from graphkin.analytic.elimination import Elimination
 from graphkin.analytic.newton import EquationSystem
 from graphkin.analytic.vectors import Complex, Flags, Indices, Real, Vectors
-from graphkin.value import frozen
+from graphkin.base.value import frozen
 
 _NOTHING = 1e-12
 """Coefficients below this are rounding, in units of size."""

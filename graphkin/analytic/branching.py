@@ -16,8 +16,8 @@ from graphkin.analytic.blocks import Block, blocks_of, moved_by
 from graphkin.analytic.dyads import ways
 from graphkin.analytic.newton import EquationSystem, close, inverse, search
 from graphkin.analytic.vectors import Complex, Flags, Indices, Real
-from graphkin.tolerances import ROUNDED
-from graphkin.value import filled, frozen
+from graphkin.base.tolerances import ROUNDED
+from graphkin.base.value import filled, frozen
 
 _WIDTHS = (1, 8, 64)
 """Branches kept."""

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from graphkin.analytic.vectors import Indices, Real, applied
-from graphkin.value import frozen
+from graphkin.base.value import frozen
 
 _ZERO = 1e-9
 """A row whose entries all fall below this is a repetition of others."""

@@ -13,9 +13,9 @@ from graphkin.analytic.loops import Loops, loops_of
 from graphkin.analytic.newton import EquationSystem, close
 from graphkin.analytic.rules import driven, placing
 from graphkin.analytic.vectors import Real
-from graphkin.mechanism import Mechanism
-from graphkin.tolerances import RANK
-from graphkin.value import frozen
+from graphkin.base.tolerances import RANK
+from graphkin.base.value import frozen
+from graphkin.model.mechanism import Mechanism
 
 _NUDGES = 6
 _NUDGE = 0.05

@@ -16,10 +16,10 @@ import numpy as np
 
 from graphkin.analytic.rules import Joint, Relation, Unknown, shares, theta
 from graphkin.analytic.vectors import Complex, Flags, Polar, Real, Vectors, applied
+from graphkin.base.value import frozen
 from graphkin.errors import NotJoined
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Rod
-from graphkin.value import frozen
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.pairs import Rod
 
 
 @frozen

@@ -13,10 +13,10 @@ from graphkin.analytic.newton import EquationSystem, inverse
 from graphkin.analytic.rates import Rates, rates, reaching
 from graphkin.analytic.rules import driven
 from graphkin.analytic.vectors import Complex, Flags, Real, applied
+from graphkin.base.value import frozen
 from graphkin.errors import SingularPosition, ValueForEach
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.motions import Motions
-from graphkin.value import frozen
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.mechanism import FRAME, Mechanism
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike

@@ -15,7 +15,7 @@ from graphkin.analytic.newton import Closed, EquationSystem, close
 from graphkin.analytic.path import Path, RightSides, path_along
 from graphkin.analytic.rates import tangent
 from graphkin.analytic.vectors import Flags, Indices, Real
-from graphkin.value import frozen
+from graphkin.base.value import frozen
 
 _SAME = 1e-12
 """Right sides that differ by less are the same [rad, m]."""

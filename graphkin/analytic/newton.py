@@ -14,7 +14,7 @@ from graphkin.analytic.elimination import Elimination, eliminate
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.rules import Relation
 from graphkin.analytic.vectors import Polar, Real, applied, through
-from graphkin.value import frozen
+from graphkin.base.value import frozen
 
 _SETTLED = 1e-13
 """Newton steps below this are rounding."""

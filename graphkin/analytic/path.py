@@ -18,8 +18,8 @@ import numpy as np
 from graphkin.analytic.newton import EquationSystem, close
 from graphkin.analytic.rates import tangent
 from graphkin.analytic.vectors import Flags, Real
-from graphkin.tolerances import TOUCH
-from graphkin.value import filled, frozen
+from graphkin.base.tolerances import TOUCH
+from graphkin.base.value import filled, frozen
 
 STRIDE = 0.12
 """Longest step of a driver [rad]: 4.7 deg."""

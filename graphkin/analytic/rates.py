@@ -11,7 +11,7 @@ import numpy as np
 from graphkin.analytic.loops import parts
 from graphkin.analytic.newton import EquationSystem, inverse
 from graphkin.analytic.vectors import Real, applied, through
-from graphkin.value import frozen
+from graphkin.base.value import frozen
 
 
 @frozen

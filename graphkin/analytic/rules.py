@@ -12,11 +12,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
-from graphkin.geometry import phase
-from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
-from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
-from graphkin.tolerances import ROUNDED
-from graphkin.value import frozen
+from graphkin.base.geometry import phase
+from graphkin.base.tolerances import ROUNDED
+from graphkin.base.value import frozen
+from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
 
 
 class Unknown(NamedTuple):

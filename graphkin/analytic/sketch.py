@@ -11,10 +11,10 @@ import numpy as np
 from graphkin.analytic.loops import Loops
 from graphkin.analytic.rules import Joint, Unknown, placing, theta
 from graphkin.analytic.vectors import Real
-from graphkin.geometry import phase
-from graphkin.mechanism import FRAME, Driver, Link, Mechanism, Pose
-from graphkin.pairs import Slide
-from graphkin.value import filled
+from graphkin.base.geometry import phase
+from graphkin.base.value import filled
+from graphkin.model.mechanism import FRAME, Driver, Link, Mechanism, Pose
+from graphkin.model.pairs import Slide
 
 
 def guess(mechanism: Mechanism, loops: Loops) -> Real:

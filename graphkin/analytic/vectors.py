@@ -15,8 +15,8 @@ from typing import Any
 
 import numpy as np
 
-from graphkin.kept import kept
-from graphkin.value import frozen
+from graphkin.base.cache import kept
+from graphkin.base.value import frozen
 
 Real = np.ndarray[Any, np.dtype[np.float64]]
 Complex = np.ndarray[Any, np.dtype[np.complex128]]

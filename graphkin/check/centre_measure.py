@@ -13,12 +13,12 @@ from dataclasses import replace
 from typing import Literal
 
 from graphkin.analytic import Motion, motion
+from graphkin.base.tolerances import STILL
+from graphkin.base.value import frozen
 from graphkin.check.drawing import DrawingFile
 from graphkin.errors import BadDrawing, Where
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.quantities import centre_of
-from graphkin.tolerances import STILL
-from graphkin.value import frozen
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.quantities import centre_of
 
 CENTRES: Literal["centres"] = "centres"
 """What the marks of centres give as their plane."""

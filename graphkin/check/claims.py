@@ -16,10 +16,10 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from statistics import median
 
+from graphkin.base.checksum import seal
 from graphkin.check.drawing import MARKS, DrawingFile, Fault, stated
 from graphkin.construction import Plane
-from graphkin.mechanism import Mechanism
-from graphkin.seal import seal
+from graphkin.model.mechanism import Mechanism
 
 WRITTEN = re.compile(r"(?<![/·])μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+|[−-][0-9]+)?)")
 """A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm; 2×10⁻⁵ and 10⁻⁵ with their exponents raised. What is

@@ -11,13 +11,13 @@ from pathlib import Path
 from typing import Any
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 
-from graphkin import loading
+from graphkin import files as loading
+from graphkin.base.value import frozen
 from graphkin.check.shown import Shown, Sight, seen_in
 from graphkin.check.transforms import Unread
 from graphkin.construction import Plane
 from graphkin.errors import BadDrawing, NoDrawing, NothingToMeasure, Where
-from graphkin.mechanism import Mechanism
-from graphkin.value import frozen
+from graphkin.model.mechanism import Mechanism
 
 LIMIT = 16 << 20
 """Larger drawings are not ours [bytes]."""

@@ -9,9 +9,9 @@ from collections.abc import Mapping
 
 from graphkin.check.widened import Widened
 from graphkin.construction import LETTER, Plane, Site
-from graphkin.mechanism import Mechanism
-from graphkin.naming import image_name, seen
-from graphkin.pairs import pin_name
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.naming import image_name, seen
+from graphkin.model.pairs import pin_name
 
 
 def vector_value(exact: Widened, plane: Plane, attributes: Mapping[str, str]) -> complex | None:

@@ -8,11 +8,11 @@ from itertools import pairwise
 
 import shapely
 
+from graphkin.base.value import frozen
 from graphkin.check.drawing import MARKS, Fault
 from graphkin.check.links import link_name
 from graphkin.check.shown import Shown, Sight
 from graphkin.check.styles import FAINT, HAIR, dashed_away
-from graphkin.value import frozen
 
 _SIGN = 7.6
 """Small signs may lie over a line: a pivot, a corner's filling, a centre's ring; from corner to corner [mm]."""

@@ -12,8 +12,8 @@ import numpy as np
 
 from graphkin.check.shown import Shown
 from graphkin.check.widened import Widened, lines_of
-from graphkin.mechanism import Mechanism
-from graphkin.pairs import Rod
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.pairs import Rod
 
 Pair = tuple[complex, complex]
 """Where something is drawn, and where it should be."""

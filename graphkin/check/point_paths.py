@@ -11,10 +11,10 @@ import shapely
 
 from graphkin.analytic import motion
 from graphkin.analytic.loops import size_of
+from graphkin.base.value import frozen
 from graphkin.check.shown import Shown
 from graphkin.errors import GraphkinError
-from graphkin.mechanism import Driver, Mechanism
-from graphkin.value import frozen
+from graphkin.model.mechanism import Driver, Mechanism
 
 Pair = tuple[complex, complex]
 """Where something is drawn, and where it should be."""

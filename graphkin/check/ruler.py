@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Literal
 
 from graphkin.analytic import Motion, motion
+from graphkin.base.value import frozen
 from graphkin.check.centre_measure import CENTRES, parted, seen_arrows, seen_centres, ways_to_move
 from graphkin.check.claims import changed
 from graphkin.check.drawing import UNITS, DrawingFile, Fault, mechanism_of, numbers, plane_of, read, scales_of
@@ -24,8 +25,7 @@ from graphkin.check.transforms import Unread
 from graphkin.check.widened import Widened, widened
 from graphkin.construction import Plane
 from graphkin.errors import BadDrawing, Where
-from graphkin.mechanism import Mechanism
-from graphkin.value import frozen
+from graphkin.model.mechanism import Mechanism
 
 
 @frozen

@@ -9,10 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from xml.etree.ElementTree import Element
 
+from graphkin.base.value import frozen
 from graphkin.check.outlines import SHAPES, is_plain, outline
 from graphkin.check.styles import Style, harmless_sheet, styled
 from graphkin.check.transforms import Affine, Unread, length, paper, transform
-from graphkin.value import frozen
 
 SVG = "{http://www.w3.org/2000/svg}"
 _ALIVE = ("script", "animate", "animateTransform", "animateMotion", "animateColor", "set", "discard", "handler")

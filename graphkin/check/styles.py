@@ -6,8 +6,8 @@ import re
 from collections.abc import Mapping
 from functools import lru_cache
 
+from graphkin.base.value import frozen
 from graphkin.check.transforms import Unread, length, numbers_in
-from graphkin.value import frozen
 
 _PAINTED = (
     "fill", "stroke", "stroke-width", "stroke-opacity", "fill-opacity", "stroke-dasharray", "visibility",

@@ -7,14 +7,14 @@ from collections.abc import Mapping
 import numpy as np
 
 from graphkin.analytic import Motion
+from graphkin.base.geometry import Value, meet_lines
+from graphkin.base.value import Lazy, frozen
 from graphkin.check.drawing import DrawingFile
 from graphkin.construction import Across, AcrossGuide, Along, AlongGuide, Direction, Meet, Ray, Site, Touch
-from graphkin.geometry import Value, meet_lines
-from graphkin.mechanism import Mechanism
-from graphkin.motions import Motions
-from graphkin.pairs import Line, Rod, Slot, pin_name, rod_name
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.pairs import Line, Rod, Slot, pin_name, rod_name
 from graphkin.planning import plan
-from graphkin.value import Lazy, frozen
 
 
 @frozen

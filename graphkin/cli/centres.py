@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from graphkin.base.value import frozen
 from graphkin.cli.shared import (
     PAPERS,
     angle_option,
@@ -24,12 +25,11 @@ from graphkin.cli.shared import (
     told_each,
 )
 from graphkin.errors import Lang, UnknownCentre, UnknownPoint, Where
-from graphkin.value import frozen
 
 if TYPE_CHECKING:
-    from graphkin.centres import Centres
-    from graphkin.centres.centrodes import Centrodes
     from graphkin.sheet import Sheet
+    from graphkin.studies.centres import Centres
+    from graphkin.studies.centres.centrodes import Centrodes
 
 
 @click.command()
@@ -113,15 +113,15 @@ class _Asked:
 
     def found(self, source: str) -> Centres:
         from graphkin import api
-        from graphkin.centres import centres as find
+        from graphkin.studies.centres import centres as find
 
         method = api.plan(read(source))
         return find(method, api.Drawing.at(method, at_values(method, self.angles, self.displacements)).plot)
 
     def curves(self, found: Centres) -> Centrodes:
         """The centrodes, or the path of a centre, that is asked for."""
-        from graphkin import sweeps
-        from graphkin.centres.centrodes import centrodes, path, whole
+        from graphkin.studies import sweeps
+        from graphkin.studies.centres.centrodes import centrodes, path, whole
 
         course = sweeps.course(found.method, self.ranges)
         sweeps.prove(course)
@@ -141,14 +141,14 @@ class _Asked:
 
 
 def _told(asked: _Asked, source: str) -> Iterator[str]:
-    from graphkin import centres as finding
+    from graphkin.studies import centres as finding
 
     found = asked.found(source)
     if asked.link:
         yield from _about(asked, found)
     elif asked.pair or asked.centre:
-        from graphkin.centres.about_data import centrodes_json
         from graphkin.say.centre_curves import curve_lines
+        from graphkin.studies.centres.about_data import centrodes_json
 
         curves = asked.curves(found)
         yield from [json_line(centrodes_json(curves))] if asked.as_json else curve_lines(curves, asked.lang)
@@ -171,10 +171,10 @@ def _listed(asked: _Asked, found: Centres) -> Iterator[str]:
 
 
 def _about(asked: _Asked, found: Centres) -> Iterator[str]:
-    from graphkin.centres.about import about
-    from graphkin.centres.about_bobillier import bobillier
-    from graphkin.centres.about_data import about_json
     from graphkin.say.centre_about import about_words, bobillier_words
+    from graphkin.studies.centres.about import about
+    from graphkin.studies.centres.about_bobillier import bobillier
+    from graphkin.studies.centres.about_data import about_json
 
     seen = about(found, asked.link)
     if asked.as_json:
@@ -194,8 +194,8 @@ def _point(found: Centres, name: str) -> str:
 
 
 def _of_two_velocities(asked: _Asked) -> None:
-    from graphkin.centres.two_velocities import from_text
     from graphkin.say.centre_about import pole_words
+    from graphkin.studies.centres.two_velocities import from_text
 
     found = from_text(asked.velocities)
     if asked.output is None:
@@ -256,7 +256,7 @@ def _sheets(asked: _Asked, found: Centres) -> tuple[Sheet, Iterator[Sheet], str]
 
         whole = centre_sheet(found, paper=asked.paper, lang=asked.lang, fit=asked.fit)
         return whole, centre_step_sheets(found, paper=asked.paper, lang=asked.lang, fit=asked.fit), "centres"
-    from graphkin.centres.about import about
+    from graphkin.studies.centres.about import about
 
     seen = about(found, asked.link)
     if not asked.point:
@@ -264,8 +264,8 @@ def _sheets(asked: _Asked, found: Centres) -> tuple[Sheet, Iterator[Sheet], str]
 
         sheet = about_sheet(seen, paper=asked.paper, lang=asked.lang)
         return sheet, iter((sheet,)), f"about-{asked.link}"
-    from graphkin.centres.about_bobillier import bobillier
     from graphkin.sheet.about_bobillier_sheet import bobillier_sheet, bobillier_step_sheets
+    from graphkin.studies.centres.about_bobillier import bobillier
 
     drawn = bobillier(seen, _point(found, asked.point))
     whole = bobillier_sheet(seen, drawn, paper=asked.paper, lang=asked.lang)

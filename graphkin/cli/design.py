@@ -14,13 +14,13 @@ from graphkin.cli.shared import PAPERS, force_option, json_line, lang_option, pl
 from graphkin.errors import BadPair, GraphkinError, Lang, Where
 
 if TYPE_CHECKING:
-    from graphkin.design import Design
-    from graphkin.loading.units import Dimension
+    from graphkin.files.units import Dimension
+    from graphkin.studies.design import Design
 
 
 def _quantity(dimension: Dimension, option: str, text: str) -> float:
     """A number in mm or deg, or with a unit, as SI."""
-    from graphkin.loading.units import read_quantity
+    from graphkin.files.units import read_quantity
 
     try:
         return read_quantity(plain(text), dimension)
@@ -151,7 +151,7 @@ ratio_option = click.option("--K", "k", type=float, required=True, help="Time ra
 @answering
 def rocker(**values: Any) -> Design:
     """A crank-rocker from the rocker's length, its swing and K; without a further condition, the whole family."""
-    from graphkin import design as designing
+    from graphkin.studies import design as designing
 
     given = _read(values)
     return designing.rocker(given.pop("length"), given.pop("swing"), given.pop("k"), **given)
@@ -167,7 +167,7 @@ def rocker(**values: Any) -> Design:
 @answering
 def slider(**values: Any) -> Design:
     """An offset slider-crank from its stroke and K; without a further condition, the whole family."""
-    from graphkin import design as designing
+    from graphkin.studies import design as designing
 
     given = _read(values)
     return designing.slider(given.pop("stroke"), given.pop("k"), **given)
@@ -180,7 +180,7 @@ def slider(**values: Any) -> Design:
 @answering
 def guide_bar(**values: Any) -> Design:
     """An oscillating guide bar from K and the frame's or the crank's length."""
-    from graphkin import design as designing
+    from graphkin.studies import design as designing
 
     given = _read(values)
     return designing.guide_bar(given.pop("k"), **given)
@@ -195,7 +195,7 @@ def guide_bar(**values: Any) -> Design:
 @answering
 def positions(places: tuple[str, ...], coupler: str | None, pivot_a: str | None, pivot_d: str | None) -> Design:
     """A four-bar that carries its coupler through two or three positions."""
-    from graphkin import design as designing
+    from graphkin.studies import design as designing
 
     length = None if coupler is None else _quantity("length", "--coupler", coupler)
     points = [_two_hinges(text, length) for text in places]
@@ -224,7 +224,7 @@ def _two_hinges(text: str, length: float | None) -> tuple[complex, complex]:
 @answering
 def angles(pairs: tuple[str, ...], **values: Any) -> Design:
     """A four-bar whose crank and rocker come together to three pairs of angles."""
-    from graphkin import design as designing
+    from graphkin.studies import design as designing
 
     given = _read(values)
     told = []

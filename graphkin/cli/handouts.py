@@ -23,7 +23,7 @@ from graphkin.errors import Lang
 
 if TYPE_CHECKING:
     from graphkin.handouts import Handout, Stage
-    from graphkin.mechanism import Mechanism
+    from graphkin.model.mechanism import Mechanism
 
 _KINDS = (".pdf", ".html")
 
@@ -99,7 +99,7 @@ def _problems(
     sources: tuple[str, ...], seed: str, angles: tuple[float, ...], displacements: tuple[float, ...]
 ) -> tuple[list[tuple[Mechanism, str]], str]:
     """Each mechanism with whom it is for, those of a problem set in its order; and the set's seed."""
-    from graphkin.platforms import is_set, students_of
+    from graphkin.homework.platforms import is_set, students_of
 
     found: list[tuple[Mechanism, str]] = []
     for source in sources:

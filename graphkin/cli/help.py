@@ -17,7 +17,7 @@ def _file(lang: Lang) -> Iterator[str]:
 
 
 def _api(names: tuple[str, ...]) -> str:
-    from graphkin import reference
+    from graphkin.cli import reference
 
     if unknown := [name for name in names if name not in reference.names()]:
         raise click.UsageError(f"no {', '.join(unknown)} in the interface. There are: {', '.join(reference.names())}")

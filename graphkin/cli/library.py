@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphkin import library
 from graphkin.cli.shared import (
     angle_option,
     as_told,
@@ -25,10 +24,11 @@ from graphkin.cli.shared import (
     told_option,
 )
 from graphkin.errors import Lang
+from graphkin.files import library
 from graphkin.say.catalogue import say
 
 if TYPE_CHECKING:
-    from graphkin.mechanism import Mechanism
+    from graphkin.model.mechanism import Mechanism
 
 
 @click.command("list")
@@ -118,8 +118,9 @@ def structure(
 
 
 def _structure(machine: Mechanism, as_json: bool, lang: Lang) -> Iterator[str]:
-    from graphkin import api, assur
+    from graphkin import api
     from graphkin.say.structure import structure_lines
+    from graphkin.studies import assur
 
     method = api.plan(machine)
     if as_json:

@@ -25,8 +25,8 @@ from graphkin.cli.shared import (
 from graphkin.errors import GraphkinError, Lang, OutOfRange, Where
 
 if TYPE_CHECKING:
-    from graphkin.linkages import Report
-    from graphkin.mechanism import Mechanism
+    from graphkin.model.mechanism import Mechanism
+    from graphkin.studies.linkages import Report
 
 LEAST_PART = 1e-9
 """Beside the longest link, one shorter than this part of it is none."""
@@ -90,15 +90,15 @@ def linkage(
 
 def _told(found: Iterable[tuple[Report, list[str]]], as_json: bool) -> Iterator[str]:
     """Line by line, a blank one between two linkages."""
-    from graphkin.linkages import as_json as data
+    from graphkin.studies.linkages import as_json as data
 
     for k, (report, lines) in enumerate(found):
         yield from [json_line(data(report))] if as_json else ([""] if k else []) + lines
 
 
 def _of_lengths(given: dict[str, tuple[str, ...]], by: str, lang: Lang) -> Iterator[tuple[Report, list[str]]]:
-    from graphkin import linkages
     from graphkin.say.linkages import lines
+    from graphkin.studies import linkages
 
     ((kind, sizes),) = given.items()
     report = linkages.report(linkages.from_lengths(kind, *_metres(kind, sizes), driver=by))
@@ -107,7 +107,7 @@ def _of_lengths(given: dict[str, tuple[str, ...]], by: str, lang: Lang) -> Itera
 
 def _metres(kind: str, sizes: tuple[str, ...]) -> list[float]:
     from graphkin.cli.shared import plain
-    from graphkin.loading.units import read_quantity
+    from graphkin.files.units import read_quantity
 
     try:
         found = [read_quantity(plain(size), "length") for size in sizes]
@@ -120,8 +120,8 @@ def _metres(kind: str, sizes: tuple[str, ...]) -> list[float]:
 
 
 def _of_mechanism(machine: Mechanism, lang: Lang) -> Iterator[tuple[Report, list[str]]]:
-    from graphkin import linkages
     from graphkin.say.linkages import found_lines
+    from graphkin.studies import linkages
 
     for found in linkages.some_found_in(machine):
         report = linkages.reported(found)
@@ -130,8 +130,8 @@ def _of_mechanism(machine: Mechanism, lang: Lang) -> Iterator[tuple[Report, list
 
 def _held(mechanism: Mechanism | None, given: dict[str, tuple[str, ...]], by: str, link: str) -> str:
     """Another link as frame, as TOML."""
-    from graphkin.linkages import from_lengths
     from graphkin.say.linkages import held, titled
+    from graphkin.studies.linkages import from_lengths
 
     if mechanism is not None:
         return held(mechanism, link).text

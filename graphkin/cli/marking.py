@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from graphkin.base.value import frozen
 from graphkin.cli.shared import (
     angle_option,
     at_option,
@@ -21,13 +22,12 @@ from graphkin.cli.shared import (
     speaking,
 )
 from graphkin.errors import BadPencil, Lang, Where
-from graphkin.value import frozen
 
 if TYPE_CHECKING:
-    from graphkin.grading import Judge, Pencils, Problem, Way
+    from graphkin.homework.grading import Judge, Pencils, Problem, Way
+    from graphkin.homework.platforms import PolygonPictures, Result, Reveal
     from graphkin.marking.graded import Graded
     from graphkin.marking.habits import Trace
-    from graphkin.platforms import PolygonPictures, Result, Reveal
 
 _Record = TypeVar("_Record")
 
@@ -99,7 +99,7 @@ def grade(
       graphkin grade key.json class.zip -o results --format csv --format moodle --reveal mistake
       graphkin grade keys/ handed-in/ -o results --format report --jobs 4
     """
-    from graphkin import grading
+    from graphkin.homework import grading
     from graphkin.submissions import Limits
 
     _check_output(output, kinds)
@@ -152,7 +152,8 @@ def tolerance(
       graphkin tolerance ex3-1 --angle 120
       graphkin tolerance ex3-1 --pencil 0.1,0.1 --power --lang zh
     """
-    from graphkin import api, grading
+    from graphkin import api
+    from graphkin.homework import grading
     from graphkin.marking.marker import Marker
     from graphkin.marking.power import power as told_apart
     from graphkin.marking.tolerances import tolerances
@@ -209,7 +210,7 @@ class _Told:
 
     def write_records(self, path: Path, judge: Judge, part: Problem, way: Way) -> None:
         """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
-        from graphkin import grading, platforms
+        from graphkin.homework import grading, platforms
         from graphkin.outputs import marks_file, marks_json
         from graphkin.say.marks import interrupted
 
@@ -236,7 +237,7 @@ class _Told:
 
     def write_folders(self, output: Path, parts: Sequence[Problem], judges: Sequence[Judge]) -> None:
         """Everything else, made of the records; of several problems all are looked at together."""
-        from graphkin import platforms
+        from graphkin.homework import platforms
 
         files = [output / part.name / MARKS for part in parts]
         several = [platforms.read_traces(file) for file in files] if len(files) > 1 else []
@@ -250,7 +251,7 @@ class _Told:
         self, folder: Path, results: Sequence[Result], kind: str, several: Sequence[Mapping[str, Trace]],
         pictures: PolygonPictures,
     ) -> None:  # fmt: skip
-        from graphkin import platforms
+        from graphkin.homework import platforms
 
         done = platforms.write_results(
             folder, results, kind, self.lang, self.reveal, assignment=self.assignment,
@@ -272,7 +273,7 @@ def _counted(records: Iterable[_Record], printed: bool) -> Iterator[_Record]:
 
 def _pencils(pencil: str, sigmas: float, relative: float) -> Pencils:
     """What the options say. Raises BadPencil."""
-    from graphkin.grading import Pencils
+    from graphkin.homework.grading import Pencils
 
     try:
         length, angle = (float(part) for part in pencil.split(","))

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from graphkin.sheet import Sheet
-    from graphkin.sweeps import Course, Road, Sweep
+    from graphkin.studies.sweeps import Course, Road, Sweep
 
 PRINTED, IN_ONE = 100_000, 1_000_000
 """Rows that are printed as a table, and written as one JSON object, at most."""
@@ -61,9 +61,10 @@ def sweep(
       graphkin sweep p3-20 --driver 0:360:1 -o needle.csv
       graphkin sweep ex3-7 --of "theta 3, omega 3, alpha 3, s ram, v E, a E" -o diagram.svg
     """
-    from graphkin import api, finding, sweeps
+    from graphkin import api
     from graphkin.say.finding import lines
     from graphkin.say.sweeps import book_lines, extremes, left_out, remarks, sweep_lines
+    from graphkin.studies import finding, sweeps
 
     if output is not None and output.suffix.lower() not in WRITTEN and str(output) != "-":
         raise click.UsageError(f"{output}: the file to write must end in {', '.join(WRITTEN)}")
@@ -103,7 +104,7 @@ def _write_sweep(
     import numpy as np
 
     from graphkin.outputs import tables
-    from graphkin.sweeps import in_parts
+    from graphkin.studies.sweeps import in_parts
 
     suffix, undefined = output.suffix.lower(), [np.empty(0)]
     if str(output) == "-":
@@ -157,9 +158,10 @@ def find(
       graphkin find p3-18 "v_x E = 0.5 by omega 1"
       graphkin find p3-21 "stroke s piston" --vary DH=55:125:5
     """
-    from graphkin import api, finding
+    from graphkin import api
     from graphkin.say.finding import lines
     from graphkin.say.finding_table import table_lines
+    from graphkin.studies import finding
 
     machine = read(mechanism)
     if dimensions:

@@ -36,8 +36,8 @@ def problems(
       graphkin problems shaper.toml --students class.csv --seed 2027 -o homework
       graphkin problems shaper.toml --students 60 -o homework --format moodle --format xuexitong --lang zh
     """
-    from graphkin import platforms
-    from graphkin import problems as sets
+    from graphkin.homework import platforms
+    from graphkin.homework import problems as sets
     from graphkin.say.problems import remark
 
     read = sets.read_template(template)
@@ -46,7 +46,7 @@ def problems(
     click.echo(f"{output}: {count}")
     click.echo(platforms.told_of(output))
     if kinds:
-        from graphkin import grading
+        from graphkin.homework import grading
 
         whole = platforms.problem_set(read, found, grading.judge_from(str(output)))
         for kind in dict.fromkeys(kinds):

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
     from graphkin.api import Drawing
-    from graphkin.mechanism import Mechanism
+    from graphkin.model.mechanism import Mechanism
     from graphkin.planning import Method
 
 _Command = TypeVar("_Command", bound=Callable[..., Any])
@@ -106,7 +106,7 @@ def library_names(ctx: click.Context, option: click.Parameter, begun: str) -> li
     """What a shell offers for a MECHANISM: names of the library, and files where none begins so."""
     from click.shell_completion import CompletionItem
 
-    from graphkin import library
+    from graphkin.files import library
 
     found = [CompletionItem(name) for name in library.names() if name.startswith(begun)]
     return found if found and "/" not in begun else [CompletionItem(begun, type="file")]
@@ -143,7 +143,8 @@ def speaking(command: Callable[..., None]) -> Callable[..., None]:
 
 def read(source: str) -> Mechanism:
     """The mechanism of a MECHANISM argument; what is to be remarked on it goes to stderr."""
-    from graphkin import api, loading
+    from graphkin import api
+    from graphkin import files as loading
 
     if not source:
         raise click.UsageError("MECHANISM is empty: name a file, or a mechanism of `graphkin list`")
@@ -161,7 +162,7 @@ def read_at(source: str, angles: Sequence[float], displacements: Sequence[float]
     if not angles and not displacements:
         return machine
     from graphkin import api
-    from graphkin.standing import standing
+    from graphkin.proof.repose import standing
 
     method = api.plan(machine)
     return standing(method, at_values(method, angles, displacements) or ())

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import click
 
-from graphkin import starters
 from graphkin.cli.shared import lang_option, speaking
 from graphkin.errors import Lang
+from graphkin.files import starters
 
 
 @click.command()

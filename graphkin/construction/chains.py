@@ -6,13 +6,13 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from graphkin.base.geometry import Value
 from graphkin.construction.fitting import unknowns_of
 from graphkin.construction.kinds import Chain, Simultaneous, Unknown
 from graphkin.construction.linear import Row, solved, system, two
 from graphkin.construction.plot import Plot, slide_key
 from graphkin.construction.rolling import displacements, in_step, order_of
 from graphkin.construction.terms import Plane
-from graphkin.geometry import Value
 
 
 def solve_together(step: Simultaneous, plot: Plot, plane: Plane) -> None:

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from functools import cached_property
 from itertools import pairwise
 
+from graphkin.base.value import frozen
 from graphkin.construction.kinds import LayOff, Step
 from graphkin.construction.terms import Plane, Site, Term
-from graphkin.value import frozen
 
 
 class BrokenChain(ValueError):

@@ -6,12 +6,12 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from graphkin.base.geometry import Value
 from graphkin.construction.gaps import Gaps
 from graphkin.construction.kinds import Fit, Simultaneous
 from graphkin.construction.linear import least, sense, solved
 from graphkin.construction.plot import Plot, slide_key
 from graphkin.construction.terms import Arm
-from graphkin.geometry import Value
 
 ROUNDS = 30
 FITTED = 1e-8

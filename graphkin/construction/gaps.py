@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from graphkin.base.geometry import Value
 from graphkin.construction.kinds import Closure, Fit, InStep
 from graphkin.construction.plot import Plot, slide_key
 from graphkin.construction.rolling import in_step
 from graphkin.construction.terms import Arm, Slid
-from graphkin.geometry import Value
 
 Entry = tuple[int, int, Value]
 """Row, column, and what stands there."""

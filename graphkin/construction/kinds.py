@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
 from graphkin.construction.terms import Arm, Direction, Size, Slid, Span, Term
-from graphkin.geometry import Value
-from graphkin.value import frozen
 
 
 @frozen

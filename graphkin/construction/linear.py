@@ -11,7 +11,7 @@ from operator import attrgetter
 
 import numpy as np
 
-from graphkin.geometry import Value
+from graphkin.base.geometry import Value
 
 Row = tuple[Value, Mapping[str, Value]]
 

@@ -7,6 +7,8 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin.base.geometry import Leg, Value, cross, dot, leg, meet_circles, meet_line_circle, meet_lines, third_corner
+from graphkin.base.value import frozen
 from graphkin.construction.chains import solve_together
 from graphkin.construction.construction import Construction
 from graphkin.construction.fitting import fit
@@ -28,8 +30,6 @@ from graphkin.construction.kinds import (
 from graphkin.construction.plot import Plot
 from graphkin.construction.rolling import roll
 from graphkin.construction.terms import Plane, Slid
-from graphkin.geometry import Leg, Value, cross, dot, leg, meet_circles, meet_line_circle, meet_lines, third_corner
-from graphkin.value import frozen
 
 FIXED = complex(0.0)
 """What a fixed point of the mechanism is in a polygon: on the pole, wherever that is found."""

@@ -9,6 +9,8 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin.base.geometry import Value, unit
+from graphkin.base.value import Lazy, filled, frozen
 from graphkin.construction.terms import (
     Across,
     AcrossGuide,
@@ -28,8 +30,6 @@ from graphkin.construction.terms import (
     Tangential,
     Turning,
 )
-from graphkin.geometry import Value, unit
-from graphkin.value import Lazy, filled, frozen
 
 
 def slide_key(slide: str) -> str:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from graphkin.base.geometry import Value
 from graphkin.construction.kinds import InStep, Roll
 from graphkin.construction.linear import Row
 from graphkin.construction.plot import Plot, slide_key
 from graphkin.construction.terms import Plane
-from graphkin.geometry import Value
 
 
 def roll(step: Roll, plot: Plot, plane: Plane) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal, NamedTuple
 
-from graphkin.value import frozen
+from graphkin.base.value import frozen
 
 Plane = Literal["position", "velocity", "acceleration"]
 LETTER: Mapping[Plane, str] = {"position": "r", "velocity": "v", "acceleration": "a"}

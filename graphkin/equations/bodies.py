@@ -17,8 +17,8 @@ from graphkin.analytic import Motion
 from graphkin.equations.legend import Legend
 from graphkin.equations.readers import angle_readers, difference
 from graphkin.equations.symbols import NO_ANGLE, Angle, Symbol
-from graphkin.mechanism import FRAME, Driver
-from graphkin.pairs import Slide
+from graphkin.model.mechanism import FRAME, Driver
+from graphkin.model.pairs import Slide
 from graphkin.planning.structure import Structure
 from graphkin.say.catalogue import Meaning, meaning
 

@@ -6,6 +6,8 @@ import cmath
 from dataclasses import replace
 
 from graphkin.analytic import Motion
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
 from graphkin.equations.bodies import quarters
 from graphkin.equations.expressions import Sum, Wave, one, phasor
 from graphkin.equations.legend import Entry, Reader, Unit
@@ -13,12 +15,10 @@ from graphkin.equations.model import Model
 from graphkin.equations.polygons import way
 from graphkin.equations.readers import place
 from graphkin.equations.symbols import Angle, Symbol
-from graphkin.geometry import Value
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import parts
 from graphkin.planning.structure import Hinge, Joint, Sliding
-from graphkin.quantities import parts
 from graphkin.say.catalogue import meaning
-from graphkin.value import frozen
 
 
 @frozen

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Literal
 
+from graphkin.base.value import frozen
 from graphkin.equations.layout import Node
 from graphkin.errors import Lang
 from graphkin.sheet import Sheet
-from graphkin.value import frozen
 
 By = Literal["complex", "matrix"]
 Words = tuple[str | Node, ...]

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from functools import cached_property
 
+from graphkin.base.value import frozen
 from graphkin.equations.expressions import Sum, Term, number, phasor
 from graphkin.equations.symbols import Angle, Symbol
-from graphkin.value import frozen
 
 
 @frozen

@@ -13,9 +13,9 @@ from typing import Literal
 
 import numpy as np
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
 from graphkin.equations.symbols import NO_ANGLE, Angle, Symbol
-from graphkin.geometry import Value
-from graphkin.value import frozen
 
 Values = Mapping[Symbol, Value]
 WaveKind = Literal["cos", "sin", "exp"]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from graphkin.base.value import frozen
 from graphkin.equations.symbols import Symbol
-from graphkin.value import frozen
 
 
 @frozen

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from graphkin.analytic import Motion
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
 from graphkin.equations.symbols import Angle, Kind, Symbol
-from graphkin.geometry import Value
 from graphkin.say.catalogue import Meaning
-from graphkin.value import frozen
 
 Unit = Literal["mm", "deg", "rad/s", "rad/s^2", "m/s", "m/s^2", "mm rad", "1"]
 Reader = Callable[[Motion], Value]

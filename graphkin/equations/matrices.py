@@ -11,6 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.equations.driven import say_derived
 from graphkin.equations.expressions import Sum
 from graphkin.equations.layout import Grid, Letter, Minus, Node, Num, Op, Row
@@ -18,8 +19,7 @@ from graphkin.equations.model import Model
 from graphkin.equations.page import Page
 from graphkin.equations.pretty import ZERO, Pretty
 from graphkin.equations.symbols import Symbol
-from graphkin.usual import ROUNDING
-from graphkin.value import frozen
+from graphkin.model.usual import ROUNDING
 
 _JOINED = 4
 """So many unknowns still make one equation that fits a line."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from graphkin.agreement import proved
 from graphkin.analytic import Motion
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.equations.bodies import Bodies
 from graphkin.equations.expressions import Sum
@@ -13,13 +14,12 @@ from graphkin.equations.legend import Legend, values
 from graphkin.equations.polygons import Arrows, Polygon, closed
 from graphkin.equations.rolling import Rolling, rolling
 from graphkin.equations.symbols import Angle, Symbol
-from graphkin.geometry import Value
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.planning.structure import Hinge
-from graphkin.value import frozen
+from graphkin.proof.roads import proved
 
 _SI: Mapping[str, str] = {"mm": "m", "mm rad": "m", "deg": "rad"}
 

@@ -11,16 +11,16 @@ from collections import deque
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
+from graphkin.base.value import frozen
 from graphkin.equations.bodies import Bodies, quarters
 from graphkin.equations.expressions import Sum, Term, one, phasor
 from graphkin.equations.legend import Legend
 from graphkin.equations.readers import slide_readers
 from graphkin.equations.symbols import Angle, Symbol
-from graphkin.mechanism import FRAME
-from graphkin.pairs import Slide
+from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import Slide
 from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
 from graphkin.say.catalogue import meaning
-from graphkin.value import frozen
 
 Site = tuple[str, str]
 """A point and the body it is taken on."""

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
 from graphkin.equations.dyads import Split, single, unit
 from graphkin.equations.expressions import Sum, Term, cross, dot, number, one, phasor, squared
 from graphkin.equations.layout import Call, Frac, Letter, Node, Num, Op, Pow, Root, Row
@@ -13,8 +15,6 @@ from graphkin.equations.legend import Legend
 from graphkin.equations.page import Page
 from graphkin.equations.pretty import ZERO, Pretty, added
 from graphkin.equations.symbols import Angle, Symbol
-from graphkin.geometry import Value
-from graphkin.value import frozen
 
 Values = Mapping[Symbol, Value]
 

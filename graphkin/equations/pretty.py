@@ -7,10 +7,10 @@ from dataclasses import replace
 from functools import cached_property
 from heapq import heapify, heappop, heappush
 
+from graphkin.base.value import frozen
 from graphkin.equations.expressions import Sum, Term, Wave
 from graphkin.equations.layout import Call, Exp, Frac, Letter, Minus, Node, Num, Op, Paren, Pow, Row, Word
 from graphkin.equations.symbols import Angle, Symbol
-from graphkin.value import frozen
 
 ZERO = Num("0")
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from graphkin.base.value import frozen
 from graphkin.equations.dyads import Split, single, unit
 from graphkin.equations.expressions import Sum, Term, cross, dot, number
 from graphkin.equations.symbols import Symbol
-from graphkin.value import frozen
 
 
 @frozen

@@ -11,10 +11,10 @@ import cmath
 import numpy as np
 
 from graphkin.analytic import Motion
+from graphkin.base.geometry import Value
 from graphkin.equations.legend import Reader
-from graphkin.geometry import Value
-from graphkin.mechanism import FRAME
-from graphkin.pairs import Slide
+from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import Slide
 from graphkin.planning.structure import Structure
 
 Three = tuple[Reader, Reader, Reader]

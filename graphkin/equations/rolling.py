@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from graphkin.analytic import Motion
+from graphkin.base.value import frozen
 from graphkin.equations.expressions import Sum, Term, number, one
 from graphkin.equations.polygons import Arrows
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.planning.equivalent import Contact
 from graphkin.say.catalogue import meaning
-from graphkin.value import frozen
 
 
 @frozen

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from typing import Literal
 
-from graphkin.value import frozen
+from graphkin.base.value import frozen
 
 Kind = Literal["constant", "angle", "displacement", "rate", "push"]
 _RANKS: dict[Kind, int] = {"constant": 0, "displacement": 1, "angle": 2, "rate": 3, "push": 4}

@@ -7,6 +7,7 @@ from math import remainder
 
 import numpy as np
 
+from graphkin.base.geometry import Value
 from graphkin.equations.complex_method import write_complex
 from graphkin.equations.document import Block, By, Document, Drawing
 from graphkin.equations.driven import listed, motion_of
@@ -20,11 +21,10 @@ from graphkin.equations.page import Page
 from graphkin.equations.pretty import Pretty
 from graphkin.equations.symbols import Angle, Symbol
 from graphkin.errors import Lang
-from graphkin.geometry import Value
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import EDGE, Unit
+from graphkin.model.quantities.digits import significant
 from graphkin.planning import Method
-from graphkin.quantities import EDGE, Unit
-from graphkin.quantities.digits import significant
 from graphkin.say.catalogue import say
 
 

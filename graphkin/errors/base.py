@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any, ClassVar, Literal, dataclass_transform
 
-from graphkin.value import filled, frozen
+from graphkin.base.value import filled, frozen
 
 Lang = Literal["en", "zh"]
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from graphkin.construction import Construction, LayOff, Plane
 from graphkin.handouts.document import Room, Rows, Table
 from graphkin.handouts.told import Told
-from graphkin.quantities import EDGE, Centre, Quantity, Rotation
+from graphkin.model.quantities import EDGE, Centre, Quantity, Rotation
 from graphkin.say.catalogue import say
 from graphkin.say.entry import VectorEquation
 from graphkin.sheet.fit import corners

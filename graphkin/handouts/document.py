@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Literal
 
+from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import Label
-from graphkin.value import frozen
 
 Stage = Literal["problem", "blank", "half", "solution"]
 

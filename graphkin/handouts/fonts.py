@@ -6,8 +6,8 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
+from graphkin.base.value import frozen
 from graphkin.errors import NoChineseLetters, NoFont
-from graphkin.value import frozen
 
 VARIABLE = "GRAPHKIN_FONT"
 LATIN = ("Times New Roman", "Liberation Serif", "Tinos", "Libertinus Serif")

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any, NoReturn, assert_never
 
+from graphkin.base.value import frozen
 from graphkin.handouts.document import Block, Formula, Heading, NewPage, Picture, Room, Rows, Table, Text
-from graphkin.value import frozen
 
 
 def _nowhere(block: Any) -> NoReturn:

@@ -14,9 +14,9 @@ from graphkin.handouts.told import Told
 from graphkin.marking.key import Entry, Key
 from graphkin.marking.verdicts import columns, upright
 from graphkin.marking.weights import shifts
-from graphkin.quantities import EDGE, Centre
-from graphkin.quantities.typed import rewritten
-from graphkin.readings import readings
+from graphkin.model.quantities import EDGE, Centre
+from graphkin.model.quantities.typed import rewritten
+from graphkin.proof.readings import readings
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.mistakes import mistake
@@ -105,7 +105,7 @@ _COMMON = (
 def _key(told: Told) -> Key | None:
     """The key of the problem; None where nothing is asked that is marked."""
     from graphkin.errors import GraphkinError
-    from graphkin.grading.keys import key_drawn
+    from graphkin.homework.grading.keys import key_drawn
 
     try:
         return key_drawn(told.drawing.method)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphkin.base.value import frozen
 from graphkin.sheet.lettering import Label, Run
-from graphkin.value import frozen
 
 
 @frozen

@@ -15,7 +15,7 @@ from graphkin.errors import Lang
 from graphkin.handouts import blank, proofs
 from graphkin.handouts.document import Block, Foot, Formula, Handout, Heading, NewPage, Picture, Rows, Stage, Text
 from graphkin.handouts.told import Section, Told
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.running import replay_all
 from graphkin.say import entry
 from graphkin.say.catalogue import say

@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from graphkin.api import Drawing
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.say import entry
@@ -15,7 +16,6 @@ from graphkin.say.explained import derivation
 from graphkin.say.reading import Reading
 from graphkin.sheet.scales import KEYS
 from graphkin.sheet.window import PLANES
-from graphkin.value import frozen
 
 
 @frozen

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from graphkin.marking.asked import Arrows, arrows_of, asked
 from graphkin.marking.consequences import Consequences, combined, consequences, rewrites, rewritten
-from graphkin.marking.follow import Followed, Own, replay_with
+from graphkin.marking.follow_through import Followed, Own, replay_with
 from graphkin.marking.hand import Hand, Hands, Redrawing
 from graphkin.marking.redrawing import redraw
 from graphkin.marking.rewrite import Edit, Mistaken, Rewrite, Written

@@ -17,8 +17,8 @@ from graphkin.marking.diagnosis import Diagnosis, Explanation
 from graphkin.marking.key import Name
 from graphkin.marking.read_off import ASTRAY
 from graphkin.marking.rewrite import Rewrite
+from graphkin.model.quantities import Quantity
 from graphkin.planning import Method
-from graphkin.quantities import Quantity
 
 Names = tuple[Name, ...]
 Turned = Callable[[Sequence[Names]], np.ndarray]

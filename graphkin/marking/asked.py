@@ -7,16 +7,26 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin.base.geometry import Value, dot
+from graphkin.base.value import frozen
 from graphkin.construction import Normal, Plane, Site, Term
-from graphkin.geometry import Value, dot
 from graphkin.marking.hand import Redrawing
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.naming import Seen
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.naming import Seen
+from graphkin.model.quantities import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
+from graphkin.model.quantities.kinds import Answer, on_axis
 from graphkin.planning import Method
-from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
-from graphkin.quantities.kinds import Answer, on_axis
-from graphkin.readings import readings
-from graphkin.value import frozen
+from graphkin.proof.readings import readings
 
 ACROSS = 1e-9
 """Less along a guide, as part of a vector, is nothing."""

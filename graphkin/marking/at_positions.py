@@ -8,7 +8,7 @@ from dataclasses import replace
 from graphkin.marking.diagnosis import Diagnosis, Explanation
 from graphkin.marking.habits import Trace, added
 from graphkin.marking.marked import Judged, Marked, Number, Work
-from graphkin.quantities import at_position, position_of
+from graphkin.model.quantities import at_position, position_of
 
 
 def parted(work: Work, count: int) -> list[Work]:

@@ -8,15 +8,15 @@ from functools import cached_property
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.marking.asked import Arrows, arrows_of
 from graphkin.marking.consequences import combined
-from graphkin.marking.follow import replay_with
+from graphkin.marking.follow_through import replay_with
 from graphkin.marking.key import Key
 from graphkin.marking.verdicts import Columns, agrees, columns, sense_only, usable
+from graphkin.model.quantities import Moving, Quantity, Rotation
 from graphkin.planning import Method
-from graphkin.quantities import Moving, Quantity, Rotation
-from graphkin.value import frozen
 
 _FLAT = np.sin(np.radians(0.5))
 """Lines that meet under a smaller angle give no point: nothing is carried on to it."""

@@ -8,17 +8,17 @@ from functools import cached_property
 
 import numpy as np
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
 from graphkin.construction import Plot
-from graphkin.geometry import Value
 from graphkin.marking import mistakes as _entered  # noqa: F401  (enters them)
 from graphkin.marking.asked import arrows_of, asked, size_of
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.redrawing import redraw
 from graphkin.marking.rewrite import Mistaken, Rewrite
 from graphkin.marking.scene import MISTAKES, Scene
+from graphkin.model.quantities import Answer, Centre, Quantity
 from graphkin.planning import Method
-from graphkin.quantities import Answer, Centre, Quantity
-from graphkin.value import frozen
 
 SAME = 1e-9
 """Values that differ by less, as part of their size, are one."""

@@ -12,11 +12,11 @@ from dataclasses import field
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.marking.explaining import Best, Explainer, Ways
 from graphkin.marking.key import Hypotheses, Key, Name
 from graphkin.marking.verdicts import Columns
 from graphkin.marking.weights import ONE, TWO
-from graphkin.value import frozen
 
 _PAIRS_FROM = 4
 """So many independent values, before two mistakes are looked for."""

@@ -11,10 +11,10 @@ from copy import copy
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.marking.key import Hypotheses, Key, Name
 from graphkin.marking.verdicts import Columns, agrees, columns_of, differences
 from graphkin.marking.weights import FITS, Scale, Weighed
-from graphkin.value import frozen
 
 MARGIN = 3.0
 """Explanations whose weights differ by less cannot be told apart: a factor of 20."""

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import field
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError
 from graphkin.marking.marked import Marked
-from graphkin.value import frozen
 
 Drawn = Mapping[Plane, Mapping[str, complex]]
 """Points of a drawing by plane and letter, SI, from any of them."""

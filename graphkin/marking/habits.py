@@ -6,8 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.marking.explaining import MARGIN
-from graphkin.value import frozen
 
 _SHOWS = np.log((0.8, 0.2))
 """How often a habit shows in a problem, and how often it does not, as logarithms."""

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from graphkin.base.geometry import Value
 from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Plane, Plot, Ray, Size
-from graphkin.geometry import Value
-from graphkin.usual import Usual
+from graphkin.model.usual import Usual
 
 
 class Hand:

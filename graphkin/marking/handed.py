@@ -7,10 +7,20 @@ from typing import assert_never
 from graphkin.construction import Image, Term
 from graphkin.errors import GraphkinError
 from graphkin.marking.key import Sort
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.quantities import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
+from graphkin.model.quantities.reading import read
 from graphkin.planning import Method
-from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
-from graphkin.quantities.reading import read
 
 
 def asked_of(mechanism: Mechanism) -> dict[str, Quantity]:

@@ -10,7 +10,7 @@ from typing import Literal
 
 import numpy as np
 
-from graphkin.value import frozen
+from graphkin.base.value import frozen
 
 Sort = Literal["sense", "size", "angle"]
 Doubt = Literal["", "steep", "dead point", "too small"]

@@ -8,8 +8,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.base.geometry import Value
 from graphkin.construction import Measure, Plot
-from graphkin.geometry import Value
 from graphkin.marking.consequences import combined, rewrites
 from graphkin.marking.handed import asked_of, on_the_way, sort_of
 from graphkin.marking.key import Entry, Hypotheses, Key, Marking, Name, Step
@@ -17,8 +17,8 @@ from graphkin.marking.pencil import Pencil
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.scatter import Drawings, spread
 from graphkin.marking.slips import Slips, seed_of
+from graphkin.model.quantities import EDGE, Quantity
 from graphkin.planning import Method
-from graphkin.quantities import EDGE, Quantity
 from graphkin.running import replay_all
 
 DRAWINGS = 2000

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import field
 from typing import Literal
 
+from graphkin.base.value import frozen
 from graphkin.marking.diagnosis import Diagnosis
-from graphkin.value import frozen
 
 Verdict = Literal["right", "carried", "wrong", "missing", "dead point", "too small"]
 """The last two are of values that paper cannot tell: neither right nor wrong, and worth nothing either way."""

@@ -10,7 +10,8 @@ from typing import Literal
 
 import numpy as np
 
-from graphkin import loading, planning
+from graphkin import files as loading
+from graphkin import planning
 from graphkin.construction import Plot
 from graphkin.marking.arrows_astray import as_drawn, turned_by
 from graphkin.marking.at_positions import joined, parted
@@ -26,10 +27,10 @@ from graphkin.marking.own_scatter import ways_of
 from graphkin.marking.pairing import pairs_of
 from graphkin.marking.read_off import OffDrawing, pointing, read_off
 from graphkin.marking.rewrite import Rewrite
-from graphkin.marking.standing_in import called_as_asked, same_answers
+from graphkin.marking.synonyms import called_as_asked, same_answers
 from graphkin.marking.verdicts import agrees, columns, sense_only
+from graphkin.model.quantities import Moving, Quantity, Rotation
 from graphkin.planning import Method
-from graphkin.quantities import Moving, Quantity, Rotation
 from graphkin.running import replay_all
 
 _HALF = 0.5

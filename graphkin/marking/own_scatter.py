@@ -10,8 +10,8 @@ from graphkin.marking.key import Hypotheses, Key
 from graphkin.marking.making import drawn_by, least_of
 from graphkin.marking.right_ways import other_methods
 from graphkin.marking.scatter import spread
+from graphkin.model.quantities import Quantity
 from graphkin.planning import Method
-from graphkin.quantities import Quantity
 
 
 def ways_of(method: Method, key: Key, quantities: Sequence[Quantity]) -> Hypotheses:

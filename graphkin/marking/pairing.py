@@ -10,8 +10,8 @@ from graphkin.construction import Plot
 from graphkin.marking.consequences import combined, rewrites
 from graphkin.marking.key import Hypotheses, Key
 from graphkin.marking.rewrite import Rewrite
+from graphkin.model.quantities import Quantity
 from graphkin.planning import Method
-from graphkin.quantities import Quantity
 
 _MOST = 6000
 """Pairs beyond so many are not tried: among so many, chance hits outweigh hints."""

@@ -12,6 +12,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
 from graphkin.construction import (
     Across,
     AcrossGuide,
@@ -36,12 +38,10 @@ from graphkin.construction import (
     Turning,
     replay,
 )
-from graphkin.geometry import Value
 from graphkin.marking.hand import Hand, Redrawing
 from graphkin.marking.slips import Mark, Slips
 from graphkin.planning import Method
 from graphkin.running.path import turned
-from graphkin.value import frozen
 
 _STAGES = 3
 """Links are fitted anew while errors grow by this part of what they come to."""

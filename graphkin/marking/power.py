@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.marking.consequences import rewrites
 from graphkin.marking.explaining import Explainer
 from graphkin.marking.key import Name
@@ -16,7 +17,6 @@ from graphkin.marking.scatter import Drawings
 from graphkin.marking.slips import Slips, seed_of
 from graphkin.marking.tellable import Observed, observed
 from graphkin.marking.weights import MOVED, ONE, shifts
-from graphkin.value import frozen
 
 _Parts = tuple[Observed, float, float, float]
 """What an observer makes of a mistake; part of its students who have a value judged wrong, are told of it, and of no

@@ -13,16 +13,26 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin.base.geometry import Value, cross
+from graphkin.base.value import frozen
 from graphkin.construction import Given, LayOff, Measure, Plane, Plot
-from graphkin.geometry import Value, cross
 from graphkin.marking.asked import Arrows, Ends
-from graphkin.marking.follow import replay_with
+from graphkin.marking.follow_through import replay_with
 from graphkin.marking.graded import Drawn
 from graphkin.marking.handed import readable
+from graphkin.model.quantities import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
+from graphkin.model.quantities.kinds import on_axis
 from graphkin.planning import Method
-from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
-from graphkin.quantities.kinds import on_axis
-from graphkin.value import frozen
 
 _ALONG = math.radians(5)
 """An arrow that is nearer to its link's direction turns it neither way."""

@@ -12,6 +12,7 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin.base.geometry import Value, cross, dot, meet_lines
 from graphkin.construction import (
     Arc,
     Construction,
@@ -32,7 +33,6 @@ from graphkin.construction import (
 from graphkin.construction.chains import solve_together
 from graphkin.construction.pencil import FIXED
 from graphkin.construction.rolling import roll
-from graphkin.geometry import Value, cross, dot, meet_lines
 from graphkin.marking.hand import Hand, Redrawing
 from graphkin.planning import Method
 

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from graphkin.base.geometry import Value, unit
+from graphkin.base.value import frozen
 from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Meet, Plane, Plot, Ray, Size, Swing, replay
-from graphkin.geometry import Value, unit
 from graphkin.marking.hand import Hand, Redrawing
 from graphkin.planning import Method
-from graphkin.value import frozen
 
 PARALLEL = np.sin(np.radians(0.5))
 """Sine of the angle under which lines are not taken to cross."""

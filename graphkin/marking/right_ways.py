@@ -7,17 +7,27 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.errors import GraphkinError
 from graphkin.marking.asked import arrows_of, asked
 from graphkin.marking.redrawing import redraw
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.naming import Seen
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.naming import Seen
+from graphkin.model.quantities import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
+from graphkin.model.quantities.kinds import Answer
+from graphkin.model.quantities.reading import read
 from graphkin.planning import Method, plan
-from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
-from graphkin.quantities.kinds import Answer
-from graphkin.quantities.reading import read
-from graphkin.value import frozen
 
 
 @frozen

@@ -10,6 +10,8 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from graphkin.base.geometry import Value, cross
+from graphkin.base.value import frozen
 from graphkin.construction import (
     Coriolis,
     Drawn,
@@ -28,13 +30,11 @@ from graphkin.construction import (
     Tangential,
     Turning,
 )
-from graphkin.geometry import Value, cross
 from graphkin.marking.hand import Hand, Redrawing
 from graphkin.marking.redrawing import redraw
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.planning.position import touching
-from graphkin.value import frozen
 
 READ_MM, READ_DEGREES = 0.5, 0.5
 """To what a ruler and a protractor are read."""

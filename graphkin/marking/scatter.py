@@ -7,8 +7,9 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
 from graphkin.construction import Plot
-from graphkin.geometry import Value
 from graphkin.marking.asked import Arrows, arrows_of, asked, size_of
 from graphkin.marking.hand import Hands, Redrawing
 from graphkin.marking.key import Sort
@@ -16,9 +17,18 @@ from graphkin.marking.pencil import Pencil, PencilHand, drawn_positions
 from graphkin.marking.redrawing import redraw
 from graphkin.marking.rewrite import Mistaken, Rewrite, Written
 from graphkin.marking.slips import Mark, Slips
+from graphkin.model.quantities import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
 from graphkin.planning import Method
-from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
-from graphkin.value import frozen
 
 _AT_ONCE, _NUMBERS = 64, 2**21
 """Mistakes that are drawn at once, each many times; fewer where more numbers than these are read off."""

@@ -10,6 +10,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import (
     Construction,
     Equation,
@@ -28,13 +29,12 @@ from graphkin.construction import (
 )
 from graphkin.marking.asked import Arrows, arrows_of
 from graphkin.marking.rewrite import Rewrite
-from graphkin.mechanism import FRAME
-from graphkin.motions import Motions
-from graphkin.naming import Seen
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.mechanism import FRAME
+from graphkin.model.naming import Seen
+from graphkin.model.quantities import Quantity
 from graphkin.planning import Method
-from graphkin.quantities import Quantity
-from graphkin.readings import readings
-from graphkin.value import frozen
+from graphkin.proof.readings import readings
 
 Known = TypeVar("Known", bound=Size)
 

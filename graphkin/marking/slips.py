@@ -7,9 +7,9 @@ from zlib import crc32
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.mechanism import Mechanism
-from graphkin.value import frozen
+from graphkin.model.mechanism import Mechanism
 
 
 @frozen

@@ -17,8 +17,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.marking.explaining import Explainer
-from graphkin.value import frozen
 
 WELL = 0.95
 """What part of the students who make a mistake should be told of it."""

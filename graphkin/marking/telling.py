@@ -10,13 +10,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.marking.consequences import SAME, combined, rewrites
 from graphkin.marking.key import Entry, Marking, Name
 from graphkin.marking.making import asked_alone
 from graphkin.marking.verdicts import Columns, columns, columns_of, differences, upright
 from graphkin.planning import Method
-from graphkin.value import frozen
 
 
 @frozen

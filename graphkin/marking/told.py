@@ -12,9 +12,9 @@ from operator import add
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.marking.key import Name
 from graphkin.marking.telling import Telling
-from graphkin.value import frozen
 
 LOOKED_AT = 6
 """So many problems are looked at for one that does as well as the best third of a sample; then the best of them."""

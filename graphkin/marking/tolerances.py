@@ -6,6 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import LayOff
 from graphkin.marking.handed import readable
 from graphkin.marking.key import Entry, Key
@@ -13,9 +14,8 @@ from graphkin.marking.making import DRAWINGS, drawings_of, pencil_of
 from graphkin.marking.pencil import called
 from graphkin.marking.scatter import Drawings, spread
 from graphkin.marking.slips import Mark, Slips, seed_of
+from graphkin.model.usual import ROUNDING
 from graphkin.planning import Method
-from graphkin.usual import ROUNDING
-from graphkin.value import frozen
 
 _FEWER = 500
 _COUNTS = 1e-4

@@ -10,8 +10,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.marking.key import Entry, Key
-from graphkin.value import frozen
 
 _TURN = 2 * np.pi
 _SAME = 1e-6

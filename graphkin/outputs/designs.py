@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from graphkin.design import Design, Family, Solution
 from graphkin.say.design import said
+from graphkin.studies.design import Design, Family, Solution
 
 
 def as_json(design: Design) -> dict[str, Any]:

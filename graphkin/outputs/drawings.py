@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.outputs.files import beside
@@ -13,7 +14,6 @@ from graphkin.outputs.paint import Ink
 from graphkin.outputs.svg import NAMESPACE
 from graphkin.planning import Method
 from graphkin.sheet import Sheet
-from graphkin.value import frozen
 
 
 @frozen

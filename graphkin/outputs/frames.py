@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from graphkin import sweeps
 from graphkin.errors import Lang
 from graphkin.outputs.tables import columns
+from graphkin.studies import sweeps
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -18,7 +18,7 @@ Json = dict[str, Any]
 
 def json_schema(lang: Lang = "en") -> Json:
     """The schema, as plain as possible: defaults are not an editor's business."""
-    from graphkin.loading import schema
+    from graphkin.files import schema
 
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -35,8 +35,8 @@ def json_schema_text(lang: Lang = "en") -> str:
 
 def _table(table: str, kind: Any, lang: Lang) -> Json:
     """A table's keys with what they say."""
-    from graphkin.loading.fields import keys, kind_of
-    from graphkin.loading.schema import FURTHER
+    from graphkin.files.fields import keys, kind_of
+    from graphkin.files.schema import FURTHER
     from graphkin.say.file_help import described, head
 
     found = dict(kind_of(kind).json)

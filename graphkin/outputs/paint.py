@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
+from graphkin.base.value import frozen
 from graphkin.outputs.spans import mm
 from graphkin.sheet import Sheet
 from graphkin.sheet.marks import Arc, Disc, Fill, Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer
 from graphkin.sheet.paper import PENS, PenName
-from graphkin.value import frozen
 
 _INK, _NEW, _PALE = "#000000", "#c00000", "#777777"
 _ACCENTS: Mapping[str, str] = {"velocity": "#0b4f9c", "acceleration": "#a3200d"}

@@ -7,9 +7,9 @@ import re
 from dataclasses import replace
 from itertools import groupby
 
+from graphkin.base.value import frozen
 from graphkin.sheet.lettering import advance, is_wide, run_size, run_width, scripts
 from graphkin.sheet.marks import Place, Text
-from graphkin.value import frozen
 
 LATIN = "Times New Roman, Liberation Serif, Tinos, serif"
 _CHINESE = "Noto Serif CJK SC, Source Han Serif SC, Songti SC, SimSun, WenQuanYi Micro Hei, serif"

@@ -15,9 +15,9 @@ from typing import Any, ClassVar
 import numpy as np
 
 from graphkin.errors import GraphkinError, Lang
+from graphkin.model.quantities import EDGE, Unit, driven
 from graphkin.outputs.files import beside
-from graphkin.quantities import EDGE, Unit, driven
-from graphkin.sweeps import Course, Road, Series, Sweep, in_parts
+from graphkin.studies.sweeps import Course, Road, Series, Sweep, in_parts
 
 FORMATS = (".csv", ".json", ".jsonl", ".parquet")
 MARKS = (b" [deg]", b" [mm]", b' [rad]": ', b' [m]": ', b'"format": 1', b"graphkin")

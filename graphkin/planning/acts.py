@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator
 from typing import assert_never
 
+from graphkin.base.value import frozen
 from graphkin.construction import (
     Arc,
     Construction,
@@ -26,7 +27,6 @@ from graphkin.construction import (
     Swing,
     Touch,
 )
-from graphkin.value import frozen
 
 
 @frozen

@@ -11,15 +11,15 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from graphkin.base.geometry import Value, cross
+from graphkin.base.tolerances import CLOSED, ROUNDED
+from graphkin.base.value import frozen
 from graphkin.construction import Arc, Arm, Construction, Facts, Fit, Meet, Plot, Ray, Span, Swing, slide_key
 from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
-from graphkin.geometry import Value, cross
-from graphkin.naming import spelled
+from graphkin.model.naming import spelled
 from graphkin.planning.branch_search import BETWEEN, DeadEnd, branches, told_slides
 from graphkin.planning.branches import Branches
 from graphkin.planning.structure import Structure
-from graphkin.tolerances import CLOSED, ROUNDED
-from graphkin.value import frozen
 
 DEAD_DEG = 0.5
 """Lines that meet under less than this give no usable drawing [deg]."""

@@ -17,15 +17,15 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
 from graphkin.construction import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, unknowns_of
 from graphkin.construction.pencil import begin, draw
-from graphkin.geometry import Value
-from graphkin.mechanism import FRAME
-from graphkin.pairs import Slide
+from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import Slide
 from graphkin.planning.branches import Branches
 from graphkin.planning.starts import Starts
 from graphkin.planning.structure import Structure
-from graphkin.value import frozen
 
 WIDTHS = (1, 8, 64)
 """Branches kept while a first assembly is looked for."""

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import filled
 from graphkin.construction import Plot
-from graphkin.geometry import Value
-from graphkin.value import filled
 
 TABLES = ("near", "position", "theta", "s", "sines", "misses", "senses")
 

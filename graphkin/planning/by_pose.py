@@ -9,8 +9,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from graphkin.base.cache import kept
 from graphkin.construction import Construction, Equation, Meet, Plot, Ray, Step, Touch
-from graphkin.kept import kept
 from graphkin.planning.equivalent import lower_pairs
 from graphkin.planning.method import Method
 

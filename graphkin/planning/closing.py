@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
+from graphkin.base.value import frozen
 from graphkin.construction import Arc, Drawn, Equation, Given, LayOff, Meet, Ray, Span, Step, Term
-from graphkin.value import frozen
 
 Aside = Callable[[], str]
 """Names a point that only helps the drawing."""

@@ -12,22 +12,22 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from graphkin.base.geometry import Value, wrapped
+from graphkin.base.tolerances import ROUNDED
+from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plot, replay, slide_key
 from graphkin.errors import CannotAssemble, DeadPoint, NotPlaced, PosesDiffer, Where
-from graphkin.geometry import Value, wrapped
-from graphkin.mechanism import FRAME, Driver, Mechanism, Pose
+from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
+from graphkin.model.quantities import EDGE, driven
 from graphkin.planning.assembly import assemble, extent, refuse_open
 from graphkin.planning.position import position
 from graphkin.planning.repeated import as_aside, still_repeated
 from graphkin.planning.stages import stages
 from graphkin.planning.starting_facts import facts_of, with_sides
 from graphkin.planning.structure import Structure
-from graphkin.quantities import EDGE, driven
-from graphkin.tolerances import ROUNDED
-from graphkin.value import frozen
 
 if TYPE_CHECKING:
-    from graphkin.planning.candidates import SetAside
+    from graphkin.planning.redundancy import SetAside
 
     Repeats = tuple[SetAside, ...]
 

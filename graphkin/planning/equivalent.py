@@ -10,9 +10,9 @@ import cmath
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 
-from graphkin.mechanism import FRAME, Link, Mechanism
-from graphkin.pairs import Line, Pair, Rod, Rolling, Slide, Slot, rod_name, start_name
-from graphkin.value import frozen
+from graphkin.base.value import frozen
+from graphkin.model.mechanism import FRAME, Link, Mechanism
+from graphkin.model.pairs import Line, Pair, Rod, Rolling, Slide, Slot, rod_name, start_name
 
 
 def lower_pairs(mechanism: Mechanism) -> Mechanism:

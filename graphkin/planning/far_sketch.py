@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from itertools import combinations
 
 from graphkin.errors import CannotAssemble, FarFromSketch, Where
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.model.mechanism import FRAME, Mechanism
 
 FAR = 1.4
 """A sketch is rough: so many times longer or shorter than it is no matter."""

@@ -17,9 +17,9 @@ from graphkin.construction import (
     Term,
     Unknown,
 )
-from graphkin.mechanism import FRAME
-from graphkin.planning.hops import Hop, Lever, Slip, outward, way_round
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.images import add_up, base_of, drive, fill, reach
+from graphkin.planning.loop_terms import Hop, Lever, Slip, outward, way_round
 from graphkin.planning.polygon import Polygon
 from graphkin.planning.position import contact_letters, in_step
 from graphkin.planning.repeating import measure_slide

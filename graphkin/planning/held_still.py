@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from graphkin.base.value import frozen
 from graphkin.construction import Arc, Drawn, Equation, Image, LayOff, Measure, Meet, Plane, Ray, Step, Term
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.method import Method
 from graphkin.planning.needed import Fact, Part, rests
-from graphkin.value import frozen
 
 
 def held_points(method: Method, plane: Plane, rested: frozenset[Fact]) -> tuple[str, ...]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from itertools import combinations
 
 from graphkin.construction import Image, LayOff, Site, Term
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.closing import known_sum
-from graphkin.planning.hops import Lever, Slip
+from graphkin.planning.loop_terms import Lever, Slip
 from graphkin.planning.polygon import Polygon
 
 

@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator
 from dataclasses import field
 from functools import cached_property
 
+from graphkin.base.value import filled, frozen
 from graphkin.construction.plot import grouped
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.structure import Hinge, Joint, Structure
-from graphkin.value import filled, frozen
 
 
 @frozen

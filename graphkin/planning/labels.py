@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from dataclasses import field
 from functools import cached_property
 
+from graphkin.base.value import filled
 from graphkin.construction import Site
-from graphkin.mechanism import FRAME
-from graphkin.planning.hops import Slip, Twist, way_round
+from graphkin.model.mechanism import FRAME
+from graphkin.planning.loop_terms import Slip, Twist, way_round
 from graphkin.planning.position import touching
 from graphkin.planning.stages import Carry, Group, Loop, Stage
 from graphkin.planning.structure import Sliding, Structure
-from graphkin.value import filled
 
 
 @filled

@@ -6,18 +6,18 @@ from collections.abc import Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
 from graphkin.construction import Construction, Facts, Fit, Roll, Site
-from graphkin.geometry import Value
-from graphkin.mechanism import Driver, Mechanism
+from graphkin.model.mechanism import Driver, Mechanism
 from graphkin.planning.acts import Act, acts
 from graphkin.planning.special import Ternary
 from graphkin.planning.stages import Bridge, Group, Stage
 from graphkin.planning.starting_facts import facts_of
 from graphkin.planning.structure import Structure
-from graphkin.value import frozen
 
 if TYPE_CHECKING:
-    from graphkin.planning.candidates import SetAside
+    from graphkin.planning.redundancy import SetAside
 
 
 @frozen

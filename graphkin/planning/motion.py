@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from graphkin.construction import Construction, Equation, Given, LayOff, Measure, Plane, Simultaneous, Site
-from graphkin.mechanism import FRAME
-from graphkin.naming import primes
+from graphkin.model.mechanism import FRAME
+from graphkin.model.naming import primes
 from graphkin.planning.groups import chain, coincide, group, walk
-from graphkin.planning.hops import halves, way_round
 from graphkin.planning.images import drive, fill, reach
 from graphkin.planning.labels import Labels
+from graphkin.planning.loop_terms import halves, way_round
 from graphkin.planning.polygon import Polygon
 from graphkin.planning.repeating import measure_all_slides
 from graphkin.planning.rolling import mesh

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import assert_never
 
+from graphkin.base.value import frozen
 from graphkin.construction import (
     Across,
     AcrossGuide,
@@ -48,9 +49,8 @@ from graphkin.construction import (
     Touch,
     Turning,
 )
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.method import Method
-from graphkin.value import frozen
 
 Fact = tuple[str, str]
 Part = Step | Equation

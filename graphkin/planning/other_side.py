@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from graphkin.errors import GraphkinError, OtherSide
-from graphkin.mechanism import Mechanism
-from graphkin.pairs import Cam, Pair, Roll
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.pairs import Cam, Pair, Roll
 from graphkin.planning.planner import plan
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from graphkin.errors import AlongOwnAxis
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 
 
 def along_own_axis(mechanism: Mechanism, links: Sequence[str], angle_deg: float) -> AlongOwnAxis | None:

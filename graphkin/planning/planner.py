@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from graphkin.base.cache import kept
 from graphkin.construction import Construction, Meet, Plot, Swing, replay
 from graphkin.errors import HigherClass
-from graphkin.kept import kept
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning.assembly import assemble
 from graphkin.planning.equivalent import contacts, lower_pairs
-from graphkin.planning.kept_tracks import with_ways
+from graphkin.planning.guided_rolling import with_ways
 from graphkin.planning.labels import Labels, coincident_points
 from graphkin.planning.method import Method
 from graphkin.planning.motion import motion
@@ -24,7 +24,7 @@ from graphkin.planning.starting_facts import facts_of, refuse_contacts_apart, wi
 from graphkin.planning.structure import Structure
 
 if TYPE_CHECKING:
-    from graphkin.planning.candidates import SetAside
+    from graphkin.planning.redundancy import SetAside
 
 
 @kept(8)

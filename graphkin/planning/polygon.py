@@ -7,6 +7,7 @@ from dataclasses import field, replace
 from functools import cached_property
 from itertools import chain, count
 
+from graphkin.base.value import filled
 from graphkin.construction import (
     Across,
     Along,
@@ -30,14 +31,13 @@ from graphkin.construction import (
     Term,
     Turning,
 )
-from graphkin.mechanism import FRAME
-from graphkin.naming import image_name, primes
+from graphkin.model.mechanism import FRAME
+from graphkin.model.naming import image_name, primes
 from graphkin.planning.closing import close, pole_is_last
-from graphkin.planning.hops import Hop, Lever, Slip, Twist
-from graphkin.planning.known_first import Ordered, known_first
 from graphkin.planning.labels import Labels
+from graphkin.planning.loop_terms import Hop, Lever, Slip, Twist
 from graphkin.planning.structure import Structure
-from graphkin.value import filled
+from graphkin.planning.term_order import Ordered, known_first
 
 Piece = tuple[str, Size | None, Direction | None]
 """The part (`n`, `t`, `k`, `r`), size and direction of one arrow of a hop."""

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from dataclasses import field
 from itertools import count
 
+from graphkin.base.cache import kept
+from graphkin.base.value import filled
 from graphkin.construction import (
     Along,
     AlongGuide,
@@ -28,8 +30,7 @@ from graphkin.construction import (
     Term,
     Touch,
 )
-from graphkin.kept import kept
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.closing import close
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
@@ -45,7 +46,6 @@ from graphkin.planning.stretches import (
     turned_round,
 )
 from graphkin.planning.structure import Sliding, Structure
-from graphkin.value import filled
 
 
 @filled

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from graphkin.planning.restraints import Array, Restraints, Row, Rows, settled
-from graphkin.tolerances import CLOSED, RANK
+from graphkin.base.tolerances import CLOSED, RANK
+from graphkin.planning.constraint_jacobian import Array, Restraints, Row, Rows, settled
 
 _STARTS = 12
 

@@ -11,14 +11,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphkin.mechanism import Driver, Mechanism
-from graphkin.planning.candidates import Candidates, SetAside, over
-from graphkin.planning.contradicting import Contradictions
+from graphkin.base.tolerances import CLOSED
+from graphkin.base.value import frozen
+from graphkin.model.mechanism import Driver, Mechanism
+from graphkin.planning.conflicts import Contradictions
+from graphkin.planning.constraint_jacobian import Array, Restraints, Row, Rows, settled
 from graphkin.planning.ranks import drawn_place, open_by, rank
-from graphkin.planning.restraints import Array, Restraints, Row, Rows, settled
+from graphkin.planning.redundancy import Candidates, SetAside, over
 from graphkin.planning.structure import Structure
-from graphkin.tolerances import CLOSED
-from graphkin.value import frozen
 
 _NUDGE = 0.05
 """How far bodies are moved to see the general rank [size, rad]."""

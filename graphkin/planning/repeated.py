@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning.structure import Aside, Structure
 
 if TYPE_CHECKING:
-    from graphkin.planning.candidates import SetAside
+    from graphkin.planning.redundancy import SetAside
 
 
 def repeated(mechanism: Mechanism, structure: Structure) -> tuple[SetAside, ...]:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from graphkin.construction import LayOff, Measure, Roll, Simultaneous, Site
-from graphkin.mechanism import FRAME
-from graphkin.planning.hops import Slip
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.images import reach
+from graphkin.planning.loop_terms import Slip
 from graphkin.planning.polygon import Polygon
 
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from graphkin.construction import AcrossGuide, Along, Direction, Measure, Roll, Site, Term
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
-from graphkin.planning.hops import Lever
 from graphkin.planning.images import base_of, reach
+from graphkin.planning.loop_terms import Lever
 from graphkin.planning.polygon import Polygon
 from graphkin.planning.position import contact_letters, in_step
 from graphkin.planning.repeating import measure_slide

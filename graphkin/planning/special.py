@@ -14,6 +14,7 @@ from itertools import combinations, count
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import (
     Across,
     AcrossGuide,
@@ -27,11 +28,10 @@ from graphkin.construction import (
     Ray,
     Site,
 )
-from graphkin.mechanism import FRAME
-from graphkin.planning.hops import Hop, Lever, Slip, outward, way_round
+from graphkin.model.mechanism import FRAME
+from graphkin.planning.loop_terms import Hop, Lever, Slip, outward, way_round
 from graphkin.planning.stages import Group, Stage
 from graphkin.planning.structure import Structure
-from graphkin.value import frozen
 
 APART = 0.1
 """Least sine of the angle under which two legs' lines may meet, where another pair is better."""

@@ -16,14 +16,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 
+from graphkin.base.value import frozen
+from graphkin.base.worklist import Waiting
 from graphkin.construction import slide_key
 from graphkin.planning.closed_sets import fewest_closed
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.known import Known
+from graphkin.planning.loop_search import Ways, floats
 from graphkin.planning.structure import Hinge, Joint, Structure
-from graphkin.planning.ways import Ways, floats
-from graphkin.value import frozen
-from graphkin.waiting import Waiting
 
 MOST = 8
 """Unknown scalars of one loop of a group."""

@@ -7,14 +7,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.base.geometry import Value, cross
+from graphkin.base.tolerances import ROUNDED
 from graphkin.construction import Construction, Equation, Facts, Meet, Plot, Step, Swing
 from graphkin.errors import GearsApart, OffTrack, Where
-from graphkin.geometry import Value, cross
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Gear, Line
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.pairs import Gear, Line
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Structure
-from graphkin.tolerances import ROUNDED
 
 
 def refuse_contacts_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot: Plot) -> None:

@@ -10,12 +10,12 @@ from collections.abc import Callable
 
 import numpy as np
 
+from graphkin.base.geometry import Value, dot
+from graphkin.base.value import filled
 from graphkin.construction import Arm, Fit, Plot, unknowns_of
-from graphkin.geometry import Value, dot
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.branches import Branches
 from graphkin.planning.structure import Structure
-from graphkin.value import filled
 
 STARTS = 96
 """Places where fitting starts, for each branch."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from graphkin.base.value import frozen
 from graphkin.construction import Along, AlongGuide, Arm, Closure, Drawn, Slid, Span, Term
 from graphkin.planning.stages import Loop
 from graphkin.planning.structure import Hinge, Joint, Structure
-from graphkin.value import frozen
 
 
 @frozen

@@ -11,12 +11,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
+from graphkin.base.geometry import phase
+from graphkin.base.value import frozen
 from graphkin.construction import Site, TurnOf
-from graphkin.geometry import phase
-from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.pairs import Rod, Slide, pin_name
+from graphkin.model.mechanism import FRAME, Driver, Mechanism
+from graphkin.model.pairs import Rod, Slide, pin_name
 from graphkin.planning.equivalent import Contact
-from graphkin.value import frozen
 
 
 @frozen

@@ -10,10 +10,10 @@ import math
 from collections.abc import Iterator
 from itertools import combinations
 
+from graphkin.base.geometry import cross, dot
+from graphkin.base.value import frozen
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing, replay
-from graphkin.geometry import cross, dot
 from graphkin.planning import Method
-from graphkin.value import frozen
 
 _PLAIN = 0.02
 """What lies by a smaller part of its distance to one side is not seen to lie there."""

@@ -16,8 +16,8 @@ import numpy as np
 from graphkin.construction import Meet, Roll, Swing
 from graphkin.planning.method import Method
 from graphkin.running.looking import Looking
-from graphkin.running.nodes import Nodes, cubic
 from graphkin.running.path import STEP_DEG, STEP_PART, Event, Path, stride
+from graphkin.running.path_nodes import Nodes, cubic
 from graphkin.running.singularities import choice_of, event_at, touching
 
 FIRST = 1 / 32

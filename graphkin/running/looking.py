@@ -8,13 +8,13 @@ from functools import partial
 
 import numpy as np
 
+from graphkin.base.geometry import Value
 from graphkin.construction import Fit, Plot, replay
 from graphkin.construction.fitting import fit
 from graphkin.construction.pencil import COMPASS, Compass
-from graphkin.geometry import Value
 from graphkin.planning.method import Method
-from graphkin.running.nodes import Nodes
 from graphkin.running.path import Path, by_slide_key, turned
+from graphkin.running.path_nodes import Nodes
 from graphkin.running.singularities import Crossing, crossings, key_of
 
 QUICK, LONGER = (Compass(fit=partial(fit, rounds=rounds)) for rounds in (3, 15))

@@ -7,8 +7,8 @@ from weakref import finalize
 
 import numpy as np
 
+from graphkin.base.geometry import Value
 from graphkin.construction import Plot, replay
-from graphkin.geometry import Value
 from graphkin.planning.method import Method
 from graphkin.running.path import Path, along
 from graphkin.running.program import TABLES, CannotRecord, Entry, ReplayProgram, recorded_program

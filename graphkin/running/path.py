@@ -12,10 +12,10 @@ from dataclasses import field, replace
 
 import numpy as np
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import Lazy, frozen
 from graphkin.construction import Plot, replay, slide_key
-from graphkin.geometry import Value
 from graphkin.planning.method import Method
-from graphkin.value import Lazy, frozen
 
 STEP_DEG, STEP_PART = 3.0, 0.02
 """The longest step from one position to the next that is found from it [deg, of the mechanism's size]."""

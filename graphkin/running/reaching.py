@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from graphkin.base.geometry import Value
 from graphkin.construction import Plot, replay
 from graphkin.errors import NotReached
-from graphkin.geometry import Value
+from graphkin.model.quantities import EDGE, driven
 from graphkin.planning.method import Method
-from graphkin.quantities import EDGE, driven
 from graphkin.running.many_positions import along_in_parts
 from graphkin.running.path import STEP_DEG, STEP_PART, Path, along, stride, turned
 from graphkin.running.tracing import trace

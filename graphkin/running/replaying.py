@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from graphkin.base.geometry import Value
 from graphkin.construction import Plot, replay
 from graphkin.errors import ValueForEach
-from graphkin.geometry import Value
 from graphkin.planning.assembly import refuse_bad_positions
 from graphkin.planning.method import Method
 from graphkin.planning.starting_facts import refuse_contacts_apart

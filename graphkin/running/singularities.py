@@ -10,14 +10,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from graphkin.base.cache import kept
+from graphkin.base.geometry import weights_of
+from graphkin.base.tolerances import TOUCH
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing
-from graphkin.geometry import weights_of
-from graphkin.kept import kept
-from graphkin.naming import spelled
+from graphkin.model.naming import spelled
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
 from graphkin.running.path import Event, Path, along, stride
-from graphkin.tolerances import TOUCH
 
 LOOK_DEG, LOOK_PART = 0.5, 0.002
 """How closely the path is looked at [deg, of the mechanism's size]."""

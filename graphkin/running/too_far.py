@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 
 from graphkin.errors import TooFar
+from graphkin.model.quantities import EDGE, driven
 from graphkin.planning.method import Method
-from graphkin.quantities import EDGE, driven
 from graphkin.running.path import Path, stride
 
 MOST = 1e7

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from graphkin.base.cache import kept
 from graphkin.construction import Meet, Swing
-from graphkin.kept import kept
 from graphkin.planning.method import Method
 from graphkin.running.continuation import continued
 from graphkin.running.path import Path

@@ -14,11 +14,13 @@ from itertools import product
 
 import numpy as np
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import filled, frozen
 from graphkin.construction import Facts, Meet, Plot, Swing, replay, slide_key
 from graphkin.errors import GraphkinError
-from graphkin.geometry import Value
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Slide
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.pairs import Slide
+from graphkin.model.variants import coincidences, count_of, cut, single, stacked, topology
 from graphkin.planning import plan
 from graphkin.planning.assembly import DEAD_SINE
 from graphkin.planning.branch_search import BETWEEN
@@ -26,8 +28,6 @@ from graphkin.planning.method import Method
 from graphkin.planning.starting_facts import facts_of
 from graphkin.running.program import TABLES
 from graphkin.running.replaying import replay_all
-from graphkin.stacking import coincidences, count_of, cut, single, stacked, topology
-from graphkin.value import filled, frozen
 
 PART = 2048
 """So many mechanisms at once; what they need stays in the cache."""

@@ -7,18 +7,28 @@ from functools import cached_property
 from math import degrees, radians
 from typing import assert_never
 
-from graphkin.geometry import Value
-from graphkin.motions import Motions
-from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
-from graphkin.quantities.units import EDGE
-from graphkin.readings import readings
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.quantities import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
+from graphkin.model.quantities.units import EDGE
+from graphkin.proof.readings import readings
 from graphkin.say import names
 from graphkin.say.asked import Asked
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence
 from graphkin.say.figures import Operand, Turned
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
-from graphkin.value import frozen
 
 
 @frozen

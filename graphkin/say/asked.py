@@ -6,16 +6,26 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import TYPE_CHECKING, assert_never
 
+from graphkin.base.value import frozen
 from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Size, Tangential, Turning
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
+from graphkin.model.quantities.reading import read
 from graphkin.planning.held_still import standing
 from graphkin.planning.needed import Fact, Part, arms, needed, turning
-from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
-from graphkin.quantities.reading import read
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.reading import Reading
-from graphkin.value import frozen
 
 if TYPE_CHECKING:
     from graphkin.say.asked_centres import AskedCentres

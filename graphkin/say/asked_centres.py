@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
-from graphkin.centres import centres
-from graphkin.centres.shortest import shortest
-from graphkin.drafting import Stage
-from graphkin.quantities import Centre
+from graphkin.base.value import frozen
+from graphkin.construction.drafting import Stage
+from graphkin.model.quantities import Centre
 from graphkin.say.centre_steps import CentreReader
 from graphkin.say.entry import Entry
 from graphkin.say.reading import Reading
-from graphkin.value import frozen
+from graphkin.studies.centres import centres
+from graphkin.studies.centres.shortest import shortest
 
 
 @frozen

@@ -12,8 +12,8 @@ from functools import cache
 from importlib import import_module
 from typing import get_args
 
+from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.value import frozen
 
 Phrases = Mapping[str, tuple[str, str]]
 """By key: English, Chinese."""

@@ -6,10 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from graphkin.centres.about import About, Circle
-from graphkin.centres.about_bobillier import Bobillier, Guided
-from graphkin.centres.two_velocities import TwoVelocities
-from graphkin.drafting import Stage
+from graphkin.construction.drafting import Stage
 from graphkin.errors import Lang
 from graphkin.say import names
 from graphkin.say.catalogue import say as spoken
@@ -17,6 +14,9 @@ from graphkin.say.entry import Calculation
 from graphkin.say.figures import Operand
 from graphkin.say.numbers import Figure, number
 from graphkin.say.senses import sense, sensed
+from graphkin.studies.centres.about import About, Circle
+from graphkin.studies.centres.about_bobillier import Bobillier, Guided
+from graphkin.studies.centres.two_velocities import TwoVelocities
 
 
 def say(key: str, lang: Lang, /, **words: object) -> str:

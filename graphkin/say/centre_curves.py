@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from graphkin.centres.centrodes import Centrodes
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
 from graphkin.say.numbers import at_edge, number
+from graphkin.studies.centres.centrodes import Centrodes
 
 
 def curves_met(curves: Centrodes, centre: complex | None, lang: Lang) -> Iterator[str]:

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Mapping
 from math import degrees
 from typing import Any
 
-from graphkin.centres import Centres, advantages, as_json
 from graphkin.errors import Lang
 from graphkin.say import names
 from graphkin.say.catalogue import say
@@ -15,6 +14,7 @@ from graphkin.say.centre_velocities import uses
 from graphkin.say.entry import Entry, Heading
 from graphkin.say.layout import lines
 from graphkin.say.numbers import exact, number
+from graphkin.studies.centres import Centres, advantages, as_json
 
 Json = Mapping[str, Any]
 

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from typing import assert_never
 
-from graphkin.centres.lever_board import Lever, Number
-from graphkin.centres.levers import Levers
-from graphkin.drafting import Reckon
-from graphkin.mechanism import FRAME
+from graphkin.base.value import frozen
+from graphkin.construction.drafting import Reckon
+from graphkin.model.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.centre_steps import CentreReader
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Formula, figures
 from graphkin.say.numbers import degrees
-from graphkin.value import frozen
+from graphkin.studies.centres.lever_board import Lever, Number
+from graphkin.studies.centres.levers import Levers
 
 FORMS: Mapping[str, tuple[str, Callable[..., Formula | str]]] = {
     "same": ("{}", lambda value: ""),

@@ -9,9 +9,8 @@ from typing import assert_never
 
 import numpy as np
 
-from graphkin.centres import Centres
-from graphkin.centres.underlay import CommonNormal
-from graphkin.drafting import (
+from graphkin.base.value import frozen
+from graphkin.construction.drafting import (
     ChosenPoint,
     Far,
     LayOff,
@@ -25,13 +24,14 @@ from graphkin.drafting import (
     drawn_through,
 )
 from graphkin.errors import Lang
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Cam, CircularSlot, Pair, Slide
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.pairs import Cam, CircularSlot, Pair, Slide
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.numbers import number
-from graphkin.value import frozen
+from graphkin.studies.centres import Centres
+from graphkin.studies.centres.underlay import CommonNormal
 
 NORMALS: Mapping[type[Pair], str] = {Cam: "contact", Slide: "slot", CircularSlot: "circular slot"}
 """What the common normal is the normal of, for each kind of pair that slips."""

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import hypot
 
-from graphkin.centres.levers import Levers, driven_point
 from graphkin.errors import listed
-from graphkin.mechanism import FRAME, Driver
-from graphkin.naming import Seen, common_link
-from graphkin.quantities import Moving, Quantity, Rotation, parts
+from graphkin.model.mechanism import FRAME, Driver
+from graphkin.model.naming import Seen, common_link
+from graphkin.model.quantities import Moving, Quantity, Rotation, parts
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.centre_levers import LeverReader
@@ -17,6 +16,7 @@ from graphkin.say.centre_steps import CentreReader
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence
 from graphkin.say.figures import Operand
 from graphkin.say.numbers import number
+from graphkin.studies.centres.levers import Levers, driven_point
 
 _RATES = ("alpha", "a", "a_n", "a_t", "a_k", "a_r")
 

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphkin.base.value import frozen
 from graphkin.construction import Drawn, Equation, Measure, Step
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import touching
 from graphkin.say import names
 from graphkin.say.entry import Entry, Sentence
 from graphkin.say.plane import Polygon
-from graphkin.value import frozen
 
 
 @frozen

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from graphkin.base.geometry import dot
 from graphkin.construction import Arc, Meet, Ray
-from graphkin.geometry import dot
 from graphkin.say import names
 from graphkin.say.reading import Reading
 

@@ -8,15 +8,15 @@ from dataclasses import replace
 from math import degrees
 from typing import Any
 
-from graphkin.design import Design, Family, Reason, Solution, linkage_of, proof
-from graphkin.drafting import Board, Drafting
+from graphkin.construction.drafting import Board, Drafting
 from graphkin.errors import GraphkinError, Lang, NoDesign
-from graphkin.linkages import filed
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.say.catalogue import in_both, say
 from graphkin.say.figures import figures, written
 from graphkin.say.linkages import kind_name
 from graphkin.say.numbers import Figure
+from graphkin.studies.design import Design, Family, Reason, Solution, linkage_of, proof
+from graphkin.studies.linkages import filed
 
 _DIGITS = 5
 """As `Figure` has them."""

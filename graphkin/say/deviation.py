@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphkin.quantities import Quantity
+from graphkin.model.quantities import Quantity
 from graphkin.say import names
 from graphkin.say.answers import Answers
 from graphkin.say.asked import Asked

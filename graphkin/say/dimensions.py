@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
+from graphkin.base.geometry import cross
 from graphkin.construction import LayOff, Measure, Normal, Step, Tangential, Term, Turning
-from graphkin.geometry import cross
-from graphkin.mechanism import FRAME
-from graphkin.pairs import Gear, Roll, Slide
+from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import Gear, Roll, Slide
 from graphkin.say import names
 from graphkin.say.given_places import driven_slides, face_offsets, fixed_points, guide_angles
 from graphkin.say.given_sizes import Size, beside, circle, driven, in_a_row, millimetres, radius, sides

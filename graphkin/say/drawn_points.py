@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import assert_never
 
+from graphkin.base.geometry import cross
 from graphkin.construction import (
     Across,
     AcrossGuide,
@@ -19,8 +20,7 @@ from graphkin.construction import (
     Ray,
     Span,
 )
-from graphkin.geometry import cross
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.crossings import crossing
 from graphkin.say.numbers import degrees

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.planning.acts import Act
 from graphkin.say.figures import Formula, written
 from graphkin.say.numbers import number
-from graphkin.value import frozen
 
 
 @frozen

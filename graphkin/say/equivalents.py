@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from itertools import combinations
 from typing import Any, assert_never
 
+from graphkin.base.geometry import cross, dot
 from graphkin.construction import (
     Arc,
     Arm,
@@ -22,10 +23,9 @@ from graphkin.construction import (
     Swing,
     Touch,
 )
-from graphkin.geometry import cross, dot
-from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, Slot, rod_name
-from graphkin.pairs import Roll as RollingPair
+from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, Slot, rod_name
+from graphkin.model.pairs import Roll as RollingPair
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import figures

@@ -10,8 +10,8 @@ from __future__ import annotations
 from math import cos, floor, log10, radians, sin
 from typing import Literal
 
+from graphkin.base.value import frozen
 from graphkin.say.numbers import DIGITS, number
-from graphkin.value import frozen
 
 _LEVEL = {"+": 1, "−": 1, "×": 2, "/": 2}
 _MOST_DIGITS = 12

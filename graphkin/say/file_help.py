@@ -10,10 +10,10 @@ from collections.abc import Iterator
 from typing import Any
 
 from graphkin.errors import Lang
-from graphkin.loading.examples import EXAMPLES, LINE
-from graphkin.loading.fields import keys
-from graphkin.loading.schema import FURTHER, TABLES
-from graphkin.loading.units import UNITS, Dimension
+from graphkin.files.examples import EXAMPLES, LINE
+from graphkin.files.fields import keys
+from graphkin.files.schema import FURTHER, TABLES
+from graphkin.files.units import UNITS, Dimension
 from graphkin.say.catalogue import phrase, say
 from graphkin.say.text_table import width
 

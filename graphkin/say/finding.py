@@ -8,14 +8,14 @@ from math import degrees
 from typing import assert_never
 
 from graphkin.errors import Lang
-from graphkin.finding.answers import Findings, Interval, OutputStroke, Phase, Position, SlowPoint, Speeds
-from graphkin.finding.conditions import Comparison, Condition, Extreme, Scaling, Slowest
-from graphkin.mechanism import Driver
-from graphkin.quantities import driven
+from graphkin.model.mechanism import Driver
+from graphkin.model.quantities import driven
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.figures import Operand, written
 from graphkin.say.numbers import exact, in_print, number, quantity
+from graphkin.studies.finding.answers import Findings, Interval, OutputStroke, Phase, Position, SlowPoint, Speeds
+from graphkin.studies.finding.conditions import Comparison, Condition, Extreme, Scaling, Slowest
 
 _SIGNS = "φ", "s"
 """Of what a driver turns, and of what it slides."""

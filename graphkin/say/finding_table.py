@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphkin.errors import Lang
-from graphkin.finding.answers import Findings
-from graphkin.finding.conditions import Comparison, Extreme, Scaling, Slowest
-from graphkin.finding.dimensions import DimensionPlace
-from graphkin.finding.varying import VaryingTable
-from graphkin.quantities import EDGE
-from graphkin.quantities.typed import rewritten
+from graphkin.model.quantities import EDGE
+from graphkin.model.quantities.typed import rewritten
 from graphkin.say.catalogue import say
 from graphkin.say.finding import heading
 from graphkin.say.names import asked
 from graphkin.say.numbers import exact, in_print, quantity
 from graphkin.say.text_table import table
+from graphkin.studies.finding.answers import Findings
+from graphkin.studies.finding.conditions import Comparison, Extreme, Scaling, Slowest
+from graphkin.studies.finding.dimensions import DimensionPlace
+from graphkin.studies.finding.varying import VaryingTable
 
 
 def table_lines(found: VaryingTable, lang: Lang = "en") -> Iterator[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import degrees
 
-from graphkin.mechanism import Driver, Pose
+from graphkin.model.mechanism import Driver, Pose
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.given_dimensions import dimensions

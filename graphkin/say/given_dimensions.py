@@ -10,9 +10,9 @@ from math import degrees as in_degrees
 from math import remainder
 from typing import Any
 
-from graphkin.geometry import cross, dot
-from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, CircularSlot, Gear, Line, Pair, Roll, Slide
+from graphkin.base.geometry import cross, dot
+from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Roll, Slide
 from graphkin.say import names
 from graphkin.say.equivalents import points_of
 from graphkin.say.given_sizes import Size, beside, circle, millimetres, radius, sides

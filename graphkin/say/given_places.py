@@ -6,9 +6,9 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from graphkin.geometry import cross
-from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam
+from graphkin.base.geometry import cross
+from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import Cam
 from graphkin.say import names
 from graphkin.say.given_sizes import driven
 from graphkin.say.numbers import given

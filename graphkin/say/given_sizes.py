@@ -9,12 +9,12 @@ from collections.abc import Iterator
 from itertools import combinations, pairwise
 from math import degrees
 
-from graphkin.geometry import cross
-from graphkin.mechanism import Driver
+from graphkin.base.geometry import cross
+from graphkin.base.value import frozen
+from graphkin.model.mechanism import Driver
 from graphkin.say import names
 from graphkin.say.numbers import given
 from graphkin.say.reading import Reading
-from graphkin.value import frozen
 
 
 @frozen

@@ -6,14 +6,14 @@ from math import pi
 
 import numpy as np
 
+from graphkin.base.cache import kept
+from graphkin.base.geometry import cross
+from graphkin.base.value import frozen
 from graphkin.construction import Swing
-from graphkin.geometry import cross
-from graphkin.kept import kept
-from graphkin.mechanism import FRAME
-from graphkin.pairs import Slide
+from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import Slide
 from graphkin.say import names
 from graphkin.say.reading import Reading
-from graphkin.value import frozen
 
 
 @frozen

@@ -7,14 +7,14 @@ from dataclasses import replace
 from math import degrees
 
 from graphkin.errors import Lang
-from graphkin.linkages import FAMILY, FoundLinkage, Linkage, Report, filed, inverted, report
-from graphkin.linkages.equal import EVEN
-from graphkin.linkages.linkage import LinkagePosition
-from graphkin.mechanism import FRAME, Driver, Mechanism
+from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.say.figures import figures, written
 from graphkin.say.numbers import angle, exact, millimetres, number
 from graphkin.say.transmission import cosine
+from graphkin.studies.linkages import FAMILY, FoundLinkage, Linkage, Report, filed, inverted, report
+from graphkin.studies.linkages.equal import EVEN
+from graphkin.studies.linkages.linkage import LinkagePosition
 
 _DIGITS = 5
 """Of K."""

@@ -9,7 +9,7 @@ from graphkin.errors import Lang
 from graphkin.marking.diagnosis import Explanation
 from graphkin.marking.graded import Graded
 from graphkin.marking.marked import Judged, Marked
-from graphkin.quantities import EDGE
+from graphkin.model.quantities import EDGE
 from graphkin.say.catalogue import say
 from graphkin.say.mistakes import once, together
 from graphkin.say.numbers import number

@@ -8,8 +8,8 @@ from functools import lru_cache
 
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.naming import spelled
-from graphkin.quantities.typed import rewritten
+from graphkin.model.naming import spelled
+from graphkin.model.quantities.typed import rewritten
 
 LETTER: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
 SCALE: dict[Plane, str] = {"position": "μ_l", "velocity": "μ_v", "acceleration": "μ_a"}

@@ -17,8 +17,8 @@ import re
 from collections.abc import Callable
 from itertools import pairwise
 
-from graphkin.quantities import EDGE, IN_GRAVITY
-from graphkin.quantities.digits import significant
+from graphkin.model.quantities import EDGE, IN_GRAVITY
+from graphkin.model.quantities.digits import significant
 
 DIGITS = 4
 """Of what is read off paper."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import assert_never
 
+from graphkin.base.value import frozen
 from graphkin.construction import (
     Across,
     AcrossGuide,
@@ -26,7 +27,6 @@ from graphkin.say import names
 from graphkin.say.entry import Calculation, Sentence
 from graphkin.say.figures import Operand
 from graphkin.say.reading import Reading
-from graphkin.value import frozen
 
 
 @frozen

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from itertools import count
 from typing import assert_never
 
+from graphkin.base.geometry import dot
 from graphkin.construction import (
     Arc,
     Arm,
@@ -25,8 +26,7 @@ from graphkin.construction import (
     Swing,
     Touch,
 )
-from graphkin.geometry import dot
-from graphkin.mechanism import FRAME, Driver
+from graphkin.model.mechanism import FRAME, Driver
 from graphkin.say import names
 from graphkin.say.drawn_points import DrawnPoints
 from graphkin.say.entry import Entry, Heading, Sentence

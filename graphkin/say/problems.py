@@ -8,13 +8,23 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, assert_never
 
 from graphkin.errors import Lang
-from graphkin.loading.names import split_points
+from graphkin.files.names import split_points
 from graphkin.marking.handed import asked_of
-from graphkin.mechanism import Driver, Mechanism
-from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
-from graphkin.quantities.at_position import at_position
-from graphkin.quantities.reading import read
-from graphkin.quantities.units import EDGE
+from graphkin.model.mechanism import Driver, Mechanism
+from graphkin.model.quantities import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
+from graphkin.model.quantities.at_position import at_position
+from graphkin.model.quantities.reading import read
+from graphkin.model.quantities.units import EDGE
 from graphkin.running.assembled import Assembled
 from graphkin.say import names
 from graphkin.say.assembly import assembly

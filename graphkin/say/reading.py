@@ -7,11 +7,13 @@ from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+from graphkin.base.geometry import Value, cross, dot
+from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot, Step
 from graphkin.errors import Lang, listed
-from graphkin.geometry import Value, cross, dot
-from graphkin.mechanism import FRAME, Driver, Mechanism
-from graphkin.pairs import Cam, CircularSlot, Pair
+from graphkin.model.mechanism import FRAME, Driver, Mechanism
+from graphkin.model.pairs import Cam, CircularSlot, Pair
+from graphkin.model.usual import Usual
 from graphkin.planning import Method
 from graphkin.planning.acts import Act, made
 from graphkin.planning.labels import Labels
@@ -19,8 +21,6 @@ from graphkin.planning.needed import Fact, at_rest, turning
 from graphkin.say import names
 from graphkin.say.catalogue import say_close
 from graphkin.say.numbers import degrees, direction, number
-from graphkin.usual import Usual
-from graphkin.value import frozen
 
 if TYPE_CHECKING:
     from graphkin.marking.ruler import Ruler

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphkin.errors import Lang, called_pair, listed
-from graphkin.naming import named
+from graphkin.model.naming import named
 from graphkin.planning import Method
-from graphkin.planning.candidates import SetAside
+from graphkin.planning.redundancy import SetAside
 from graphkin.planning.stages import Bridge
 from graphkin.say.catalogue import say, say_close
 

@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
+from graphkin.base.geometry import dot
 from graphkin.errors import Lang
-from graphkin.geometry import dot
-from graphkin.mechanism import Mechanism
-from graphkin.quantities import EDGE, Unit, driven, read
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.quantities import EDGE, Unit, driven, read
 from graphkin.say.catalogue import say
 from graphkin.say.centre_explained import place
 from graphkin.say.names import in_signs, of_slide

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphkin.construction import InStep, Measure, Roll, Simultaneous, Touch, slide_key
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import touching
 from graphkin.say import names

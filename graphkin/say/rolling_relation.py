@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import degrees
 
+from graphkin.base.value import frozen
 from graphkin.construction import InStep, slide_key
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.say import names
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Formula, Operand
 from graphkin.say.plane import Polygon
 from graphkin.say.reading import Reading
-from graphkin.value import frozen
 
 
 @frozen

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphkin.base.geometry import cross
 from graphkin.construction import Image, Measure
-from graphkin.geometry import cross
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.contact_points import contacted, same_velocities
 from graphkin.say.entry import Calculation, Entry, Sentence

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import assert_never
 
+from graphkin.base.value import frozen
 from graphkin.construction import Coriolis, Drawn, Driven, Normal, Relative, Size, Span, Tangential, Term, Turning
 from graphkin.say import names
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Formula, Operand, squared
 from graphkin.say.plane import Polygon
-from graphkin.value import frozen
 
 
 @frozen

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from graphkin.assur import Structure, Together, structure
 from graphkin.errors import Lang, called_pair
-from graphkin.mechanism import Mechanism
-from graphkin.naming import named
-from graphkin.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Roll, Slide
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.naming import named
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Roll, Slide
 from graphkin.planning import Method
 from graphkin.say.catalogue import say, say_close
 from graphkin.say.redundancy import redundant_constraints
+from graphkin.studies.assur import Structure, Together, structure
 
 
 def structure_lines(method: Method, lang: Lang) -> Iterator[str]:

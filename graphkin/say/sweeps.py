@@ -8,15 +8,15 @@ from typing import Any, assert_never
 import numpy as np
 
 from graphkin.errors import Lang, listed
-from graphkin.mechanism import FRAME
-from graphkin.quantities import EDGE, IN_GRAVITY
-from graphkin.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
+from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import EDGE, IN_GRAVITY
+from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.running.path import Event
 from graphkin.say.catalogue import say
 from graphkin.say.names import in_signs, relative
 from graphkin.say.numbers import at_edge, exact, number
 from graphkin.say.text_table import table
-from graphkin.sweeps import Course, Series, Sweep
+from graphkin.studies.sweeps import Course, Series, Sweep
 
 CONSTANT = 1e-9
 """Beside the value itself, less than this is no change."""

@@ -7,9 +7,9 @@ from math import degrees as in_degrees
 
 import numpy as np
 
+from graphkin.base.geometry import cross, dot
 from graphkin.construction import Arm, LayOff, Span, Swing
-from graphkin.geometry import cross, dot
-from graphkin.pairs import Slide, Slot
+from graphkin.model.pairs import Slide, Slot
 from graphkin.say import names
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Formula, Operand, Turned

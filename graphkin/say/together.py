@@ -23,7 +23,7 @@ from graphkin.construction import (
     Simultaneous,
     Term,
 )
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Operand
@@ -70,7 +70,7 @@ def _tried(reading: Reading, step: Fit, members: list[str], turning: set[str]) -
 
 def _class(reading: Reading, members: list[str]) -> int:
     """That of the group some links make up."""
-    from graphkin.assur import groups
+    from graphkin.studies.assur import groups
 
     called = {reading.mechanism.called(link) for link in members}
     return max((group.cls for group in groups(reading.method) if called & {*group.links}), default=3)

@@ -11,7 +11,7 @@ from graphkin.marking.key import Marking
 from graphkin.marking.power import Found, Power
 from graphkin.marking.tellable import WELL
 from graphkin.marking.tolerances import Cost, Tolerances
-from graphkin.quantities import EDGE
+from graphkin.model.quantities import EDGE
 from graphkin.say.catalogue import is_phrase, say
 from graphkin.say.marks import shown, table
 from graphkin.say.names import in_signs

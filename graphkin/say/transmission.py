@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphkin.linkages import Report
-from graphkin.linkages.linkage import LinkagePosition
 from graphkin.say.figures import Formula, figures, squared, written
 from graphkin.say.numbers import number
+from graphkin.studies.linkages import Report
+from graphkin.studies.linkages.linkage import LinkagePosition
 
 _DIGITS = 6
 """An angle follows from its cosine, so this has more than what is read off paper."""

@@ -5,9 +5,8 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterator
 
-from graphkin.centres.about import About
-from graphkin.centres.about_bobillier import Bobillier
-from graphkin.drafting import INFINITE, LineStep, PointStep, drawn_through
+from graphkin.base.value import frozen
+from graphkin.construction.drafting import INFINITE, LineStep, PointStep, drawn_through
 from graphkin.errors import Lang
 from graphkin.say.centre_about import bobillier_words
 from graphkin.sheet.alone import Alone, place_for
@@ -20,7 +19,8 @@ from graphkin.sheet.paper import PenName
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Entry, Figure
-from graphkin.value import frozen
+from graphkin.studies.centres.about import About
+from graphkin.studies.centres.about_bobillier import Bobillier
 
 _MOST = 2.6
 """So many times larger the figure may become for what the construction gives."""

@@ -8,10 +8,10 @@ from itertools import chain
 
 import numpy as np
 
-from graphkin.centres.about import About, Circle, InflectionLine
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.say.centre_about import link_words
 from graphkin.say.numbers import number
 from graphkin.sheet.about_table import point_tables
@@ -27,7 +27,7 @@ from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Entry, Figure
-from graphkin.value import frozen
+from graphkin.studies.centres.about import About, Circle, InflectionLine
 
 _POLE, _MOST = 2.6, 1.5
 """So many times larger the figure may become for the pole; and then for circles and centres of curvature."""

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import cmath
 
-from graphkin.centres.about import About, CarriedPoint
 from graphkin.errors import Lang
 from graphkin.sheet.centre_arrows import coordinates
 from graphkin.sheet.lettering import Label, Run, number, plain, point_label
 from graphkin.sheet.table import Table
+from graphkin.studies.centres.about import About, CarriedPoint
 
 _POINT: dict[Lang, str] = {"en": "point", "zh": "点"}
 _CENTRE: dict[Lang, str] = {"en": "K (x, y) [mm]", "zh": "K（x，y）[mm]"}

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
@@ -18,7 +19,6 @@ from graphkin.sheet.plain_mechanism import plain_mechanism
 from graphkin.sheet.table import Table
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
-from graphkin.value import frozen
 
 _LABELS = 20
 """How much lettering the choice between upright paper and paper on its side reckons with."""

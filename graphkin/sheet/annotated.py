@@ -13,10 +13,11 @@ from itertools import islice
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.mechanism import FRAME
-from graphkin.planning.found_when import rate_found
-from graphkin.quantities import Rotation, read
+from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import Rotation, read
+from graphkin.planning.step_numbers import rate_found
 from graphkin.say.dimensions import dimensions, length, measured_lengths
 from graphkin.say.reading import Reading
 from graphkin.sheet.equation_rows import EquationBlock
@@ -29,7 +30,6 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.written_lines import WrittenLines
-from graphkin.value import frozen
 
 _RADII = (7.0, 9.5, 12.0, 15.0)
 """Of the arcs that show how a link turns [mm]."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, Line, Profile, Rod, Slide, Slot
+from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import Cam, Line, Profile, Rod, Slide, Slot
 from graphkin.sheet import symbols
 from graphkin.sheet.marks import Disc, Mark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton

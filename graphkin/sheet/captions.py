@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.planning.acts import Act
@@ -20,7 +21,6 @@ from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import BODY, Room
 from graphkin.sheet.paragraphs import LINE, broken
 from graphkin.sheet.titleblock import tables_room
-from graphkin.value import frozen
 
 
 @frozen

@@ -6,8 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from graphkin.centres import Centres
-from graphkin.drafting import Far
+from graphkin.construction.drafting import Far
 from graphkin.sheet.centre_lines import reach_of
 from graphkin.sheet.centre_places import Line as PaperLine
 from graphkin.sheet.centre_places import OnPaper, Spot, centre_label, clipped
@@ -17,6 +16,7 @@ from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.symbols import BLOCK
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
+from graphkin.studies.centres import Centres
 
 INFINITY: Label = plain(" → ∞ ")
 """The room after the sign is because it is wider than what letters count as."""

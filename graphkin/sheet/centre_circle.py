@@ -10,12 +10,12 @@ import cmath
 import math
 from collections.abc import Sequence
 
-from graphkin.centres import Centres
+from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.sheet.lettering import link_label, plain, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import LABEL, LEAST, PenName, Room
-from graphkin.value import frozen
+from graphkin.studies.centres import Centres
 
 _PENS: dict[str, PenName] = {
     "hinge": "thin", "contact": "thin", "slide": "thin", "two lines": "dashed", "velocities": "centre",

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from graphkin.centres import Centres
 from graphkin.sheet.centre_arrows import centre_arrows
 from graphkin.sheet.centre_lines import centre_lines
 from graphkin.sheet.centre_places import SAME, OnPaper, Spot, centre_label
@@ -13,6 +12,7 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
+from graphkin.studies.centres import Centres
 
 _CIRCLE, _DOT = 1.0, 0.5
 """Radius of the circle and of the dot that mark a centre [mm]."""

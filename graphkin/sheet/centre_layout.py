@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property, partial
 
-from graphkin.centres import Centres
+from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.sheet.centre_circle import circle_size
 from graphkin.sheet.centre_figure import bare_mechanism
@@ -18,7 +18,7 @@ from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.plain_mechanism import mechanism_places
 from graphkin.sheet.titleblock import strip_height
 from graphkin.sheet.window import Window
-from graphkin.value import frozen
+from graphkin.studies.centres import Centres
 
 _TRIAL = 80.0
 """Size of the mechanism when it is drawn to see how far its signs reach [mm]."""

@@ -11,15 +11,15 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.centres import Centres
-from graphkin.centres.underlay import CommonNormal
-from graphkin.drafting import LineStep, Stage, drawn_through
-from graphkin.pairs import Cam, Pair, Rod
+from graphkin.base.value import frozen
+from graphkin.construction.drafting import LineStep, Stage, drawn_through
+from graphkin.model.pairs import Cam, Pair, Rod
 from graphkin.sheet.lettering import Label, quantity_label
 from graphkin.sheet.marks import Place
 from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Window
-from graphkin.value import frozen
+from graphkin.studies.centres import Centres
+from graphkin.studies.centres.underlay import CommonNormal
 
 SAME = 0.05
 """Places closer than this are one on paper [mm]."""

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphkin.centres import Centres
 from graphkin.errors import Lang
 from graphkin.sheet.centre_circle import circle_diagram
 from graphkin.sheet.centre_figure import centre_figure
@@ -17,6 +16,7 @@ from graphkin.sheet.layout import HEAD
 from graphkin.sheet.marks import Stroke
 from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
 from graphkin.sheet.titleblock import Strip
+from graphkin.studies.centres import Centres
 
 _HEADING: dict[Lang, str] = {"en": "Mechanism and instant centres", "zh": "机构的速度瞬心"}
 _CROWDED = 10

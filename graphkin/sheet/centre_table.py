@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import degrees
 
-from graphkin.centres import Centres
-from graphkin.drafting import LineStep, Pricked, drawn_through
+from graphkin.base.value import frozen
+from graphkin.construction.drafting import LineStep, Pricked, drawn_through
 from graphkin.errors import Lang
 from graphkin.sheet.centre_arrows import coordinates
 from graphkin.sheet.centre_places import Spot, centre_label, spots
 from graphkin.sheet.lettering import Label, Run, number, plain, point_label
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.table import PITCH, SIZE, Table, height_of
-from graphkin.value import frozen
+from graphkin.studies.centres import Centres
 
 _GAP, _BETWEEN = 2.6, 6.0
 _WORDS: dict[Lang, dict[str, str]] = {

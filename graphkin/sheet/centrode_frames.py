@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphkin.centres.centrodes import Centrodes
 from graphkin.errors import Lang
 from graphkin.sheet.alone import Alone
 from graphkin.sheet.centrode_sheet import centre_at, centrode_marks, centrode_page, heading, plot_at
 from graphkin.sheet.marks import Disc
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.window import Figure
+from graphkin.studies.centres.centrodes import Centrodes
 
 FRAMES = 48
 

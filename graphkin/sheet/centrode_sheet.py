@@ -6,10 +6,9 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from graphkin.centres.centrodes import Centrodes
 from graphkin.construction import Plot
 from graphkin.errors import Lang
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.running.path import along
 from graphkin.say.centre_curves import curves_met
 from graphkin.sheet.alone import Alone, place_for
@@ -22,6 +21,7 @@ from graphkin.sheet.paper import PenName
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
+from graphkin.studies.centres.centrodes import Centrodes
 
 _ROUND = 0.75
 """Curves are shown so far around the mechanism, as part of its size."""

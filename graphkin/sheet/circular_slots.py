@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from itertools import product
 
-from graphkin.mechanism import FRAME
-from graphkin.pairs import CircularSlot
+from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import CircularSlot
 from graphkin.sheet import symbols
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke
 from graphkin.sheet.skeleton import OVERRUN, Skeleton

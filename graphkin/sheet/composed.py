@@ -6,9 +6,10 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from functools import cache, cached_property, partial
 
+from graphkin.base.value import frozen
 from graphkin.construction import Fit, Plane, Simultaneous
 from graphkin.errors import Lang
-from graphkin.planning.found_when import pages
+from graphkin.planning.step_numbers import pages
 from graphkin.say.plane import Polygon as Spoken
 from graphkin.sheet.annotated import Annotated
 from graphkin.sheet.detail import detailed
@@ -24,7 +25,6 @@ from graphkin.sheet.planes import Planes
 from graphkin.sheet.table import Table
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Window
-from graphkin.value import frozen
 
 _COARSER = 1.34
 """So much coarser a figure may be drawn to have room for its equations over it."""

@@ -6,15 +6,15 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from graphkin.design import Solution
-from graphkin.drafting import Board
+from graphkin.base.value import frozen
+from graphkin.construction.drafting import Board
 from graphkin.sheet.alone import Alone
 from graphkin.sheet.lettering import Label, Run, number, plain
 from graphkin.sheet.marks import Arc, Stroke
 from graphkin.sheet.paper import BODY
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Entry
-from graphkin.value import frozen
+from graphkin.studies.design import Solution
 
 _SQUARE = 2.2
 """Side of the square in a right angle [mm]."""

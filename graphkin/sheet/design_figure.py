@@ -12,8 +12,8 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import assert_never
 
-from graphkin.design import Family, Solution
-from graphkin.drafting import (
+from graphkin.base.value import frozen
+from graphkin.construction.drafting import (
     Bisector,
     Board,
     ChosenPoint,
@@ -41,7 +41,7 @@ from graphkin.sheet.marks import Arc, Disc, Stroke
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Entry, Figure
-from graphkin.value import frozen
+from graphkin.studies.design import Family, Solution
 
 _BEYOND = 5.0
 """How far a construction line goes on past its points [mm]."""

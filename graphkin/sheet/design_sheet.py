@@ -10,11 +10,11 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from graphkin import planning
-from graphkin.agreement import proved
+from graphkin.base.value import frozen
 from graphkin.construction import Plot
-from graphkin.design import Design, Solution
 from graphkin.errors import Lang
 from graphkin.planning import Method
+from graphkin.proof.roads import proved
 from graphkin.say.design import error, mechanism_of
 from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.design_figure import DesignFigure
@@ -25,7 +25,7 @@ from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import LABEL
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.wanted import Wanted
-from graphkin.value import frozen
+from graphkin.studies.design import Design, Solution
 
 _COLUMN, _LINE = 42.0, 6.2
 """Between sizes in the strip [mm]."""

@@ -14,6 +14,7 @@ from itertools import compress, pairwise
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.sheet.fit import magnified
 from graphkin.sheet.free_room import FreeRoom
@@ -24,7 +25,6 @@ from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import BODY, Room
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
-from graphkin.value import frozen
 
 _RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)
 """Of the circles that are tried about a part of a figure [mm]."""

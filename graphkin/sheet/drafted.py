@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 
+from graphkin.base.value import frozen
 from graphkin.construction import Drawn, Image, LayOff, Meet, Ray, Term
 from graphkin.planning.acts import Act
 from graphkin.say.plane import Polygon as Spoken
@@ -23,7 +24,6 @@ from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import LEAST
 from graphkin.sheet.polygons import Polygon, arrows
 from graphkin.sheet.wanted import Wanted
-from graphkin.value import frozen
 
 _BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
 """How far a direction line goes on past where it meets the other; where labels keep off it if they can; shorter than

@@ -5,8 +5,8 @@ from __future__ import annotations
 import cmath
 import math
 
-from graphkin.mechanism import FRAME, Driver
-from graphkin.pairs import Line
+from graphkin.model.mechanism import FRAME, Driver
+from graphkin.model.pairs import Line
 from graphkin.sheet import symbols
 from graphkin.sheet.fixed_link import ground_way
 from graphkin.sheet.lettering import Label, between, joined, quantity_label

@@ -7,12 +7,12 @@ from dataclasses import replace
 from functools import cached_property
 from itertools import chain
 
+from graphkin.base.value import frozen
 from graphkin.say.entry import Entry, Sentence, VectorEquation
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.paper import BODY, LEAST
-from graphkin.value import frozen
 
 _SIZES = (BODY, LEAST, LEAST)
 _LINES = (3.2, 7.3, 11.2)

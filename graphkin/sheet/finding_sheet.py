@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from graphkin.errors import Lang
-from graphkin.finding import Findings
 from graphkin.planning import Method
 from graphkin.running.reaching import moved_to
 from graphkin.say.finding import caption, lines
 from graphkin.sheet import Sheet
 from graphkin.sheet.gallery_sheet import MOST, side_by_side
+from graphkin.studies.finding import Findings
 
 
 def drawn(method: Method, found: Findings, lang: Lang = "en", *, paper: str | None = None) -> tuple[Sheet, int] | None:

@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.sheet.marks import Place
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import Room
 from graphkin.sheet.scales import finest, finest_each
 from graphkin.sheet.wanted import CRAMMED, lettering
 from graphkin.sheet.window import Figure, Window
-from graphkin.value import frozen
 
 _TRIAL = 100.0
 """Size of a figure when it is drawn to see how far its signs reach [mm]."""

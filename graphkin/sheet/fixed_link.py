@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from graphkin.mechanism import FRAME
-from graphkin.pairs import Slide
+from graphkin.base.value import filled
+from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import Slide
 from graphkin.sheet import symbols
 from graphkin.sheet.cams import follower
 from graphkin.sheet.lettering import link_label
@@ -14,7 +15,6 @@ from graphkin.sheet.marks import Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
-from graphkin.value import filled
 
 _REACH, _AWAY, _STUB = 13.0, 18.0, 6.5
 """How far a fixed guide is drawn to each side of its block; away from a bar over it, and under it [mm]."""

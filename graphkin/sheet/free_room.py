@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.held import Held
 from graphkin.sheet.label_candidates import Scene
@@ -18,7 +19,6 @@ from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
 from graphkin.sheet.wanted import Candidates, Wanted
-from graphkin.value import frozen
 
 _CLEAR = 0.6
 """What is added keeps this from everything there [mm]."""

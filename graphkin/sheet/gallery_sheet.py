@@ -9,9 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from functools import partial
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.errors import Lang
-from graphkin.finding.answers import SlowPoint
 from graphkin.planning import Method
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.layout import divided, papers_for
@@ -22,7 +22,7 @@ from graphkin.sheet.plain_mechanism import plain_mechanism, shown_places
 from graphkin.sheet.slowest_point import marked, near
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
-from graphkin.value import frozen
+from graphkin.studies.finding.answers import SlowPoint
 
 MOST = 12
 """Positions on one sheet, at most."""

@@ -6,16 +6,16 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plot
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.found_when import rate_found
+from graphkin.planning.step_numbers import rate_found
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window
-from graphkin.value import frozen
 
 _LEAST = 0.4
 """A circle smaller than this is a point [mm]."""

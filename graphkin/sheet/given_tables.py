@@ -4,8 +4,18 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
-from graphkin.quantities.reading import read
+from graphkin.model.quantities import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
+from graphkin.model.quantities.reading import read
 from graphkin.say.catalogue import say
 from graphkin.say.dimensions import dimensions
 from graphkin.say.reading import Reading

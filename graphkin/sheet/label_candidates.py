@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from graphkin.base.value import filled
 from graphkin.sheet.held import Held
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
@@ -20,7 +21,6 @@ from graphkin.sheet.nearness import Arrows
 from graphkin.sheet.obstacles import Obstacles, obstacles, places
 from graphkin.sheet.paper import Room
 from graphkin.sheet.wanted import CRAMMED, Candidates, Wanted, lettering
-from graphkin.value import filled
 
 NEAR, LED, FAR, FARTHEST = range(4)
 """Places at what a label names, on a leader about that, and farther off."""

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
 from graphkin.sheet.fit import Extent, Over, height_over
@@ -23,7 +24,6 @@ from graphkin.sheet.page import HEAD_WIDTH
 from graphkin.sheet.paper import LARGE, PAPERS, USUAL, Paper, Room
 from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, finer
 from graphkin.sheet.window import Window
-from graphkin.value import frozen
 
 HEAD = 7.5
 """Height of a figure's heading [mm]."""

@@ -6,8 +6,6 @@ import cmath
 import math
 from collections.abc import Iterator
 
-from graphkin.linkages import Report
-from graphkin.linkages.linkage import LinkagePosition
 from graphkin.sheet import symbols
 from graphkin.sheet.fixed_link import away_from
 from graphkin.sheet.lettering import Label, Run
@@ -16,6 +14,8 @@ from graphkin.sheet.marks import Arc, Mark, Place, Stroke
 from graphkin.sheet.paper import BODY
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
+from graphkin.studies.linkages import Report
+from graphkin.studies.linkages.linkage import LinkagePosition
 
 _FOOT = 15.0
 """How far from the guide the stroke's dimension line lies [mm]."""

@@ -5,8 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 from graphkin.errors import Lang
-from graphkin.linkages import FAMILY, report
-from graphkin.linkages.family import Member
 from graphkin.say.linkages import kind_name, titled
 from graphkin.sheet.layout import papers_for
 from graphkin.sheet.lettering import plain, width
@@ -16,6 +14,8 @@ from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.paper import TITLE, Paper
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.titleblock import frame
+from graphkin.studies.linkages import FAMILY, report
+from graphkin.studies.linkages.family import Member
 
 _COLUMNS = 4
 _HEAD, _FOOT = 10.0, 13.0

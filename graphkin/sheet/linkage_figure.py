@@ -9,10 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
 
-from graphkin.linkages import Linkage
-from graphkin.linkages.linkage import LinkagePosition
-from graphkin.linkages.placement import posed
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.sheet import symbols
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.fixed_link import grounds
@@ -25,6 +22,9 @@ from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
+from graphkin.studies.linkages import Linkage
+from graphkin.studies.linkages.linkage import LinkagePosition
+from graphkin.studies.linkages.placement import posed
 
 Row = Sequence[LinkagePosition]
 """Positions drawn over each other."""

@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from graphkin.errors import Lang
-from graphkin.linkages import Report
-from graphkin.linkages.linkage import LinkagePosition
 from graphkin.say.linkages import amount, kind_name, titled
 from graphkin.say.numbers import angle as degrees
 from graphkin.say.numbers import number
@@ -23,6 +21,8 @@ from graphkin.sheet.paper import Room
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
+from graphkin.studies.linkages import Report
+from graphkin.studies.linkages.linkage import LinkagePosition
 
 _ON_A4 = 2
 """So many linkages are drawn on A4."""

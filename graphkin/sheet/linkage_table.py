@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from graphkin.linkages import Report
 from graphkin.sheet.formula import points_label
 from graphkin.sheet.lettering import Label, Run, number, point_label, quantity_label
 from graphkin.sheet.table import Table
+from graphkin.studies.linkages import Report
 
 Row = tuple[Label, Label]
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from typing import Literal
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.sheet.lettering import Label
 from graphkin.sheet.paper import PenName
-from graphkin.value import frozen
 
 Place = complex
 Fill = Literal["none", "paper", "ink", "grey", "tint"]

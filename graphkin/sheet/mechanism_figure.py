@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
-from graphkin.mechanism import FRAME
-from graphkin.pairs import Cam, CircularSlot, Pair, Slide
+from graphkin.model.mechanism import FRAME
+from graphkin.model.pairs import Cam, CircularSlot, Pair, Slide
 from graphkin.planning import Method
 from graphkin.sheet import symbols
 from graphkin.sheet.cams import equivalents, follower, profiles

@@ -12,9 +12,10 @@ import cmath
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane, Plot
 from graphkin.errors import Lang
-from graphkin.marking.beside import Beside
+from graphkin.marking.comparison import Beside
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
 from graphkin.sheet.composed import HEADINGS
@@ -29,7 +30,6 @@ from graphkin.sheet.plain_mechanism import plain_mechanism, shown_places
 from graphkin.sheet.polygons import Polygon, polygon_figure
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import PLANES, Figure, Window, constructions
-from graphkin.value import frozen
 
 Own = Mapping[Plane, Mapping[str, complex]]
 """A student's drawing as it was measured: points of each plane by their letters, SI, from any of them."""

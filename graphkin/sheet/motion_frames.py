@@ -12,11 +12,12 @@ from functools import cached_property
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot, replay
 from graphkin.errors import Lang
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.found_when import births
+from graphkin.planning.step_numbers import births
 from graphkin.running.path import along, stride
 from graphkin.running.replaying import replay_all
 from graphkin.sheet.composed import HEADINGS
@@ -36,8 +37,7 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import PLANES, Figure, Window, constructions
-from graphkin.sweeps import Course, course, prove
-from graphkin.value import frozen
+from graphkin.studies.sweeps import Course, course, prove
 
 FRAMES = 60
 _SHORT_OF_STOP = 1e-3

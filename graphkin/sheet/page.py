@@ -14,9 +14,10 @@ from functools import cached_property
 from math import ceil
 from typing import Literal, Protocol, SupportsFloat
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.free_room import Added, FreeRoom
 from graphkin.sheet.label_candidates import Scene
@@ -28,7 +29,6 @@ from graphkin.sheet.paper import LABEL, Paper, Room
 from graphkin.sheet.scales import written
 from graphkin.sheet.titleblock import Strip, strip
 from graphkin.sheet.window import Figure, Window
-from graphkin.value import frozen
 
 HEAD_WIDTH = 76.0
 """A figure's heading with its scale beside it is no wider [mm]."""

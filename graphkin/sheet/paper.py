@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Literal
 
-from graphkin.value import frozen
+from graphkin.base.value import frozen
 
 
 @frozen

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
+from graphkin.base.value import frozen
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import width
 from graphkin.sheet.marks import Place, Text
-from graphkin.value import frozen
 
 LINE = 1.4
 """From base line to base line, as a part of the letters' size."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
 from graphkin.sheet.formula import points_label
@@ -17,10 +18,9 @@ from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import arrow
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
-from graphkin.value import frozen
 
 if TYPE_CHECKING:
-    from graphkin.sweeps import PointPath
+    from graphkin.studies.sweeps import PointPath
 
 _FINE = 0.01
 """How far the drawn curve may stand off from the true one [mm]."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 
+from graphkin.base.value import frozen
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import width
@@ -13,7 +14,6 @@ from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import BODY, Room
 from graphkin.sheet.titleblock import broken
 from graphkin.sheet.window import Figure, Window
-from graphkin.value import frozen
 
 
 @frozen

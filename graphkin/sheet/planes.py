@@ -7,12 +7,13 @@ from dataclasses import replace
 from functools import cached_property, partial
 from typing import Literal
 
+from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.found_when import births
 from graphkin.planning.held_still import held_labels
 from graphkin.planning.needed import Fact, at_rest
+from graphkin.planning.step_numbers import births
 from graphkin.say.catalogue import say
 from graphkin.say.polygons import polygon as told
 from graphkin.say.reading import Reading
@@ -27,7 +28,6 @@ from graphkin.sheet.polygons import Polygon, polygon_figure
 from graphkin.sheet.scales import KEYS
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure, Window, constructions
-from graphkin.value import frozen
 
 Style = Literal["construction", "result", "given"]
 

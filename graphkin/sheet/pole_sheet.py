@@ -7,9 +7,8 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
-from graphkin.centres.two_velocities import TwoVelocities
 from graphkin.errors import Lang
-from graphkin.mechanism import FRAME, Link, Mechanism
+from graphkin.model.mechanism import FRAME, Link, Mechanism
 from graphkin.say.catalogue import in_both
 from graphkin.say.centre_about import pole_words
 from graphkin.sheet.fit import Extent
@@ -24,6 +23,7 @@ from graphkin.sheet.table import Table
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Entry, Figure, Window
+from graphkin.studies.centres.two_velocities import TwoVelocities
 
 _ARROW = 45.0
 """The greater velocity is drawn no longer than this [mm]."""

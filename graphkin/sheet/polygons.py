@@ -8,8 +8,9 @@ from functools import cached_property
 from itertools import chain
 from typing import Any
 
+from graphkin.base.value import frozen
 from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site, Size
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning.held_still import relabelled
 from graphkin.sheet import gear_images
 from graphkin.sheet.gear_images import GearImage
@@ -18,7 +19,6 @@ from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke, VectorMa
 from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
-from graphkin.value import frozen
 
 _SAME = 0.15
 """Closer than this two points are one on paper [mm]."""

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+from graphkin.base.value import frozen
 from graphkin.construction import Node, Plot
 from graphkin.errors import Lang
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
+from graphkin.model.usual import Usual
 from graphkin.planning import Method
 from graphkin.sheet.lettering import (
     Label,
@@ -20,8 +22,6 @@ from graphkin.sheet.lettering import (
     vector_label,
 )
 from graphkin.sheet.table import Table
-from graphkin.usual import Usual
-from graphkin.value import frozen
 
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
 

@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import Protocol
 
-from graphkin.geometry import Value
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Line, Slide
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.pairs import Line, Slide
 from graphkin.sheet.marks import Place
 from graphkin.sheet.window import Window
-from graphkin.value import frozen
 
 OVERRUN = 9.0
 """How far a bar goes on beyond its block [mm]."""

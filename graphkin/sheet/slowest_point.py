@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from graphkin.finding.answers import SlowPoint
 from graphkin.sheet.lettering import Run
 from graphkin.sheet.marks import Disc, Mark, Stroke
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure, Window
+from graphkin.studies.finding.answers import SlowPoint
 
 _DOT, _RING = 0.7, 1.7
 """A dot in a ring, which no point of a mechanism is [mm]."""

@@ -5,10 +5,11 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterator, Mapping
 
+from graphkin.base.value import frozen
 from graphkin.construction import Along, Arc, Direction, Meet, Plot, Ray, Site, Touch
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.found_when import pages
+from graphkin.planning.step_numbers import pages
 from graphkin.sheet.lettering import plain, point_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
 from graphkin.sheet.polygons import named_site
@@ -16,7 +17,6 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
-from graphkin.value import frozen
 
 _BEYOND = 6.0
 """How far a leg's line goes on past the special point [mm]."""

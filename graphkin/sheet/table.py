@@ -6,10 +6,10 @@ import re
 from collections.abc import Iterator
 from functools import cached_property, lru_cache
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.sheet.lettering import Label, Run, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
-from graphkin.value import frozen
 
 PITCH = 4.2
 """From base line to base line [mm]."""

@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field
 from itertools import accumulate
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.sheet.equation_rows import EquationBlock, flowed, head_of, laid_out
 from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
@@ -16,7 +17,6 @@ from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room
 from graphkin.sheet.paragraphs import Paragraphs
 from graphkin.sheet.scales import written
 from graphkin.sheet.table import Table, arranged, drawn_tables, height_of
-from graphkin.value import frozen
 
 _WIDE = 64.0
 """Width of the title block [mm]."""

@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.sheet.lettering import Label, box, width
 from graphkin.sheet.marks import Place, Text
 from graphkin.sheet.paper import LABEL
-from graphkin.value import frozen
 
 
 def _leaning(turns: Any) -> Any:

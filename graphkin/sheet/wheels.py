@@ -7,15 +7,15 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.pairs import Gear, Line, Pair, Roll
+from graphkin.base.value import frozen
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.pairs import Gear, Line, Pair, Roll
 from graphkin.sheet import symbols
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.window import Figure
-from graphkin.value import frozen
 
 _RIM = 3.0
 """Thickness of a ring's rim, and of the edge that is hatched in a fixed wheel [mm]."""

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import field, replace
 
+from graphkin.base.value import filled, frozen
 from graphkin.construction import Construction, Plane
 from graphkin.planning import Method
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.wanted import Wanted
-from graphkin.value import filled, frozen
 
 Entry = Mark | Wanted
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from graphkin.base.value import frozen
 from graphkin.sheet.lettering import Label, joined, width
 from graphkin.sheet.marks import Place, Text
-from graphkin.value import frozen
 
 _PITCH = 1.45
 """From base line to base line, as a part of the letters' size."""

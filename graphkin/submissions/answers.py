@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import (
     NOWHERE,
@@ -19,13 +20,12 @@ from graphkin.errors import (
     Where,
     WrongType,
 )
-from graphkin.quantities import Centre, Moving, Quantity
+from graphkin.model.quantities import Centre, Moving, Quantity
 from graphkin.submissions import scales
 from graphkin.submissions.numbers import given
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.spelling import plain, short
 from graphkin.submissions.submission import Given, Limits
-from graphkin.value import frozen
 
 Entry = tuple[str, object, Where]
 """What an answer is called, what is given, and where it stands."""

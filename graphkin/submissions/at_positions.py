@@ -13,8 +13,8 @@ from collections.abc import Callable, Iterable, Mapping
 from pathlib import PurePosixPath
 
 from graphkin.errors import NotAQuestion
-from graphkin.mechanism import Driver
-from graphkin.quantities import at_position, position_of
+from graphkin.model.mechanism import Driver
+from graphkin.model.quantities import at_position, position_of
 from graphkin.submissions import scales
 from graphkin.submissions.answers import Answers, Entry, answers
 from graphkin.submissions.questions import Questions

@@ -6,9 +6,9 @@ import hashlib
 import re
 from pathlib import PurePosixPath
 
+from graphkin.base.value import frozen
 from graphkin.errors import steers
-from graphkin.quantities import position_of
-from graphkin.value import frozen
+from graphkin.model.quantities import position_of
 
 _MOODLE = re.compile(r"(?P<name>[^/]+)_(?P<id>[0-9]+)_assignsubmission_[a-z]+(?:_|/|$)")
 _CANVAS = re.compile(r"(?P<name>[^_/]+)(?:_LATE)?_(?P<id>[0-9]+)_(?P<sub>[0-9]+)_(?P<file>[^/]+)$")

@@ -13,8 +13,8 @@ from itertools import combinations
 import numpy as np
 
 from graphkin.errors import Where
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.quantities import Rotation
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.quantities import Rotation
 from graphkin.submissions.letters import find_letters
 from graphkin.submissions.picture import Picture
 from graphkin.submissions.polygons import Polygon, Vector

@@ -8,12 +8,12 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from graphkin.base.value import frozen
 from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, TooMuch, Where
 from graphkin.submissions.answers import Entry
 from graphkin.submissions.spelling import short
 from graphkin.submissions.submission import Limits
 from graphkin.submissions.tables import student_of
-from graphkin.value import frozen
 
 _DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
 _KEY = re.compile(r"""\s*(?:["“”„]([^"“”„]*)["“”„]|'([^']*)'|([^=＝≈:：\s"'“”„][^=＝≈:：]*?))\s*[=＝≈:：]""")

@@ -15,8 +15,9 @@ from pathlib import Path, PurePosixPath
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.errors import BrokenSubmission, GraphkinError, NamesNobody, NoAnswers, NoFile, TooMuch, Unreadable, Where
-from graphkin.quantities import position_of
+from graphkin.model.quantities import position_of
 from graphkin.submissions import archives
 from graphkin.submissions.class_names import Owner, owner, tidy_id
 from graphkin.submissions.deadline import limited
@@ -24,7 +25,6 @@ from graphkin.submissions.documents import listed
 from graphkin.submissions.submission import Limits
 from graphkin.submissions.tables import Row, csv_cells, rows_of, xlsx_cells
 from graphkin.submissions.texts import decoded
-from graphkin.value import frozen
 
 LIMITS = Limits()
 _TABLES, _SHEETS = (".csv", ".tsv"), (".xlsx", ".xlsm")

@@ -15,12 +15,12 @@ from itertools import combinations, permutations
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.submissions.figures import Figures, distances
 from graphkin.submissions.letter_names import by_name, loosely, pieces_of, spellings, texts_of
 from graphkin.submissions.picture import Picture, Text
 from graphkin.submissions.polygons import Polygon
-from graphkin.value import frozen
 
 _REACH = 6.0
 """A letter belongs to no dot farther from it [mm]."""

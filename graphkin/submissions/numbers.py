@@ -10,11 +10,11 @@ import math
 import re
 from collections.abc import Mapping
 
+from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OtherDimension, SenseDisputed
-from graphkin.loading.units import UNITS, Dimension, read_quantity
+from graphkin.files.units import UNITS, Dimension, read_quantity
 from graphkin.submissions.spelling import plain
 from graphkin.submissions.submission import Given, Sense
-from graphkin.value import frozen
 
 DIMENSIONS: Mapping[str, Dimension | None] = {
     "rad": "angle", "rad/s": "angular velocity", "rad/s^2": "angular acceleration", "m": "length", "m/s": "velocity",

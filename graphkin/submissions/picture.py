@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import field
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.value import frozen
 
 
 @frozen

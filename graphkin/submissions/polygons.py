@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from graphkin import planning, running
+from graphkin.base.value import frozen
 from graphkin.construction import (
     LETTER,
     Construction,
@@ -17,9 +18,8 @@ from graphkin.construction import (
     Tangential,
     Turning,
 )
-from graphkin.mechanism import FRAME, Mechanism
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.submissions.questions import Questions
-from graphkin.value import frozen
 
 
 @frozen

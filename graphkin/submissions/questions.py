@@ -11,11 +11,21 @@ from collections.abc import Iterator
 from typing import assert_never
 
 from graphkin.errors import GraphkinError
-from graphkin.loading.names import split_points, tidy
-from graphkin.mechanism import FRAME, Mechanism
-from graphkin.naming import Seen
-from graphkin.quantities import Centre, Component, Displacement, Moving, Place, Quantity, Quotient, Rotation, Track
-from graphkin.quantities.reading import read
+from graphkin.files.names import split_points, tidy
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.naming import Seen
+from graphkin.model.quantities import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
+from graphkin.model.quantities.reading import read
 from graphkin.submissions.numbers import unit_named
 from graphkin.submissions.spelling import plain, unaccented
 

@@ -18,7 +18,7 @@ from graphkin.errors import (
     UnknownStudent,
     Where,
 )
-from graphkin.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.submissions import archives
 from graphkin.submissions.answers import Answers
 from graphkin.submissions.at_positions import answers_at, named_at, of_file

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from dataclasses import field
 from typing import Literal
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE, GraphkinError, Where
-from graphkin.mechanism import Mechanism
-from graphkin.value import frozen
+from graphkin.model.mechanism import Mechanism
 
 Sense = Literal["ccw", "cw"]
 

@@ -9,13 +9,13 @@ from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from xml.etree.ElementTree import Element, ParseError
 
+from graphkin.base.value import frozen
 from graphkin.check.outlines import is_plain, outline
 from graphkin.check.transforms import Affine, Unread, length, numbers_in, transform
 from graphkin.construction import Plane
 from graphkin.errors import BrokenSubmission, TooMuch, Where
 from graphkin.submissions.picture import Arrow, Dot, Picture, Text
 from graphkin.submissions.submission import Limits
-from graphkin.value import frozen
 
 _PX = 25.4 / 96
 _INK = "{http://www.inkscape.org/namespaces/inkscape}"

@@ -12,13 +12,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, islice
 from typing import IO
 
+from graphkin.base.value import frozen
 from graphkin.errors import BrokenSubmission, NoAnswers, TooMuch, WantsExtra, Where
 from graphkin.submissions.archives import checked_zip
 from graphkin.submissions.questions import begins_like_one
 from graphkin.submissions.spelling import plain
 from graphkin.submissions.submission import Limits
 from graphkin.submissions.texts import lines_of
-from graphkin.value import frozen
 
 Cells = Iterator[tuple[int, Sequence[object]]]
 """Rows as they stand, with the number of their line."""

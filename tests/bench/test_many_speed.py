@@ -14,11 +14,11 @@ import pytest
 from click.testing import CliRunner
 
 import graphkin
-from graphkin import library
 from graphkin.cli import main
-from graphkin.mechanism import Link, Mechanism
+from graphkin.files import library
+from graphkin.model.mechanism import Link, Mechanism
+from graphkin.model.variants import single
 from graphkin.running.variants import replay_many
-from graphkin.stacking import single
 
 COUNT, ALONE = 100_000, 100
 LEAST = {"ex3-1": 300_000, "ex3-5": 300_000, "ex3-7": 200_000}

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from graphkin.grading import grade, key_from
+from graphkin.homework.grading import grade, key_from
 from graphkin.marking.marker import Marker
 
 LEAST = 300

@@ -22,8 +22,8 @@ import pytest
 
 import graphkin
 from graphkin.construction import Plot
+from graphkin.model.readout import State
 from graphkin.planning import Method
-from graphkin.readable import State
 from graphkin.running import replay_all
 from graphkin.running.many_positions import program_of
 
@@ -357,7 +357,7 @@ import resource, sys
 from pathlib import Path
 import graphkin
 from graphkin.outputs import tables
-from graphkin.sweeps import course
+from graphkin.studies.sweeps import course
 
 count, path = int(sys.argv[1]), Path(sys.argv[2])
 way = course(graphkin.plan(graphkin.load("ex3-5")), [f"0:360:{360 / (count - 1)!r}"])

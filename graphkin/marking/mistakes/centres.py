@@ -7,13 +7,13 @@ from itertools import combinations
 
 import numpy as np
 
+from graphkin.base.geometry import Value, cross
 from graphkin.construction import Meet
-from graphkin.geometry import Value, cross
 from graphkin.marking.rewrite import Edit, Rewrite, Written, times
 from graphkin.marking.scene import Scene, mistake
-from graphkin.mechanism import FRAME
-from graphkin.motions import Motions
-from graphkin.quantities import Centre, Moving, Quotient, Rotation
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import Centre, Moving, Quotient, Rotation
 
 __all__: list[str] = []
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import chain, product
 
+from graphkin.base.geometry import Value
 from graphkin.construction import Simultaneous
-from graphkin.geometry import Value
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, times
 from graphkin.marking.scene import Scene, mistake
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import in_step
 from graphkin.planning.stages import Group, Mesh

@@ -8,7 +8,7 @@ from math import pi
 from graphkin.marking.mistakes.rotations import measured, reading
 from graphkin.marking.rewrite import Edit, Rewrite, Written, times
 from graphkin.marking.scene import Scene, mistake
-from graphkin.quantities import Moving, Quantity, Rotation
+from graphkin.model.quantities import Moving, Quantity, Rotation
 
 __all__: list[str] = []
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from graphkin.base.geometry import Value, cross, dot
 from graphkin.construction import Across, AlongGuide, Equation, Measure, Meet, Normal, Plane, Ray, Tangential
-from graphkin.geometry import Value, cross, dot
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from graphkin.base.geometry import Value
 from graphkin.construction import Meet, Relative, Swing, Turning
-from graphkin.geometry import Value
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, times
 from graphkin.marking.scene import Scene, mistake
-from graphkin.mechanism import FRAME
+from graphkin.model.mechanism import FRAME
 
 __all__: list[str] = []
 

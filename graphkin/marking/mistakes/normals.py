@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from graphkin.base.geometry import Value, unit
 from graphkin.construction import AlongGuide, Normal, Ray, Relative, Size
-from graphkin.geometry import Value, unit
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.mistakes.directions import rays
 from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, in_sense_of, times

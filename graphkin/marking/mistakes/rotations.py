@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from graphkin.base.geometry import Value
 from graphkin.construction import AlongGuide, Image, Measure, Plane, Roll, Simultaneous, Term
-from graphkin.geometry import Value
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.mistakes.directions import guide_lengths
 from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times

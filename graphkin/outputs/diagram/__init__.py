@@ -13,11 +13,11 @@ from threading import RLock
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from graphkin.errors import GraphkinError, Lang
+from graphkin.model.quantities import centre_of
 from graphkin.outputs import files
 from graphkin.outputs.diagram.curves import curves
 from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, has_chinese, letters
-from graphkin.quantities import centre_of
-from graphkin.sweeps import Course, Road
+from graphkin.studies.sweeps import Course, Road
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

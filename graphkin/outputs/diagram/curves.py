@@ -1,6 +1,6 @@
 """What a motion diagram shows, as numbers: finely sampled curves, and their greatest and least values.
 
-Nothing here draws. Times of the way (`t`) are as in `graphkin.sweeps`: driver values are `course.value(t)`.
+Nothing here draws. Times of the way (`t`) are as in `graphkin.studies.sweeps`: driver values are `course.value(t)`.
 """
 
 from __future__ import annotations
@@ -10,10 +10,10 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin import sweeps
+from graphkin.base.value import frozen
 from graphkin.running.path import Event
-from graphkin.sweeps import Course, Road, Series
-from graphkin.value import frozen
+from graphkin.studies import sweeps
+from graphkin.studies.sweeps import Course, Road, Series
 
 TURN = 2 * np.pi
 POSITIONS = 721

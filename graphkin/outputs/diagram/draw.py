@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from graphkin.errors import Lang
+from graphkin.model.quantities import EDGE, IN_GRAVITY
 from graphkin.outputs.diagram import words
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import has_chinese, typeset, writable
 from graphkin.outputs.diagram.notes import Drawn, note_peaks
 from graphkin.outputs.diagram.panels import Axis, Panel, division, labels_of, limits, panels
-from graphkin.quantities import EDGE, IN_GRAVITY
 from graphkin.say.catalogue import say
 from graphkin.sheet.lettering import Label, width
 

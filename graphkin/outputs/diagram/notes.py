@@ -7,14 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.errors import Lang
+from graphkin.model.quantities import EDGE
 from graphkin.outputs.diagram import words
 from graphkin.outputs.diagram.curves import Curves, Peak
 from graphkin.outputs.diagram.panels import Panel
 from graphkin.outputs.diagram.place import Note, arrange, paths_of
-from graphkin.quantities import EDGE
 from graphkin.running.path import Event
-from graphkin.value import frozen
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

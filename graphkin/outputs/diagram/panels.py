@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
+from graphkin.base.value import frozen
+from graphkin.model.quantities import EDGE, Quantity
 from graphkin.outputs.diagram.curves import Curves
-from graphkin.quantities import EDGE, Quantity
 from graphkin.sheet.given_tables import label_of
 from graphkin.sheet.lettering import Label, joined
-from graphkin.value import frozen
 
 MOST = 6
 """More curves than these do not stand together."""

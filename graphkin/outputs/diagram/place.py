@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from graphkin.value import frozen
+from graphkin.base.value import frozen
 
 if TYPE_CHECKING:
     from matplotlib.path import Path

@@ -5,15 +5,15 @@ from __future__ import annotations
 import math
 
 from graphkin.errors import Lang
+from graphkin.model.quantities import EDGE, IN_GRAVITY, driven
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import typeset, writable
 from graphkin.outputs.diagram.panels import LETTERS
-from graphkin.quantities import EDGE, IN_GRAVITY, driven
 from graphkin.running.path import Event
 from graphkin.say.catalogue import say
 from graphkin.say.sweeps import told
 from graphkin.sheet.lettering import link_label, number
-from graphkin.sweeps import Course
+from graphkin.studies.sweeps import Course
 
 _RATES = {"slide": ("v", "m/s", "a", "m/s²")}
 

@@ -10,7 +10,7 @@ from typing import ClassVar
 
 from graphkin.construction import Construction, Fit, Plane, Plot
 from graphkin.errors import GraphkinError, Lang
-from graphkin.mechanism import FRAME, Driver
+from graphkin.model.mechanism import FRAME, Driver
 from graphkin.outputs.geogebra.fitted import Nearly
 from graphkin.outputs.geogebra.formulas import grouped
 from graphkin.outputs.geogebra.protocol import BLACK, Colour, Protocol

@@ -11,14 +11,14 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.construction import Arm, Closure, Fit, slide_key
 from graphkin.outputs.geogebra.formulas import Pair, between, known, value
 from graphkin.outputs.geogebra.protocol import Protocol
 from graphkin.outputs.geogebra.state import State
 from graphkin.planning import Method
 from graphkin.running.path import along, turned
-from graphkin.sweeps import course
-from graphkin.value import frozen
+from graphkin.studies.sweeps import course
 
 ROUNDS = 4
 """Steps of Newton's, from a place between two of the list: each doubles the digits that are right."""

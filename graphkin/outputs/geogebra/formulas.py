@@ -8,7 +8,7 @@ from __future__ import annotations
 import cmath
 import re
 
-from graphkin.value import frozen
+from graphkin.base.value import frozen
 
 _SIMPLE = re.compile(r"[\w.{}']+|\w+\([^()]*\)")
 """A number, a label, or a function of one: what needs no brackets."""

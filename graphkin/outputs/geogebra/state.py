@@ -6,6 +6,7 @@ import cmath
 from collections.abc import Mapping
 from typing import assert_never
 
+from graphkin.base.value import frozen
 from graphkin.construction import (
     LETTER,
     Across,
@@ -41,7 +42,6 @@ from graphkin.outputs.geogebra.formulas import (
     value,
 )
 from graphkin.outputs.geogebra.protocol import Protocol
-from graphkin.value import frozen
 
 ORDERS: Mapping[Plane, int] = {"position": 0, "velocity": 1, "acceleration": 2}
 

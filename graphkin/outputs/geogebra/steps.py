@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import assert_never
 
+from graphkin.base.value import frozen
 from graphkin.construction import (
     Arc,
     Chain,
@@ -29,7 +30,6 @@ from graphkin.outputs.geogebra.fitted import ROUNDS, Nearly, Row, closure_rows, 
 from graphkin.outputs.geogebra.formulas import NOTHING, Pair, between, grouped, minus, plus, product, value
 from graphkin.outputs.geogebra.protocol import Colour, Protocol
 from graphkin.outputs.geogebra.state import ORDERS, State
-from graphkin.value import frozen
 
 
 @frozen

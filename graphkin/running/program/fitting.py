@@ -11,6 +11,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
 from graphkin.construction.chains import chains, settle_rates
 from graphkin.construction.fitting import reach, settle_all, unknowns_of
 from graphkin.construction.kinds import Closure, Fit, Simultaneous
@@ -18,9 +20,7 @@ from graphkin.construction.linear import Row, two
 from graphkin.construction.plot import Plot, slide_key
 from graphkin.construction.rolling import in_step
 from graphkin.construction.terms import Arm, Plane, Slid
-from graphkin.geometry import Value
 from graphkin.running.program.tape import CannotRecord
-from graphkin.value import frozen
 
 STEPS = 2
 SHORT = 1e-7

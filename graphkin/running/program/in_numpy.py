@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Sequence
 
 import numpy as np
 
+from graphkin.base.value import frozen
 from graphkin.running.program.tape import INPUT, Tape
-from graphkin.value import frozen
 
 Call = tuple[Callable[..., object], int, int, int]
 """A NumPy function, its operands' places in memory (-1: it has one operand), and its result's."""

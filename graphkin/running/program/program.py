@@ -13,17 +13,17 @@ from typing import Any
 
 import numpy as np
 
+from graphkin.base.geometry import Value
+from graphkin.base.value import Lazy, filled, frozen
 from graphkin.construction.construction import Construction
 from graphkin.construction.fitting import sense_and_sine
 from graphkin.construction.kinds import Fit
 from graphkin.construction.pencil import replay
 from graphkin.construction.plot import Facts, Plot
-from graphkin.geometry import Value
 from graphkin.running.program.fitting import GroupSense
 from graphkin.running.program.in_numpy import Calls, in_numpy
 from graphkin.running.program.memory import lent
 from graphkin.running.program.recorder import TABLES, Entry, Recorded, Recording, record
-from graphkin.value import Lazy, filled, frozen
 
 USUAL = ("position", "velocity", "acceleration", "theta", "omega", "alpha", "turn")
 """Tables that are calculated at once; the others when they are read."""

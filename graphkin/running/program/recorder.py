@@ -9,14 +9,14 @@ from typing import Any, ClassVar
 
 import numpy as np
 
+from graphkin.base.geometry import Value, leg, meet_circles, meet_line_circle
+from graphkin.base.value import Lazy, frozen
 from graphkin.construction.construction import Construction
 from graphkin.construction.kinds import Meet, Swing
 from graphkin.construction.pencil import Compass, replay
 from graphkin.construction.plot import Facts, Plot, within_a_turn
-from graphkin.geometry import Value, leg, meet_circles, meet_line_circle
 from graphkin.running.program.fitting import fitted, together
 from graphkin.running.program.tape import CannotRecord, Tape
-from graphkin.value import Lazy, frozen
 
 TABLES = tuple(each.name for each in fields(Plot) if each.name not in ("facts", "near", "follows"))
 """What a plot holds."""

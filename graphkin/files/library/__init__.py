@@ -1,0 +1,115 @@
+"""The textbook's mechanisms, one file each, in a folder for each source. `load("ex3-1")`.
+
+A new mechanism is a new file `NAME.toml` in one of the folders; nothing else has to be told.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import tomllib
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from graphkin.errors import Lang, UnknownMechanism, Where
+
+if TYPE_CHECKING:
+    from graphkin.files import Mechanism
+
+__all__ = ["KINDS", "chosen", "groups", "has", "load", "names", "text", "titles"]
+
+KINDS = ("hinge", "slide", "gear", "roll", "cam")
+"""What `chosen` tells apart."""
+
+_SUFFIX = ".toml"
+
+
+def names() -> tuple[str, ...]:
+    """All mechanisms, in the order one would look for them: p3-3a before p3-11a."""
+    return tuple(_files())
+
+
+def groups() -> Mapping[str, tuple[str, ...]]:
+    """The mechanisms of each source, by its folder."""
+    folders = sorted(set(_files().values()))
+    return {folder: tuple(name for name, group in _files().items() if group == folder) for folder in folders}
+
+
+def text(name: str) -> str:
+    """The file's text. `UnknownMechanism` for a name that is not there."""
+    if (file := _file(name)) is None:
+        raise UnknownMechanism(Where(name), name, names())
+    return file.read_text("utf-8")
+
+
+def has(name: str) -> bool:
+    """Whether there is a mechanism of this name."""
+    return _file(name) is not None
+
+
+def load(name: str) -> Mechanism:
+    """The mechanism of this name."""
+    from graphkin.files import loads
+
+    return loads(text(name), name=name, file=name + _SUFFIX)
+
+
+def titles(lang: Lang) -> dict[str, str]:
+    """What each mechanism is called. A title stands before the first table; no more of a file is read for it."""
+    return {name: _title(text(name).split("\n[", 1)[0])[lang] for name in names()}
+
+
+def _title(head: str) -> dict[Lang, str]:
+    title: Any = tomllib.loads(head)["title"]
+    return {"en": title, "zh": title} if isinstance(title, str) else title
+
+
+def chosen(kind: str = "", group: str = "", source: str = "") -> tuple[str, ...]:
+    """Those that have a pair of this kind (`hinge`: no other pair), in this folder, with this text in their source.
+
+    Files are read only to look for a pair or a source in them.
+    """
+    there = groups().get(group, ()) if group else names()
+    found = (name for name in names() if name in there)
+    return tuple(name for name in found if not (kind or source) or _is(load(name), kind, source))
+
+
+def _is(mechanism: Mechanism, kind: str, source: str) -> bool:
+    return _has(mechanism, kind) and _from(mechanism, source)
+
+
+def _from(mechanism: Mechanism, source: str) -> bool:
+    return source.casefold() in " ".join(mechanism.source.values()).casefold()
+
+
+def _has(mechanism: Mechanism, kind: str) -> bool:
+    tables = {pair.table for pair in mechanism.pairs}
+    return not tables if kind == "hinge" else not kind or kind in tables
+
+
+def _file(name: str) -> Path | None:
+    """Looked for by its name alone; reading all folders takes longer."""
+    if "/" in name or name != Path(name).name:
+        return None
+    places = (folder / f"{name}{_SUFFIX}" for folder in _folders())
+    return next((place for place in places if os.path.isfile(place)), None)
+
+
+@cache
+def _files() -> dict[str, str]:
+    """Name -> folder, in natural order."""
+    found = {file.stem: folder.name for folder in _folders() for file in folder.glob(f"*{_SUFFIX}")}
+    return {name: found[name] for name in sorted(found, key=_natural)}
+
+
+@cache
+def _folders() -> tuple[Path, ...]:
+    return tuple(path for path in Path(__file__).parent.iterdir() if path.is_dir())
+
+
+def _natural(name: str) -> list[tuple[int, str]]:
+    """Numbers compare as numbers."""
+    parts = re.findall(r"[0-9]+|[^0-9]+", name)
+    return [(int(part), "") if part.isdigit() else (-1, part) for part in parts]

@@ -1,0 +1,179 @@
+"""From a mechanism file to a `Mechanism`: read, check the tables, draw up the links, then the pairs between them.
+
+And back: a `Mechanism` that is read has its file, which can be given other values, or written out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path as FilePath
+from typing import IO, TYPE_CHECKING, Any
+
+from graphkin.errors import Lang
+from graphkin.files.curves import Measure
+from graphkin.files.draft import Draft
+from graphkin.files.measures import frame_problems, read_measures
+from graphkin.files.source import decoded, named, read_bytes, read_text, read_toml
+from graphkin.model import mechanism
+from graphkin.model.pairs import Pair
+
+if TYPE_CHECKING:
+    from graphkin.files.builder import Builder
+    from graphkin.files.schema import File, Titles
+
+
+class Mechanism(mechanism.Mechanism):
+    """A planar mechanism as its file describes it: links, pairs, drivers, in SI units and without a position.
+
+    `graphkin.load`, `loads` and `from_dict` give one, and `Mechanism.new()` builds one. It never changes: `with_` gives
+    another. `links`, `pairs`, `drivers`, `points`, `ask`, `title` tell what it is, `text` is its file.
+
+    >>> import graphkin
+    >>> graphkin.load("ex3-1")
+    <Mechanism ex3-1: links 4 1 2 3, points A D B C, driver AB>
+    """
+
+    def with_(self, values: Mapping[str, object] | None = None, /, **more: object) -> Mechanism:
+        """The mechanism with other numbers in its file, in mm, deg, rad/s as there, or texts with a unit.
+
+        AB            length AB of the link that has it; `BDE` an angle of a link
+        A, C          coordinates (x, y): of a point of the frame or of a `shape`, else where it is sketched
+        "omega AB"    a driver's `angle`, `omega`, `alpha`, `at`, `velocity`, `acceleration`; of the only one `omega`
+        "angle ram"   of a slide that has a name; `tilt`, `radius` likewise
+        links.2.AB, slide.0.angle, gear.1.radii, frame.A, sketch.C, scales.length     any value, by its place
+
+        The text stays in step, with comments and layout, so that a sheet drawn of it passes `check`. The sketch still
+        picks the assembly: after a large change give the sketched points new places. Raises NoSuchValue for a name that
+        means nothing or two things, and what reading a file raises for values that do not fit.
+
+        >>> import graphkin
+        >>> longer = graphkin.load("ex3-1").with_(AB=30, omega=20)
+        >>> abs(longer.links["1"].arm("A", "B")), longer.drivers[0].rate
+        (0.03, 20.0)
+        >>> graphkin.load("ex3-1").with_({"omega AB": "95 rpm", "slide.0.angle": 95}, D=(80, 0)).links["frame"].points
+        {'A': 0j, 'D': (0.08+0j)}
+        """
+        from graphkin.files.changing import changed_text
+
+        return loads(changed_text(self, {**(values or {}), **more}), name=self.name, file=self.file)
+
+    def to_toml(self) -> str:
+        """The mechanism's file: what `graphkin.loads` reads, and `graphkin draw` draws.
+
+        >>> import graphkin
+        >>> mechanism = graphkin.load("ex3-1")
+        >>> graphkin.loads(mechanism.to_toml(), name="ex3-1").links == mechanism.links
+        True
+        """
+        return self.text
+
+    @staticmethod
+    def new(name: str = "mechanism", **title: str) -> Builder[Mechanism]:
+        """A mechanism to be built step by step; `en="..", zh=".."` are its titles. See `Builder`."""
+        from graphkin.files.builder import Builder
+
+        return Builder(name, {"title": title} if title else {}, from_dict)
+
+    def __repr__(self) -> str:
+        links = " ".join(map(self.called, self.links))
+        drivers = ", ".join(driver.name for driver in self.drivers) or "none"
+        return f"<Mechanism {self.name}: links {links}, points {' '.join(self.points)}, driver {drivers}>"
+
+
+
+def load(source: str | FilePath) -> Mechanism:
+    """The mechanism a file describes.
+
+    Raises a `GraphkinError`: the one thing that is wrong, or `Several` with all of them in the order of the lines.
+    """
+    path = FilePath(source)
+    return loads(read_text(path), name=named(path), file=str(path))
+
+
+def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> Mechanism:
+    """The mechanism a text describes; `name` and `file` are what messages and drawings call it."""
+    document, lines = read_toml(text, file)
+    draft = Draft(file, lines)
+    tables, measures = _checked(draft, document)
+    return _drawn_up(draft, tables, document, measures, name, text)
+
+
+def from_dict(document: Mapping[str, Any], *, name: str = "mechanism") -> Mechanism:
+    """The mechanism that data describe: tables and keys as in the file, numbers in its units.
+
+    Numpy's numbers and arrays do, too. Messages give lines of the text that `to_toml` then gives.
+
+    >>> crank = {"frame": {"A": [0, 0]}, "links": {"1": {"AB": 24}}}
+    >>> from_dict(crank | {"driver": [{"vector": "AB", "angle": 60, "omega": 10}]}).points
+    ('A', 'B')
+    """
+    from graphkin.files.toml import toml
+
+    return loads(toml(document), name=name, file=f"<{name}>")
+
+
+def load_stream(stream: IO[bytes], *, name: str, file: str) -> Mechanism:
+    """The mechanism that comes in through a pipe."""
+    return loads(decoded(read_bytes(stream, file), file), name=name, file=file)
+
+
+def _checked(draft: Draft, document: dict[str, Any]) -> tuple[File, dict[str, list[Measure]]]:
+    """All tables by themselves."""
+    from pydantic_core import ValidationError
+
+    from graphkin.files.schema import read_tables
+
+    draft.problems.extend(frame_problems(document.get("frame"), draft.where))
+    measures, problems = read_measures(document.get("links"), draft.where)
+    draft.problems.extend(problems)
+    try:
+        tables = read_tables(document)
+    except ValidationError as error:
+        from graphkin.files.complaints import complaints
+
+        draft.problems.extend(complaints(error, draft.where, draft.lines))
+    draft.stop_if_wrong()
+    return tables, measures
+
+
+def _drawn_up(
+    draft: Draft, file: File, raw: dict[str, Any], measures: dict[str, list[Measure]], name: str, text: str
+) -> Mechanism:
+    """The tables against each other."""
+    from graphkin.files.drivers import read_drivers, read_poses
+    from graphkin.files.joints import check_joints, check_sizes, check_sketch
+    from graphkin.files.links import read_links
+    from graphkin.files.pairs import read_pairs
+    from graphkin.files.questions import check_questions
+    from graphkin.files.sides import as_sketched
+
+    read_links(draft, file, raw, measures)
+    pairs = read_pairs(draft, file)
+    drivers = read_drivers(draft, file.driver, len(file.pose))
+    poses = read_poses(draft, file.pose)
+    check_joints(draft, pairs, len(file.driver))
+    check_sizes(draft)
+    check_sketch(draft, list(file.sketch))
+    draft.stop_if_wrong()
+    scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}
+    sketch = {point: complex(*place) for point, place in file.sketch.items()}
+    pairs = as_sketched(file, draft.links, pairs, (*drivers, *poses), sketch)
+    machine = Mechanism(
+        name, draft.frame, draft.links, pairs, drivers, poses, sketch, scales,
+        _titles(file.title), _titles(file.source), tuple(file.ask), text, draft.file, draft.lines,
+        slide_titles=_slide_titles(file, pairs),
+    )  # fmt: skip
+    check_questions(draft, machine)
+    draft.stop_if_wrong()
+    return machine
+
+
+def _slide_titles(file: File, pairs: Sequence[Pair]) -> dict[str, dict[Lang, str]]:
+    slides = [pair.name for pair in pairs if pair.table == "slide"]
+    titled = {name: _titles(table.title) for name, table in zip(slides, file.slide, strict=True)}
+    return {name: title for name, title in titled.items() if title}
+
+
+def _titles(given: Titles) -> dict[Lang, str]:
+    titles: dict[Lang, str | None] = {"en": given.en, "zh": given.zh}
+    return {lang: title for lang, title in titles.items() if title}

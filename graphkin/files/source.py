@@ -1,0 +1,189 @@
+"""From a path to a text, and from a text to plain TOML data with the line of every key."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from pathlib import Path as FilePath
+from typing import IO, Any
+
+from graphkin.errors import (
+    BrokenToml,
+    ControlCharacter,
+    EmptyFile,
+    FileTooLarge,
+    IsFolder,
+    NoFile,
+    NotUtf8,
+    StrayLetter,
+    TooDeep,
+    Unreadable,
+    Where,
+    steers,
+)
+from graphkin.files.names import tidy
+from graphkin.files.positions import Path, positions
+
+LARGEST_FILE = 1_000_000
+"""Mechanism files have some hundred bytes; more than this many are refused."""
+
+_BLANKS = "\t\n\r"
+"""Control characters that may stand in a text; there they are blanks."""
+_WITHOUT_BLANKS = str.maketrans("", "", _BLANKS)
+_WIDE_MARKS = (b"\xff\xfe", b"\xfe\xff")
+_NO_XML = re.compile("[\ufffe\uffff]")
+
+_PARTS = 32
+_DEEP = rf"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){{{_PARTS}}}"""
+"""A key of so many parts; thousands of them would cost gigabytes before anyone could refuse them."""
+
+_PLACE = r"\s*\(at (?:line ([0-9]+), column [0-9]+|end of document)\)$"
+_QUOTED = r"""\"[^"]*("|$)|'[^']*('|$)|#.*"""
+"""Texts in quotes, to the end of the line where one is not closed, and remarks."""
+
+
+def read_text(path: FilePath) -> str:
+    """The file's text."""
+    where = Where(str(path))
+    try:
+        if path.is_dir():
+            raise IsFolder(where)
+        with path.open("rb") as stream:
+            return decoded(read_bytes(stream, where.file), where.file)
+    except FileNotFoundError:
+        raise NoFile(where, path.name, _beside(path)) from None
+    except (OSError, ValueError) as problem:
+        raise Unreadable(where, getattr(problem, "strerror", None) or str(problem)) from None
+
+
+def read_bytes(stream: IO[bytes], file: str) -> bytes:
+    """What comes in, and no more of it than a mechanism file may have."""
+    try:
+        return stream.read(LARGEST_FILE + 1)
+    except OSError as problem:
+        raise Unreadable(Where(file), problem.strerror or str(problem)) from None
+
+
+def named(path: FilePath) -> str:
+    """What a mechanism is called after its file; a character that no text may hold becomes an underscore."""
+    return "".join("_" if steers(letter) else letter for letter in path.stem)
+
+
+def decoded(content: bytes, file: str) -> str:
+    """The text of a file's bytes; a byte order mark is not part of it."""
+    _check_size(len(content), file)
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as problem:
+        if content.startswith(_WIDE_MARKS):
+            raise NotUtf8(Where(file), "UTF-16") from None
+        line = content.count(b"\n", 0, problem.start) + 1
+        raise NotUtf8(Where(file, line), "") from None
+
+
+class Lines(Mapping[Path, int]):
+    """The line of each key (primes in keys tidied in the paths), found when one is asked for: few are."""
+
+    def __init__(self, text: str, file: str) -> None:
+        self.text, self.file = text, file
+
+    @cached_property
+    def _found(self) -> dict[Path, int]:
+        try:
+            return {_tidied(path): line for path, line in positions(self.text).items()}
+        except RecursionError:
+            raise TooDeep(Where(self.file)) from None
+
+    def __getitem__(self, path: Path) -> int:
+        return self._found[path]
+
+    def __iter__(self) -> Iterator[Path]:
+        return iter(self._found)
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def __reduce__(self) -> tuple[type, tuple[dict[Path, int]]]:
+        """Sent elsewhere it is a plain table."""
+        return dict, (self._found,)
+
+
+def read_toml(text: str, file: str) -> tuple[dict[str, Any], Lines]:
+    """The data, and the line of each key."""
+    _check_size(len(text), file)
+    text = text.removeprefix("\ufeff")
+    if any(line.count(".") >= _PARTS and re.search(_DEEP, line) is not None for line in text.split("\n")):
+        raise TooDeep(Where(file))
+    try:
+        document = tomllib.loads(text)
+        lines = Lines(text, file)
+        _refuse_control(document, lines, text, file)
+    except RecursionError:
+        raise TooDeep(Where(file)) from None
+    except ValueError as problem:
+        raise _broken(str(problem), text, file) from None
+    if not document:
+        raise EmptyFile(Where(file))
+    return document, lines
+
+
+def _refuse_control(document: dict[str, Any], lines: Mapping[Path, int], text: str, file: str) -> None:
+    """Texts and names go to terminals, into XML, TeX and tables: no character in them may mean more than itself."""
+    if (found := _NO_XML.search(text)) is not None:
+        raise ControlCharacter(Where(file, text.count("\n", 0, found.start()) + 1), f"U+{ord(found.group()):04X}")
+    if "\\" not in text and text.translate(_WITHOUT_BLANKS).isprintable():
+        return
+    for path, word in _words(document, ()):
+        if word.isprintable():
+            continue
+        bad = next((letter for letter in word if steers(letter) and letter not in _BLANKS), None)
+        if bad is not None:
+            line = next((lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in lines), None)
+            place = "".join(letter for letter in ".".join(map(str, path)) if not steers(letter))
+            raise ControlCharacter(Where(file, line, place), f"U+{ord(bad):04X}")
+
+
+def _words(value: object, path: Path) -> Iterator[tuple[Path, str]]:
+    """Every key and every text of a document, with its place."""
+    match value:
+        case str():
+            yield path, value
+        case list():
+            for number, item in enumerate(value):
+                yield from _words(item, (*path, number))
+        case dict():
+            for key, item in value.items():
+                yield (*path, tidy(key)), key
+                yield from _words(item, (*path, tidy(key)))
+        case _:
+            pass
+
+
+def _broken(reason: str, text: str, file: str) -> BrokenToml | StrayLetter:
+    place = re.search(_PLACE, reason)
+    line = None
+    if place is not None:
+        line = int(place[1]) if place[1] else text.rstrip("\n").count("\n") + 1
+        stray = re.search(r"[^\x00-\x7f]", re.sub(_QUOTED, "", text.split("\n")[line - 1]))
+        if stray is not None:
+            return StrayLetter(Where(file, line), stray.group(), f"U+{ord(stray.group()):04X}")
+    return BrokenToml(Where(file, line), re.sub(_PLACE, "", reason))
+
+
+def _beside(path: FilePath) -> tuple[str, ...]:
+    """The mechanism files of the same folder."""
+    try:
+        return tuple(sorted(other.name for other in path.parent.glob("*.toml")))
+    except OSError:
+        return ()
+
+
+def _check_size(size: int, file: str) -> None:
+    if size > LARGEST_FILE:
+        raise FileTooLarge(Where(file), LARGEST_FILE / 1e6)
+
+
+def _tidied(path: Path) -> Path:
+    return tuple(tidy(part) if isinstance(part, str) else part for part in path)

@@ -1,0 +1,1 @@
+"""Homework: problem sets, grading, and the files of teaching platforms."""

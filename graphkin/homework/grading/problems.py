@@ -1,0 +1,82 @@
+"""The problems that are to be marked: one, or all of a folder, each with what was handed in for it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from graphkin.base.value import frozen
+from graphkin.errors import NoFile, NoSuchProblem, Where
+
+_KEY, _SET = ".key.json", "key.json"
+
+
+@frozen
+class Problem:
+    """One problem.
+
+    name    "" where there is only one
+    key     as `judge_from` takes it
+    paths   what was handed in
+    """
+
+    name: str
+    key: str
+    paths: tuple[str, ...]
+
+
+def problems_of(key: str, submissions: Sequence[str]) -> tuple[Problem, ...]:
+    """One, or those of a folder of keys for which something was handed in.
+
+    In a folder of keys each problem is a NAME.key.json, a mechanism NAME.toml, or a folder NAME with a set of problems;
+    what was handed in for it is NAME with any ending (a class table, an archive, a folder), among `submissions` or in
+    folders of these. Raises NoSuchProblem, and NoFile where no submission is there.
+    """
+    _refuse_missing(submissions)
+    keys = _keys(Path(key))
+    if not keys:
+        return (Problem("", key, tuple(submissions)),)
+    found: dict[str, list[str]] = {name: [] for name in keys}
+    for path in _handed_in(submissions, keys):
+        found[_name(path, keys)].append(str(path))
+    if not any(found.values()):
+        raise NoSuchProblem(Where(submissions[0]), Path(submissions[0]).name, tuple(keys))
+    return tuple(Problem(name, str(keys[name]), tuple(paths)) for name, paths in found.items() if paths)
+
+
+def _refuse_missing(submissions: Sequence[str]) -> None:
+    """A path that somebody wrote wrongly is no student who handed in nothing readable; one among several is a row."""
+    if submissions and not any(map(os.path.exists, submissions)):
+        raise NoFile(Where(submissions[0]), Path(submissions[0]).name, ())
+
+
+def _keys(folder: Path) -> Mapping[str, Path]:
+    """The problems of a folder by name; none of one that is itself a set of problems, or that is no folder."""
+    if not folder.is_dir() or (folder / _SET).exists():
+        return {}
+    found: dict[str, Path] = {}
+    for path in sorted(folder.iterdir()):
+        if path.name.endswith(_KEY):
+            found[path.name.removesuffix(_KEY)] = path
+        elif (path / _SET).is_file():
+            found.setdefault(path.name, path)
+        elif path.suffix == ".toml":
+            found.setdefault(path.stem, path)
+    return found
+
+
+def _handed_in(submissions: Sequence[str], keys: Mapping[str, Path]) -> Iterator[Path]:
+    for path in map(Path, submissions):
+        if path.is_dir() and path.name not in keys:
+            yield from sorted(one for one in path.iterdir() if not one.name.startswith("."))
+        else:
+            yield path
+
+
+def _name(path: Path, keys: Mapping[str, Path]) -> str:
+    """Whose problem it is."""
+    for name in (path.name, path.stem):
+        if name in keys:
+            return name
+    raise NoSuchProblem(Where(str(path)), path.stem, tuple(keys))

@@ -1,0 +1,175 @@
+"""Whose key is whose: one for all, or one for each student, read when it is needed.
+
+A judge goes to other processes: one key as it is, a set by the place of its files, which they must reach; each process
+makes it ready once.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import pickle
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from graphkin.errors import BadKey, Where
+from graphkin.homework.grading.keys import key_file, text_of
+from graphkin.marking.marker import Marker
+from graphkin.submissions import Asked
+
+KIND = "graphkin keys"
+FORMAT = 1
+_KEPT = 32
+"""Keys that are held ready."""
+
+
+class Judge:
+    """Who marks a student's work: whichever key is theirs."""
+
+    def marker(self, student: str) -> Marker | None:
+        raise NotImplementedError
+
+    def __call__(self, student: str) -> Asked | None:
+        """What the student is asked; None for one who is not of this class."""
+        marker = self.marker(student)
+        if marker is None:
+            return None
+        return asked_by(marker)
+
+    def key_print(self, student: str) -> str:
+        """A fingerprint of the student's key."""
+        raise NotImplementedError
+
+
+def asked_by(marker: Marker) -> Asked:
+    """What a key asks, at all its positions."""
+    first, *further = (
+        Asked(each.method.mechanism, tuple(entry.text for entry in each.key.entries)) for each in marker.positions
+    )
+    return replace(first, further=tuple(further))
+
+
+def fingerprint(*parts: bytes | str) -> str:
+    """Of some texts, in a few letters.
+
+    >>> fingerprint("a", "b") == fingerprint("a", b"b") != fingerprint("ab")
+    True
+    """
+    whole = hashlib.sha256()
+    for part in parts:
+        data = part.encode("utf-8", "surrogatepass") if isinstance(part, str) else part
+        whole.update(b"%d:" % len(data) + data)
+    return whole.hexdigest()[:16]
+
+
+_READY: dict[tuple[str, ...], Judge] = {}
+
+
+def _ready(name: tuple[str, ...], made: Callable[[], Judge]) -> Judge:
+    """The judge that was made ready here, or made now; the last few are kept."""
+    found = _READY.get(name)
+    if found is None:
+        found = _READY[name] = made()
+        for old in list(_READY)[:-_KEPT]:
+            _READY.pop(old, None)
+    return found
+
+
+
+class OneKey(Judge):
+    """One key for all."""
+
+    def __init__(self, marker: Marker) -> None:
+        self._marker = marker
+
+    def marker(self, student: str) -> Marker:
+        return self._marker
+
+    @cached_property
+    def asked(self) -> Asked:
+        """What all are asked."""
+        return asked_by(self._marker)
+
+    def __call__(self, student: str) -> Asked:
+        return self.asked
+
+    @cached_property
+    def _print(self) -> str:
+        from graphkin.outputs.key_json import key_text
+
+        return fingerprint(key_text(self._marker.key))
+
+    def key_print(self, student: str) -> str:
+        return self._print
+
+    @cached_property
+    def _packed(self) -> bytes:
+        return pickle.dumps(self._marker.key)
+
+    def __reduce__(self) -> tuple[Callable[..., Judge], tuple[object, ...]]:
+        return _one_key, (self._print, self._packed)
+
+
+def _one_key(name: str, packed: bytes) -> Judge:
+    return _ready((name,), lambda: OneKey(Marker(pickle.loads(packed))))
+
+
+class KeySet(Judge):
+    """The keys of a set, by student; `files` are beside the set's own file, `path`."""
+
+    def __init__(self, path: Path, files: Mapping[str, str]) -> None:
+        self.path, self.files = path, dict(files)
+        self._made: dict[str, Marker] = {}
+
+    @property
+    def folder(self) -> Path:
+        """Where the keys are."""
+        return self.path.parent
+
+    def marker(self, student: str) -> Marker | None:
+        if student not in self.files:
+            return None
+        found = self._made.get(student)
+        if found is None:
+            found = self._made[student] = Marker(key_file(self.folder / self.files[student]))
+            for old in list(self._made)[:-_KEPT]:
+                self._made.pop(old, None)
+        return found
+
+    @cached_property
+    def _print(self) -> str:
+        return fingerprint(json.dumps(self.files))
+
+    def key_print(self, student: str) -> str:
+        """Of the key's file; of one who is not of the class, of the list of the class."""
+        try:
+            return fingerprint((self.folder / self.files[student]).read_bytes())
+        except (KeyError, OSError):
+            return self._print
+
+    def __reduce__(self) -> tuple[Callable[..., Judge], tuple[object, ...]]:
+        return _key_set, (str(self.path), self._print)
+
+    @classmethod
+    def read(cls, path: Path, data: Mapping[str, Any]) -> KeySet:
+        """Raises BadKey."""
+        students = data.get("students")
+        if data.get("format") != FORMAT or not isinstance(students, dict):
+            raise BadKey(Where(str(path)), "students")
+        for student, name in students.items():
+            if not isinstance(name, str) or Path(name).name != name:
+                raise BadKey(Where(str(path)), f"students: {student}")
+        return cls(path, students)
+
+
+def _key_set(path: str, name: str) -> Judge:
+    return _ready((path, name), lambda: KeySet.read(Path(path), json.loads(text_of(Path(path)))))
+
+
+def set_text(files: Mapping[str, str]) -> str:
+    """The set's own file: whose key is which."""
+    data = {"kind": KIND, "format": FORMAT, "students": dict(files)}
+    return json.dumps(data, ensure_ascii=False, indent=1) + "\n"

@@ -1,0 +1,216 @@
+"""What a class did, as data: which step fails, which mistakes explain its numbers, how scores are spread."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import field, replace
+from decimal import Decimal
+from typing import Any, get_args
+
+from graphkin.base.value import frozen
+from graphkin.errors import Lang
+from graphkin.homework.platforms.feedback import habit, suspected
+from graphkin.homework.platforms.numbers import exponentless
+from graphkin.homework.platforms.result import Line, Result, Suspicion
+from graphkin.marking.habits import Habit
+from graphkin.marking.marked import Verdict
+from graphkin.say.catalogue import say
+
+RANGES = 10
+"""Scores are counted in so many ranges of the same width."""
+_FAILED: tuple[Verdict, ...] = ("wrong", "missing")
+_ALWAYS: tuple[Verdict, ...] = ("right", "carried", *_FAILED)
+"""What is wrong comes before what is left out, which is normal on the way."""
+
+
+@frozen
+class Step:
+    """One quantity in the whole class, in the order of the problem.
+
+    verdicts  how often each; first  for how many it is the first that is wrong, or missing where nothing is wrong
+    points    earned by all, of `most`
+    """
+
+    name: str
+    verdicts: Mapping[str, int]
+    first: int
+    points: Decimal
+    most: Decimal
+
+
+@frozen
+class ClassReport:
+    """A class.
+
+    mistakes     the best explanation of each, the most frequent first, with how many
+    habits       mistakes that show in several problems of a student, with how many students
+    unexplained  how many are wrong somewhere and consistent with no known mistake
+    ranges       how many scores in each tenth, the lowest first; the last holds 100 %
+    mean, ..     of the scores, from 0 to 1; None where there are none
+    """
+
+    marked: int
+    unmarked: int
+    overridden: int
+    steps: tuple[Step, ...]
+    mistakes: tuple[tuple[Suspicion, int], ...]
+    unexplained: int
+    ranges: tuple[int, ...]
+    habits: tuple[tuple[Habit, int], ...] = ()
+    mean: Decimal | None = None
+    median: Decimal | None = None
+    lowest: Decimal | None = None
+    highest: Decimal | None = None
+
+
+def class_report(results: Iterable[Result]) -> ClassReport:
+    """The report of a class, gone through once; what is held does not grow with it."""
+    count = _Count()
+    for result in results:
+        count.add(result)
+    return count.report()
+
+
+@frozen
+class _Count:
+    """What is counted while a class goes by."""
+
+    status: Counter[str] = field(default_factory=Counter)
+    verdicts: dict[str, Counter[str]] = field(default_factory=dict)
+    first: Counter[str] = field(default_factory=Counter)
+    points: dict[str, tuple[Decimal, Decimal]] = field(default_factory=dict)
+    mistakes: dict[tuple[str, ...], tuple[Suspicion, int]] = field(default_factory=dict)
+    scores: Counter[Decimal] = field(default_factory=Counter)
+    habits: Counter[Habit] = field(default_factory=Counter)
+
+    def add(self, result: Result) -> None:
+        self.status[result.status] += 1
+        self.status["overridden"] += result.override is not None
+        if result.score is not None:
+            self.scores[result.score] += 1
+        if result.status == "marked":
+            self._lines(result.lines)
+            self._suspicions(result)
+            self.habits.update(replace(one, weight=0.0) for one in result.habits)
+
+    def _lines(self, lines: tuple[Line, ...]) -> None:
+        for line in lines:
+            self.verdicts.setdefault(line.name, Counter())[line.verdict] += 1
+            earned, most = self.points.get(line.name, (Decimal(0), Decimal(0)))
+            self.points[line.name] = earned + line.points, most + line.most
+        failed = [line.name for verdict in _FAILED for line in lines if line.verdict == verdict]
+        self.first.update(failed[:1])
+
+    def _suspicions(self, result: Result) -> None:
+        if result.suspicions:
+            best = result.suspicions[0]
+            same = tuple(sorted(best.ids))  # a set is one, whichever of it is likelier to one student
+            kept, count = self.mistakes.get(same, (best, 0))
+            self.mistakes[same] = kept, count + 1
+        elif any(line.verdict == "wrong" and line.unit_right for line in result.lines):
+            self.status["unexplained"] += 1
+
+    def report(self) -> ClassReport:
+        counts = self.verdicts.items()
+        every = (Step(name, dict(each), self.first[name], *self.points[name]) for name, each in counts)
+        steps = tuple(step for step in every if step.most or any(step.verdicts.get(verdict) for verdict in _FAILED))
+        mistakes = sorted(self.mistakes.values(), key=lambda pair: (-pair[1], pair[0].ids))
+        told = self.status
+        return ClassReport(
+            told["marked"], told["not marked"], told["overridden"], steps, tuple(mistakes), told["unexplained"],
+            _ranges(self.scores), tuple(self.habits.most_common()), *_spread(self.scores),
+        )  # fmt: skip
+
+
+def _ranges(scores: Counter[Decimal]) -> tuple[int, ...]:
+    found = [0] * RANGES
+    for score, count in scores.items():
+        found[min(int(score * RANGES), RANGES - 1)] += count
+    return tuple(found)
+
+
+def _spread(scores: Counter[Decimal]) -> Iterator[Decimal]:
+    """Mean, median, lowest, highest; nothing of nothing."""
+    if scores:
+        order, number = sorted(scores), scores.total()
+        yield sum((score * count for score, count in scores.items()), Decimal(0)) / number
+        yield (_ranked(scores, order, (number - 1) // 2) + _ranked(scores, order, number // 2)) / 2
+        yield from (order[0], order[-1])
+
+
+def _ranked(scores: Counter[Decimal], order: list[Decimal], rank: int) -> Decimal:
+    """The score that has so many before it."""
+    for score in order:
+        rank -= scores[score]
+        if rank < 0:
+            return score
+    return order[-1]
+
+
+# --- in words, and for programs ----------------------------------------------------------------
+
+
+def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
+    """The report in lines."""
+    yield say("class_report.marked", lang, marked=report.marked, unmarked=report.unmarked, overridden=report.overridden)
+    spread = {key: getattr(report, key) for key in ("mean", "median", "lowest", "highest")}
+    if report.mean is not None:
+        yield say("class_report.scores", lang, **{key: _percent(value) for key, value in spread.items()})
+    parts = (("steps", _steps), ("mistakes", _mistakes), ("habits", _habits), ("distribution", _distribution))
+    for title, lines in parts:
+        if told := [*lines(report, lang)]:
+            yield ""
+            yield say(f"class_report.part {title}", lang)
+            yield from (f"  {line}" for line in told)
+
+
+def _steps(report: ClassReport, lang: Lang) -> Iterator[str]:
+    for step in report.steps:
+        shown = [name for name in get_args(Verdict) if name in _ALWAYS or step.verdicts.get(name)]
+        counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
+        told = say("common.list", lang).join(counts)
+        yield say("class_report.step", lang, name=step.name, verdicts=told, first=step.first)
+
+
+def _mistakes(report: ClassReport, lang: Lang) -> Iterator[str]:
+    for one, count in report.mistakes:
+        yield say("class_report.mistake", lang, mistake=suspected(one, lang), count=count)
+    if report.unexplained:
+        yield say("class_report.unexplained", lang, count=report.unexplained)
+
+
+def _habits(report: ClassReport, lang: Lang) -> Iterator[str]:
+    for one, count in report.habits:
+        yield say("class_report.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), count=count)
+
+
+def _distribution(report: ClassReport, lang: Lang) -> Iterator[str]:
+    width = 100 // RANGES
+    for k, count in enumerate(report.ranges):
+        yield say("class_report.range", lang, low=k * width, high=(k + 1) * width, count=count)
+
+
+def _percent(score: Decimal) -> str:
+    return exponentless((score * 100).quantize(Decimal("0.1")))
+
+
+def report_record(report: ClassReport) -> dict[str, Any]:
+    """The report as a JSON object."""
+    spread = {key: getattr(report, key) for key in ("mean", "median", "lowest", "highest")}
+    return {
+        "kind": "graphkin", "format": 1, "marked": report.marked, "not_marked": report.unmarked,
+        "overridden": report.overridden,
+        **{key: None if value is None else round(float(value), 6) for key, value in spread.items()},
+        "steps": [
+            {"quantity": step.name, "verdicts": dict(step.verdicts), "first_to_fail": step.first,
+             "points": float(step.points), "max_points": float(step.most)}
+            for step in report.steps
+        ],
+        "mistakes": [{"ids": list(one.ids), "count": count} for one, count in report.mistakes],
+        "unexplained": report.unexplained, "ranges": list(report.ranges),
+        "habits": [
+            {"ids": list(one.ids), "in_problems": one.shown, "of_problems": one.of, "count": count}
+            for one, count in report.habits
+        ],
+    }  # fmt: skip

@@ -1,0 +1,101 @@
+"""A problem set as Moodle XML, with the mistakes as alternatives, so that Moodle names them by itself.
+
+`cloze`: a question a student, all numbers in it; its weights are whole, so points are multiplied until they are.
+`numerical`: a question a number. Rules: Moodle's qtype_multianswer and qtype_numerical; feedback in braces is decoded
+once from HTML, then `\\}` and `\\#` are undone; `~` has no such escape and is written as an entity.
+"""
+
+from __future__ import annotations
+
+import html
+import xml.etree.ElementTree as ET
+from collections.abc import Sequence
+from math import gcd
+
+from graphkin.errors import Lang
+from graphkin.homework.platforms.alternatives import Alternative, alternatives, sentence
+from graphkin.homework.platforms.marked_up import element, in_html, one_line, xml
+from graphkin.homework.platforms.numbers import exponentless, points, printed
+from graphkin.homework.platforms.question import Part, ProblemSet, Question
+from graphkin.say.catalogue import say
+
+_BRACES = str.maketrans({"{": "&#123;", "}": "&#125;"})
+_SIGNS = str.maketrans({"#": "\\#", "}": "\\}", "~": "&#126;", "\\": "&#92;", "{": "&#123;"})
+"""Signs of cloze in a feedback; made after HTML has its entities, whose `#` is escaped with the others."""
+
+
+def cloze(problems: ProblemSet, lang: Lang) -> bytes:
+    """One `cloze` question for each student."""
+    return _quiz(problems, [_cloze(problems, question, lang) for question in problems.questions])
+
+
+def numerical(problems: ProblemSet, lang: Lang) -> bytes:
+    """One `numerical` question for each number of each student."""
+    found = [_numerical(problems, one, part, lang) for one in problems.questions for part in one.parts]
+    return _quiz(problems, found)
+
+
+def weights(parts: Sequence[Part]) -> tuple[int, ...]:
+    """Points as the smallest whole numbers in the same ratio that are not below them."""
+    hundredths = [int(points(part.points) * 100) for part in parts]
+    whole = gcd(100, *hundredths)
+    return tuple(each // whole for each in hundredths)
+
+
+def _quiz(problems: ProblemSet, questions: Sequence[ET.Element]) -> bytes:
+    folder = "$course$/graphkin/" + one_line(problems.name).replace("/", "//")
+    category = element("question", element("category", element("text", folder)), type="category")
+    return xml(element("quiz", category, *questions))
+
+
+def _question(kind: str, name: str, text: str) -> ET.Element:
+    return element(
+        "question", element("name", element("text", one_line(name))),
+        element("questiontext", element("text", text), format="html"), type=kind,
+    )  # fmt: skip
+
+
+# --- cloze ------------------------------------------------------------------------------------
+
+
+def _cloze(problems: ProblemSet, question: Question, lang: Lang) -> ET.Element:
+    lines = [f"<p>{_text(question, lang)}</p>"]
+    for part, weight in zip(question.parts, weights(question.parts), strict=True):
+        field = "~".join(_in_braces(one, lang) for one in alternatives(question, part))
+        lines.append(f"<p>{in_html(part.heading).translate(_BRACES)} = {{{weight}:NUMERICAL:{field}}}</p>")
+    name = say("platforms.problem title", lang, set=problems.name, id=question.id)
+    return _question("cloze", name, "\n".join(lines))
+
+
+def _text(question: Question, lang: Lang) -> str:
+    """The problem as HTML in which no brace opens a field."""
+    return in_html(question.text[lang]).translate(_BRACES)
+
+
+def _in_braces(one: Alternative, lang: Lang) -> str:
+    """`%50%-1.25:0.0625#Close`."""
+    share = "=" if one.percent == 100 else f"%{one.percent}%"
+    said = html.escape(in_html(one_line(sentence(one, lang))), quote=False).translate(_SIGNS)
+    return f"{share}{printed(one.number)}:{printed(one.tolerance)}#{said}"
+
+
+# --- numerical --------------------------------------------------------------------------------
+
+
+def _numerical(problems: ProblemSet, question: Question, part: Part, lang: Lang) -> ET.Element:
+    title = say("platforms.problem title", lang, set=problems.name, id=question.id)
+    text = f"<p>{in_html(question.text[lang])}</p>\n<p>{in_html(part.heading)} = ?</p>"
+    made = _question("numerical", f"{title}, {part.name}", text)
+    made.append(element("defaultgrade", exponentless(points(part.points))))
+    made.extend([_answer(one, lang) for one in alternatives(question, part)])
+    made.extend((element("unitgradingtype", "0"), element("unitpenalty", "0"), element("showunits", "3")))
+    return made
+
+
+def _answer(one: Alternative, lang: Lang) -> ET.Element:
+    said = in_html(one_line(sentence(one, lang)))
+    return element(
+        "answer", element("text", printed(one.number)), element("tolerance", printed(one.tolerance)),
+        element("feedback", element("text", said), format="html"),
+        fraction=str(one.percent), format="moodle_auto_format",
+    )  # fmt: skip

@@ -1,0 +1,175 @@
+"""A problem set in graphkin's own folder: each student's mechanism, problem, figure and key, all or nothing a file; and
+what the set tells of mistakes."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import ClassVar
+
+from graphkin.api import plan
+from graphkin.errors import CannotWrite, GraphkinError, Lang
+from graphkin.homework.grading import key_for, set_text
+from graphkin.homework.grading.keys import USUAL
+from graphkin.homework.problems import Template, Variant
+from graphkin.homework.problems.shown import shown_at
+from graphkin.marking.key import Key
+from graphkin.marking.marker import Marker
+from graphkin.marking.power import alarms
+from graphkin.marking.told import SetTold, set_told
+from graphkin.outputs.files import beside, refuse
+from graphkin.outputs.key_json import key_text
+from graphkin.outputs.svg import inline
+from graphkin.outputs.tolerance_json import told_data
+from graphkin.running import replay_all
+from graphkin.say.problems import MADE, problem
+from graphkin.say.told import told_lines
+from graphkin.sheet.problem_sheet import problem_sheet
+from graphkin.submissions import safe_name
+
+MARK = "graphkin problems"
+"""By which graphkin knows files of its own, which it writes anew."""
+KEY = ".key.json"
+FIGURE = ".svg"
+TOLD = "set.mistakes.txt"
+LIST = "set.json"
+"""No student's file has two dots in its name but a key."""
+_TRIED = 3
+"""Problems whose false alarms are counted."""
+_MARKS = [MARK.encode(), b'"kind": "graphkin key']
+
+
+def write_problems(
+    folder: Path, template: Template, found: tuple[Variant, ...], seed: str, lang: Lang, force: bool = False,
+    keys: bool = True,
+) -> Iterator[Path]:  # fmt: skip
+    """Writes NAME.toml, .txt, .svg and .key.json for each student, then key.json, by which the whole set is marked,
+    set.mistakes.txt, which mistakes its answers tell apart, and set.json; gives each path when it is whole.
+
+    Raises FileInTheWay before anything is written, CannotWrite.
+    """
+    names = file_names(variant.student.id for variant in found)
+    suffixes = (".toml", ".txt", FIGURE, *((KEY,) if keys else ()))
+    paths = [folder / f"{name}{suffix}" for name in names.values() for suffix in suffixes]
+    paths += [folder / "key.json", folder / TOLD] if keys else []
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise CannotWrite.by(folder, error) from None
+    for path in (*paths, folder / LIST):
+        refuse(path, force, _MARKS)
+    rates: list[tuple[float, float]] = []
+    for variant in found:
+        name = names[variant.student.id]
+        for suffix, text in _handed_out(template, variant, name, lang).items():
+            yield _written(folder / f"{name}{suffix}", text, force)
+        if keys:
+            key = key_for(variant.mechanism, points=template.points or None)
+            rates += [_alarms(key)] if len(rates) < _TRIED else []
+            yield _written(folder / f"{name}{KEY}", key_text(key), force)
+    told = set_told([variant.told for variant in found], (USUAL.length_mm, USUAL.angle_deg), rates)
+    if keys:
+        yield _written(folder / TOLD, "\n".join((*told_lines(told, lang), "", MADE, "")), force)
+        index = {student: f"{name}{KEY}" for student, name in names.items()}
+        yield _written(folder / "key.json", set_text(index), force)
+    yield _written(folder / LIST, _listed(template, found, names, seed, told), force)
+
+
+class NotASet(GraphkinError):
+    """A folder whose list of students is not one of graphkin's, or names a file that is not there."""
+
+    path: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{path}: this is no list of a problem set that graphkin wrote. Write the set again with "
+        "`graphkin problems`, or name the mechanism files.",
+        "zh": "{path}：这不是 graphkin 生成的题组清单。请用 `graphkin problems` 重新生成题组，或直接给出机构文件。",
+    }
+
+
+def is_set(folder: Path) -> bool:
+    """Whether a problem set was written there."""
+    return (folder / LIST).is_file()
+
+
+def students_of(folder: Path) -> tuple[str, list[tuple[str, Path]]]:
+    """The seed of a written set, and each student with the mechanism file, in the order of the list: the id, and what
+    else the roster called the student. Raises NotASet."""
+    listed = folder / LIST
+    try:
+        whole = json.loads(listed.read_text("utf-8"))
+        seed, students = str(whole["seed"]), whole["students"].items()
+        entries = [(" ".join((id, *map(str, each["names"].values()))), str(each["file"])) for id, each in students]
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        raise NotASet(str(listed)) from None
+    if any(Path(name).name != name or not (folder / name).is_file() for _, name in entries):
+        raise NotASet(str(listed))
+    return seed, [(who, folder / name) for who, name in entries]
+
+
+def told_of(folder: Path) -> str:
+    """What a written set tells of mistakes, in the words of its folder."""
+    return (folder / TOLD).read_text("utf-8").removesuffix(f"\n{MADE}\n").rstrip()
+
+
+def _handed_out(template: Template, variant: Variant, name: str, lang: Lang) -> dict[str, str]:
+    """What the student gets, by the suffix of the file: mechanism, problem and figure."""
+    head = f"# {MARK}: {template.name}, {variant.student.id}\n"
+    own, figure = variant.student, _figure(variant, lang)
+    shown = ("", True) if figure is None else (f"{name}{FIGURE}", figure[1])
+    others = [text for _, text in own.names]
+    text = problem(variant.mechanism, own.id, others, template.points, lang, variant.drawn, *shown)
+    drawn = {} if figure is None else {FIGURE: figure[0]}
+    return {".toml": head + template.text(variant.numbers), ".txt": text, **drawn}
+
+
+def _figure(variant: Variant, lang: Lang) -> tuple[str, bool] | None:
+    """The mechanism as SVG, with nothing in it that is asked for, and whether in the drawn position."""
+    method = plan(variant.mechanism)
+    shown = shown_at(method, replay_all(method))
+    if shown is None:
+        return None
+    plot, there = shown
+    head = f'<?xml version="1.0" encoding="utf-8"?>\n<!-- {MARK} -->\n'
+    return head + inline(problem_sheet(method, plot, lang)) + "\n", there
+
+
+def _alarms(key: Key) -> tuple[float, float]:
+    """Right work by pencil, what is asked handed in: part with a value judged wrong, and part that gets a mistake."""
+    return alarms(Marker(key), [entry.text for entry in key.entries if entry.points])
+
+
+def file_names(students: Iterable[str]) -> dict[str, str]:
+    """A file's name for each id; no two alike on a disk that knows no capitals."""
+    return {student: safe_name(student) for student in students}
+
+
+def _written(path: Path, text: str, force: bool) -> Path:
+    with beside(path, force, _MARKS) as draft, draft.open("w", encoding="utf-8", newline="\n") as stream:
+        stream.write(text)
+        stream.flush()
+        with contextlib.suppress(OSError):
+            os.fsync(stream.fileno())
+    return path
+
+
+def _listed(template: Template, found: tuple[Variant, ...], names: dict[str, str], seed: str, told: SetTold) -> str:
+    """What the set is: who has which numbers."""
+    students = {
+        variant.student.id: {
+            "file": f"{names[variant.student.id]}.toml",
+            "names": dict(variant.student.names),
+            "values": {
+                each.name: each.value(number).strip('"')
+                for each, number in zip(template.ranges, variant.numbers, strict=True)
+            },
+            "shared": variant.shared,
+        }
+        for variant in found
+    }
+    whole: dict[str, object] = {"format": 1, "program": MARK, "template": template.name, "seed": seed}
+    whole |= {"points": dict(template.points), "told": told_data(told), "students": students}
+    return json.dumps(whole, ensure_ascii=False, indent=1, allow_nan=False) + "\n"

@@ -1,0 +1,253 @@
+"""The formats of results by name, and their files in a folder: beside, then renamed, nothing outside the folder."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from decimal import Decimal
+from itertools import chain, islice
+from pathlib import Path
+
+from graphkin.base.value import frozen
+from graphkin.errors import CannotWrite, Lang
+from graphkin.homework.platforms import canvas_results, class_table, gradescope, moodle_results, prairielearn, xlsx
+from graphkin.homework.platforms.archive import ZIP_MARKS, pack
+from graphkin.homework.platforms.cells import BOM, Cell, line, write_lines
+from graphkin.homework.platforms.class_figure import write_class_figure
+from graphkin.homework.platforms.class_report import ClassReport, class_report, report_record, report_text
+from graphkin.homework.platforms.feedback import Feedback, Reveal
+from graphkin.homework.platforms.marked_up import clean
+from graphkin.homework.platforms.overrides import Overrides, overridden, read_overrides
+from graphkin.homework.platforms.platform_names import Named, canvas, moodle
+from graphkin.homework.platforms.result import Picture, Result
+from graphkin.homework.platforms.web_page import PAGE, html
+from graphkin.marking.habits import Trace, habits
+from graphkin.outputs.files import beside
+from graphkin.say.catalogue import in_both, say
+from graphkin.submissions import safe_name
+
+CLASS_TABLE = "class.csv"
+"""In this table of a results folder teachers write their overrides."""
+_JSON, _TABLE = (b'"graphkin"',), (b"override",)
+_REPORT = tuple(title.encode() for title in in_both("class_report.title").values())
+
+
+@frozen
+class Written:
+    """What was written, and what could not be, in words."""
+
+    paths: tuple[Path, ...]
+    left_out: tuple[str, ...] = ()
+
+
+Pictures = Callable[[Result, Lang, Reveal], Sequence[Picture]]
+
+
+@frozen
+class Order:
+    """What is to be written.
+
+    results   gone through as often as a format needs it
+    pictures  makes those of a student's page of feedback
+    several   what the results of each student say of mistakes, in all problems of which this is one
+    """
+
+    folder: Path
+    results: Sequence[Result]
+    lang: Lang
+    reveal: Reveal
+    assignment: str
+    pictures: Pictures
+    force: bool
+    overrides: Overrides
+    most: Decimal
+    several: Sequence[Mapping[str, Trace]] = ()
+
+    def __iter__(self) -> Iterator[Result]:
+        """The results, with the teacher's points and habits; what was not marked is of as many as the others."""
+        for result in overridden(self.results, self.overrides):
+            own = [traces[result.student] for traces in self.several if result.lines and result.student in traces]
+            yield replace(result, most=result.most if result.lines else self.most, habits=habits(own))
+
+    def told(self, result: Result) -> Feedback:
+        """What a student is told, with pictures."""
+        return Feedback(result, self.lang, self.reveal, self.pictures(result, self.lang, self.reveal))
+
+    def lines(self, name: str, lines: Iterable[str], marks: Sequence[bytes]) -> Path:
+        """A file of text in the folder."""
+        path = self.folder / name
+        with beside(path, self.force, marks) as draft:
+            write_lines(draft, lines)
+        return path
+
+    def packed(self, name: str, members: Iterable[tuple[str, bytes | Iterable[bytes]]]) -> Path:
+        """An archive in the folder."""
+        path = self.folder / name
+        with beside(path, self.force, ZIP_MARKS) as draft:
+            pack(draft, members)
+        return path
+
+
+def write_results(
+    folder: Path, results: Sequence[Result], kind: str, lang: Lang = "en", reveal: Reveal = "answer", *,
+    assignment: str = "graphkin", pictures: Pictures = lambda result, lang, reveal: (), force: bool = False,
+    several: Sequence[Mapping[str, Trace]] = (),
+) -> Written:  # fmt: skip
+    """Results into a folder, which is made where it is not there.
+
+    results   as `read_results` gives them
+    kind      of RESULTS
+    pictures  makes those of a student's page (`PolygonPictures`); none where left out
+    several   of all problems of which this is one, as `read_traces` gives them
+
+    Overrides in the folder's class table count in every format. Raises NotAnOverride, Unreadable, FileInTheWay,
+    CannotWrite, and what going through the results raises.
+    """
+    overrides = prepared(folder)
+    most = max((result.most for result in results), default=Decimal(0))
+    order = Order(folder, results, lang, reveal, assignment, pictures, force, overrides, most, several)
+    return RESULTS[kind](order)
+
+
+def prepared(folder: Path) -> Overrides:
+    """A folder of results, made where there is none, and the overrides in it.
+
+    Raises CannotWrite, Unreadable, NotAnOverride.
+    """
+    return read_overrides(_made(folder) / CLASS_TABLE)
+
+
+def _made(folder: Path) -> Path:
+    """A folder that is there. Raises CannotWrite."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise CannotWrite.by(folder, error) from None
+    return folder
+
+
+def _table(order: Order) -> Iterator[Sequence[Cell]]:
+    """The class table; those with an override who are not here come last, known when all others are through."""
+    names = class_table.quantities(order.results)
+    several = len(order.several) > 1
+    return chain(class_table.rows(order, names, order.lang, several), class_table.absent(order.overrides, names))
+
+
+def _csv(order: Order) -> Written:
+    path = order.lines(CLASS_TABLE, chain([BOM], map(line, _table(order))), _TABLE)
+    return Written((path,), _kept(order))
+
+
+def _xlsx(order: Order) -> Written:
+    members = xlsx.members(_table(order), say("class_report.title", order.lang))
+    return Written((order.packed("class.xlsx", members),), _kept(order))
+
+
+def _kept(order: Order) -> tuple[str, ...]:
+    names = (each.student or each.file for each in order.overrides.rest())
+    return tuple(say("platforms.override kept", order.lang, student=name) for name in names)
+
+
+def _moodle(order: Order) -> Written:
+    grades = order.lines(
+        "moodle-grades.csv", moodle_results.grades(order, order.lang, order.reveal), (b"Identifier,Full name,",),
+    )  # fmt: skip
+    members = moodle_results.feedback(order, order.told)
+    out = tuple(_unnamed(order, moodle, "Moodle"))
+    return Written((grades, order.packed("moodle-feedback.zip", members)), out)
+
+
+def _canvas(order: Order) -> Written:
+    grades = order.lines(
+        "canvas-grades.csv", canvas_results.grades(order, order.assignment, order.most), (b"Points Possible,",),
+    )  # fmt: skip
+    members = canvas_results.feedback(order, order.told)
+    return Written((grades, order.packed("canvas-feedback.zip", members)), tuple(_without_canvas(order)))
+
+
+def _without_canvas(order: Order) -> Iterator[str]:
+    """What does not go back to Canvas: files without its names, and those of kinds that nothing writes."""
+    yield from _unnamed(order, canvas, "Canvas")
+    kinds: Counter[str] = Counter()
+    for result in order.results:
+        named = canvas(result.file)
+        if named is not None and canvas_results.kind(named.name) is None:
+            kinds[Path(named.name).suffix] += 1
+    for suffix, count in kinds.items():
+        yield say("platforms.no feedback in kind", order.lang, count=count, kind=suffix or "?")
+
+
+def _unnamed(order: Order, named: Callable[[str], Named | None], platform: str) -> Iterator[str]:
+    """That some files have no name of the platform; the first of them as an example."""
+    first, count = "", 0
+    for result in order.results:
+        if named(result.file) is None:
+            first, count = first or result.file, count + 1
+    if count:
+        yield say("platforms.no platform name", order.lang, count=count, file=first, platform=platform)
+
+
+def _gradescope(order: Order) -> Written:
+    return _each(order, "gradescope", lambda result: gradescope.results_json(result, order.lang, order.reveal))
+
+
+def _prairielearn(order: Order) -> Written:
+    def made(result: Result) -> bytes:
+        return prairielearn.results_json(result, order.lang, order.reveal, order.told(result).pictures)
+
+    return _each(order, "prairielearn", made)
+
+
+def _named(order: Order) -> Iterator[tuple[str, Result]]:
+    """Every result with a name of its own for its file."""
+    taken: set[str] = set()
+    for result in order:
+        name = safe_name(result.student)
+        name = safe_name(f"{result.student}\0{result.file}") if name in taken else name
+        taken.add(name)
+        yield name, result
+
+
+def _pages(order: Order) -> Written:
+    """A page of feedback each."""
+    folder = _made(order.folder / "pages")
+    for name, result in _named(order):
+        with beside(folder / f"{name}.html", order.force, [PAGE]) as draft:
+            draft.write_bytes(html(order.told(result)))
+    return Written((folder,))
+
+
+def _each(order: Order, platform: str, made: Callable[[Result], bytes]) -> Written:
+    """`results.json` in the folder where there is one submission; else in a folder each, within the platform's."""
+    alone = len([*islice(order.results, 2)]) == 1
+    any_there = False
+    for name, result in _named(order):
+        any_there = True
+        folder = order.folder if alone else _made(order.folder / platform / name)
+        with beside(folder / "results.json", order.force, [f'"platform": "{platform}"'.encode()]) as draft:
+            draft.write_bytes(made(result))
+    return Written((order.folder / "results.json",) if alone else (order.folder / platform,) if any_there else ())
+
+
+def _report(order: Order) -> Written:
+    """The class in words, as data and as a figure."""
+    report = class_report(order)
+    words = order.lines("class-report.txt", (f"{line}\n" for line in _report_lines(report, order.lang)), _REPORT)
+    data = order.lines("class-report.json", [json.dumps(report_record(report), ensure_ascii=True) + "\n"], _JSON)
+    figure = order.folder / "class-report.svg"
+    remark = write_class_figure(figure, report, order.lang, order.force)
+    return Written((words, data, figure), () if remark is None else (remark.message(order.lang),))
+
+
+def _report_lines(report: ClassReport, lang: Lang) -> Iterator[str]:
+    yield say("class_report.title", lang)
+    yield from map(clean, report_text(report, lang))
+
+
+RESULTS: Mapping[str, Callable[[Order], Written]] = {
+    "csv": _csv, "xlsx": _xlsx, "moodle": _moodle, "gradescope": _gradescope,
+    "prairielearn": _prairielearn, "canvas": _canvas, "pages": _pages, "report": _report,
+}  # fmt: skip
+"""By name, as `graphkin grade --format` has them."""

@@ -1,0 +1,15 @@
+"""Problem sets: one mechanism, each student with numbers of their own.
+
+    template.toml --template--> Template     a mechanism file with ranges
+    Template + roster + seed --draws--> Variant for each student, posed well (`posed`), and of several such the first
+    in which mistakes can be told apart as well as the template can (`marking.told`)
+
+say.problems words a problem; platforms writes the set, for graphkin and for others.
+"""
+
+from graphkin.homework.problems.draws import Variant, variants
+from graphkin.homework.problems.posed import Posed, well_posed
+from graphkin.homework.problems.roster import Student, roster
+from graphkin.homework.problems.template import Range, Template, read_template
+
+__all__ = ["Posed", "Range", "Student", "Template", "Variant", "read_template", "roster", "variants", "well_posed"]

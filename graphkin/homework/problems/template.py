@@ -1,0 +1,191 @@
+"""A template: a mechanism file in which numbers may be ranges, `AB = { from = 20, to = 30, step = 1 }`.
+
+    [points]                 # what each question is worth; left out, 1 each
+    "omega 3" = 2
+
+Ranges stand wherever a number does: lengths, angles, speeds, with units as texts (`from = "60 rpm"`). A variant is the
+template's own text with numbers in their places: comments and layout stay.
+"""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from decimal import Decimal, InvalidOperation
+from pathlib import Path
+from typing import Any
+
+from graphkin import files as loading
+from graphkin.base.value import frozen
+from graphkin.errors import BrokenToml, GraphkinError, NoRange, NotATemplate, OutOfRange, UnknownQuantity, Where
+from graphkin.files.source import read_text, read_toml
+from graphkin.model.mechanism import Mechanism
+
+_SPAN = re.compile(r"""\{(?:[^{}"'#]|"[^"\n]*"|'[^'\n]*')*\}""")
+_HEADER = re.compile(r"^[ \t]*\[", re.M)
+_POINTS = re.compile(r"^[ \t]*\[[ \t]*points[ \t]*\][^\n]*\n?", re.M)
+_NUMBER = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(.*?)\s*", re.S)
+_MARK = 7_310_000_000_000
+MOST = 100_000
+"""Values that one range has at most."""
+
+
+@frozen
+class Range:
+    """Evenly spaced values of one number of the file.
+
+    path   its place in the file: ("links", "1", "AB")
+    unit   what stands behind each value, "" for a bare number
+    """
+
+    path: tuple[str | int, ...]
+    first: Decimal
+    step: Decimal
+    count: int
+    unit: str
+
+    def value(self, number: int) -> str:
+        """Its text in the file, `24` or `"60 rpm"`."""
+        text = f"{(self.first + number * self.step).normalize():f}"
+        return f'"{text} {self.unit}"' if self.unit else text
+
+    @property
+    def name(self) -> str:
+        return ".".join(str(part) for part in self.path)
+
+
+@frozen
+class Template:
+    """A template's text taken apart.
+
+    pieces  the text between the ranges, one more than there are ranges
+    points  what each question is worth, by the question as the file asks it
+    """
+
+    name: str
+    file: str
+    pieces: tuple[str, ...]
+    ranges: tuple[Range, ...]
+    points: Mapping[str, float]
+
+    def text(self, numbers: Sequence[int]) -> str:
+        """The mechanism file with the value of each range that has this number."""
+        values = [each.value(number) for each, number in zip(self.ranges, numbers, strict=True)]
+        return "".join(part for pair in zip(self.pieces, [*values, ""], strict=True) for part in pair)
+
+    def mechanism(self, numbers: Sequence[int]) -> Mechanism:
+        """Raises what loading raises."""
+        return loading.loads(self.text(numbers), name=self.name, file=self.file)
+
+
+def read_template(path: Path) -> Template:
+    """Raises NotATemplate, NoRange, UnknownQuantity, and what reading a mechanism file raises."""
+    file = str(path)
+    text = read_text(path).removeprefix("\ufeff")
+    document, lines = read_toml(text, file)
+    points = document.get("points", {})
+    bare = _without_points(text) if "points" in document else text
+    spans = list(_ranges_in(bare))
+    if not spans:
+        raise NotATemplate(Where(file))
+    paths = _places(bare, spans, file)
+    tables = (tomllib.loads(f"x = {bare[start:end]}")["x"] for start, end in spans)
+    keys = (Where(file, lines.get(path), ".".join(map(str, path))) for path in paths)
+    ranges = tuple(_range(table, path, where) for table, path, where in zip(tables, paths, keys, strict=True))
+    edges = [0, *(edge for span in spans for edge in span), len(bare)]
+    pieces = tuple(bare[start:end] for start, end in zip(edges[::2], edges[1::2], strict=True))
+    worth = _worth(points, document, Where(file, lines.get(("points",)), "points"))
+    return Template(path.stem, file, pieces, ranges, worth)
+
+
+# --- the ranges -------------------------------------------------------------------------------
+
+
+def _ranges_in(text: str) -> Iterator[tuple[int, int]]:
+    """Where ranges stand, outside of comments."""
+    for found in _SPAN.finditer(text):
+        line = text[text.rfind("\n", 0, found.start()) + 1 : found.start()]
+        if "#" in re.sub(r""""[^"\n]*"|'[^'\n]*'""", "", line):
+            continue
+        try:
+            table = tomllib.loads(f"x = {found.group()}")["x"]
+        except tomllib.TOMLDecodeError:
+            continue
+        if {"from", "to"} <= table.keys() <= {"from", "to", "step"}:
+            yield found.span()
+
+
+def _places(text: str, spans: Sequence[tuple[int, int]], file: str) -> list[tuple[str | int, ...]]:
+    """The key of each range: a number of its own is put in its place, and looked for in what is read."""
+    marked, end = "", 0
+    for k, (start, stop) in enumerate(spans):
+        marked, end = f"{marked}{text[end:start]}{_MARK + k}", stop
+    try:
+        found = dict(_numbers(tomllib.loads(marked + text[end:]), ()))
+    except (tomllib.TOMLDecodeError, RecursionError) as problem:
+        raise BrokenToml(Where(file), str(problem)) from None
+    if set(found) != set(range(len(spans))):
+        raise NoRange(Where(file))
+    return [found[k] for k in range(len(spans))]
+
+
+def _numbers(value: Any, path: tuple[str | int, ...]) -> Iterator[tuple[int, tuple[str | int, ...]]]:
+    if isinstance(value, dict | list):
+        for key, inner in value.items() if isinstance(value, dict) else enumerate(value):
+            yield from _numbers(inner, (*path, key))
+    elif type(value) is int and value >= _MARK:
+        yield value - _MARK, path
+
+
+def _range(table: Mapping[str, Any], path: tuple[str | int, ...], where: Where) -> Range:
+    try:
+        (first, unit), (last, other), (step, third) = (_sized(table.get(key, 1)) for key in ("from", "to", "step"))
+    except (InvalidOperation, ValueError):
+        raise NoRange(where) from None
+    units = {name for name in (unit, other, third) if name}
+    if len(units) > 1 or not (step > 0 and last > first and (last - first) / step < MOST):
+        raise NoRange(where)
+    return Range(path, first, step, int((last - first) / step) + 1, next(iter(units), ""))
+
+
+def _sized(value: object) -> tuple[Decimal, str]:
+    """A number and its unit. Raises ValueError, InvalidOperation."""
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        raise ValueError
+    found = _NUMBER.fullmatch(str(value))
+    if found is None or len(found[1]) > 30:
+        raise ValueError
+    number = Decimal(found[1])
+    if not abs(number) < Decimal(10) ** 12:
+        raise ValueError
+    return number, found[2]
+
+
+# --- the points -------------------------------------------------------------------------------
+
+
+def _without_points(text: str) -> str:
+    """The text without its table of points: a mechanism file has none."""
+    start = _POINTS.search(text)
+    if start is None:
+        return text
+    after = _HEADER.search(text, start.end())
+    return text[: start.start()] + (text[after.start() :] if after is not None else "")
+
+
+def _worth(points: object, document: Mapping[str, Any], where: Where) -> dict[str, float]:
+    asked = [question for question in document.get("ask", []) if isinstance(question, str)]
+    if not isinstance(points, dict):
+        raise OutOfRange(where, str(points)[:40])
+    problems: list[GraphkinError] = [
+        UnknownQuantity(where, name, tuple(asked)) for name in points if name not in asked
+    ]  # fmt: skip
+    problems += [
+        OutOfRange(where, str(worth)[:40])
+        for worth in points.values()
+        if isinstance(worth, bool) or not isinstance(worth, int | float) or not 0 <= worth < 1e6
+    ]
+    if problems:
+        raise problems[0]
+    return {question: float(points.get(question, 1.0)) for question in asked}

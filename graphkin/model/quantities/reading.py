@@ -1,0 +1,246 @@
+"""A quantity read from text: `theta 3`, `s ram`, `x E`, `path E`, `v E`, `a_x E`, `a_k B3B2`, `P13`, `omega 3/omega 1`.
+
+The one reader of what `ask`, `sweep --of`, `find` and `--limit` name.
+"""
+
+from __future__ import annotations
+
+import re
+
+from graphkin.errors import (
+    NOWHERE,
+    GraphkinError,
+    NeedsTwo,
+    NotOneOf,
+    UnknownLink,
+    UnknownPoint,
+    UnknownQuantity,
+    UnknownSlide,
+    Where,
+)
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.naming import Seen, pair, seen
+from graphkin.model.pairs import Roll, Slide
+from graphkin.model.quantities.kinds import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
+from graphkin.model.quantities.relative import has_part
+
+WORDS = (
+    "theta", "omega", "alpha", "s", "v", "a", "a_n", "a_t", "a_k", "a_r", "x", "y", "path", "v_x", "v_y", "a_x", "a_y"
+)  # fmt: skip
+SHAPE = r"\S+ \S+(?: ?/ ?\S+ \S+)?"
+"""What a quantity or a quotient looks like, as a regular expression."""
+
+_ONE = re.compile(r"(\w+) +(\S+)")
+_COMMA = r",\s*(?=[a-z]\w* |P[\w@']+\s*(?:,|$))"
+_LONGEST_FIRST = sorted(WORDS, key=len, reverse=True)
+_GREEK = {"ω": "omega", "α": "alpha", "θ": "theta", "φ": "theta"}
+_OF_TWO = ("a_n", "a_t", "a_k", "a_r")
+"""Parts of an acceleration seen from another point."""
+
+
+def named(mechanism: Mechanism, text: str, where: Where) -> Quantity:
+    """The quantity that must be there. Raises UnknownQuantity and what `read` raises."""
+    if (found := read(mechanism, text, where)) is None:
+        raise UnknownQuantity(where, text, ())
+    return found
+
+
+def read(mechanism: Mechanism, text: str, where: Where = NOWHERE) -> Quantity | None:
+    """The quantity that a text names; None for a text that is only to be shown.
+
+    Raises UnknownLink, UnknownPoint, UnknownSlide, NeedsTwo, NotOneOf for one that names something that is not there.
+    """
+    halves = [_one(mechanism, part.strip(), where) for part in text.split("/")]
+    if len(halves) == 1:
+        return halves[0]
+    if len(halves) != 2 or halves[0] is None or halves[1] is None:
+        return None
+    top, bottom = halves[0], halves[1]
+    quotable = top.unit == bottom.unit and not top.is_place and not bottom.is_place
+    return Quotient(top.text, bottom.text, top, bottom) if quotable else None
+
+
+def formed(text: str) -> bool:
+    """Whether a text is written as a quantity or a quotient is, though this mechanism may have none of it."""
+    words = [_ONE.fullmatch(half.strip()) for half in text.split("/")]
+    return len(words) <= 2 and all(found is not None and found[1] in WORDS for found in words)
+
+
+def parts(mechanism: Mechanism, text: str) -> tuple[Quantity, ...]:
+    """Every quantity that a text speaks of, though the whole may be none: both of `v C / omega 3`."""
+    return tuple(found for part in text.split("/") if (found := _quietly(mechanism, part)) is not None)
+
+
+def split(text: str) -> list[str]:
+    """The quantities of `--of`: between commas that a new one follows; `v B@guide,B@block` is one."""
+    return [part.strip() for part in re.split(_COMMA, text) if part.strip()]
+
+
+def meant(mechanism: Mechanism, question: str) -> str | None:
+    """What a text that is only shown was probably to ask: `omega 3` for `omega3`, `v C` for `v_C`."""
+    text = "".join(_GREEK.get(letter, letter) for letter in question.strip())
+    for word in (name for name in _LONGEST_FIRST if text[: len(name)].lower() == name):
+        of = text[len(word) :].lstrip(" _")
+        better = f"{word} {of}"
+        if of and " " not in of and better != question.strip() and _quietly(mechanism, better) is not None:
+            return better
+    return None
+
+
+def centre_of(mechanism: Mechanism, text: str) -> tuple[str, str] | None:
+    """The two links that `P13`, `P31` or `P1,3'` means; None for a text that means none."""
+    body = text.strip()
+    if not body.startswith("P"):
+        return None
+    called = {mechanism.called(link): link for link in mechanism.links}
+    first, comma, second = body[1:].partition(",")
+    cuts = [(first, second)] if comma else [(body[1:k], body[k:]) for k in range(2, len(body))]
+    for one, other in cuts:
+        if one.strip() in called and other.strip() in called and one.strip() != other.strip():
+            return called[one.strip()], called[other.strip()]
+    return None
+
+
+def _quietly(mechanism: Mechanism, text: str) -> Quantity | None:
+    try:
+        return read(mechanism, text)
+    except GraphkinError:
+        return None
+
+
+# --- one quantity -----------------------------------------------------------------------------
+
+
+def _one(mechanism: Mechanism, text: str, where: Where) -> Quantity | None:
+    if (links := centre_of(mechanism, text)) is not None:
+        return Centre("P", text[1:], links)
+    words = _ONE.fullmatch(text)
+    if words is None:
+        return None
+    word, of = words.groups()
+    if word not in WORDS:
+        _refuse_misspelt(mechanism, where, word, of)
+        return None
+    if word in ("theta", "omega", "alpha"):
+        return _rotation(mechanism, where, word, of)
+    if word == "s":
+        return _displacement(mechanism, where, of)
+    if word == "path":
+        return Track(word, of, _site(mechanism, where, of))
+    head, _, axis = word.rpartition("_")
+    if axis not in ("x", "y"):
+        return _moving(mechanism, where, word, of)
+    if not head:
+        return Place(word, of, axis, _site(mechanism, where, of))  # type: ignore[arg-type]
+    whole = _moving(mechanism, where, head, of)
+    return None if whole is None else Component(word, of, axis, whole)  # type: ignore[arg-type]
+
+
+def _refuse_misspelt(mechanism: Mechanism, where: Where, word: str, of: str) -> None:
+    """Raises NotOneOf for a word that is nearly one, of something that is there."""
+    import difflib
+
+    near = len(word) > 3 and difflib.get_close_matches(word, WORDS, 1, 0.7)
+    if near and (of in mechanism.links or seen(mechanism, of) is not None):
+        raise NotOneOf(where, word, WORDS)
+
+
+def _rotation(mechanism: Mechanism, where: Where, word: str, of: str) -> Rotation | None:
+    """Of a moving link; the frame's is only shown."""
+    if of not in mechanism.moving and of != mechanism.frame:
+        raise UnknownLink(where, of, mechanism.moving)
+    return Rotation(word, of, of) if of in mechanism.moving else None
+
+
+def _displacement(mechanism: Mechanism, where: Where, of: str) -> Displacement | None:
+    """Of a sliding pair, or of a wheel on a line; that of a wheel on a circle is only shown."""
+    way = {pair.name: pair.path for pair in mechanism.pairs if isinstance(pair, Slide | Roll)}
+    if of not in way:
+        raise UnknownSlide(where, of, tuple(way))
+    return Displacement("s", of, of) if way[of] is not None else None
+
+
+def _site(mechanism: Mechanism, where: Where, of: str) -> Seen:
+    site = seen(mechanism, of)
+    if site is None:
+        raise UnknownPoint(where, of, _moving_there(mechanism, of) or mechanism.points)
+    return site
+
+
+def _moving(mechanism: Mechanism, where: Where, word: str, of: str) -> Moving | None:
+    """A vector of one point or of two; a part that there is not of these two is only shown."""
+    alone, two, part = seen(mechanism, of), pair(mechanism, of), word.partition("_")[2]
+    if word in _OF_TWO:
+        if alone is not None and two is None:
+            raise NeedsTwo(where, word, of, _others(mechanism, alone, word))
+        alone = None
+    if alone is not None:
+        return Moving(word, of, alone, guide=_guide(mechanism, alone))
+    if two is None:
+        raise UnknownPoint(where, of, _meant_points(mechanism, of, word))
+    return Moving(word, of, *two, part) if has_part(mechanism, part, *two) else None
+
+
+def _guide(mechanism: Mechanism, site: Seen) -> complex | None:
+    """The direction of the frame's guide on which a point stays."""
+    for slide in mechanism.slides:
+        block = () if slide.block is None else mechanism.links[slide.block].points
+        if slide.guide == FRAME and not site.explicit and (site.point == slide.point or site.point in block):
+            return slide.line.direction
+    return None
+
+
+# --- what may have been meant -----------------------------------------------------------------
+
+
+def _meant_points(mechanism: Mechanism, of: str, word: str) -> tuple[str, ...]:
+    """What may be meant by a text that names no point: of a sliding pair or a link what moves there.
+
+    With a known point and more, coincident points there.
+    """
+    if moving := _moving_there(mechanism, of):
+        return moving
+    if word in ("a_n", "a_t"):
+        return mechanism.points
+    begun = [seen(mechanism, point) for point in mechanism.points if of.startswith(point) and of != point]
+    return tuple(name for site in begun if site for name in _others(mechanism, site, "a_k")) or mechanism.points
+
+
+def _moving_there(mechanism: Mechanism, of: str) -> tuple[str, ...]:
+    """All points of a link of this name; the point of a sliding pair, a block's as its moving guide sees it."""
+    for slide in mechanism.slides:
+        if slide.name == of:
+            moving = slide.block is not None and slide.guide != FRAME
+            return (_coincident(mechanism, slide.point, slide.block or "", slide.guide) if moving else slide.point,)
+    return mechanism.named(of) if of in mechanism.moving else ()
+
+
+def _others(mechanism: Mechanism, of: Seen, word: str) -> tuple[str, ...]:
+    """What may be meant: the point of another link under this one, or another point of the same link."""
+    if word in ("a_n", "a_t"):
+        links = [mechanism.named(link) for link in mechanism.owners[of.point] if link != FRAME]
+        return tuple(dict.fromkeys(of.point + point for points in links for point in points if point != of.point))
+    return tuple(
+        _coincident(mechanism, of.point, link, slide.guide)
+        for slide in mechanism.slides if slide.point == of.point
+        for link in ((slide.block,) if slide.block else mechanism.owners[of.point]) if link not in (FRAME, slide.guide)
+    )  # fmt: skip
+
+
+def _coincident(mechanism: Mechanism, point: str, *links: str) -> str:
+    """`P1P2`, or `P@pin,P@wheel`, as it would be read again."""
+    names = [mechanism.called(link) for link in links]
+    short = "".join(point + name for name in names)
+    both = pair(mechanism, short)
+    plain = both is not None and tuple((site.point, site.link) for site in both) == tuple((point, x) for x in links)
+    return short if plain else ",".join(f"{point}@{name}" for name in names)

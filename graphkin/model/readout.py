@@ -1,0 +1,210 @@
+"""Values read by name: what a drawing, a sweep or the analysis answers, as numbers with their unit.
+
+>>> import graphkin
+>>> drawing = graphkin.Drawing.of(graphkin.load("ex3-1"))
+>>> drawing.omega["3"], drawing.v["C"].magnitude
+(-3.91933 rad/s, 0.188128 m/s)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, assert_never
+
+import numpy as np
+
+from graphkin.base.cache import kept
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
+from graphkin.errors import GraphkinError, NoSuchName, UnknownQuantity, Where
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.quantities import Quantity, named
+from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
+from graphkin.model.units import measured
+
+__all__ = ["Readable", "State", "Table", "read_off"]
+
+_TURNS = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s^2"}
+"""Tables of links: the frame, by the name that it always has, stands still."""
+
+
+class Table(Mapping[str, Any]):
+    """Values by the name of a link, a point or a slide; a name that is not there raises KeyError and says which are."""
+
+    def __init__(self, owner: Readable, word: str) -> None:
+        self._owner, self._word = owner, word
+
+    @property
+    def _names(self) -> tuple[str, ...]:
+        mechanism = self._owner.mechanism
+        if self._word == "s":
+            return tuple(pair.name for pair in mechanism.pairs if pair.path is not None)
+        return mechanism.moving if self._word in _TURNS else mechanism.points
+
+    @property
+    def _where(self) -> Where:
+        return Where("position" if self._word == "path" else self._word)
+
+    def __getitem__(self, name: str) -> Any:
+        if name == FRAME and self._word in _TURNS:
+            return measured(0.0, _TURNS[self._word])
+        try:
+            return self._owner.quantity(f"{self._word} {name}")
+        except UnknownQuantity:
+            raise NoSuchName(self._where, str(name), self._names) from None
+        except GraphkinError as problem:
+            if isinstance(problem, KeyError) or not hasattr(problem, "possible"):
+                raise
+            raise NoSuchName(self._where, str(name), self._names) from None
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+    def __repr__(self) -> str:
+        return "{" + ", ".join(f"{name!r}: {self[name]!r}" for name in self) + "}"
+
+
+class Readable:
+    """What can be read by name: a drawing, a sweep, a state.
+
+    theta, omega, alpha   of a link: angle [rad], angular velocity [rad/s], angular acceleration [rad/s^2]
+    s                     of a named slide, or a wheel on a line: displacement [m]
+    position, x, y        of a point [m]
+    v, a                  of a point `C`, of the point of link 3 there `B3`, of one seen from another `CB`, `B3B2`:
+                          complex [m/s, m/s^2]
+    quantity(text)        whatever `ask` can name: `a_k B3B2`, `omega 1 / omega 3`, `v_x E`
+    """
+
+    if TYPE_CHECKING:
+
+        @property
+        def mechanism(self) -> Mechanism: ...
+
+    def quantity(self, text: str) -> Any:
+        raise NotImplementedError
+
+    @property
+    def theta(self) -> Table:
+        return Table(self, "theta")
+
+    @property
+    def omega(self) -> Table:
+        return Table(self, "omega")
+
+    @property
+    def alpha(self) -> Table:
+        return Table(self, "alpha")
+
+    @property
+    def s(self) -> Table:
+        return Table(self, "s")
+
+    @property
+    def position(self) -> Table:
+        return Table(self, "path")
+
+    @property
+    def x(self) -> Table:
+        return Table(self, "x")
+
+    @property
+    def y(self) -> Table:
+        return Table(self, "y")
+
+    @property
+    def v(self) -> Table:
+        return Table(self, "v")
+
+    @property
+    def a(self) -> Table:
+        return Table(self, "a")
+
+
+@frozen
+class State(Readable):
+    """Positions, velocities and accelerations at one position or at many, by one of the two roads.
+
+    source      all of it as plain tables, or what reads them off when they are first asked for
+    plot        the finished drawing, where this was drawn (`graphkin.replay`)
+    places      by text where that holds a quantity as it is: the table, the name there and the unit, or an empty table
+    """
+
+    source: Motions | Callable[[], Motions]
+    plot: Any = None
+    places: Mapping[str, tuple[str, str, str]] | None = None
+
+    @cached_property
+    def motions(self) -> Motions:
+        """All of it as plain tables."""
+        return self.source() if callable(self.source) else self.source
+
+    @property
+    def values(self) -> tuple[Any, ...]:
+        """Each driver's value, in their order [rad or m]."""
+        holding: Any = self.source if self.plot is None else self.plot.facts
+        return tuple(holding.values)
+
+    @property
+    def mechanism(self) -> Mechanism:
+        return self.motions.mechanism
+
+    def quantity(self, text: str) -> Any:
+        """Whatever `ask` can name, as a number with its unit. Raises what a wrong name raises."""
+        if self.places is not None:
+            table, name, unit = self.places[text]
+            if table:
+                value = getattr(self.plot, table)[name]
+                return measured(value if isinstance(value, np.ndarray) else value + 0, unit)  # never -0
+        return read_off(self.motions, text)
+
+    def __getitem__(self, text: str) -> Any:
+        return self.quantity(text)
+
+    def __getattr__(self, name: str) -> Any:
+        """Whatever else there is: `velocity_at`, of the analysis `condition`, of a drawing its polygons' `velocity`."""
+        if name.startswith("_"):
+            raise AttributeError(name)
+        return getattr(self.motions if hasattr(self.motions, name) else self.plot, name)
+
+    @cached_property
+    def _size(self) -> int:
+        return max((np.size(value) for value in self.values), default=1)
+
+    def __repr__(self) -> str:
+        by = "construction" if self.plot is not None else "analysis"
+        drivers = ", ".join(driver.name for driver in self.mechanism.drivers)
+        return f"<State of {self.mechanism.name} by {by}: {self._size} position(s) of {drivers}>"
+
+
+def read_off(motions: Motions, text: str) -> Any:
+    """What a text names in any motions, with its unit: of a vector the vector."""
+    quantities = _read(motions.mechanism)
+    if (quantity := quantities.get(text)) is None:
+        quantity = quantities[text] = named(motions.mechanism, text, Where("quantity"))
+    return measured(_value(quantity, motions), quantity.unit)
+
+
+@kept(4)
+def _read(mechanism: Mechanism) -> dict[str, Quantity]:
+    """Quantities of a mechanism by their texts, as far as they were read."""
+    return {}
+
+
+def _value(quantity: Quantity, motions: Motions) -> Value:
+    """Of a vector the vector alone: its size is not asked for."""
+    match quantity:
+        case Moving():
+            return quantity.vector(motions)
+        case Track():
+            return motions.position[quantity.site.point]
+        case Centre():
+            return quantity.place(motions)
+        case Component() | Displacement() | Place() | Quotient() | Rotation():
+            return quantity.answer(motions).value
+        case _:
+            assert_never(quantity)

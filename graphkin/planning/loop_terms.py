@@ -1,0 +1,197 @@
+"""A loop as relative motions: from known to known over levers, slides and driven rotations.
+
+Where links of one group follow one another (a block and its guide, a motor's two sides), all their motions
+are taken at one point, the coincident point: one link carries the lever from the far hinge to it, the others
+differ from that link there by a relative motion.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from graphkin.base.cache import kept
+from graphkin.base.value import frozen
+from graphkin.construction import Site
+from graphkin.model.mechanism import FRAME
+from graphkin.planning.stages import Loop
+from graphkin.planning.structure import Hinge, Sliding, Structure
+
+
+@frozen
+class Lever:
+    """Two points of one link."""
+
+    seen_from: Site
+    of: Site
+    known: bool
+
+
+@frozen
+class Slip:
+    """Coincident points of a sliding pair."""
+
+    seen_from: Site
+    of: Site
+    known: bool
+    slide: str
+
+
+@frozen
+class Twist:
+    """Coincident points of two links that a driver turns against each other about `pivot`."""
+
+    seen_from: Site
+    of: Site
+    known: bool
+    pivot: str
+
+
+Hop = Lever | Slip | Twist
+
+
+def halves(structure: Structure, loop: Loop) -> tuple[Site, tuple[Hop, ...], Site, tuple[Hop, ...]]:
+    """Both sides of the loop's equation: each a known site and the hops from it outward to the site sought."""
+    start, hops, end = way_round(structure, loop)
+    unknown = [k for k, hop in enumerate(hops) if not hop.known]
+    middle = _meeting(structure, hops, unknown)
+    return start, hops[:middle], end, outward(hops[middle:])
+
+
+@kept(256, objects=2)
+def way_round(structure: Structure, loop: Loop, lever: str = "") -> tuple[Site, tuple[Hop, ...], Site]:
+    """The whole loop in one direction: from a known site over all hops to a known site.
+
+    lever  the body of its group that shall carry the lever, where this is to be chosen
+    """
+    places = _places(structure, loop, lever)
+    start, end = (_edge(structure, loop, places, k) for k in (0, len(loop.joints) - 1))
+    return start, tuple(_hops(structure, loop, places)), end
+
+
+def outward(hops: tuple[Hop, ...]) -> tuple[Hop, ...]:
+    """The same hops walked from the other end."""
+    return tuple(_turned(hop) for hop in reversed(hops))
+
+
+def _places(structure: Structure, loop: Loop, lever: str = "") -> list[str]:
+    """The point at which each joint is looked at: the hinge itself; for slides the coincident point."""
+    places = [joint.point if isinstance(joint, Hinge) else "" for joint in loop.joints]
+    for first, last in _groups(structure, loop):
+        if lever in loop.bodies[first : last + 1]:
+            at = loop.bodies.index(lever)
+            for k in range(first + 1, last + 1):
+                places[k] = places[first] if k <= at else places[last + 1]
+            continue
+        wanted = structure.coincident
+        if wanted in (places[first], places[last + 1]) or any(
+            wanted in structure.bodies[body] for body in loop.bodies[first : last + 1]
+        ):
+            places[first + 1 : last + 1] = [wanted] * (last - first)
+            continue
+        inner = [loop.joints[k] for k in range(first + 1, last + 1)]
+        slide = next((joint.slide for joint in inner if isinstance(joint, Sliding)), None)
+        at_entry = slide is not None and _block_side(structure, loop, slide) == "entry"
+        place = places[first] if at_entry else places[last + 1]
+        for k in range(first + 1, last + 1):
+            places[k] = place
+    while waiting := [k for k, joint in enumerate(loop.joints) if isinstance(joint, Sliding) and not places[k]]:
+        near = ((k, place) for k in waiting if (place := _near_hinge(structure, loop, places, k)))
+        k, place = next(near, None) or _own_place(structure, loop, waiting)
+        places[k] = place
+    return places
+
+
+def _own_place(structure: Structure, loop: Loop, waiting: list[int]) -> tuple[int, str]:
+    """A joint with no hinge beside it, and its own point: a pin's first, as the circle's centre at a flat face."""
+    slides = [(k, structure.slides[joint.slide]) for k in waiting if isinstance(joint := loop.joints[k], Sliding)]
+    k, slide = min(slides, key=lambda found: found[1].block is not None)
+    return k, slide.point
+
+
+def _groups(structure: Structure, loop: Loop) -> list[tuple[int, int]]:
+    """First and last body of each run of two or more that follow one another in one unknown group."""
+    bases = [structure.base(body) for body in loop.bodies]
+    starts = [k for k in range(len(bases)) if k == 0 or bases[k] != bases[k - 1]]
+    runs = pairwise([*starts, len(bases)])
+    return [(first, end - 1) for first, end in runs if end - first > 1 and bases[first] in loop.angles]
+
+
+def _block_side(structure: Structure, loop: Loop, slide: str) -> str:
+    """Whether one comes to a slide of a group from its block's side (`entry`) or leaves to it (`exit`)."""
+    at = loop.joints.index(Sliding(slide))
+    return "entry" if loop.bodies[at - 1] == structure.block(structure.slides[slide]) else "exit"
+
+
+def _near_hinge(structure: Structure, loop: Loop, places: list[str], k: int) -> str:
+    """A hinge beside the slide spares a lever: the block's first, then the guide's, then a slide's place."""
+    joint = loop.joints[k]
+    assert isinstance(joint, Sliding)
+    before = places[k - 1] if k > 0 else ""
+    after = places[k + 1] if k + 1 < len(places) else ""
+    block = structure.block(structure.slides[joint.slide])
+    block_after = k < len(loop.bodies) and loop.bodies[k] == block
+    return (after or before) if block_after else (before or after)
+
+
+def _hops(structure: Structure, loop: Loop, places: list[str]) -> list[Hop]:
+    hops: list[Hop] = []
+    lever_bodies = _lever_bodies(structure, loop, places)
+    for k, joint in enumerate(loop.joints):
+        before = loop.bodies[k - 1] if k > 0 else _beyond(structure, joint, loop.bodies[0])
+        after = loop.bodies[k] if k < len(loop.bodies) else _beyond(structure, joint, loop.bodies[-1])
+        place = places[k]
+        if isinstance(joint, Sliding):
+            driven = joint.slide not in loop.slides
+            hops.append(Slip(Site(place, before), Site(place, after), driven, joint.slide))
+        elif 0 < k < len(loop.bodies) and _same_group(structure, loop, before, after):
+            hops.append(Twist(Site(place, before), Site(place, after), True, joint.point))
+        if k < len(loop.bodies) and places[k + 1] != place:
+            known = structure.base(after) not in loop.angles
+            assert known or after in lever_bodies
+            hops.append(Lever(Site(place, after), Site(places[k + 1], after), known))
+    return hops
+
+
+def _lever_bodies(structure: Structure, loop: Loop, places: list[str]) -> set[str]:
+    return {body for k, body in enumerate(loop.bodies) if places[k] != places[k + 1]}
+
+
+def _same_group(structure: Structure, loop: Loop, first: str, second: str) -> bool:
+    return structure.base(first) == structure.base(second) and structure.base(first) in loop.angles
+
+
+def _beyond(structure: Structure, joint: Hinge | Sliding, body: str) -> str:
+    """The known body on the far side of the loop's end joint."""
+    if isinstance(joint, Hinge):
+        return next(other for other in structure.owners[joint.point] if other != body)
+    pair = structure.slides[joint.slide]
+    return pair.guide if body != pair.guide else structure.block(pair)
+
+
+def _edge(structure: Structure, loop: Loop, places: list[str], k: int) -> Site:
+    body = loop.bodies[0] if k == 0 else loop.bodies[-1]
+    joint = loop.joints[k]
+    beyond = _beyond(structure, joint, body)
+    return Site(places[k], beyond)
+
+
+def _meeting(structure: Structure, hops: tuple[Hop, ...], unknown: list[int]) -> int:
+    """Where the two sides meet: between the unknown hops, so that each side ends in one; a driven sliding between
+    them stands on the side from which the block is seen from its guide.
+    """
+    first, second = unknown
+    for k, hop in enumerate(hops[first:second], first):
+        if isinstance(hop, Slip) and hop.known and FRAME not in (hop.seen_from.link, hop.of.link):
+            seen_from_guide = hop.of.link == structure.block(structure.slides[hop.slide])
+            return second if seen_from_guide else k
+    return second
+
+
+def _turned(hop: Hop) -> Hop:
+    match hop:
+        case Lever(seen_from, of, known):
+            return Lever(of, seen_from, known)
+        case Slip(seen_from, of, known, slide):
+            return Slip(of, seen_from, known, slide)
+        case Twist(seen_from, of, known, pivot):
+            return Twist(of, seen_from, known, pivot)

@@ -1,0 +1,204 @@
+"""A replay beside the analytic solution.
+
+`proved` is the one reader of a position for whatever is drawn or told: it replays the construction, solves the
+mechanism anew by the matrix method, and gives neither where they differ. `held` and `hold_rows` do so with numbers that
+lie side by side in arrays, at a few places of them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from functools import reduce
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from graphkin.analytic import Motion, motion
+from graphkin.base.cache import kept
+from graphkin.base.geometry import Value
+from graphkin.base.value import frozen
+from graphkin.construction import Plot
+from graphkin.errors import RoadsDiffer
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.variants import count_of, cut, single
+from graphkin.planning import Method, plan
+from graphkin.proof.readings import readings
+from graphkin.running import replay_all
+
+if TYPE_CHECKING:
+    from graphkin.running.variants import Drawn
+
+__all__ = ["AGREE", "PLACES", "Proved", "apart", "apart_each", "compare", "held", "hold_rows", "proved"]
+
+AGREE = 1e-6
+"""Results of the two roads that differ by more are not given; the tests hold them to 1e-9."""
+PLACES = 12
+"""Of many positions, or many mechanisms, both ends are held, and ten between."""
+FLAT = float(np.sin(np.radians(0.5)))
+"""Where lines meet under a smaller angle the mechanism stands at a dead point, and digits are lost."""
+
+_Largest = Callable[[Sequence[Value]], Value]
+
+
+@frozen
+class Proved:
+    """One position by both roads: the replayed construction, the analytic solution, and how far they differ."""
+
+    plot: Plot
+    exact: Motion
+    worst: float
+
+
+def proved(method: Method, values: Sequence[float] | None = None) -> Proved:
+    """The drawn position, or the one at driver `values` [rad, m], proved.
+
+    Raises RoadsDiffer where the two roads differ by more than `AGREE`, and what either road raises: dead points,
+    positions that are not reached, mechanisms that cannot be assembled.
+    """
+    plot = replay_all(method, values)
+    exact = motion(method.mechanism, plot.facts.values)
+    worst = compare(method, plot, exact)
+    if not worst < AGREE:
+        raise RoadsDiffer(method.mechanism.where("driver", 0), worst)
+    return Proved(plot, exact, worst)
+
+
+# --- numbers side by side ---------------------------------------------------------------------
+
+
+def held(method: Method, values: Sequence[Value] | None = None, compiled: bool | None = None) -> Plot:
+    """A replay, and the analysis beside it: of arrays (n,) at both ends and at ten places between, once for as far as
+    the drivers of a method go. Raises RoadsDiffer, and what single positions raise: NotReached beyond a dead point."""
+    if values is None or not any(map(np.ndim, values)):
+        _worst_at(method, None if values is None else tuple(map(float, values)))
+        return replay_all(method, values)
+    plot = replay_all(method, values, compiled)
+    if not all(map(np.size, values)):
+        return plot
+    ends = [(np.fmin.reduce(value, axis=None), np.fmax.reduce(value, axis=None)) for value in plot.facts.values]
+    known = _known(method)
+    if not known or any(end[0] < low or end[1] > high for end, (low, high) in zip(ends, known, strict=True)):
+        _hold(method, method.mechanism, plot, np.broadcast_arrays(*plot.facts.values))
+        known[:] = ends
+    return plot
+
+
+@kept(64)
+def _worst_at(method: Method, values: tuple[float, ...] | None) -> float:
+    return proved(method, values).worst
+
+
+@kept(64)
+def _known(method: Method) -> list[tuple[float, float]]:
+    """From where to where each driver was held [rad, m]; nothing yet."""
+    return []
+
+
+def hold_rows(
+    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None, found: Drawn
+) -> None:
+    """Of many mechanisms drawn at once some, each by its own analysis. Raises RoadsDiffer."""
+    from graphkin.running.variants import rows_of
+
+    count = count_of(mechanisms) if isinstance(mechanisms, Mechanism) else len(mechanisms)
+    there = np.delete(np.arange(count), [*found.refused])
+    for row in map(int, there[_spread(there.size)]):
+        own = single(mechanisms, row) if isinstance(mechanisms, Mechanism) else mechanisms[row]
+        at = None if values is None else np.broadcast_arrays(*(cut(value, row, count) for value in values))
+        _hold(method, own, rows_of(found.plot, row, Plot(found.plot.facts)), at)
+
+
+def _hold(method: Method, mechanism: Mechanism, plot: Plot, values: Sequence[np.ndarray] | None) -> None:
+    """Positions that are given, and are clear of dead points: evenly over how the drivers' values lie."""
+    from graphkin.running.variants import rows_of
+
+    if values is not None and values[0].ndim:
+        far = max(values, key=lambda value: float(np.ptp(np.nan_to_num(value))))
+        some = np.argsort(far.reshape(-1, far.shape[-1])[0])[_spread(far.shape[-1])]
+        plot, values = rows_of(plot, some, Plot(plot.facts)), [value[..., some] for value in values]
+    drawn, exact = readings(method, plot), motion(mechanism, values)
+    clear = np.minimum.reduce(np.broadcast_arrays(1.0, *plot.sines.values())) > FLAT
+    given = clear & (apart_each(mechanism, drawn, drawn) == 0)
+    worst = apart_each(mechanism, drawn, exact)
+    if values is not None and worst.ndim == 1:  # a dead point lies before it, on this way at least
+        for k in np.flatnonzero(given & np.isnan(worst)):
+            own = method if mechanism is method.mechanism else plan(mechanism)
+            there = proved(own, [float(value[k]) for value in values])
+            worst[k] = apart(mechanism, readings(method, rows_of(plot, int(k), Plot(plot.facts))), there.exact)
+    if (given & ~(worst < AGREE)).any():
+        raise RoadsDiffer(mechanism.where("driver", 0), float(np.max(np.nan_to_num(worst, nan=1.0)[given])))
+
+
+def _spread(count: int) -> np.ndarray:
+    """Both ends and ten places between, of so many."""
+    return np.unique(np.linspace(0, count - 1, PLACES).round().astype(int)) if count else np.empty(0, int)
+
+
+# --- how far they are apart -------------------------------------------------------------------
+
+
+def compare(method: Method, plot: Plot, exact: Motion) -> float:
+    """The worst relative difference between a replay and the analytic solution."""
+    return apart(method.mechanism, readings(method, plot), exact)
+
+
+def apart(mechanism: Mechanism, drawn: Motions, exact: Motions) -> float:
+    """The worst relative difference between motions found by two roads; nan where either has none.
+
+    Each kind of quantity is measured by the largest of its kind in the mechanism, or by what the lengths and
+    speeds make of it (an angular acceleration of 0 by omega^2); angles in radians.
+    """
+    with np.errstate(invalid="ignore"):  # where either is nan
+        return float(_apart(mechanism, drawn, exact, _largest))
+
+
+def apart_each(mechanism: Mechanism, drawn: Motions, exact: Motions) -> np.ndarray:
+    """The same for each of many mechanisms that lie side by side: (b,)."""
+    with np.errstate(all="ignore"):  # where either is nan
+        return np.asarray(_apart(mechanism, drawn, exact, _largest_of_each))
+
+
+def _apart(mechanism: Mechanism, drawn: Motions, exact: Motions, largest: _Largest) -> Value:
+    points = mechanism.points
+    links = {point: mechanism.owners[point][-1] for point in points}
+    velocity, right_velocity = ({p: m.velocity_at(p, links[p]) for p in points} for m in (drawn, exact))
+    acceleration, right_acceleration = ({p: m.acceleration_at(p, links[p]) for p in points} for m in (drawn, exact))
+    size, rate = _sizes(exact, right_velocity, largest)
+    pairs: list[tuple[Mapping[str, Value], Mapping[str, Value], Value]] = [
+        (drawn.omega, exact.omega, rate),
+        (drawn.alpha, exact.alpha, rate**2),
+        (drawn.s, exact.s, size),
+        (drawn.s_rate, exact.s_rate, rate * size),
+        (drawn.s_acceleration, exact.s_acceleration, rate**2 * size),
+        ({point: drawn.position[point] for point in points}, exact.position, size),
+        (velocity, right_velocity, rate * size),
+        (acceleration, right_acceleration, rate**2 * size),
+    ]
+    turned = [np.exp(1j * (drawn.theta[link] - exact.theta[link])) - 1 for link in drawn.theta]
+    return largest([largest(turned), *(_worst(*entry, largest) for entry in pairs)])
+
+
+def _sizes(exact: Motions, velocity: Mapping[str, Value], largest: _Largest) -> tuple[Value, Value]:
+    """Extent of the mechanism [m] and its fastest rotation, or speed over extent [rad/s]."""
+    places = [exact.position[point] for point in velocity]
+    size = largest([place - places[0] for place in places])
+    size = size + (size == 0)
+    return size, largest([*(v / size for v in (*velocity.values(), *exact.s_rate.values())), *exact.omega.values()])
+
+
+def _worst(drawn: Mapping[str, Value], right: Mapping[str, Value], natural: Value, largest: _Largest) -> Value:
+    size = largest([natural, *(right[name] for name in drawn)])
+    return largest([drawn[name] - right[name] for name in drawn]) / (size + (size == 0))
+
+
+def _largest(values: Sequence[Value]) -> float:
+    """The largest size of all values (nan where one is nan), 0 of none."""
+    sizes = [float(np.max(np.abs(value)) if isinstance(value, np.ndarray) else abs(value)) for value in values]
+    return math.nan if any(map(math.isnan, sizes)) else max(sizes, default=0.0)
+
+
+def _largest_of_each(values: Sequence[Value]) -> Value:
+    """The same for each mechanism."""
+    return reduce(np.maximum, map(np.abs, values), 0.0)

@@ -1,0 +1,247 @@
+"""What a mechanism is made of: links, pairs, freedoms, and its Assur groups in the order they are solved.
+
+The class of a group is that of its most complex part: II for a dyad, III for a ternary link on three legs, IV for
+two links more that close a four-sided figure. The class of the mechanism is the highest of its groups'.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from graphkin.analytic import Mobility, mobility
+from graphkin.base.value import frozen
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.naming import PairName
+from graphkin.model.pairs import Pair, Roll, pin_name, rod_name
+from graphkin.planning import Method
+from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh
+from graphkin.planning.structure import Hinge, Joint
+
+__all__ = ["Structure", "Together", "as_json", "groups", "structure"]
+
+
+@frozen
+class Together:
+    """Links that are solved together.
+
+    kind      "dyad", "triad" (by a special point), "higher" (simultaneously), "train" of gears, "wheel" that rolls
+    cls       the class: 2 and more; 1 for wheels, which are no Assur group
+    letters   a dyad's pairs in order, R and P
+    added     names of pairs whose pin, or whose link of the lower-pair equivalent, is one of the links
+    merged    two links each that a driven sliding pair holds together as one
+    point, ternary   a triad's special point, and the link on which it lies
+    """
+
+    kind: str
+    cls: int
+    links: tuple[str, ...]
+    letters: str = ""
+    point: str = ""
+    ternary: str = ""
+    added: tuple[Added, ...] = ()
+    merged: tuple[tuple[str, ...], ...] = ()
+
+
+@frozen
+class Added:
+    """A link of a group that the file does not have. kind: "block" at a point, or "rod" between two centres."""
+
+    kind: str
+    pair: PairName
+
+
+@frozen
+class Structure:
+    """What a mechanism is made of.
+
+    moving, low, high   counts of moving links, of lower and of higher pairs; rolling contacts are neither
+    rolls               each rolling contact by its links, with the freedoms it takes: no slip, and the distance kept,
+                        unless other pairs keep that
+    uncounted           how many redundant constraints the formula leaves out: distances from a track that others keep
+    mobility            degrees of freedom by rank
+    groups              in the order they are solved
+    methods             keys of the methods that the construction needs: "two points", "coincident", ..
+    """
+
+    moving: int
+    low: int
+    high: int
+    mobility: Mobility
+    groups: tuple[Together, ...]
+    methods: tuple[str, ...]
+    rolls: tuple[tuple[tuple[str, ...], int], ...] = ()
+    uncounted: int = 0
+
+    @property
+    def rolled(self) -> int:
+        return sum(taken for _, taken in self.rolls)
+
+    @property
+    def repeated(self) -> int:
+        """Redundant constraints; a rack against its pinion is like two gears, whose distance is nobody's constraint."""
+        alone = sum(taken == 1 for _, taken in self.rolls) - self.uncounted
+        return self.mobility.repeated - alone
+
+    @property
+    def formula(self) -> int:
+        """F = 3 n - 2 p_l - p_h, less what rolling contacts take."""
+        return 3 * self.moving - 2 * self.low - self.high - self.rolled
+
+    @property
+    def cls(self) -> int:
+        return max((group.cls for group in self.groups), default=1)
+
+
+def structure(method: Method) -> Structure:
+    """A pin in a slot, a cam pair and a gear pair take one freedom; rolling contact one, or two."""
+    mechanism = method.mechanism
+    others = [pair for pair in mechanism.pairs if not isinstance(pair, Roll)]
+    low = sum(len(hinge.links) - 1 for hinge in mechanism.hinges) + sum(pair.lower for pair in others)
+    high = sum(not pair.lower for pair in others)
+    return Structure(
+        len(mechanism.moving), low, high, mobility(mechanism),
+        groups(method), tuple(_methods(method)), tuple(_rolls(method)), _uncounted(method),
+    )  # fmt: skip
+
+
+def _rolls(method: Method) -> Iterator[tuple[tuple[str, ...], int]]:
+    """Each rolling contact; other pairs keep its distance where neither a path nor a rod stands for it."""
+    mechanism, structure = method.mechanism, method.structure
+    kept = {slide.name for slide in structure.joining if slide.stands_for is not None}
+    for pair in mechanism.pairs:
+        if isinstance(pair, Roll):
+            alone = pair.name in kept or rod_name(pair) in structure.bodies
+            yield tuple(mechanism.called(link) for link in pair.joins), 2 if alone else 1
+
+
+def _uncounted(method: Method) -> int:
+    return sum(each.part == "line" and each.pair[0] == Roll.table for each in method.aside)
+
+
+def groups(method: Method) -> tuple[Together, ...]:
+    """The groups in the order they are solved."""
+    return tuple(_groups(method))
+
+
+def _groups(method: Method) -> Iterator[Together]:
+    """Driven links are Class I by themselves and make no group."""
+    for stage in method.stages:
+        match stage:
+            case Loop():
+                yield _dyad(method, stage)
+            case Group() if not stage.loops:
+                yield Together("train", 1, _named(method, stage.angles))
+            case Group() if len(stage.loops) == 1 and not stage.contacts and not stage.bodies:  # it floats
+                yield _dyad(method, stage.loops[0])
+            case Group():
+                yield _group(method, stage)
+            case Mesh():
+                yield Together("wheel", 1, tuple(method.mechanism.called(wheel) for wheel in stage.contact.wheels))
+            case Carry() | Bridge():
+                pass
+
+
+def _dyad(method: Method, stage: Loop) -> Together:
+    """Two links; one that only translates on the other, hinged to the rest, is none of the loop's unknowns."""
+    letters = [_letter(method, joint) for joint in stage.joints]
+    bodies = stage.bodies
+    if len(bodies) == 1:
+        ends = [_far_end(method, joint, bodies[0]) for joint in stage.joints]
+        k = next(k for k, end in enumerate(ends) if end != FRAME)
+        bodies, letters[k] = (*bodies, ends[k]), "RP" if k == 0 else "PR"
+    merged = tuple(_merged(method, stage))
+    return Together("dyad", 2, _named(method, bodies), "".join(letters), added=_added(method, bodies), merged=merged)
+
+
+def _far_end(method: Method, joint: Joint, body: str) -> str:
+    """The other body of a sliding pair."""
+    if isinstance(joint, Hinge):
+        return FRAME
+    slide = method.structure.slides[joint.slide]
+    ends = (slide.guide, method.structure.block(slide))
+    return ends[0] if ends[1] == body else ends[1]
+
+
+def _group(method: Method, stage: Group) -> Together:
+    links, added, merged = _named(method, stage.bodies), _added(method, stage.bodies), tuple(_merged(method, stage))
+    if (found := method.ternaries.get(stage)) is not None:
+        return Together("triad", 3, links, point=found.name, ternary=found.link, added=added, merged=merged)
+    cls = 4 if len(stage.loops) == 2 and not stage.contacts else 3 + len(stage.loops) - 1
+    return Together("higher", min(cls, 5), links, added=added, merged=merged)
+
+
+def _letter(method: Method, joint: Joint) -> str:
+    """R for a hinge, P for a sliding pair; a driven one counts as rigid."""
+    if isinstance(joint, Hinge):
+        owners = method.mechanism.owners.get(joint.point, ())
+        return "" if any({*pair} <= {*owners} for pair in _turned(method)) else "R"
+    return "" if joint.slide in method.structure.slides_driven else "P"
+
+
+def _named(method: Method, bodies: tuple[str, ...]) -> tuple[str, ...]:
+    """Links of the file; blocks that stand for pins and links of an equivalent are none."""
+    return tuple(body for body in bodies if body in method.mechanism.links and body != FRAME)
+
+
+def _added(method: Method, bodies: tuple[str, ...]) -> tuple[Added, ...]:
+    """Pins in slots, and links that stand for a cam pair or hold a rolling wheel."""
+    structure, found = method.structure, list[Added]()
+    made = {name(pair): pair for name in (pin_name, rod_name) for pair in method.mechanism.pairs}
+    for body in bodies:
+        if not structure.is_link(body) and body in made:
+            found.append(Added("block" if structure.is_pin(body) else "rod", _number(method.mechanism, made[body])))
+    return tuple(found)
+
+
+def _number(mechanism: Mechanism, pair: Pair) -> PairName:
+    return pair.table, [each for each in mechanism.pairs if each.table == pair.table].index(pair)
+
+
+def _merged(method: Method, stage: Loop | Group) -> Iterator[tuple[str, ...]]:
+    """A cylinder and its rod are one link while the displacement is given, as two links with a motor between are."""
+    structure = method.structure
+    driven = [slide for slide in structure.joining if slide.name in structure.slides_driven]
+    pairs = [*((slide.guide, structure.block(slide)) for slide in driven), *_turned(method)]
+    yield from (_named(method, pair) for pair in pairs if {*pair} <= {*stage.bodies})
+
+
+def _turned(method: Method) -> list[tuple[str, str]]:
+    """Two moving links each whose angle to each other is driven."""
+    drivers = method.mechanism.drivers
+    return [(d.from_link, d.link) for d in drivers if d.kind != "slide" and d.from_link != FRAME]
+
+
+def _methods(method: Method) -> Iterator[str]:
+    terms = [term for equation in method.acceleration.equations for term in equation.left + equation.right]
+    if any(term.part == "t" and not term.over for term in terms):
+        yield "two points"
+    if any(term.part == "k" for term in terms):
+        yield "coincident"
+    if method.ternaries:
+        yield "special"
+    groups = [stage for stage in method.stages if isinstance(stage, Group)]
+    if any(stage not in method.ternaries for stage in groups):
+        yield "together"
+    if any(pair.rolling is not None for pair in method.mechanism.pairs):
+        yield "rolling"
+    if any(pair.equivalent is not None and pair.rolling is None for pair in method.mechanism.pairs):
+        yield "lower"
+
+
+def as_json(method: Method) -> dict[str, Any]:
+    """What `structure --json` prints."""
+    mechanism, found = method.mechanism, structure(method)
+    groups = [
+        {"kind": group.kind, "class": group.cls, "links": list(group.links)}
+        | ({"letters": group.letters} if group.letters else {})
+        | ({"point": group.point, "ternary": group.ternary} if group.point else {})
+        for group in found.groups
+    ]
+    return {
+        "format": 1, "name": mechanism.name, "links": list(mechanism.moving), "frame": mechanism.frame,
+        "lower_pairs": found.low, "higher_pairs": found.high, "formula": found.formula,
+        "freedoms": found.mobility.freedoms,
+        "drivers": [driver.name for driver in mechanism.drivers], "class": found.cls, "groups": groups,
+        "methods": list(found.methods),
+    }  # fmt: skip

@@ -1,0 +1,288 @@
+"""Around a link's pole: acceleration pole, inflection and return circles, centres of curvature of its points' paths.
+
+With the pole P, the acceleration a_P of the link's point at P, and omega, all lies ready: the pole moves along the
+centrodes with u = i a_P / omega, the points whose paths are straight at this instant lie on the circle over the vector
+a_P / omega^2 from P as its diameter (inflection circle), and every centre of curvature follows by Euler-Savary.
+Source: theoretical mechanics (instant centre of acceleration); Euler-Savary equation, Bobillier: theory of machines.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+from functools import cached_property
+
+import numpy as np
+
+from graphkin.base.geometry import cross, dot
+from graphkin.base.tolerances import STILL
+from graphkin.base.value import frozen
+from graphkin.construction import Plot, replay
+from graphkin.construction.drafting import INFINITE
+from graphkin.errors import UnknownLink, UnknownPoint, Where
+from graphkin.errors.centring import FrameStands
+from graphkin.model.mechanism import FRAME
+from graphkin.proof.readings import readings
+from graphkin.studies.centres.instant_centres import Centres
+
+INFINITY = complex(math.inf)
+NOWHERE = complex(math.nan, math.nan)
+WHERE = Where("--about")
+
+
+@frozen
+class Circle:
+    """A circle [m]; a point where its radius is 0."""
+
+    centre: complex
+    radius: float
+
+
+@frozen
+class InflectionLine:
+    """A line through a point [m] in a direction (unit vector): what becomes of a circle that is infinitely large."""
+
+    through: complex
+    direction: complex
+
+
+@frozen
+class CarriedPoint:
+    """A point carried by a link: place [m], velocity [m/s], acceleration [m/s^2], centre of curvature of its path [m].
+
+    centre  infinite where the path is straight at this instant, NaN where the point stands still
+    """
+
+    place: complex
+    velocity: complex
+    acceleration: complex
+    centre: complex
+
+    @property
+    def radius(self) -> float:
+        """Radius of curvature of the path [m]; infinite or NaN as the centre is."""
+        return math.inf if cmath.isinf(self.centre) else abs(self.centre - self.place)
+
+
+@frozen
+class About:
+    """A link at one instant, seen about its pole.
+
+    plot     the position with all three planes drawn
+    base     place, velocity and acceleration of one point of the link [m, m/s, m/s^2]
+    omega, alpha  [rad/s, rad/s^2]; 0 where they are 0 but for rounding
+    names    points whose motion is asked for
+    assumed  no driver moves, so that each was taken to move at 1 rad/s (1 m/s)
+    """
+
+    found: Centres
+    plot: Plot
+    link: str
+    base: tuple[complex, complex, complex]
+    omega: float
+    alpha: float
+    names: tuple[str, ...]
+    assumed: bool
+
+    @property
+    def called(self) -> str:
+        """What people call the link."""
+        return self.found.method.mechanism.called(self.link)
+
+    @cached_property
+    def size(self) -> float:
+        """The mechanism's size [m]."""
+        return self.found.board.size
+
+    # --- the poles ----------------------------------------------------------------------------
+
+    @cached_property
+    def pole(self) -> complex:
+        """P, where the link has no velocity [m]; infinite in translation, NaN where a link at rest shows none."""
+        place, velocity, _ = self.base
+        if self.omega:
+            return place + 1j * velocity / self.omega
+        return INFINITY if velocity else complex(self.found.place(FRAME, self.link))
+
+    @property
+    def towards(self) -> complex:
+        """The direction (unit vector) in which a pole at infinity lies; NaN where it is not at infinity."""
+        velocity = self.base[1]
+        if not cmath.isinf(self.pole):
+            return NOWHERE
+        if velocity:
+            return 1j * velocity / abs(velocity)
+        return cmath.rect(1.0, float(self.found.direction(FRAME, self.link)))
+
+    @property
+    def moves(self) -> bool:
+        """Whether the link moves at this instant."""
+        return bool(self.omega or self.base[1])
+
+    @cached_property
+    def acceleration_pole(self) -> complex | None:
+        """J, where the link has no acceleration [m]; None where omega and alpha are 0."""
+        place, _, acceleration = self.base
+        turn = self._turn
+        return place - acceleration / turn if turn else None
+
+    @property
+    def _turn(self) -> complex:
+        """What the vector from J to a point is multiplied by to give its acceleration."""
+        return 1j * self.alpha - self.omega**2
+
+    # --- the circles --------------------------------------------------------------------------
+
+    @cached_property
+    def diameter(self) -> complex | None:
+        """From P to the inflection pole, a_P / omega^2 [m]; 0 for a link that turns about a fixed point.
+
+        None where omega is 0.
+        """
+        if not self.omega:
+            return None
+        place, _, acceleration = self.base
+        found = (acceleration + self._turn * (self.pole - place)) / self.omega**2
+        return found if abs(found) > INFINITE * (self.size + abs(self.pole - place)) else 0j
+
+    @property
+    def pole_velocity(self) -> complex | None:
+        """u, with which the pole changes along the centrodes [m/s]; None where omega is 0."""
+        return None if self.diameter is None else 1j * self.omega * self.diameter
+
+    @property
+    def tangent(self) -> complex | None:
+        """The pole tangent's direction, that of u; None where the pole stays, or is at infinity."""
+        return 1j * self.normal if self.normal is not None else None
+
+    @property
+    def normal(self) -> complex | None:
+        """The pole normal's direction, from P to the inflection pole."""
+        return self.diameter / abs(self.diameter) if self.diameter else None
+
+    @cached_property
+    def inflection(self) -> Circle | InflectionLine | None:
+        """The inflection circle: points whose paths are straight at this instant. A line in translation.
+
+        None where no point, or where every point has such a path.
+        """
+        if self.diameter is not None:
+            return Circle(self.pole + self.diameter / 2, abs(self.diameter) / 2)
+        place, velocity, acceleration = self.base
+        if not velocity or not self.alpha:
+            return None
+        along = velocity / abs(velocity)
+        return InflectionLine(place - along * float(cross(along, acceleration)) / self.alpha, 1j * along)
+
+    @property
+    def returning(self) -> Circle | None:
+        """The return circle: the inflection circle's mirror image in the pole tangent."""
+        if self.diameter is None:
+            return None
+        return Circle(self.pole - self.diameter / 2, abs(self.diameter) / 2)
+
+    # --- points -------------------------------------------------------------------------------
+
+    def carried(self, place: complex) -> CarriedPoint:
+        """The point of the link's plane that lies at a place [m]."""
+        start, velocity, acceleration = self.base
+        arm = place - start
+        return self._moved(place, velocity + 1j * self.omega * arm, acceleration + self._turn * arm)
+
+    @cached_property
+    def points(self) -> Mapping[str, CarriedPoint]:
+        """The points asked for, as points of the link."""
+        motions = readings(self.found.method, self.plot)
+        found: dict[str, CarriedPoint] = {}
+        for name in self.names:
+            velocity, acceleration = motions.velocity_at(name, self.link), motions.acceleration_at(name, self.link)
+            found[name] = self._moved(complex(self.plot.position[name]), complex(velocity), complex(acceleration))
+        return found
+
+    def _moved(self, place: complex, velocity: complex, acceleration: complex) -> CarriedPoint:
+        speed = abs(velocity)
+        if speed <= STILL * _pace(self.found, self.plot) * self.size:
+            return CarriedPoint(place, velocity, acceleration, place if self.diameter else NOWHERE)
+        curvature = float(cross(velocity, acceleration)) / speed**3
+        if abs(curvature) * self.size <= INFINITE:
+            return CarriedPoint(place, velocity, acceleration, INFINITY)
+        return CarriedPoint(place, velocity, acceleration, place + 1j * velocity / speed / curvature)
+
+    def savary(self, place: complex) -> complex:
+        """The centre of curvature of the path of a point by the inflection circle alone (Euler-Savary) [m].
+
+        NaN where the pole is at infinity.
+        """
+        return NOWHERE if self.diameter is None else euler_savary(self.pole, self.diameter, place)
+
+
+def euler_savary(pole: complex, diameter: complex, place: complex) -> complex:
+    """PA^2 = AK AJ, all on the ray from the pole P through the point A; J is where it meets the inflection circle.
+
+    diameter  from P to the inflection pole [m]. Infinite where A lies on the circle.
+    """
+    ray = place - pole
+    if ray == 0:
+        return place
+    away = abs(ray)
+    ray /= away
+    on = float(dot(ray, diameter))
+    if abs(on - away) <= INFINITE * (away + abs(diameter)):
+        return INFINITY
+    return place + ray * away**2 / (on - away)
+
+
+def about(found: Centres, link: str, points: Collection[str] = ()) -> About:
+    """A moving link about its pole, at the one position of `found`.
+
+    link    its name; points whose motion is wanted, any of the mechanism; all of the link's own where left out
+
+    Raises FrameStands, UnknownLink, UnknownPoint.
+    """
+    machine = found.method.mechanism
+    link, plot = link_of(found, link), _accelerated(found)
+    if link == FRAME:
+        raise FrameStands(WHERE, machine.frame)
+    for name in points:
+        if name not in machine.points:
+            raise UnknownPoint(WHERE, name, machine.points)
+    own = next(point for point in machine.links[link].points if point in plot.position)
+    named = tuple(points) or machine.named(link)
+    place, motion = complex(plot.position[own]), _motion(found, plot, link, own)
+    assumed = not any(driver.rate for driver in found.method.drivers)
+    return About(found, plot, link, (place, *motion[:2]), *motion[2:], named, assumed)
+
+
+def link_of(found: Centres, called: str, where: Where = WHERE) -> str:
+    """A link's own name from what people call it. Raises UnknownLink."""
+    machine = found.method.mechanism
+    names = {machine.called(link): link for link in machine.links} | {link: link for link in machine.links}
+    if called not in names:
+        raise UnknownLink(where, called, tuple(machine.called(link) for link in machine.links))
+    return names[called]
+
+
+def _accelerated(found: Centres) -> Plot:
+    """The plot with its accelerations drawn anew: speeds may have been assumed since they were."""
+    return replay(found.method.acceleration, replace(found.plot, acceleration={}, alpha={}, s_acceleration={}))
+
+
+def _motion(found: Centres, plot: Plot, link: str, point: str) -> tuple[complex, complex, float, float]:
+    """Velocity and acceleration of a point of the link, omega and alpha; what is 0 but for rounding as 0."""
+    motions, size, pace = readings(found.method, plot), found.board.size, _pace(found, plot)
+    velocity, omega = complex(motions.velocity_at(point, link)), float(plot.omega[link])
+    acceleration, alpha = complex(motions.acceleration_at(point, link)), float(plot.alpha[link])
+    if abs(omega) <= STILL * pace:
+        omega = 0.0
+        velocity = velocity if abs(velocity) > STILL * pace * size else 0j
+    change = pace**2 + max(abs(float(value)) for value in plot.alpha.values())
+    return velocity, acceleration, omega, alpha if abs(alpha) > STILL * change else 0.0
+
+
+def _pace(found: Centres, plot: Plot) -> float:
+    """The fastest motion [rad/s], slides counted by the mechanism's size."""
+    turning = [abs(float(value)) for value in plot.omega.values()]
+    sliding = [abs(complex(value)) / found.board.size for value in plot.velocity.values()]
+    return float(np.max([*turning, *sliding, 1e-300]))

@@ -1,0 +1,226 @@
+"""Bobillier's construction: from two guided points of a link, the centre of curvature of any third point's path.
+
+The pole tangent makes with one ray of the pole the angle that the other ray makes with the collineation axis. So the
+axis of two other points is the known one turned as their rays are turned: an angle is carried over, and lines cross.
+A guided point whose centre lies at infinity (a slider) is no exception.
+Source: theory of machines, Euler-Savary and Bobillier.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cached_property
+from itertools import permutations
+
+import numpy as np
+
+from graphkin.base.geometry import cross
+from graphkin.base.value import frozen
+from graphkin.construction.drafting import (
+    INFINITE,
+    Board,
+    CarriedAngle,
+    Drafting,
+    Far,
+    Meet,
+    Pricked,
+    Stage,
+    Through,
+    replay,
+)
+from graphkin.errors.centring import NoBobillier
+from graphkin.model.mechanism import FRAME
+from graphkin.studies.centres.about import About
+from graphkin.studies.centres.search import CLEAR
+
+
+@frozen
+class Guided:
+    """A point of the link whose path's centre of curvature is known: a pivot, or at infinity across a guide.
+
+    centre  homogeneous (3,) [m]; written  the centre's letter
+    measured  the centre was found from velocity and acceleration, nothing guides the point itself
+    pivoted  the centre is a point of the mechanism
+    """
+
+    point: str
+    written: str
+    place: complex
+    centre: tuple[float, float, float]
+    measured: bool = False
+    pivoted: bool = False
+
+
+@frozen
+class Bobillier:
+    """The construction, and the letters of what it gives.
+
+    guides   the two points it starts from
+    point, answer  the point and its centre of curvature; pole, crossings: the letters of P, and of Q and the second Q
+    """
+
+    construction: Drafting
+    guides: tuple[Guided, Guided]
+    point: str
+    pole: str
+    crossings: tuple[str, str]
+    answer: str
+
+    @cached_property
+    def board(self) -> Board:
+        """Every point and line."""
+        return replay(self.construction)
+
+    @property
+    def centre(self) -> complex:
+        """The centre of curvature [m]; infinite where the path is straight."""
+        return complex(self.board.at(self.answer))
+
+
+# --- which points are guided ------------------------------------------------------------------
+
+
+def guided(seen: About) -> list[Guided]:
+    """Points of the link that a pivoted link, a fixed guide or a wheel on a fixed track leads; then measured ones."""
+    found = {entry.point: entry for entry in (*_led(seen), *_measured(seen))}
+    return sorted(found.values(), key=lambda entry: entry.measured)
+
+
+def _led(seen: About) -> Iterator[Guided]:
+    machine, position = seen.found.method.mechanism, seen.plot.position
+    for link, written, centre in _leads(seen):
+        for point in machine.links[link].points:
+            if link != seen.link and point in machine.links[seen.link].points and point in position:
+                yield Guided(point, written or f"{point}0", complex(position[point]), centre, pivoted=bool(written))
+    for slide in machine.slides:
+        if slide.guide == FRAME and slide.point in machine.links[seen.link].points:
+            across = 1j * complex(seen.plot.guide_direction(slide.name))
+            centre = across.real, across.imag, 0.0
+            yield Guided(slide.point, f"{slide.point}0", complex(position[slide.point]), centre)
+
+
+def _leads(seen: About) -> Iterator[tuple[str, str, tuple[float, float, float]]]:
+    """Links that turn about a fixed point, or slide along a fixed line: link, the centre's letter, the centre."""
+    plot, centring = seen.plot, seen.found.centring
+    for stage in centring.stages:
+        step, links = stage.last, centring.links[stage.last.name]
+        if FRAME not in links:
+            continue
+        link = next(name for name in links if name != FRAME)
+        if isinstance(step, Pricked) and stage.say == "hinge" and step.point in plot.position:
+            pivot = complex(plot.position[step.point])
+            yield link, step.point, (pivot.real, pivot.imag, 1.0)
+        elif isinstance(step, Far):
+            across = 1j * complex(plot.guide_direction(step.line))
+            yield link, "", (across.real, across.imag, 0.0)
+
+
+def _measured(seen: About) -> Iterator[Guided]:
+    """The link's other points, their centres from velocity and acceleration."""
+    machine = seen.found.method.mechanism
+    led = {entry.point for entry in _led(seen)}
+    for point in machine.links[seen.link].points:
+        if point in led or point not in seen.plot.position:
+            continue
+        carried = seen.carried(complex(seen.plot.position[point]))
+        across = 1j * carried.velocity
+        centre = (across.real, across.imag, 0.0) if np.isinf(carried.centre) else _finite(carried.centre)
+        yield Guided(point, f"{point}0", carried.place, centre, measured=True)
+
+
+def _finite(place: complex) -> tuple[float, float, float]:
+    return place.real, place.imag, 1.0
+
+
+# --- the construction -------------------------------------------------------------------------
+
+
+def bobillier(seen: About, point: str | complex) -> Bobillier:
+    """The construction for a point of the mechanism, or for a place [m] of the link's plane.
+
+    Raises NoBobillier where the pole is a fixed point or at infinity, where the link is at rest or the point at the
+    pole, and where the guided points lie on one ray.
+    """
+    letters = _Letters(seen)
+    place = complex(seen.plot.position[point]) if isinstance(point, str) else complex(point)
+    letter = point if isinstance(point, str) else letters.free("C")
+    _refuse(seen, place)
+    first, second = (replace(entry, written=letters.of_centre(entry)) for entry in _pair(seen, place))
+    known = {entry.point: _finite(entry.place) for entry in (first, second)} | {letter: _finite(place)}
+    known |= {first.written: first.centre, second.written: second.centre}
+    pole, q, qc, answer = (letters.free(name) for name in ("P", "Q", f"Q_{letter}", f"K_{letter}"))
+    stages = tuple(_stages(first, second, letter, pole, (q, qc), answer))
+    return Bobillier(Drafting({}, stages, known), (first, second), letter, pole, (q, qc), answer)
+
+
+@frozen
+class _Letters:
+    """Letters that no point of the mechanism has."""
+
+    seen: About
+
+    def free(self, letter: str) -> str:
+        """The letter, or with primes."""
+        while letter in self.seen.found.method.mechanism.owners:
+            letter += "'"
+        return letter
+
+    def of_centre(self, entry: Guided) -> str:
+        """A pivot keeps its own letter."""
+        return entry.written if entry.pivoted else self.free(entry.written)
+
+
+def _refuse(seen: About, place: complex) -> None:
+    reason = ""
+    if seen.diameter is None:
+        reason = "translation" if seen.moves else "rest"
+    elif not seen.diameter:
+        reason = "pivot"
+    elif abs(place - seen.pole) <= INFINITE * seen.size:
+        reason = "cusp"
+    if reason:
+        raise NoBobillier(seen.found.method.mechanism.where("links", seen.link), seen.called, reason)
+
+
+def _pair(seen: About, place: complex) -> tuple[Guided, Guided]:
+    """Two guided points on different rays, the first on another ray than the point; guides before measured ones."""
+    near = INFINITE * seen.size
+    able = [entry for entry in guided(seen) if abs(entry.place - seen.pole) > near or not entry.measured]
+    best: tuple[tuple[bool, float], tuple[Guided, Guided]] | None = None
+    for first, second in permutations(able, 2):
+        clear = _clear(seen, first, second, place)
+        worth = not (first.measured or second.measured), round(min(clear, 0.3), 6)
+        if clear > CLEAR and (best is None or worth > best[0]):
+            best = worth, (first, second)
+    if best is None:
+        raise NoBobillier(seen.found.method.mechanism.where("links", seen.link), seen.called, "line")
+    return best[1]
+
+
+def _clear(seen: About, first: Guided, second: Guided, place: complex) -> float:
+    """How far the rays are from being one, and the first point from the pole, where its lines would say nothing."""
+    out = (place - seen.pole) / abs(place - seen.pole)
+    rays = abs(cross(_ray(first), _ray(second))), abs(cross(_ray(first), out))
+    return float(min(*rays, abs(first.place - seen.pole) / seen.size))
+
+
+def _ray(entry: Guided) -> complex:
+    """The direction of the ray through a guided point and its centre."""
+    x, y, w = entry.centre
+    along = complex(x, y) - w * entry.place
+    return along / abs(along)
+
+
+def _stages(
+    first: Guided, second: Guided, c: str, pole: str, crossings: tuple[str, str], answer: str
+) -> Iterator[Stage]:
+    a, b, a0, b0 = first.point, second.point, first.written, second.written
+    q, qc = crossings
+    yield Stage("P", (Through("ray a", a, a0), Through("ray b", b, b0), Meet(pole, "ray a", "ray b")))
+    yield Stage("Q", (Through("line ab", a, b), Through("line a0b0", a0, b0), Meet(q, "line ab", "line a0b0")))
+    yield Stage("axis", (Through("axis", pole, q),))
+    yield Stage("ray c", (Through("ray c", pole, c),))
+    yield Stage("axis c", (CarriedAngle("axis c", pole, "axis", "ray b", "ray c"),))
+    yield Stage("Qc", (Through("line ac", a, c), Meet(qc, "line ac", "axis c")))
+    yield Stage("K", (Through("line a0qc", a0, qc), Meet(answer, "line a0qc", "ray c")))

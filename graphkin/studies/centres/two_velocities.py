@@ -1,0 +1,127 @@
+"""The pole of a body from the velocities of two of its points: the three ways of the textbook.
+
+Source: course notes on instant centres; Sun Huan, 机械原理, section 3-2.2; velocity projection theorem.
+"""
+
+from __future__ import annotations
+
+import cmath
+import re
+from collections.abc import Sequence
+from typing import Literal
+
+from graphkin.base.geometry import cross, dot
+from graphkin.base.value import frozen
+from graphkin.errors import GraphkinError, Where
+from graphkin.errors.centring import BadVelocities, NotOneBody, OnePlace
+from graphkin.files.units import read_quantity
+
+Case = Literal["meet", "infinity", "similar", "point", "rest"]
+
+WHERE = Where("--velocities")
+RIGID = 1e-3
+"""Components along the joining line may differ by this part of the greater velocity: figures of four digits do."""
+PARALLEL = 1e-6
+
+
+@frozen
+class TwoVelocities:
+    """A body's pole, from two points [m] and their velocities [m/s].
+
+    case   how it is found: perpendiculars "meet"; equal and parallel velocities: at "infinity"; parallel and unequal
+           ones: "similar" triangles; one "point" stands still and is the pole; both are at "rest", no pole is seen
+    place  the pole [m]; infinite at infinity, NaN at rest
+    omega  angular velocity [rad/s]
+    """
+
+    names: tuple[str, str]
+    points: tuple[complex, complex]
+    velocities: tuple[complex, complex]
+    case: Case
+    place: complex
+    omega: float
+
+    @property
+    def direction(self) -> float | None:
+        """Where the pole lies if it is at infinity [rad], in (-pi/2, pi/2]; None where it is not."""
+        if self.case != "infinity":
+            return None
+        angle = cmath.phase(1j * self.velocities[0])
+        half = cmath.pi / 2
+        return angle - cmath.pi if angle > half else angle + cmath.pi if angle <= -half else angle
+
+    @property
+    def fastest(self) -> tuple[complex, complex]:
+        """The point with the greater velocity, and that."""
+        return max(zip(self.points, self.velocities, strict=True), key=lambda entry: abs(entry[1]))
+
+    @property
+    def arm(self) -> complex:
+        """From the pole to that point [m]."""
+        return self.fastest[0] - self.place
+
+
+def pole_of(
+    points: Sequence[complex], velocities: Sequence[complex], names: Sequence[str] = ("A", "B"), where: Where = WHERE
+) -> TwoVelocities:
+    """The pole of a rigid body from two points [m] and their velocities [m/s].
+
+    Raises OnePlace where the points coincide, NotOneBody where the components along their line differ.
+    """
+    (a, b), (va, vb), (first, second) = points, velocities, names
+    if abs(b - a) <= 1e-12 * max(abs(a), abs(b), 1e-9):
+        raise OnePlace(where, first, second)
+    along, fastest = (b - a) / abs(b - a), max(abs(va), abs(vb))
+    one, other = float(dot(along, va)), float(dot(along, vb))
+    if abs(one - other) > RIGID * fastest:
+        raise NotOneBody(where, first, second, one, other)
+    omega = float(cross(along, vb - va)) / abs(b - a)
+    if abs(vb - va) <= PARALLEL * fastest:
+        omega = 0.0
+    place = a + 1j * va / omega if omega else complex(cmath.inf if fastest else cmath.nan)
+    return TwoVelocities((first, second), (a, b), (va, vb), _case(va, vb, omega), place, omega)
+
+
+def _case(va: complex, vb: complex, omega: float) -> Case:
+    fastest = max(abs(va), abs(vb))
+    if fastest == 0:
+        return "rest"
+    if omega == 0:
+        return "infinity"
+    if min(abs(va), abs(vb)) <= PARALLEL * fastest:
+        return "point"
+    return "similar" if abs(cross(va, vb)) <= PARALLEL * abs(va) * abs(vb) else "meet"
+
+
+def from_text(text: str) -> TwoVelocities:
+    """The pole from `A 0,0 1,0.5; B 100,0 1,-0.2`: names, places [mm] and velocities [m/s], units may be written.
+
+    Raises BadVelocities, and what `pole_of` raises; errors of units at `--velocities`.
+    """
+    entries = [entry for entry in re.split("[;；]", text) if entry.strip()]
+    if len(entries) != 2:
+        raise BadVelocities(WHERE, text)
+    (first, a, va), (second, b, vb) = (_entry(entry, text) for entry in entries)
+    if first == second:
+        raise BadVelocities(WHERE, text)
+    return pole_of((a, b), (va, vb), (first, second))
+
+
+def _entry(entry: str, text: str) -> tuple[str, complex, complex]:
+    """One point: its name, place and velocity."""
+    words = re.fullmatch(r"([^\W\d_][\w']*)[\s:：]+(\S+)\s*[,，]\s*(\S+)\s+(\S+)\s*[,，]\s*(\S+)", entry.strip())
+    if words is None:
+        raise BadVelocities(WHERE, text)
+    try:
+        x, y = (read_quantity(_number(word), "length") for word in words.groups()[1:3])
+        across, up = (read_quantity(_number(word), "velocity") for word in words.groups()[3:])
+    except GraphkinError as error:
+        raise error.at(WHERE) from None
+    return words[1], complex(x, y), complex(across, up)
+
+
+def _number(word: str) -> float | str:
+    try:
+        return float(word)
+    except ValueError:
+        return word

@@ -1,0 +1,157 @@
+"""Another link as frame: the same links and pairs at the same position, seen from another of them.
+
+The same pair stays driven. Where it does not lie at the new frame, the motor rides on a moving link and the
+driver's angle is counted from that link.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+
+from graphkin.analytic import Motion, motion
+from graphkin.errors import NoFixing
+from graphkin.model.mechanism import FRAME, Driver, Mechanism
+from graphkin.model.pairs import Slide
+from graphkin.studies.linkages.assembled import Places, ahead_on, assembled, drawn_line, free_names
+
+
+def inverted(mechanism: Mechanism, link: str) -> Mechanism:
+    """The mechanism, without a title, with another link (as people call it) held fast.
+
+    Positions stay where they are drawn; the old frame becomes a moving link of its own name. Mechanisms with gears,
+    rolling or cams are not inverted. Raises NoFixing.
+    """
+    possible = mechanism.moving if len(mechanism.slides) == len(mechanism.pairs) else ()
+    if link not in possible:
+        raise NoFixing(mechanism.where("links"), link, possible)
+    return _Inversion(mechanism, link).machine()
+
+
+class _Inversion:
+    """Gathers the parts of the new mechanism: links by what they are called there, at their drawn places."""
+
+    def __init__(self, mechanism: Mechanism, fixed: str) -> None:
+        self.old, self.fixed = mechanism, fixed
+        self.now: Motion = motion(mechanism)
+        self.names = self._renamed()
+        self.points = {name: self._points(name) for name in mechanism.links}
+        reach = max((abs(z) for link in mechanism.links.values() for z in link.points.values()), default=0.0)
+        self.reach = reach or 0.05
+
+    def _renamed(self) -> dict[str, str]:
+        """Points of lines, which had no name of their own, get one: that of a point of the link at the same place."""
+        found = {point: point for point in self.old.owners}
+        nameless = [(p, link) for link in self.old.links.values() for p in link.points if p in self.old.unnamed]
+        for (point, link), fresh in zip(nameless, free_names(self.old.owners, len(nameless))):
+            size = max(abs(z) for z in link.points.values()) or 1.0
+            named = self.old.named(link.name)
+            there = (p for p in named if abs(link.points[p] - link.points[point]) < 1e-12 * size)
+            found[point] = next(there, fresh)
+        return found
+
+    def _points(self, link: str) -> dict[str, complex]:
+        """A link's points where they are drawn [m]."""
+        return {self.names[p]: self._place(p, link) for p in self.old.links[link].points}
+
+    def _place(self, point: str, link: str) -> complex:
+        """Where a point of a link is, points of lines included."""
+        if point in self.now.position:
+            return complex(self.now.position[point])
+        points = self.old.links[link].points
+        base = next((p for p in points if p in self.now.position), None)
+        if link == FRAME or base is None:
+            return points[point]
+        turn = cmath.rect(1, float(self.now.theta[link]))
+        return complex(self.now.position[base]) + (points[point] - points[base]) * turn
+
+    def called(self, link: str) -> str:
+        """A link's name in the new mechanism."""
+        return FRAME if link == self.fixed else self.old.called(link)
+
+    def machine(self) -> Mechanism:
+        for slide in self.old.slides:
+            self._reach_along(slide)
+        drivers = tuple(self._driver(driver) for driver in self.old.drivers)
+        order = sorted(self.points, key=lambda name: (name != self.fixed, name == FRAME))
+        links = {self.called(name): self.points[name] for name in order}
+        slides = tuple(self._slide(slide, links) for slide in self.old.slides)
+        return assembled(self.fixed, links, slides, drivers, self.old.scales.get("length"))
+
+    # --- slides ----------------------------------------------------------------------------------
+
+    def _along(self, slide: Slide) -> complex:
+        return slide.line.direction * cmath.rect(1, float(self.now.theta[slide.guide]))
+
+    def _reach_along(self, slide: Slide) -> None:
+        """A line of a moving link goes towards a point of it; one is added, as far out as what slides, for none."""
+        points, origin, along = self.points[slide.guide], self.names[slide.line.origin], self._along(slide)
+        if slide.guide == self.fixed or ahead_on(points, origin, along):
+            return
+        there = ((complex(self.now.position[slide.point]) - points[origin]) * along.conjugate()).real
+        self._added(slide.guide, points[origin] + along * max(there, 0.25 * self.reach))
+
+    def _slide(self, slide: Slide, links: Mapping[str, Places]) -> Slide:
+        guide, block = self.called(slide.guide), None if slide.block is None else self.called(slide.block)
+        line = drawn_line(links, guide, self.names[slide.line.origin], self._along(slide))
+        return replace(slide, line=line, point=self.names[slide.point], block=block, tilt=self._tilt(slide))
+
+    def _added(self, link: str, place: complex) -> str:
+        taken = {point for points in self.points.values() for point in points} | set(self.old.owners)
+        name = free_names(taken, 1)[0]
+        self.points[link][name] = place
+        return name
+
+    def _tilt(self, slide: Slide) -> float:
+        """Angle from the line to the block's own direction; a block of one point has that of its first line."""
+        if slide.block is None:
+            return 0.0
+        line = cmath.phase(self._along(slide))
+        if slide.block == self.fixed:
+            return _wrapped(-line)
+        places = list(self.points[slide.block].values())
+        if len(places) > 1:
+            return _wrapped(cmath.phase(places[1] - places[0]) - line)
+        first = next(other for other in self.old.slides if other.block == slide.block)
+        return _wrapped(cmath.phase(self._along(first)) - line)
+
+    # --- drivers ----------------------------------------------------------------------------------
+
+    def _driver(self, driver: Driver) -> Driver:
+        if driver.kind == "slide":
+            at = self.now.values[self.old.drivers.index(driver)]
+            return replace(driver, value=float(at), also=())
+        one, other, sense = driver.link, driver.from_link, 1.0
+        if one == self.fixed:
+            one, other, sense = other, one, -1.0
+        vector = self._vector(one, driver.vector if one == driver.link else driver.from_vector)
+        turned, start = self._direction(one, vector), None
+        if other != self.fixed:
+            start = self._vector(other, driver.from_vector if other == driver.from_link else driver.vector)
+            turned -= self._direction(other, start)
+        return Driver(
+            "angle", self.called(one), vector, self.called(other), start, _wrapped(turned), sense * driver.rate,
+            sense * driver.acceleration,
+        )  # fmt: skip
+
+    def _vector(self, link: str, given: tuple[str, str] | None) -> tuple[str, str]:
+        """Two points of a link; one is added where it has no two."""
+        if given is not None:
+            return given
+        points = self.points[link]
+        if not points:
+            self._added(link, 0j)
+        first = next(iter(points))
+        apart = (point for point, place in points.items() if abs(place - points[first]) > 1e-6 * self.reach)
+        second = next(apart, "") or self._added(link, points[first] + self.reach)
+        return first, second
+
+    def _direction(self, link: str, vector: tuple[str, str]) -> float:
+        tail, head = (self.points[link][self.names.get(p, p)] for p in vector)
+        return cmath.phase(head - tail)
+
+
+def _wrapped(angle: float) -> float:
+    return math.remainder(angle, math.tau)

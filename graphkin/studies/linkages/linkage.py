@@ -1,0 +1,228 @@
+"""What every kind of linkage of four links answers: the contract, and the values it answers with.
+
+A kind is one class in one file (`four`, `slider`, `guide`) that fulfils `Linkage`, and one entry in `kinds`. Whoever
+has a linkage asks it; nobody asks which kind it is. Lengths [m], angles [rad], places complex [m].
+
+How to add a kind: a file with its class, its entry in `kinds.KINDS`, its loop in `finding`, its words in
+`graphkin.say.linkages`; the type checker holds the class to the contract.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, ClassVar, Protocol
+
+from graphkin.base.value import frozen
+from graphkin.model.mechanism import Mechanism
+from graphkin.studies.linkages.equal import even
+
+SLIDES = ("slider", "slide")
+"""The parts whose motion is a displacement [m]; all others turn [rad]."""
+CRANKS = ("crank", "rocker")
+"""The drivers that can turn round and round and have an output with two ends."""
+
+
+@frozen
+class Scale:
+    """How a file counts a driver: value = zero + sense * ours [rad or m]."""
+
+    name: str
+    zero: float = 0.0
+    sense: float = 1.0
+
+    def __call__(self, ours: float) -> float:
+        return self.zero + self.sense * ours
+
+
+@frozen
+class Range:
+    """What a link or a slider goes through, from low to high [rad or m]; `full`: it turns round and round."""
+
+    low: float
+    high: float
+    full: bool = False
+
+    @property
+    def width(self) -> float:
+        return self.high - self.low
+
+    def turned(self, base: float) -> Range:
+        """The same range counted from a line that lies at `base` [rad]."""
+        return Range(base + self.low, base + self.high, self.full)
+
+
+@frozen
+class LinkagePosition:
+    """The linkage at one position that tells something.
+
+    places   of its points, in the order of its names [m]
+    turn     direction of the guide or of the bar [rad]; 0 for a four-bar
+    driver   the driver's value, as its scale counts it [rad or m]
+    output   the output link's direction or the slider's place [rad or m]
+    gamma    transmission angle [rad], 0 to pi/2; None for a driver that has none
+    how      "stretched", "folded": driven link and coupler in line; "inner", "outer": driven link in line with the
+             frame, towards it or away; "far", "near", "across", "square": see the linkages; "end": the driver's own end
+    """
+
+    places: tuple[complex, ...]
+    turn: float
+    driver: float
+    output: float
+    gamma: float | None
+    how: str
+
+
+@frozen
+class Turn:
+    """Whether two links can make a full turn against each other. `hinge`: whether they are neighbours."""
+
+    first: str
+    second: str
+    full: bool
+    hinge: bool
+
+
+@frozen
+class Sums:
+    """Two sums of lengths: some link turns fully where the first is not greater.
+
+    ends, middle           the links of the first and of the second by name, "e" the offset, "" none
+    sum_ends, sum_middle   the sums [m]
+    """
+
+    ends: tuple[str, str]
+    middle: tuple[str, str]
+    sum_ends: float
+    sum_middle: float
+
+    @property
+    def gap(self) -> float:
+        """The first less the second, 0 where it is 0 but for rounding: a change point [m]."""
+        return even(self.sum_ends - self.sum_middle, self.sum_ends + self.sum_middle)
+
+    @classmethod
+    def beside_offset(cls, sizes: Mapping[str, float]) -> Sums:
+        """Of two links and an offset: the shorter with the offset against the longer."""
+        short, long = sorted((link for link in sizes if link != "e"), key=lambda link: sizes[link])
+        return cls((short, "e"), (long, ""), sizes[short] + abs(sizes["e"]), sizes[long])
+
+
+@frozen
+class TransmissionAngle:
+    """Where a transmission angle is seen: between two lines through a point.
+
+    at, one, other   the point and a vector along each line [m]
+    pressure         it is the pressure angle that is seen there, 90 deg less the transmission angle
+    """
+
+    at: complex
+    one: complex
+    other: complex
+    pressure: bool = False
+
+
+class Linkage(Protocol):
+    """The contract of a kind of linkage: a frozen value of its lengths and of the position it is drawn at.
+
+    A direction of a link is that from its fixed to its moving hinge, against +x [rad]; "assembled as drawn" is the one
+    of the two mirrored assemblies that `places` shows.
+    """
+
+    __dataclass_fields__: ClassVar[dict[str, Any]]
+    """It is a frozen dataclass: `replace` gives the same linkage with another driver."""
+    word: ClassVar[str]
+    """Its key in `kinds.KINDS`, and its option on the command line."""
+    drivers: ClassVar[tuple[str, ...]]
+    """The parts that can drive."""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What its points A, B, C (and D) are called."""
+
+    @property
+    def places(self) -> tuple[complex, ...]:
+        """Where they are at the drawn position [m]."""
+
+    @property
+    def driver(self) -> str:
+        """Which part drives, one of `called`."""
+
+    @property
+    def output(self) -> str:
+        """Which part is driven, one of `called`."""
+
+    @property
+    def scale(self) -> Scale | None:
+        """How the file counts the driver; None: a turning one by its direction, a sliding one from its own zero."""
+
+    @property
+    def block(self) -> bool:
+        """Whether the frame carries the block, and the guide slides in it."""
+
+    @property
+    def called(self) -> Mapping[str, str]:
+        """What each part is called: {"crank": "AB", ..}."""
+
+    @property
+    def sizes(self) -> Mapping[str, float]:
+        """Lengths by what the links are called, the offset of a kind that slides as "e" [m]."""
+
+    @property
+    def drawn(self) -> LinkagePosition:
+        """The drawn position."""
+
+    @property
+    def stroke(self) -> float | None:
+        """How far its slider goes from end to end [m]; None where no part slides on the frame."""
+
+    @property
+    def arm(self) -> tuple[int, int]:
+        """Which places are the fixed pivot of the turning output and its moving hinge (the crank's, if it slides)."""
+
+    def kind(self) -> tuple[str, str]:
+        """The kind, and what is special about it: "change-point" and "kite", "slider-crank" and "offset"."""
+
+    def sums(self) -> Sums:
+        """The lengths that decide the kind."""
+
+    def turns(self) -> tuple[Turn, ...]:
+        """Who turns fully against whom."""
+
+    def driver_range(self) -> Range:
+        """What the driver goes through: directions [rad], or displacements as its scale counts [m]."""
+
+    def output_range(self) -> Range:
+        """What the output goes through: directions [rad], or the slider's places along its guide [m]."""
+
+    def limits(self) -> tuple[LinkagePosition, ...]:
+        """The two ends of the output's way; none where it turns round and round."""
+
+    def critical(self) -> tuple[LinkagePosition, ...]:
+        """Where the transmission angle can be least, over everything the driver reaches."""
+
+    def direction(self, position: LinkagePosition) -> float:
+        """Direction of the driven link at a position [rad]; of the crank where the coupler or a slide drives."""
+
+    def position_at(self, direction: float) -> LinkagePosition:
+        """The position with the link of `direction` at a direction [rad], assembled as drawn.
+
+        Beyond what it reaches the other links lie in line, and no longer meet.
+        """
+
+    def driver_at(self, direction: float) -> float:
+        """Direction of a crank that drives, with the output at a direction [rad]: one of two where the output swings.
+
+        NaN where it slides.
+        """
+
+    def ratio(self, direction: float) -> float:
+        """Output's over driver's velocity with the driven crank at a direction [rad/rad or m/rad].
+
+        Infinite at a dead point.
+        """
+
+    def seen(self, position: LinkagePosition) -> TransmissionAngle | None:
+        """Where the transmission angle is seen; None for a bar, on which the force lies square to no link."""
+
+    def mechanism(self, omega: float = 10.0) -> Mechanism:
+        """It as a mechanism at its drawn position: links 1, 2, 3, frame 4, driven at `omega` [rad/s] or 0.1 m/s."""

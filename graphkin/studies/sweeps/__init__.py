@@ -1,0 +1,15 @@
+"""A mechanism moved along: which positions are reached, and quantities over all of them, by either road."""
+
+from graphkin.model.quantities import split
+from graphkin.studies.sweeps.course import Course, course
+from graphkin.studies.sweeps.point_path import PointPath, point_path
+from graphkin.studies.sweeps.proof import prove
+from graphkin.studies.sweeps.quantities import Series, asked, drawable
+from graphkin.studies.sweeps.ranges import Ranges
+from graphkin.studies.sweeps.roads import Road
+from graphkin.studies.sweeps.sweep import Sweep, in_parts, quantities_at, sweep, sweep_over
+
+__all__ = [
+    "Course", "PointPath", "Ranges", "Road", "Series", "Sweep", "asked", "course", "drawable", "in_parts", "point_path",
+    "prove", "quantities_at", "split", "sweep", "sweep_over",
+]  # fmt: skip

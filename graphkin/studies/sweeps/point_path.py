@@ -1,0 +1,193 @@
+"""The curve that a point draws as its mechanism moves (a coupler curve), with places at equal steps of the driver."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from graphkin.base.value import frozen
+from graphkin.errors import StandsStill, UnknownPoint, Where
+from graphkin.model.quantities import EDGE
+from graphkin.planning import Method
+from graphkin.studies.sweeps.course import Course, course_from
+from graphkin.studies.sweeps.proof import prove
+from graphkin.studies.sweeps.ranges import TURN
+from graphkin.studies.sweeps.sweep import quantities_at
+
+_FINE = 2e-4
+"""How far a chord may stand off the curve, as part of the curve's size."""
+_FIRST, _ROUNDS, _MOST = 181, 7, 20_000
+"""Positions of the first look, how often chords are halved, and how many positions are enough."""
+_INSIDE = 1e-7
+"""How far inside of dead points the curve ends, as part of the way."""
+_FAR = 4.0
+"""How far off the curve is followed from where the point is drawn, in sizes of the mechanism there (width and height
+added): of one that runs off to infinity the rest would leave nothing to be seen of the mechanism."""
+_SAME = 1e-6
+"""Ends nearer than this part of its size close a curve."""
+_DEGREES = (30, 10, 5, 2, 1, 0.5, 0.2, 0.1)
+"""Steps from tick to tick of an angle: the largest that gives enough of them."""
+_ENOUGH = 6
+
+
+@frozen
+class Tick:
+    """A place on the curve at a round value of the driver.
+
+    value    the driver's [rad, m]; velocity of the point there [m/s]; way  along the curve, of length 1 or 0
+    numbered it is one of those whose value is written
+    """
+
+    value: float
+    place: complex
+    velocity: complex
+    way: complex
+    numbered: bool
+
+
+@frozen
+class PointPath:
+    """The curve of a point in the frame.
+
+    course   how the mechanism moves: a turn of the driver from the drawn position on, or as far as it gets, or as the
+             point stays near
+    places   closely enough to be drawn (n,) [m]
+    closed   the end is the beginning
+    step     of the driver from tick to tick [rad, m]
+    """
+
+    course: Course
+    point: str
+    places: np.ndarray
+    closed: bool
+    step: float
+    ticks: tuple[Tick, ...]
+
+    @property
+    def seconds(self) -> float | None:
+        """The time from tick to tick; None where the driver stands, or does not move evenly."""
+        driver = self.course.driver
+        return self.step / abs(driver.rate) if driver.rate and not driver.acceleration else None
+
+    @property
+    def fastest(self) -> float:
+        """The greatest speed at a tick [m/s]."""
+        return max((abs(tick.velocity) for tick in self.ticks), default=0.0)
+
+    def shown(self, value: float) -> str:
+        """`30°`, `20 mm`: a value of the driver."""
+        return EDGE[self.course.unit].shown(value)
+
+
+def point_path(method: Method, point: str, values: tuple[float, ...] | None = None) -> PointPath:
+    """The curve of a point through the drawn position, or through that of other driver values [rad, m].
+
+    Raises UnknownPoint; StandsStill for a point that does not move; RoadsDiffer where the two roads do not agree.
+    """
+    where, points = Where(f"path {point}"), method.mechanism.points
+    if point not in points:
+        raise UnknownPoint(where, point, points)
+    course = course_from(method, values)
+    prove(course)
+    low, high = _near(course, point, *_span(course))
+    places = _curve(course, point, low, high)
+    size = float(np.ptp(places.real) + np.ptp(places.imag))
+    if size <= _SAME * method.size:
+        raise StandsStill(where, point)
+    closed = course.full_turn and abs(places[-1] - places[0]) <= _SAME * size
+    step, every = _steps(course, abs(high - low))
+    ticks = tuple(_ticks(course, point, (low, high), closed, step, every))
+    return PointPath(course, point, places, closed, step, ticks)
+
+
+def _span(course: Course) -> tuple[float, float]:
+    """From where to where on the path, in the sense in which the driver turns."""
+    if course.full_turn:
+        return 0.0, math.copysign(TURN, course.driver.rate or 1.0)
+    first, last = course.path.first, course.path.last
+    inside = _INSIDE * (last - first)
+    return first + inside, last - inside
+
+
+def _near(course: Course, point: str, low: float, high: float) -> tuple[float, float]:
+    """The same span, or as much of it to either side of the drawn position as the point stays near."""
+    drawn = np.array([_places(course, each, np.zeros(1))[0] for each in course.method.mechanism.points])
+    far = _FAR * float(np.ptp(drawn.real) + np.ptp(drawn.imag)) or math.inf
+    here = _places(course, point, np.zeros(1))[0]
+
+    def nearest_end(end: float) -> float:
+        t = np.linspace(0.0, end, 4 * _FIRST)
+        gone = np.flatnonzero(np.abs(_places(course, point, t) - here) > far)
+        return float(t[gone[0] - 1]) if gone.size else end
+
+    ends = (-TURN, TURN) if course.full_turn else (low, high)
+    near = nearest_end(ends[0]), nearest_end(ends[1])
+    return (low, high) if near == ends else near
+
+
+def _curve(course: Course, point: str, low: float, high: float) -> np.ndarray:
+    """The places (n,) [m]; chords are halved as long as one stands off the curve."""
+    t = np.linspace(low, high, _FIRST)
+    places = _places(course, point, t)
+    for _ in range(_ROUNDS):
+        size = float(np.nanmax(np.abs(places - places[0]), initial=0.0)) or 1.0
+        middle = (t[1:] + t[:-1]) / 2
+        between = _places(course, point, middle)
+        off = np.abs(between - (places[1:] + places[:-1]) / 2) > _FINE * size
+        if not off.any() or t.size > _MOST:
+            break
+        at = np.flatnonzero(off) + 1
+        t, places = np.insert(t, at, middle[off]), np.insert(places, at, between[off])
+    found: np.ndarray = places[np.isfinite(places)]
+    return found
+
+
+def _places(course: Course, point: str, t: np.ndarray) -> np.ndarray:
+    return _vectors(course, f"path {point}", t)
+
+
+def _vectors(course: Course, name: str, t: np.ndarray) -> np.ndarray:
+    found = quantities_at(course, [name], t).series[0].vectors
+    assert found is not None
+    return found
+
+
+# --- ticks ------------------------------------------------------------------------------------
+
+
+def _steps(course: Course, length: float) -> tuple[float, int]:
+    """From tick to tick, and each how manieth is numbered."""
+    if course.angular:
+        steps = (math.radians(step) for step in _DEGREES)
+        return next((step for step in steps if length >= _ENOUGH * step), math.radians(_DEGREES[-1])), 3
+    power = 10.0 ** math.floor(math.log10(length / _ENOUGH))
+    factor = next(k for k in (5, 2, 1) if k * power * _ENOUGH <= length)
+    return factor * power, 2
+
+
+def _ticks(
+    course: Course, point: str, span: tuple[float, float], closed: bool, step: float, every: int
+) -> Iterator[Tick]:
+    low, high = sorted(float(course.value(end)) for end in span)
+    numbers = np.arange(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)
+    if closed:
+        numbers = numbers[: round(TURN / step)]
+    t = np.clip(course.at(numbers * step), min(span), max(span))
+    places, velocities = _places(course, point, t), _vectors(course, f"v {point}", t)
+    ways = _ways(course, point, t, max(span) - min(span))
+    for number, place, velocity, way in zip(numbers, places, velocities, ways, strict=True):
+        if np.isfinite(place) and np.isfinite(velocity):
+            value = float(number) * step
+            round_about = value % TURN if closed else value
+            yield Tick(round_about, complex(place), complex(velocity), complex(way), int(number) % every == 0)
+
+
+def _ways(course: Course, point: str, t: np.ndarray, length: float) -> np.ndarray:
+    """Unit vectors along the curve; 0 where the point rests."""
+    aside, (low, high) = 1e-4 * length, (course.path.first, course.path.last)
+    before, after = (_places(course, point, np.clip(t + side, low, high)) for side in (-aside, aside))
+    chord = np.nan_to_num(after - before)
+    size = np.abs(chord)
+    return np.where(size > 1e-9 * course.method.size, chord / np.where(size > 0, size, 1.0), 0.0)
