@@ -172,5 +172,5 @@ def read_off(motions: Motions, text: str) -> Any:
 
 @kept(256)
 def _meant(mechanism: Mechanism, text: str) -> Quantity:
-    """What is read off again and again is parsed once."""
+    """A quantity that is read off again and again is parsed once."""
     return named(mechanism, text, Where("quantity"))

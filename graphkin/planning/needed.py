@@ -254,15 +254,18 @@ class _Reader:
                 yield from (fact for contact in contacts for fact in self._contact(contact, {*self.gives(part)}))
             case Touch(_, centre, other):
                 yield from (("position", point) for point in (centre, other) if point)
-            case Simultaneous(chains=chains, contacts=contacts):
-                for chain in chains:
-                    yield from (fact for size, _ in chain.known for fact in self._size(size))
-                    yield from (("position", p) for one in chain.unknown for p in (one.tail, one.head) if p)
-                turned = [one.link for chain in chains for one in chain.unknown if one.link]
-                yield from (fact for link in turned for fact in self._turnings(link) if fact not in {*self.gives(part)})
-                yield from (fact for contact in contacts for fact in self._contact(contact, {*self.gives(part)}))
+            case Simultaneous():
+                found = {*self.gives(part)}
+                yield from (fact for fact in self._together(part, found) if fact not in found)
             case _:
                 assert_never(part)
+
+    def _together(self, part: Simultaneous, given: set[Fact]) -> Iterator[Fact]:
+        for chain in part.chains:
+            yield from (fact for size, _ in chain.known for fact in self._size(size))
+            yield from (("position", p) for one in chain.unknown for p in (one.tail, one.head) if p)
+            yield from (fact for one in chain.unknown if one.link for fact in self._turnings(one.link))
+        yield from (fact for contact in part.contacts for fact in self._contact(contact, given))
 
     def _turnings(self, link: str, quantity: str = "") -> tuple[Fact, ...]:
         return turnings(self.method, quantity or _TURNING[self.plane], link)
