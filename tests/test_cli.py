@@ -435,3 +435,18 @@ def test_designs_that_cannot_be(words: list[str]):
         refused = run("design", *words, "--lang", lang)
         assert refused.exit_code == 3, refused.stdout
         assert len(refused.stderr.strip().splitlines()) == 1
+
+
+@pytest.mark.parametrize(("lang", "said"), [("en", "Aborted!"), ("zh", "已中断。")])
+@pytest.mark.parametrize("first", [True, False])
+def test_broken_off_is_said_in_the_reader_s_language(
+    lang: str, said: str, first: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("graphkin.cli.drawing.explain.callback", interrupted)
+    args = ["--lang", lang, "explain", "ex3-1"] if first else ["explain", "ex3-1", "--lang", lang]
+    done = CliRunner().invoke(main, args)
+    assert done.exit_code == 130
+    assert done.stderr.strip() == said

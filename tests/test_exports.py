@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import shutil
@@ -14,7 +15,7 @@ from pdf_lines import lines
 
 import graphkin
 from graphkin.cli import main
-from graphkin.outputs import drawings
+from graphkin.outputs import drawings, paged
 from graphkin.sheet.marks import VectorMark
 
 MUCH = "GRAPHKIN_TEX" in os.environ
@@ -130,6 +131,21 @@ def test_png_says_how_large_it_is(tmp_path: Path):
     with image.open(path) as picture:
         assert picture.size == (827, 1169)
         assert abs(picture.info["dpi"][0] - 100) < 0.1
+
+
+def test_png_has_letters_on_a_machine_without_fonts():
+    """What matplotlib brings stands in; without any font resvg would leave the text out."""
+    resvg, image = pytest.importorskip("resvg_py"), pytest.importorskip("PIL.Image")
+    size = 'width="90" height="30" font-family="Nobody, serif"'
+    text = f'<svg xmlns="http://www.w3.org/2000/svg" {size}><text y="20">{{}}</text></svg>'
+
+    def ink(letters: str, **fonts: object) -> int:
+        drawn = {"svg_string": text.format(letters), "background": "#ffffff", "skip_system_fonts": True}
+        made = bytes(resvg.svg_to_bytes(**drawn, **fonts))
+        return sum(image.open(io.BytesIO(made)).convert("L").histogram()[:128])
+
+    for letters in ("v", "ω", "μ", "α", "φ", "⊥", "∥", "√", "′", "→", "²"):
+        assert ink(letters, serif_family=paged._SERIF, font_files=paged._serif_files()) > ink(letters) == 0, letters
 
 
 @pytest.mark.parametrize("kind", drawings.WRITERS)

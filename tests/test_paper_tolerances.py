@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
@@ -166,3 +167,11 @@ def erring(machine: Mechanism, length: float, angle: float) -> Iterator[Mechanis
     for k, driver in enumerate(machine.drivers):
         value = (driver.value or 0.0) + (length if driver.kind == "slide" else angle)
         yield replace(machine, drivers=(*machine.drivers[:k], replace(driver, value=value), *machine.drivers[k + 1 :]))
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_a_step_is_called_by_its_arrow(place: str) -> None:
+    """Arrows of equations that are solved together have names, too, and none is that of a class."""
+    held = marker(place)
+    told = "\n".join(tolerance_lines(tolerances(held.key, held.method), "en"))
+    assert not re.search(r"laying off (Normal|Tangential|Coriolis|Turning|Driven|Drawn|Relative)\b", told), told

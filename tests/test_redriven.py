@@ -19,6 +19,7 @@ from graphkin.construction import LayOff, Measure, Plot, Simultaneous, replay
 from graphkin.files import loads
 from graphkin.planning import Method, plan
 from graphkin.planning.by_pose import by_pose
+from graphkin.planning.needed import at_rest, turnings
 from graphkin.proof.roads import compare
 from graphkin.running import replay_all
 
@@ -83,6 +84,61 @@ def test_what_a_relative_driver_turns_does_not_stand_still(family: str) -> None:
         for link in {one.link for group in groups for chain in group.chains for one in chain.unknown if one.link}:
             assert "at rest, so these links stand still" not in told, seed
             assert any(f"ω{a} = ω{b} + ω" in told for a in method.mechanism.links for b in method.mechanism.links), link
+
+
+RELATIVE = """
+[frame]
+A = [0, 0]
+B = [50, 0]
+[links.1]
+AC = 40
+[links.2]
+BC = 30
+[links.3]
+{other}
+[links.4]
+{last}
+[[driver]]
+vector = "{vector}"
+from = "{base}"
+omega = {rate}
+alpha = {more}
+angle = {angle}
+[sketch]
+C = [32, 24]
+D = [{x}, {y}]
+E = [90, 40]
+"""
+
+
+@pytest.mark.parametrize("base", ["AC", "CB"])
+@pytest.mark.parametrize(("rate", "more"), [(0, 0), (3, 0), (0, -5), (-2, 4)])
+@pytest.mark.parametrize("at", "ABC")
+def test_at_rest_is_what_does_not_move(base: str, rate: float, more: float, at: str) -> None:
+    """A link driven against one that cannot move moves, unless its driver is at rest."""
+    pivot = {"A": 0, "B": 50, "C": 32 + 24j}[at]
+    D = pivot + cmath.rect(45, 0.9)
+    along = {"AC": 32 + 24j, "CB": 18 - 24j}[base]
+    text = RELATIVE.format(other=f"{at}D = 45", last="DE = 42", vector=f"{at}D", base=base, rate=rate, more=more,
+                           angle=math.degrees(0.9 - cmath.phase(along)), x=D.real, y=D.imag)  # fmt: skip
+    text += '[[slide]]\npin = "E"\nguide = "frame"\nthrough = [0, 40]\n'
+    method = plan(loads(text))
+    plot = replay_all(method)
+    assert compare(method, plot, motion(method.mechanism)) < 1e-8
+    rested = at_rest(method, plot.facts)
+    for link in method.mechanism.moving:
+        still = plot.omega[link] == plot.alpha[link] == 0
+        assert rested.issuperset(turnings(method, "omega", link)) == still, link
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("family", FAMILIES)
+def test_nothing_that_moves_is_taken_to_be_at_rest(family: str, kind: str) -> None:
+    for seed, _, method, plot in solved(family, kind, COUNT):
+        rested = at_rest(method, plot.facts)
+        for link in method.mechanism.moving:
+            if rested.issuperset(turnings(method, "omega", link)):
+                assert abs(plot.omega[link]) + abs(plot.alpha[link]) < 1e-9, (seed, link)
 
 
 @pytest.mark.parametrize("kind", POSED)

@@ -11,6 +11,7 @@ import book
 import pytest
 from large_mechanisms import dyads
 
+from graphkin import Drawing
 from graphkin.construction import LETTER, Drawn, Given, LayOff, Plane, Plot
 from graphkin.files import library, loads
 from graphkin.planning import Method, plan
@@ -31,7 +32,7 @@ from graphkin.sheet.lettering import (
     vector_label,
     width,
 )
-from graphkin.sheet.marks import PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import Arc, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import Room
 from graphkin.sheet.scales import finer, finest
@@ -442,3 +443,36 @@ def test_links_with_words_stand_apart_in_relative_motions() -> None:
     assert between(["r1", "c1"]) == "r1/c1"
     texts = {plain_text(m.label) for m in sheet(*crowd("excavator")).marks if isinstance(m, Text)}
     assert {"vr1/c1", "nboom′"} <= texts
+
+
+@pytest.mark.parametrize("seen_from", ["", 'from = "DC"\n'])
+@pytest.mark.parametrize(("omega", "alpha"), [(10, 0), (0, -3), (10, 3), (-10, -3), (10, -3), (-10, 3)])
+def test_a_driver_s_arrow_has_the_sense_of_each_of_its_letters(omega: float, alpha: float, seen_from: str) -> None:
+    """As clockwise and counter-clockwise, by how the head of each arc lies about the pivot; one arc for what agrees."""
+    text = f"""
+[frame]
+A = [0, 0]
+D = [80, 0]
+[links.1]
+AB = 30
+[links.2]
+BC = 70
+[links.3]
+DC = 60
+[[driver]]
+vector = "AB"
+{seen_from}angle = {-60 if seen_from else 30}
+omega = {omega}
+alpha = {alpha}
+[sketch]
+B = [26, 15]
+C = [80, 60]
+"""
+    marks = Drawing.of(loads(text)).sheet(style="given").marks
+    heads = [mark for mark in marks if (shows := getattr(mark, "shows", None)) and shows.form in ("omega", "alpha")]
+    arcs = [mark for mark in marks if isinstance(mark, Arc)]
+    assert len(heads) == (2 if omega * alpha < 0 else 1)
+    wanted = {"omega": omega, "alpha": alpha}
+    for head in heads:
+        arc = min(arcs, key=lambda arc: abs(abs(head.places[0] - arc.centre) - arc.radius))
+        assert (arc.sweep < 0) == (wanted[head.shows.form] > 0), head

@@ -56,8 +56,8 @@ def _sparse(rows: Numbers, count: int, entries: tuple[Numbers, ...]) -> Numbers:
 
 @kept(32)
 def _entries(matrix: Numbers, summed: int) -> tuple[Numbers, ...]:
-    """What is not 0 of a matrix that is summed along an axis: where along it, and its value; in order of the other
-    axis, the places there that have any, and where each begins."""
+    """The entries of a matrix that are not 0, to be summed along an axis: where along it, and value; in order of the
+    other axis, the places there that have any, and where each begins."""
     ends = np.nonzero(np.moveaxis(matrix, summed, 1))
     values = np.moveaxis(matrix, summed, 1)[ends]
     return ends[1], values, *np.unique(ends[0], return_index=True)

@@ -124,7 +124,7 @@ def _shift(told: Sequence[Letters], now: Sequence[complex]) -> complex:
 
 
 def shift_of(drawing: DrawingFile, read: Sequence[Letters]) -> complex:
-    """How far the sheet as a whole was moved since it was drawn, by most of its texts [mm]."""
+    """The shift of the sheet as a whole since it was drawn, by most of its texts [mm]."""
     told = claimed_letters(drawing)
     return _shift(told, _places_now(told, read))
 

@@ -58,7 +58,7 @@ class DrawingFile:
 
     @property
     def title(self) -> str:
-        """What a viewer calls the sheet."""
+        """The name of the sheet in a viewer."""
         return next((element.text or "" for element in self.root if element.tag.endswith("}title")), "")
 
     def of_class(self, kind: str) -> tuple[Shown, ...]:

@@ -34,7 +34,7 @@ def loose_ends(drawing: DrawingFile, tolerance_mm: float) -> Iterator[Fault]:
 
 
 def _aside(attributes: Mapping[str, str], tail: _End, head: _End) -> complex:
-    """How far a vector is off the line of its points, at right angles to it, to the side where it lies."""
+    """The distance of a vector from the line of its points, at right angles to it, to the side where it lies."""
     steps, along = attributes.get("data-aside", ""), head[1] - tail[1]
     if not (steps.isascii() and steps.isdigit() and int(steps) < _MOST and along and tail[0]):
         return 0j

@@ -122,7 +122,7 @@ def _surface(element: Shown) -> shapely.Geometry | None:
 
 
 def _whole(element: Shown) -> shapely.Geometry:
-    """What an element fills; of curves what is around them."""
+    """The area that an element fills; of curves what is around them."""
     areas = [shapely.Polygon(_xy(line)) for line in element.lines if len(line) > 3]
     around = areas if element.plain else [area.convex_hull for area in areas]
     return shapely.union_all([area if area.is_valid else area.buffer(0) for area in around])

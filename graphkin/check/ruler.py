@@ -194,7 +194,7 @@ class _Ruler:
                 yield Fault("tip", vector.attributes.get("data-name", ""))
 
     def _is_tip(self, vector: Shown) -> bool:
-        """Whether its value in words is its length, to the digits that are written."""
+        """True if its value in words is its length, to the digits that are written."""
         told = re.search(r"= ([0-9.e+-]+) m/s²?$", vector.tip)
         size = abs(vector.lines[0][-1] - vector.lines[0][0]) * self.scales[plane_of(self.drawing, vector.attributes)]
         slack = 1e-3 * size + 1e-3 * self.scales[plane_of(self.drawing, vector.attributes)]

@@ -30,7 +30,7 @@ def _ends(sign: Shown) -> Ends:
 
 
 def _signs(drawing: DrawingFile) -> list[Shown]:
-    """What is painted and is held against no length."""
+    """Elements that are painted and held against no length."""
     return [element for element in drawing.sight.shown
             if element.tag != "text" and element.lines and all(element.lines) and not drawing.measures(element)
             and max(element.style.share("stroke"), element.style.share("fill")) > 0]  # fmt: skip
@@ -86,7 +86,7 @@ def _where(places: Sequence[complex]) -> str:
 
 
 def _has_head(sign: Shown) -> bool:
-    """Whether a filled corner of it is as sharp as the head of an arrow."""
+    """True if a filled corner of it is as sharp as the head of an arrow."""
     return sign.style.share("fill") > 0 and any(_sharp(line) for line in sign.lines if 3 < len(line) < 7)
 
 

@@ -34,7 +34,7 @@ _BROKEN_OFF = 130
 """The exit status after Ctrl-C, as shells have it; 1 would say that a check failed."""
 
 _THREADS = ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS")
-"""How many threads NumPy's linear algebra takes, as its user may have said."""
+"""Variables for the number of threads of NumPy's linear algebra, as its user may have said."""
 
 
 class Program(click.Group):
@@ -65,7 +65,9 @@ class Program(click.Group):
             with streams.written():
                 return super().invoke(ctx)
         except KeyboardInterrupt:
-            click.echo("\nAborted!", err=True)
+            from graphkin.say.catalogue import say
+
+            click.echo("\n" + say("common.broken off", "zh" if ctx.meta.get("lang") == "zh" else "en"), err=True)
             ctx.exit(_BROKEN_OFF)
 
     def resolve_command(
@@ -86,14 +88,9 @@ class Program(click.Group):
         )
 
 
-def _spoken(context: click.Context, _: click.Parameter, lang: str | None) -> None:
-    """A language that is said before the command is the command's, unless that has one of its own."""
-    context.meta["lang"] = lang
-
-
 @click.group(cls=Program, context_settings=CONTEXT)
 @click.version_option(package_name="graphkin")
-@click.option("--lang", type=click.Choice(["en", "zh"]), callback=_spoken, expose_value=False, is_eager=True,
+@click.option("--lang", type=click.Choice(["en", "zh"]), callback=streams.spoken, expose_value=False, is_eager=True,
               help="Language, as after a command.")  # fmt: skip
 def main() -> None:
     """Graphical kinematics for planar mechanisms.

@@ -43,7 +43,7 @@ def user_language() -> Lang:
 
 lang_option = click.option(
     "--lang", type=click.Choice(["en", "zh"]), default=user_language, show_default="of your system",
-    help="Language of texts and messages.",
+    help="Language of texts and messages.", callback=streams.spoken,
 )  # fmt: skip
 angle_option = click.option(
     "--angle", "angles", type=float, multiple=True, metavar="DEG",

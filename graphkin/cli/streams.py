@@ -68,3 +68,9 @@ def ended(error: OSError, lang: Lang = "en") -> int:
     refused = CannotWrite.by(error.filename or "<stdout>", error)
     click.echo(refused.message(lang), err=True)
     return refused.exit_code
+
+
+def spoken(context: click.Context, _: click.Parameter, lang: str | None) -> str | None:
+    """A language that is said before the command is the command's, unless that has one of its own; and is kept."""
+    context.meta["lang"] = lang
+    return lang

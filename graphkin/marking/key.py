@@ -67,7 +67,7 @@ class Entry:
 
     @property
     def allowed(self) -> float:
-        """What a right value may be off: never right are those that only a tolerance beyond all size lets in."""
+        """The most a right value may be off: never right are those that only a tolerance beyond all size lets in."""
         return self.tolerance if self.doubt in ("", "steep") else min(self.tolerance, TELLS * abs(self.right))
 
 

@@ -7,7 +7,19 @@ from collections.abc import Mapping
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.construction import LayOff
+from graphkin.construction import (
+    Construction,
+    Coriolis,
+    Driven,
+    LayOff,
+    Normal,
+    Plane,
+    Simultaneous,
+    Size,
+    Tangential,
+    Term,
+    Turning,
+)
 from graphkin.marking.handed import readable
 from graphkin.marking.key import Entry, Key
 from graphkin.marking.making import DRAWINGS, drawings_of, pencil_of
@@ -88,4 +100,23 @@ def _arrows(method: Method) -> dict[tuple[str, ...], str]:
         for step in construction.steps:
             if isinstance(step, LayOff) and step.term.size is not None:
                 found.setdefault(called(step.term.size), step.term.name(construction.plane))
+            elif isinstance(step, Simultaneous):
+                for size in (size for chain in step.chains for size, _ in chain.known):
+                    found.setdefault(called(size), _name(size, construction.plane, method.velocity))
     return found
+
+
+def _name(size: Size, plane: Plane, velocity: Construction) -> str:
+    """An arrow of equations that are solved together, by its kind and its points."""
+    match size:
+        case Driven(slide):
+            return slide
+        case Normal(_, tail, head) | Tangential(_, tail, head) | Turning(_, tail, head):
+            part = {Normal: "n", Tangential: "t"}.get(type(size), "")
+            return Term(head, tail, part, None, None, "", "").name(plane)
+        case Coriolis(_, tail, head):
+            at = next(node.site.point for node in (velocity.nodes[tail], velocity.nodes[head]) if node.site)
+            of, seen_from = (at if node == velocity.pole else velocity.nodes[node].of for node in (head, tail))
+            return Term(of, seen_from, "k", None, None, "", "").name(plane)
+        case _:
+            return ""

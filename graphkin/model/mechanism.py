@@ -171,7 +171,7 @@ class Mechanism:
 
     @cached_property
     def usual(self) -> Usual:
-        """How large its quantities are."""
+        """The usual sizes of its quantities."""
         arms = (link.arm(next(iter(link.points)), point) for link in self.links.values() for point in link.points)
         reach = max(map(abs, arms), default=0.0)
         turning, sliding = ([(d.rate, d.acceleration) for d in self.drivers if (d.kind == "slide") is slides]

@@ -1,4 +1,4 @@
-"""What is nothing but the rounding of computing: the one rule for every 0 that is printed, drawn or marked."""
+"""Rounding noise of computing: the one rule for every 0 that is printed, drawn or marked."""
 
 from __future__ import annotations
 

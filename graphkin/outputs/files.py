@@ -12,7 +12,7 @@ from typing import ClassVar
 from graphkin.errors import CannotWrite, GraphkinError, Lang, NoFolder
 
 DRAFT = ".draft"
-"""How the name of a file ends that is being written."""
+"""The end of the name of a file that is being written."""
 GLANCE = 4096
 """How much of a file's beginning and end is looked at for a mark of graphkin."""
 
@@ -62,7 +62,7 @@ def _clear(folder: Path) -> None:
 
 
 def _runs(process: int) -> bool:
-    """Whether there is such a process, not ended and waited for; where that cannot be asked without harm, there may
+    """True if there is such a process, not ended and waited for; where that cannot be asked without harm, there may
     be."""
     if os.name != "posix":
         return True

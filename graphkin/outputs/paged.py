@@ -10,6 +10,8 @@ import re
 import struct
 import zlib
 from collections.abc import Sequence
+from importlib.util import find_spec
+from pathlib import Path
 
 from graphkin.errors import Lang
 from graphkin.outputs.extras import needed
@@ -18,6 +20,7 @@ from graphkin.outputs.svg import svg
 from graphkin.sheet import Sheet
 
 MARK = b"graphkin sheet"
+_SERIF = "STIXGeneral"
 _COLOURS = 64
 """Of a moving picture."""
 _PAGE = """#set document(title: sys.inputs.title, author: "graphkin sheet", date: none)
@@ -62,8 +65,16 @@ def unscaled(content: bytes) -> bytes:
 def png(sheet: Sheet, dpi: float, ink: Ink = "accent") -> bytes:
     """The sheet at so many dots per inch. Raises NeedsExtra without resvg-py."""
     resvg = needed("resvg_py", "png")
-    made = bytes(resvg.svg_to_bytes(svg_string=svg(sheet, ink), dpi=dpi, background="#ffffff"))
-    return _signed(made, dpi)
+    drawn = svg(sheet, ink)
+    fonts = {"serif_family": _SERIF, "font_files": _serif_files()}
+    return _signed(bytes(resvg.svg_to_bytes(svg_string=drawn, dpi=dpi, background="#ffffff", **fonts)), dpi)
+
+
+def _serif_files() -> list[str]:
+    """A serif that comes with matplotlib, for machines that have none: resvg leaves out text that has no font."""
+    spec = find_spec("matplotlib")
+    folder = Path(spec.origin or "").parent / "mpl-data/fonts/ttf" if spec else Path()
+    return [str(file) for file in sorted(folder.glob(f"{_SERIF}*.ttf"))]
 
 
 def moving_png(sheets: Sequence[Sheet], dpi: float, seconds: float, ink: Ink = "accent") -> bytes:

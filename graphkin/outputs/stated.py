@@ -46,7 +46,7 @@ def _rounded(place: Place) -> list[float]:
 
 
 def statement(sheet: Sheet, moving: bool = False) -> str:
-    """What a reader needs to solve the same problem anew; a checker trusts only the lines.
+    """The data for solving the same problem anew; a checker trusts only the lines.
 
     What is given, what moves, and what carries no mechanism is not measured: it bears no seal.
     """
@@ -75,7 +75,7 @@ def statement(sheet: Sheet, moving: bool = False) -> str:
 
 
 def _drawn(sheet: Sheet) -> dict[str, object]:
-    """What each mark shows, the texts, and where the signs are that show nothing: what a reader holds the sheet to."""
+    """Contents of each mark, the texts, and where signs are that show nothing: a reader holds the sheet to them."""
     drawn = [(kind(mark), said) for mark in sheet.marks if (said := stated(mark))]
     placed = any(isinstance(mark, PointMark) and mark.plane in KEYS for mark in sheet.marks)
     texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
@@ -88,7 +88,7 @@ def _drawn(sheet: Sheet) -> dict[str, object]:
 
 
 def _is_sign(mark: Mark, placed: bool) -> bool:
-    """Whether a mark is held against no length: one that shows nothing, or a line of a link without points of it."""
+    """True if a mark is held against no length: one that shows nothing, or a line of a link without points of it."""
     said = stated(mark)
     unheld = not placed and kind(mark) == "link" and said.get("form") != "ruler"
     return not isinstance(mark, Text) and (not said or unheld)

@@ -214,7 +214,7 @@ def left_open(structure: Structure) -> tuple[str, ...]:
 
 
 def value_of(plot: Plot, fixes: Driver | Pose) -> Value:
-    """What a driver's value, or a pose's, is in a plot [rad or m]; of many mechanisms side by side (n,)."""
+    """The value of a driver, or of a pose, in a plot [rad or m]; of many mechanisms side by side (n,)."""
     if fixes.kind == "slide":
         return plot.s[fixes.link]
     assert fixes.vector is not None

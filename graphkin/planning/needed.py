@@ -65,6 +65,13 @@ def turning(method: Method, quantity: str, link: str) -> Fact:
     return (f"driven {quantity}", link) if turn.base == FRAME else (quantity, turn.base)
 
 
+def turnings(method: Method, quantity: str, link: str) -> tuple[Fact, ...]:
+    """The turning of a link's base, and that which drivers give the link against it."""
+    turn = method.structure.turns[link]
+    against = ((f"driven {quantity}", f"{link}/{turn.base}"),) if turn.drivers and turn.base != FRAME else ()
+    return turning(method, quantity, link), *against
+
+
 def needed(method: Method, wanted: set[Fact]) -> dict[Plane, tuple[Part, ...]]:
     """The parts of both polygons that lead to what is wanted, in their order."""
     found: dict[Plane, tuple[Part, ...]] = {}
@@ -109,8 +116,8 @@ def at_rest(method: Method, facts: Facts) -> frozenset[Fact]:
     found = [_resting(method, method.velocity, rested)]
     found.append(_resting(method, method.acceleration, rested | found[0]))
     links = [link for link in method.structure.bodies if link != FRAME]
-    turns = {link: (turning(method, "omega", link), turning(method, "alpha", link)) for link in links}
-    both = {fact for pair in turns.values() if pair[0] in found[0] and pair[1] in found[1] for fact in pair}
+    turns = [(turnings(method, "omega", link), turnings(method, "alpha", link)) for link in links]
+    both = {fact for omega, alpha in turns if {*omega} <= found[0] and {*alpha} <= found[1] for fact in omega + alpha}
     sites = [{c.nodes[name].site: (c.plane, name) for plane, name in one if plane == c.plane}
              for c, one in zip((method.velocity, method.acceleration), found, strict=True)]  # fmt: skip
     return frozenset(both | {one[site] for site in {*sites[0]} & {*sites[1]} if site is not None for one in sites})
@@ -134,7 +141,8 @@ def _still(facts: Facts) -> frozenset[Fact]:
     rates = zip(facts.rates, facts.accelerations, strict=True)
     still = {k for k, (rate, more) in enumerate(rates) if rate == more == 0}
     turns = facts.turns.items()
-    held = [link for link, turn in turns if turn.base == FRAME and all(k in still for k, _ in turn.drivers)]
+    held = [link if turn.base == FRAME else f"{link}/{turn.base}"
+            for link, turn in turns if all(k in still for k, _ in turn.drivers)]  # fmt: skip
     slides = [slide for slide, k in facts.slides_driven.items() if k in still]
     return frozenset(
         {(f"driven {quantity}", link) for quantity in ("omega", "alpha") for link in held}
@@ -233,7 +241,7 @@ class _Reader:
             case Image(link, corners, base):
                 yield from ((self.plane, node) for node in base)
                 if any(corner not in self.method.mechanism.owners for corner in corners):
-                    yield self._turning(_TURNING[self.plane], link)  # a contact is told with the turning it gives
+                    yield from self._turnings(link)  # a contact is told with the turning it gives
                 yield from (("position", corner) for corner in corners if self.plane != "position")
             case Measure(tail=tail, head=head, lever=lever):
                 yield from ((self.plane, node) for node in (tail, head))
@@ -246,22 +254,21 @@ class _Reader:
                 yield from (fact for contact in contacts for fact in self._contact(contact, {*self.gives(part)}))
             case Touch(_, centre, other):
                 yield from (("position", point) for point in (centre, other) if point)
-            case Simultaneous(chains=chains, contacts=contacts):
-                for chain in chains:
-                    yield from (fact for size, _ in chain.known for fact in self._size(size))
-                    yield from (("position", p) for one in chain.unknown for p in (one.tail, one.head) if p)
-                turned = [one.link for chain in chains for one in chain.unknown if one.link]
-                yield from (fact for link in turned for fact in self._turnings(link) if fact not in {*self.gives(part)})
-                yield from (fact for contact in contacts for fact in self._contact(contact, {*self.gives(part)}))
+            case Simultaneous():
+                found = {*self.gives(part)}
+                yield from (fact for fact in self._together(part, found) if fact not in found)
             case _:
                 assert_never(part)
 
-    def _turnings(self, link: str) -> Iterator[Fact]:
-        """The turning of a link's base, and that which drivers give the link against it."""
-        quantity, turn = _TURNING[self.plane], self.method.structure.turns[link]
-        yield self._turning(quantity, link)
-        if turn.drivers and turn.base != FRAME:
-            yield self._driven(quantity, link, turn.base)
+    def _together(self, part: Simultaneous, given: set[Fact]) -> Iterator[Fact]:
+        for chain in part.chains:
+            yield from (fact for size, _ in chain.known for fact in self._size(size))
+            yield from (("position", p) for one in chain.unknown for p in (one.tail, one.head) if p)
+            yield from (fact for one in chain.unknown if one.link for fact in self._turnings(one.link))
+        yield from (fact for contact in part.contacts for fact in self._contact(contact, given))
+
+    def _turnings(self, link: str, quantity: str = "") -> tuple[Fact, ...]:
+        return turnings(self.method, quantity or _TURNING[self.plane], link)
 
     def _contact(self, contact: InStep, given: set[Fact]) -> Iterator[Fact]:
         slides = [slide for slide, _ in contact.way] or ([contact.slide] if contact.slide else [])
@@ -280,13 +287,13 @@ class _Reader:
             case Drawn(tail, head):
                 yield from ((self.plane, node) for node in (tail, head) if node)
             case Turning(link, tail, head) | Normal(link, tail, head):
-                yield self._turning("omega", link)
+                yield from self._turnings(link, "omega")
                 yield from (("position", tail), ("position", head))
             case Tangential(link, tail, head):
-                yield self._turning("alpha", link)
+                yield from self._turnings(link, "alpha")
                 yield from (("position", tail), ("position", head))
             case Coriolis(link, tail, head):
-                yield self._turning("omega", link)
+                yield from self._turnings(link, "omega")
                 yield from (("velocity", tail), ("velocity", head))
             case Driven(slide):
                 yield _SLIDING[self.plane], slide
@@ -310,9 +317,9 @@ class _Reader:
             case Along(tail, head) | Across(tail, head):
                 yield from (("position", tail), ("position", head))
             case AlongGuide(slide) | AcrossGuide(slide):
-                yield self._turning("theta", self.method.structure.slides[slide].guide)
+                yield from self._turnings(self.method.structure.slides[slide].guide, "theta")
             case Quarter(link, tail, head):
-                yield self._turning("omega", link)
+                yield from self._turnings(link, "omega")
                 yield from (("velocity", tail), ("velocity", head))
             case _:
                 assert_never(direction)

@@ -49,6 +49,6 @@ def _loose(mechanism: Mechanism, free: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _joints(mechanism: Mechanism, link: str) -> int:
-    """How many hinges and pairs join a link to others."""
+    """The number of hinges and pairs that join a link to others."""
     hinges = sum(link in hinge.links for hinge in mechanism.hinges)
     return hinges + sum(link in pair.joins for pair in mechanism.pairs)

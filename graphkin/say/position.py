@@ -90,7 +90,7 @@ class PositionReader(DrawnPoints):
         return ((k, driver) for k, driver in drivers if driver.kind == "angle" and driver.value is None)
 
     def _read_off(self) -> Iterator[Entry]:
-        """What drivers' values come to where poses stand for them."""
+        """Drivers' values, measured where poses stand for them."""
         reading, values = self.reading, self.moving.plot.facts.values
         found = {reading.against(driver, "φ"): reading.angle(rect(1.0, values[k])) for k, driver in self._open()}
         if found:

@@ -17,7 +17,7 @@ from graphkin.model.usual import Usual
 from graphkin.planning import Method
 from graphkin.planning.acts import Act, made
 from graphkin.planning.labels import Labels
-from graphkin.planning.needed import Fact, at_rest, turning
+from graphkin.planning.needed import Fact, at_rest, turnings
 from graphkin.say import names
 from graphkin.say.catalogue import say_close
 from graphkin.say.numbers import degrees, direction, number
@@ -106,7 +106,7 @@ class Reading:
         sites = {name: node.site for name, node in nodes.items() if node.site is not None and node.site.link != FRAME}
         own = (name for name, site in sites.items() if link in (site.link, *owners.get(site.point, ())))
         still = all(("velocity", name) in self.rested for name in own)
-        return still and turning(self.method, "omega", link) in self.rested
+        return still and self.rested.issuperset(turnings(self.method, "omega", link))
 
     def translates(self, link: str) -> bool:
         """Whether a link cannot turn at all."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Sequence
 
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Line
@@ -15,6 +16,9 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wanted import Wanted
 from graphkin.sheet.wheels import circles, wheels_of
 from graphkin.sheet.window import Figure
+
+_APART = 3.0
+"""Between two arcs about one point [mm]."""
 
 
 def drives(skeleton: Skeleton) -> Figure:
@@ -39,37 +43,49 @@ def _turn_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     if abs(tip - at) < 1:
         return
     towards = (tip - at) / abs(tip - at)
-    sense = math.copysign(1, driver.rate or driver.acceleration)
+    ways = [towards * cmath.rect(1, math.radians(turn)) for turn in (-14, 76, -149)]
     radius = min(9.0, max(6.0, 0.45 * abs(tip - at)))
-    ways = [towards * cmath.rect(1, -sense * math.radians(turn)) for turn in (14, -76, 149)]
-    start = max(ways, key=lambda way: _room(skeleton, at + way * _half(sense) * radius))
-    marks = symbols.spin(at, start, sense, radius, skeleton.step(*driver.vector), _turning(driver, driver.vector[0]))
-    figure.marks += marks
-    middle = start * _half(sense)
-    label = _turn_label(skeleton, driver)
-    figure.wanted.append(Wanted(label, at + middle * radius, gap=0.3, away=middle, step=marks[0].step))
+    _arcs(skeleton, driver, figure, driver.vector, (radius, [ways, [towards**2 * way.conjugate() for way in ways]]))
 
 
 def _spin_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     """In a wheel whose direction does not matter, about its centre."""
     own = [wheel for wheel in wheels_of(skeleton.mechanism) if wheel.link == driver.link]
-    if not own:
-        return
-    at, radius = skeleton.at(own[0].centre), own[0].radius / skeleton.window.scale
-    sense, reach = math.copysign(1, driver.rate or driver.acceleration), min(9.0, max(4.0, 0.6 * radius))
-    ways = [cmath.rect(1, math.radians(turn)) for turn in range(0, 360, 45)]
-    start = max(ways, key=lambda way: _room(skeleton, at + way * _half(sense) * reach))
-    marks = symbols.spin(at, start, sense, reach, skeleton.step(own[0].centre), _turning(driver, own[0].centre))
-    figure.marks += marks
-    middle = start * _half(sense)
-    label = _turn_label(skeleton, driver)
-    figure.wanted.append(Wanted(label, at + middle * reach, gap=0.3, away=middle, step=marks[0].step))
+    if own:
+        reach = min(9.0, max(4.0, 0.6 * own[0].radius / skeleton.window.scale))
+        ways = [cmath.rect(1, math.radians(turn)) for turn in range(0, 360, 45)]
+        _arcs(skeleton, driver, figure, (own[0].centre,), (reach, [ways, ways]))
 
 
-def _turning(driver: Driver, about: str) -> Shows:
-    """The sense of a driver, about a point."""
+def _arcs(
+    skeleton: Skeleton, driver: Driver, figure: Figure, on: tuple[str, ...],
+    ways: tuple[float, Sequence[Sequence[complex]]],
+) -> None:  # fmt: skip
+    """An arc about the first point; where the acceleration opposes the rate each has its own, the one about the other.
+
+    ways  the radius, and the directions at which an arc may begin, of counter-clockwise ones and of others
+    """
+    at, (radius, starts) = skeleton.at(on[0]), ways
     seen_from = driver.from_link if driver.from_link != FRAME else ""
-    return Shows(driver.link, "omega" if driver.rate else "alpha", (about,), seen_from)
+    for sense, letters in _senses(driver).items():
+        start = max(starts[sense < 0], key=lambda way: _room(skeleton, at + way * _half(sense) * radius))
+        shows = Shows(driver.link, "omega" if "ω" in letters else "alpha", on[:1], seen_from)
+        marks = symbols.spin(at, start, sense, radius, skeleton.step(*on), shows)
+        figure.marks += marks
+        middle = start * _half(sense)
+        label, place = _turn_label(skeleton, driver, letters), at + middle * radius
+        figure.wanted.append(Wanted(label, place, gap=0.3, away=middle, step=marks[0].step))
+        radius += _APART
+
+
+def _senses(driver: Driver) -> dict[float, str]:
+    """The letters of rate and acceleration by the sense that they have."""
+    senses = dict[float, str]()
+    for letter, value in (("ω", driver.rate), ("α", driver.acceleration)):
+        if value:
+            sense = math.copysign(1, value)
+            senses[sense] = senses.get(sense, "") + letter
+    return senses
 
 
 def _half(sense: float) -> complex:
@@ -97,11 +113,9 @@ def _distance(place: Place, start: Place, end: Place) -> float:
     return abs(place - start - way * max(0.0, min(1.0, t)))
 
 
-def _turn_label(skeleton: Skeleton, driver: Driver) -> Label:
+def _turn_label(skeleton: Skeleton, driver: Driver, letters: str) -> Label:
     links = [driver.link] if driver.from_link == FRAME else [driver.link, driver.from_link]
     called = between([skeleton.mechanism.called(link) for link in links])
-    letters = ["ω"] if driver.rate else []
-    letters += ["α"] if driver.acceleration else []
     return joined([quantity_label(letter, called) for letter in letters])
 
 

@@ -72,7 +72,7 @@ def handed_in(paths: Iterable[str | Path], limits: Limits) -> Iterator[Handed]:
 
 
 def named_in(paths: Iterable[str | Path], limits: Limits = LIMITS) -> Iterator[Owner]:
-    """Who files, folders and members of archives are named after, unread."""
+    """The students whom files, folders and members of archives are named after, unread."""
     for path in map(Path, paths):
         with suppress(GraphkinError, OSError):
             names = [path.name]

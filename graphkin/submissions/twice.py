@@ -1,4 +1,4 @@
-"""Who has handed in already: of each student the first submission counts, and none that another's name stands in."""
+"""Students who have handed in already: of each the first submission counts, and none that another's name stands in."""
 
 from __future__ import annotations
 

@@ -80,7 +80,7 @@ def items(paths: Iterable[str | Path], way: Way) -> Iterator[Handed | Again]:
 def run(
     judge: Judge, some: Iterable[Item], way: Way, paths: Iterable[str | Path]
 ) -> Iterator[Graded | Kept]:
-    """What becomes of each, in order; what is kept goes through as it is. `paths`: of all that was handed in."""
+    """The result of each, in order; what is kept goes through as it is. `paths`: of all that was handed in."""
     work = partial(marked, judge=judge, limits=way.limits, reading=way.reading)
     if way.executor is not None:
         return firsts(ahead(way.executor, work, _batches(some, _BATCH), _AHEAD), paths)

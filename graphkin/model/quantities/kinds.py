@@ -30,7 +30,7 @@ class Answer:
 
 @frozen
 class Kind:
-    """What all quantities have: each can be asked of any motions.
+    """The base of all quantities: each can be asked of any motions.
 
     word, of   as they are written: `a_k` and `B3B2`
     """
@@ -296,7 +296,7 @@ class Quotient(Kind):
 
 
 Quantity: TypeAlias = Rotation | Displacement | Place | Track | Moving | Component | Centre | Quotient
-"""What can be asked; whoever reads its kinds one by one ends in `assert_never`, so that the type checker lists them."""
+"""All quantities; whoever reads its kinds one by one ends in `assert_never`, so that the type checker lists them."""
 
 
 def on_axis(vector: Value, axis: Axis) -> Value:

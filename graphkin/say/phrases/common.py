@@ -5,6 +5,7 @@ from graphkin.say.catalogue import Phrases
 PHRASES: Phrases = {
     "note": (" ({note})", "（{note}）"),
     "and": (", ", "，"),
+    "broken off": ("Aborted!", "已中断。"),
     "list": (", ", "、"),
     "semicolon": ("; ", "；"),
     "colon": (": ", "："),
