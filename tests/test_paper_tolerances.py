@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from large_mechanisms import triads
 from test_mistakes_everywhere import FAMILIES
 
 from graphkin import library
@@ -166,3 +167,13 @@ def erring(machine: Mechanism, length: float, angle: float) -> Iterator[Mechanis
     for k, driver in enumerate(machine.drivers):
         value = (driver.value or 0.0) + (length if driver.kind == "slide" else angle)
         yield replace(machine, drivers=(*machine.drivers[:k], replace(driver, value=value), *machine.drivers[k + 1 :]))
+
+
+def test_an_error_of_one_fitted_group_leaves_the_one_before_as_it_is() -> None:
+    """Where one mark alone errs, a group that does not hang on it is drawn once for all drawings."""
+    method = plan(triads(2))
+    pencil, every = pencil_of(marking_of(method)), Slips(1, 3)
+    drawn_positions(method, pencil, every)
+    for mark in every.seen:
+        drawn = drawn_positions(method, pencil, Slips(1, 3, mark.__eq__))
+        assert all(np.isfinite(place).any() for place in drawn.position.values()), mark

@@ -81,6 +81,9 @@ def _drawn(
         if attempt < _APART and numbers in taken.numbers:
             refused["taken"] += 1
             continue
+        if numbers in posing.refused:
+            refused[posing.refused[numbers]] += 1
+            continue
         try:
             mechanism, found = posing.of(numbers)
         except GraphkinError:
@@ -88,12 +91,9 @@ def _drawn(
             if attempt + 1 == refused["assembly"] == _HOPELESS:
                 raise
             continue
-        if isinstance(found, str):
-            refused[found] += 1
-            continue
-        tells = goal.telling(found)
-        if tells.failed > _FAILS:
-            refused["dead point"] += 1
+        if isinstance(found, str) or (tells := goal.telling(found)).failed > _FAILS:
+            posing.refused[numbers] = found if isinstance(found, str) else "dead point"
+            refused[posing.refused[numbers]] += 1
             continue
         own = _Answers(answers(found), tells.right, tells.tolerance)
         there = taken.has(numbers, own)

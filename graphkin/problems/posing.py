@@ -22,11 +22,15 @@ AHEAD = 24
 
 
 class Posing:
-    """Problems by their numbers; `likely` gives those that will be asked for, in about that order."""
+    """Problems by their numbers; `likely` gives those that will be asked for, in about that order.
+
+    refused  numbers that are no good problem, and why: of few variants each is drawn many times
+    """
 
     def __init__(self, template: Template, likely: Iterable[Numbers]) -> None:
         self._template, self._likely = template, iter(likely)
         self._known: dict[Numbers, _Known] = {}
+        self.refused: dict[Numbers, Refused] = {}
 
     def of(self, numbers: Numbers) -> tuple[Mechanism, Posed | Refused]:
         """The mechanism and its problem, or what is against it. Raises what reading and solving raise."""
