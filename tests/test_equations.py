@@ -27,6 +27,7 @@ from random_mechanisms import (
     six_bar,
     triad,
 )  # fmt: skip
+from redriving import redriven
 
 import graphkin
 from graphkin.equations import document, write_html, write_tex, write_text
@@ -37,6 +38,7 @@ from graphkin.equations.written import written
 from graphkin.errors import DeadPoint
 from graphkin.files import library
 from graphkin.model.usual import ROUNDING
+from graphkin.planning.stages import Group
 
 EPS = 1e-9
 """Relative to what the terms of a formula add up to."""
@@ -167,6 +169,16 @@ def test_printed_formulas_hold_for_random_mechanisms(kind: str, seed: int):
         assert error.angle_deg < 0.5
         return
     hold_in_all(mechanism, method, ("en",))
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_printed_formulas_hold_where_links_are_closed_in_themselves(seed: int):
+    """Such links give their angles to one another before any of them has a place."""
+    if (found := redriven("cylinder", "link", seed)) is None:
+        return
+    method = graphkin.plan(found[0])
+    if any(stage.floating for stage in method.stages if isinstance(stage, Group)):
+        hold_in_all(found[0], method, ("en",))
 
 
 ARM = """

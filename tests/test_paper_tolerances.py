@@ -9,6 +9,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from large_mechanisms import triads
 from test_mistakes_everywhere import FAMILIES
 
 from graphkin.analytic import motion
@@ -175,3 +176,13 @@ def test_a_step_is_called_by_its_arrow(place: str) -> None:
     held = marker(place)
     told = "\n".join(tolerance_lines(tolerances(held.key, held.method), "en"))
     assert not re.search(r"laying off (Normal|Tangential|Coriolis|Turning|Driven|Drawn|Relative)\b", told), told
+
+
+def test_an_error_of_one_fitted_group_leaves_the_one_before_as_it_is() -> None:
+    """Where one mark alone errs, a group that does not hang on it is drawn once for all drawings."""
+    method = plan(triads(2))
+    pencil, every = pencil_of(marking_of(method)), Slips(1, 3)
+    drawn_positions(method, pencil, every)
+    for mark in every.seen:
+        drawn = drawn_positions(method, pencil, Slips(1, 3, mark.__eq__))
+        assert all(np.isfinite(place).any() for place in drawn.position.values()), mark

@@ -142,6 +142,7 @@ def _nearest(place: complex, line: np.ndarray) -> float:
         (["ex3-5", "--path", "E", "--style", "given"], 2, "leave out --style given"),
         (["ex3-5", "--path", "E", "--only", "velocity"], 2, "leave out --style given and --only"),
         (["ex3-5", "--path", "E", "-o", "x.ggb"], 2, "Locus"),
+        *((["ex3-5", "--only", only, "-o", "x.ggb"], 2, "leave out --only") for only in ("position", "velocity", "acceleration")),
     ],
 )
 def test_what_cannot_be_drawn_is_said(options: list[str], status: int, said: str) -> None:

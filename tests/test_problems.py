@@ -17,7 +17,7 @@ from graphkin.cli import main
 from graphkin.errors import GraphkinError, NoRange, NotATemplate, NoVariant, OutOfRange, StudentTwice, UnknownQuantity
 from graphkin.files import library
 from graphkin.homework.platforms import write_problems
-from graphkin.homework.problems import Student, read_template, roster, variants, well_posed
+from graphkin.homework.problems import Student, draws, read_template, roster, variants, well_posed
 from graphkin.homework.problems.shown import shown_at
 from graphkin.outputs.files import FileInTheWay
 from graphkin.planning import plan
@@ -197,6 +197,18 @@ def test_few_variants_are_shared_and_said(template: Path, tmp_path: Path):
     assert sum(variant.shared for variant in found) >= 1
     result = CliRunner().invoke(main, ["problems", str(template), "--students", "5", "-o", str(tmp_path / "set"), "--lang", "en"])
     assert "note: " in result.stderr
+
+
+def test_numbers_that_are_refused_are_solved_once(template: Path, monkeypatch: pytest.MonkeyPatch):
+    """Of two variants that are both no problem 200 draws are made, and each is solved once beside what the paper is found by."""
+    fixed = TEXT.replace("{ from = 30, to = 150, step = 5 }", "60").replace('{ from = "60 rpm", to = "120 rpm", step = "10 rpm" }', "10")
+    fixed = fixed.replace("from = 74, to = 84, step = 0.5", "from = 78, to = 79, step = 1").replace("{ from = 20, to = 28, step = 1 }", "24")
+    template.write_text(fixed, encoding="utf-8")
+    solved = []
+    monkeypatch.setattr(draws, "well_posed", lambda mechanism: solved.append(mechanism) or "short")
+    with pytest.raises(NoVariant, match="a vector too short to measure: 200"):
+        variants(read_template(template), roster("3"), "1")
+    assert len(solved) <= draws._SAMPLE_TRIES + 2
 
 
 def test_the_command(template: Path, tmp_path: Path):

@@ -7,12 +7,14 @@ import io
 import json
 import math
 import os
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from click.testing import CliRunner, Result
 from random_mechanisms import DYADS, chain, circular_slot, coupler_angle, cylinder, dyad, triad
+from redriving import redriven
 
 from graphkin.cli import main
 from graphkin.errors import BadRange, GraphkinError, NoPosition, NoSuchDriver
@@ -20,6 +22,7 @@ from graphkin.files import library, loads
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.proof.roads import apart
+from graphkin.running import singularities
 from graphkin.studies.sweeps import course, quantities_at, sweep
 from graphkin.studies.sweeps.roads import moving
 
@@ -207,6 +210,22 @@ def test_drivers_keep_pace():
     assert np.allclose(found["v A"].values, 0.002)
     assert np.allclose(found["v B"].values, 0.002)
     assert len(found.driven) > 10
+
+
+@pytest.mark.parametrize("kind", ["RPP", "PPR", "RPR"])
+def test_an_angle_that_keeps_its_size_is_not_looked_at_closely(kind: str, monkeypatch: pytest.MonkeyPatch):
+    """Two drivers, one of them fifty times as fast: of thousands of lows of rounding none is looked at."""
+    looked: list[float] = []
+    closer = singularities._closer
+    monkeypatch.setattr(singularities, "_closer", lambda *given: looked.append(given[-1]) or closer(*given))
+    swept = 0
+    for seed in range(8):
+        if (found := redriven(kind, "posed by a slide", seed)) is not None and len(found[0].drivers) == 2:
+            slow, fast = (replace(driver, acceleration=0.0) for driver in found[0].drivers)
+            course(plan(replace(found[0], drivers=(replace(slow, rate=1.0), replace(fast, rate=50.0)))))
+            swept += 1
+    assert swept
+    assert len(looked) < 8 * swept
 
 
 def test_a_driver_can_be_held_elsewhere():

@@ -142,6 +142,8 @@ def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane
         raise click.UsageError("--path is drawn with the mechanism, as a result: leave out --style given and --only")
     if paths and output is not None and output.suffix.lower() == ".ggb":
         raise click.UsageError("GeoGebra draws paths itself, as Locus(E, slider): leave out --path")
+    if only is not None and output is not None and output.suffix.lower() == ".ggb":
+        raise click.UsageError("in GeoGebra each figure moves with the one before: leave out --only")
 
 
 def _write_motion(

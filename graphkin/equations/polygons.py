@@ -187,8 +187,13 @@ def way(
 def closed(
     arrows: Arrows, known: Collection[str], bodies: Sequence[str], joints: Sequence[Joint]
 ) -> Polygon:
-    """The polygon through `bodies`, entered by the first of `joints` and left by the last, closed over known bodies."""
+    """The polygon through `bodies`, entered by the first of `joints` and left by the last, closed over known bodies.
+
+    Where the last joint is the first, the bodies are a ring by themselves, whether or not any of them is known.
+    """
     structure = arrows.structure
+    if joints[0] == joints[-1]:
+        return Polygon(tuple(_round(arrows, bodies, joints[:-1])))
     near = _known_side(structure, known, joints[0], bodies[0])
     far = _known_side(structure, known, joints[-1], bodies[-1])
     back, between = way(structure, known, far, near)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import reduce
 
 import numpy as np
 
@@ -78,7 +79,7 @@ def drawn_positions(method: Method, pencil: Pencil, slips: Slips) -> Plot:
     senses = replay(method.position, Plot(method.facts(), near)).senses if method.fits else {}
     for part in np.linspace(0, 1, _STAGES + 1)[1:] if method.fits else (1.0,):
         plot = replay(method.position, Plot(_on_paper(method, pencil.times(float(part)), slips), near))
-        astray = np.any([plot.senses[name] != sense for name, sense in senses.items()], axis=0)
+        astray = reduce(np.logical_or, (plot.senses[name] != sense for name, sense in senses.items()), np.False_)
         for table in (plot.position, plot.theta, plot.s) if np.any(astray) else ():
             table.update({name: np.where(astray, np.nan, value) for name, value in table.items()})
         near = turned(method, plot)

@@ -25,6 +25,9 @@ TOUCHING_SINE = 3e-6
 """The sine to which two loci come down, as closely as it is looked at, where they touch."""
 LOW_SINE = 0.3
 """Below this a least angle between two loci is looked at more closely."""
+FALLEN = 0.9
+"""A sine that comes to 0 between two positions is less than this part of what it is at the one before or after them:
+in straight lines it were a third. One that keeps its value has lows of rounding alone, and is not looked at."""
 ROUNDS, FINE = 3, 201
 FEW, CLOSE = 5, 0.01
 """Positions where a sine goes through 0, and how far from there others are looked at, as part of how far these are."""
@@ -93,6 +96,7 @@ def _lows(sine: np.ndarray) -> np.ndarray:
     low = np.zeros(sine.shape, dtype=bool)
     with np.errstate(invalid="ignore"):
         low[1:-1] = (sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:]) & (sine[1:-1] < LOW_SINE)
+        low[1:-1] &= sine[1:-1] <= FALLEN * np.fmax(sine[:-2], sine[2:])
         low[-1] = sine[-1] < 0.01
     return low
 

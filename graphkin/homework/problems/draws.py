@@ -70,6 +70,9 @@ def _drawn(template: Template, student: Student, seed: str, taken: _Taken, goal:
         if attempt < _APART and numbers in taken.numbers:
             refused["taken"] += 1
             continue
+        if numbers in taken.refused:
+            refused[taken.refused[numbers]] += 1
+            continue
         try:
             mechanism = template.mechanism(numbers)
             found = well_posed(mechanism)
@@ -78,12 +81,9 @@ def _drawn(template: Template, student: Student, seed: str, taken: _Taken, goal:
             if attempt + 1 == refused["assembly"] == _HOPELESS:
                 raise
             continue
-        if isinstance(found, str):
-            refused[found] += 1
-            continue
-        tells = goal.telling(found)
-        if tells.failed > _FAILS:
-            refused["dead point"] += 1
+        if isinstance(found, str) or (tells := goal.telling(found)).failed > _FAILS:
+            taken.refused[numbers] = found if isinstance(found, str) else "dead point"
+            refused[taken.refused[numbers]] += 1
             continue
         own = _Answers(answers(found), tells.right, tells.tolerance)
         there = taken.has(numbers, own)
@@ -156,9 +156,10 @@ class _Answers:
 
 
 class _Taken:
-    """What other students have: their numbers and their answers."""
+    """Numbers and answers that other students have; and numbers that are no good problem, each with why."""
 
     def __init__(self) -> None:
+        self.refused: dict[tuple[int, ...], Refused] = {}
         self.numbers: set[tuple[int, ...]] = set()
         self.answers: list[_Answers] = []
 
