@@ -234,9 +234,10 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
     equations = reading.say("contacts.and both").join(said)
     equations = equations[0].upper() + equations[1:]
     floats = not any(isinstance(size, Drawn) for chain in step.chains for size, _ in chain.known) and not step.contacts
-    alone = len(said) == len(step.chains) == 1
-    key = "closed in themselves" if floats else "together, one" if alone else "together"
-    yield Sentence(reading.say(f"contacts.{key}", unknowns=unknowns, equations=equations))
+    alone = "contacts.together, one" if len(step.chains) == 1 else "contacts.together"
+    coupled = len(said) > bool(step.chains)  # ruler and triangle may find a way there
+    key = "contacts.closed in themselves" if floats else "contacts.together, coupled" if coupled else alone
+    yield Sentence(reading.say(key, unknowns=unknowns, equations=equations))
     table = plot.omega if polygon.plane == "velocity" else plot.alpha
     for link in dict.fromkeys(members):
         value = reading.usual.rate(float(table[link]), polygon.plane)

@@ -91,8 +91,8 @@ PHRASES: Phrases = {
         "构件 {links} 组成{cls}级杆组，其位置不能用直尺和圆规直接作出。作图时用样板法：将构件 {template} 描在透明纸上试移，直至 {lengths} 均相符；此处用数值法求得：",
     ),
     "fit coupled": (
-        "Links {links} are coupled {ties}. Ruler and compass do not give their position. On paper a template is tried: link {template} on tracing paper is shifted until {lengths} fit, and {relations}{note}. Here the fit is found numerically:",
-        "构件 {links} 由{ties}互相约束，其位置不能用直尺和圆规直接作出。作图时用样板法：将构件 {template} 描在透明纸上试移，直至 {lengths} 均相符，且 {relations}{note}；此处用数值法求得：",
+        "Links {links} are coupled {ties}. On paper a template finds their position: link {template} on tracing paper is shifted until {lengths} fit, and {relations}{note}. Here the fit is found numerically:",
+        "构件 {links} 由{ties}互相约束。作图时用样板法求其位置：将构件 {template} 描在透明纸上试移，直至 {lengths} 均相符，且 {relations}{note}；此处用数值法求得：",
     ),
     "by joints": ("by their joints", "运动副"),
     "by rolling": ("by pure rolling", "纯滚动"),
@@ -135,6 +135,7 @@ PHRASES: Phrases = {
         "No order of ruler and triangle gives {unknowns} one after another. {equations} are solved together:",
         "{unknowns} 不能用作图法依次求得，须联立求解{equations}：",
     ),
+    "together, coupled": ("{equations} are solved together, for {unknowns}:", "联立求解{equations}，得 {unknowns}："),
     "together, one": (
         "No order of ruler and triangle gives {unknowns} one after another. {equations} is solved for them together:",
         "{unknowns} 不能用作图法依次求得，须由{equations}联立求解：",
