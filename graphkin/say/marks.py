@@ -60,7 +60,8 @@ def _header(lang: Lang) -> list[str]:
 
 def _row(one: Judged, lang: Lang) -> list[str]:
     given = "" if one.given is None else shown(one.given, one.unit)
-    right, tolerance = shown(one.right, one.unit), f"±{shown(one.tolerance, one.unit)}"
+    untold = one.verdict in ("dead point", "too small")
+    right, tolerance = shown(one.right, one.unit), "–" if untold else f"±{shown(one.tolerance, one.unit)}"
     return [one.text, given, right, tolerance, EDGE[one.unit].sign, verdict(one, lang)]
 
 
