@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
+from typing import assert_never
 
 from graphkin.base.cache import kept
 from graphkin.base.geometry import Value
@@ -12,7 +13,8 @@ from graphkin.errors import Where
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import primes
-from graphkin.model.quantities import Displacement, Moving, Quantity, Rotation, Track, named
+from graphkin.model.quantities import Quantity, named
+from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.planning import Method
 
 __all__ = ["places", "readings"]
@@ -41,13 +43,15 @@ class DrawnPlaces(dict[str, tuple[str, str, str]]):
                 return "s", quantity.slide
             case Track():
                 return "position", quantity.site.point
-            case Moving(seen_from=None):
+            case Moving():
                 node = self.method.nodes_of_links.get(quantity.site.link, {}).get(quantity.site.point)
-                if node is not None and quantity.site.link != FRAME:
+                if quantity.seen_from is None and node is not None and quantity.site.link != FRAME:
                     return ("velocity", node) if quantity.letter == "v" else ("acceleration", node + self.prime)
+                return "", ""
+            case Centre() | Component() | Place() | Quotient():
+                return "", ""
             case _:
-                pass
-        return "", ""
+                assert_never(quantity)
 
 
 @kept(4)
