@@ -18,8 +18,8 @@ TRIES, ROUNDS = 6, 8
 LIMITS = {
     "list": 0.4,
     "equations ex3-1": 1.2,
-    "draw ex3-1": 1.5,
-    "draw p3-15": 1.75,
+    "draw ex3-1": 1.8,
+    "draw p3-15": 2.05,
 }
 """Of the time that the imports take."""
 

@@ -67,7 +67,7 @@ def graphkin_pva(method: Method, angles: np.ndarray) -> Plot:
 
 def everything(method: Method, angles: np.ndarray, compiled: bool = False) -> State:
     """The same by the public names, with units."""
-    state = graphkin.replay(method, [angles], compiled)
+    state = graphkin.replay(method, [angles], compiled=compiled)
     for table, names in ((state.position, method.mechanism.points), (state.v, method.mechanism.points),
                          (state.a, method.mechanism.points), (state.theta, method.mechanism.moving),
                          (state.omega, method.mechanism.moving), (state.alpha, method.mechanism.moving)):  # fmt: skip
