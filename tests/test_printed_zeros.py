@@ -1,4 +1,4 @@
-"""No number that is but rounding is printed: what is below 1e-9 of the usual size of its kind is printed as 0."""
+"""No number that is but rounding is printed: what is below that part of the usual size of its kind which `ROUNDING` says is printed as 0."""
 
 from __future__ import annotations
 

@@ -128,9 +128,8 @@ class Reading:
     def rotations(self, links: Iterable[str], symbol: str, relative: str = "") -> list[str]:
         """`ω1 = ω3 + ω13` of each driver between these links, from `ω`, and the symbol of ω13 if it is another."""
         drivers = [self.method.drivers[k] for k in self.relative_drivers(links)]
-        ends = [(self.rate(symbol, d.link), self.rate(symbol, d.from_link)) for d in drivers]
-        sums = zip(ends, drivers, strict=True)
-        return [f"{one} = {other} + {self.against(driver, relative or symbol)}" for (one, other), driver in sums]
+        sides = ((self.rate(symbol, d.link), self.rate(symbol, d.from_link), d) for d in drivers)
+        return [f"{one} = {other} + {self.against(driver, relative or symbol)}" for one, other, driver in sides]
 
     def radius(self, link: str, size: float) -> str:
         """`r2` of a wheel, and `r2′` of the second gear of a compound one."""
