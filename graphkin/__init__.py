@@ -51,23 +51,23 @@ ORDER = (
 )  # fmt: skip
 
 _WHERE = {
-    "Mechanism": "files",
-    "load": "api",
-    "loads": "files",
-    "from_dict": "files",
-    "Drawing": "api",
-    "State": "model.readout",
-    "Sweep": "outputs.frames",
-    "plan": "api",
-    "replay": "api",
-    "replay_many": "api",
-    "motion": "api",
-    "sweep": "api",
-    "sweep_many": "api.batches",
-    "solve_many": "api.batches",
-    "explain": "say",
-    "measure": "check",
-    "GraphkinError": "errors",
+    "Mechanism": "files.MechanismFile",
+    "load": "api.load",
+    "loads": "files.loads",
+    "from_dict": "files.from_dict",
+    "Drawing": "api.Drawing",
+    "State": "model.readout.State",
+    "Sweep": "outputs.frames.SweepFrames",
+    "plan": "api.plan",
+    "replay": "api.replay",
+    "replay_many": "api.replay_many",
+    "motion": "api.motion",
+    "sweep": "api.sweep",
+    "sweep_many": "api.batches.sweep_many",
+    "solve_many": "api.batches.solve_many",
+    "explain": "say.explain",
+    "measure": "check.measure",
+    "GraphkinError": "errors.GraphkinError",
 }
 
 __all__ = [
@@ -80,9 +80,10 @@ if TYPE_CHECKING:
     from graphkin.api.batches import solve_many, sweep_many
     from graphkin.check import measure
     from graphkin.errors import GraphkinError
-    from graphkin.files import Mechanism, from_dict, loads
+    from graphkin.files import MechanismFile as Mechanism
+    from graphkin.files import from_dict, loads
     from graphkin.model.readout import State
-    from graphkin.outputs.frames import Sweep
+    from graphkin.outputs.frames import SweepFrames as Sweep
     from graphkin.say import explain
 
 
@@ -90,7 +91,8 @@ def __getattr__(name: str) -> Any:
     """Public names are imported when first used, so that a command loads only what it needs."""
     if name not in _WHERE:
         raise AttributeError(f"module 'graphkin' has no attribute {name!r}")
-    return getattr(import_module(f"graphkin.{_WHERE[name]}"), name)
+    module, _, attribute = _WHERE[name].rpartition(".")
+    return getattr(import_module(f"graphkin.{module}"), attribute)
 
 
 def __dir__() -> list[str]:

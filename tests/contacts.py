@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.analytic import Motion
-from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Roll
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, RollingContact
 
 Array = np.ndarray
 Circle = tuple[str, str, float]
@@ -23,7 +23,7 @@ def touching(found: Motion) -> Iterator[tuple[Array, Array]]:
     for gear in m.of(Gear):
         one, other = zip(gear.links, gear.centres, gear.radii, strict=True)
         yield circles(found, one, other, gear.internal)[::2]
-    for roll in m.of(Roll):
+    for roll in m.of(RollingContact):
         wheel = (roll.wheel, roll.centre, roll.radius)
         if roll.line is None:
             track = (roll.track, roll.track_centre, roll.track_radius)

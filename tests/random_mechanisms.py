@@ -13,7 +13,7 @@ import random
 from dataclasses import dataclass, field, replace
 
 from graphkin.model.mechanism import FRAME, Driver, Link, Mechanism, Pose
-from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Profile, Roll, Slide
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Profile, RollingContact, Slide
 
 DYADS = ("RRR", "RRP", "PRR", "RPR", "PRP", "RPP", "PPR")
 
@@ -347,7 +347,7 @@ def rolling(seed: Seed) -> Mechanism:
     rim = radius * rng.uniform(1.5, 3)
     build.body(track).points[hub] = spot + away * (rim - radius if internal else rim + radius)
     machine = build.finish(f"rolling-{seed}")
-    roll = Roll("r0", False, "2", centre, radius, track, None, True, hub, rim, internal)
+    roll = RollingContact("r0", False, "2", centre, radius, track, None, True, hub, rim, internal)
     return replace(machine, pairs=(*machine.pairs, roll), poses=(_pose(machine, build, "2"),))
 
 
@@ -360,7 +360,7 @@ def _on_a_line(
     first = next(iter(body.points.values())) if track != FRAME else 0j
     points = {**machine.links[track].points, origin: (foot - first) / body.axis}
     links = {**machine.links, track: Link(track, points)}
-    roll = Roll("r0", False, "2", centre, radius, track, Line(track, origin, line / body.axis, False), left, None, 0.0, False)
+    roll = RollingContact("r0", False, "2", centre, radius, track, Line(track, origin, line / body.axis, False), left, None, 0.0, False)
     return replace(machine, links=links, pairs=(*machine.pairs, roll), poses=(_pose(machine, build, "2"),))
 
 

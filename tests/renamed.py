@@ -6,7 +6,7 @@ import random
 from dataclasses import replace
 
 from graphkin.model.mechanism import FRAME, Driver, Link, Mechanism, Pose
-from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Profile, Roll, Slide
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Profile, RollingContact, Slide
 
 WORDS = ("crank", "coupler", "rocker", "guide", "ram", "连杆", "arm_2", "b3", "x'", "slider", "disc", "s0", "r0", "kite")
 
@@ -35,7 +35,7 @@ def called(mechanism: Mechanism, names: dict[str, str], frame: str) -> Mechanism
         match old:
             case Slide():
                 return replace(old, line=line(old.line), block=old.block and names[old.block])
-            case Roll():
+            case RollingContact():
                 return replace(old, wheel=names[old.wheel], track=names[old.track], line=line(old.line))
             case CircularSlot():
                 return replace(old, guide=names[old.guide], link=names[old.link])

@@ -133,7 +133,7 @@ def test_many_mechanisms_are_held_too(kind: str, at: int | None, monkeypatch: py
     assert not found.refused
     draw = variants.replay_many
 
-    def draw_wrong(row: int, *given: Any) -> variants.Drawn:
+    def draw_wrong(row: int, *given: Any) -> variants.DrawnVariants:
         made = draw(*given)
         for table in (made.plot.omega, made.plot.velocity):
             for value in table.values():

@@ -13,7 +13,7 @@ from contacts import touching
 from graphkin.analytic import NoAssembly, mobility, motion
 from graphkin.files import loads
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.pairs import Roll
+from graphkin.model.pairs import RollingContact
 
 CRANK = """
 [frame]
@@ -388,7 +388,7 @@ def at_speed(mechanism: Mechanism, seconds: float) -> Mechanism:
 @each_file
 def test_results_have_the_names_of_the_file(name: str) -> None:
     mechanism, found = made(name), motion(made(name))
-    rolls = {roll.name for roll in mechanism.of(Roll) if roll.line is not None}
+    rolls = {roll.name for roll in mechanism.of(RollingContact) if roll.line is not None}
     assert set(found.omega) == set(mechanism.links)
     assert set(found.s) == {slide.name for slide in mechanism.slides} | rolls
     for link in mechanism.links:

@@ -12,12 +12,12 @@ from broken_submissions import broken
 
 from graphkin import api
 from graphkin.errors import GraphkinError, OwnFault, TookTooLong, steers
-from graphkin.submissions import Asked, Limits, Submission, read, safe_name
+from graphkin.submissions import Limits, ReadableProblem, Submission, read, safe_name
 
 MANY = int(os.environ.get("GRAPHKIN_BROKEN", "300"))
 PART = 50
 MECHANISM = api.load("ex3-1")
-ASKED = Asked(MECHANISM, MECHANISM.ask)
+ASKED = ReadableProblem(MECHANISM, MECHANISM.ask)
 
 
 @pytest.mark.parametrize("start", range(0, MANY, PART))

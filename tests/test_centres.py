@@ -12,7 +12,7 @@ from random_mechanisms import DYADS, dyad
 
 from graphkin.analytic import Motion, motion
 from graphkin.api import plan
-from graphkin.construction.drafting import Board, LineStep, Meet, drawn_through, ruled
+from graphkin.construction.drafting import Board, DraftMeet, LineStep, drawn_through, ruled
 from graphkin.construction.drafting.projective import Homogeneous
 from graphkin.errors import NOWHERE, GraphkinError
 from graphkin.files import library, loads
@@ -208,7 +208,7 @@ def test_the_shortest_way_to_a_centre_is_a_way_to_it(name: str) -> None:
     for wanted in here.centring.links:
         way, known = shortest(here, [wanted]), set[str]()
         for stage in way.stages:
-            for line in stage.lines if isinstance(stage.last, Meet) else ():
+            for line in stage.lines if isinstance(stage.last, DraftMeet) else ():
                 assert set(drawn_through(line)) <= known
                 point, place = here.board.points[stage.last.name], ruled(line, here.board)
                 assert abs(np.dot(point, place)) < 1e-9 * np.linalg.norm(point) * np.linalg.norm(place)

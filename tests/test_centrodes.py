@@ -255,10 +255,10 @@ def test_cut_at_infinity_and_closed():
 
 def test_lengths_to_the_fourth_order():
     """A circle of radius 1: a quarter of it from twenty chords."""
-    from graphkin.studies.centres.centrode_sampling import Piece
+    from graphkin.studies.centres.centrode_sampling import CentrodePiece
 
     t = np.linspace(0, np.pi / 2, 41)
-    assert arc_length(Piece(t, np.exp(1j * t)[None]))[-1] == pytest.approx(np.pi / 2, rel=1e-7)
+    assert arc_length(CentrodePiece(t, np.exp(1j * t)[None]))[-1] == pytest.approx(np.pi / 2, rel=1e-7)
 
 
 def test_path_of_the_suspension_pole():

@@ -21,7 +21,7 @@ from click.testing import CliRunner, Result
 
 from graphkin.cli import main
 from graphkin.homework.grading import Journal, batch, grade, judge_from, key_from, resumed, running
-from graphkin.homework.grading.batch import Kept
+from graphkin.homework.grading.batch import StoredRecord
 from graphkin.outputs import marks_file
 from graphkin.outputs.key_json import key_text
 from graphkin.outputs.marks_json import record
@@ -140,7 +140,7 @@ def marked(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     work = running.marked
 
     def watched(some, **how):
-        seen.extend(one.student if not hasattr(one, "owner") else one.owner.student for one in some if not isinstance(one, Kept))
+        seen.extend(one.student if not hasattr(one, "owner") else one.owner.student for one in some if not isinstance(one, StoredRecord))
         return work(some, **how)
 
     monkeypatch.setattr(running, "marked", watched)

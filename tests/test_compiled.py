@@ -34,7 +34,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.running.many_positions import FITTED_MANY, MANY, by_program, program_of, replay_along
-from graphkin.running.path import Path, along
+from graphkin.running.path import DriverPath, along
 from graphkin.running.program.in_numpy import in_numpy
 from graphkin.running.program.program import BLOCK, LazyPlot, ReplayProgram, recorded_program
 from graphkin.running.program.recorder import TABLES, Recorded
@@ -203,7 +203,7 @@ def alike_on_its_way(method: Method, compiled: bool | None = None) -> int:
     return hold_alike(method, found, plain, COUNT, lambda change: nudged(method, path, t, 10 * change))
 
 
-def nudged(method: Method, path: Path, t: np.ndarray, change: float) -> Plot:
+def nudged(method: Method, path: DriverPath, t: np.ndarray, change: float) -> Plot:
     """Plain replay a little farther on the way: more than where nothing rolls, for one angle is found from the other."""
     return replay(method.acceleration, replay(method.velocity, along(method, path, t + change)))
 

@@ -26,7 +26,7 @@ from graphkin.sheet import Sheet, Style
 from graphkin.sheet.drafted import Drafted
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import Label
-from graphkin.sheet.marks import Arc, Disc, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import ArcMark, Disc, PointMark, Stroke, Text, VectorMark
 
 SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
 SEVERAL = ("ex3-1", "p3-16", "p3-17", "p3-22", "s4-ex6", "scotch-yoke")
@@ -181,7 +181,7 @@ def test_measured_lengths_rotations_and_what_is_given_stand_on_the_mechanism() -
     page = sheet("ex3-1")
     assert {"lBD = 69.20 mm", "ω3", "α3", "ω2", "α2"} <= set(texts(page))
     assert any(text.startswith("AD = 78 mm,  AB = 24 mm") for text in texts(page))
-    arcs = [mark for mark in page.marks if isinstance(mark, Arc) and mark.accent is not None]
+    arcs = [mark for mark in page.marks if isinstance(mark, ArcMark) and mark.accent is not None]
     turns = {mark.accent: mark.sweep > 0 for mark in arcs}
     assert turns == {"velocity": True, "acceleration": False}  # clockwise, and counter-clockwise, on paper
     assert any(isinstance(mark, Stroke) and mark.pen == "measured" for mark in page.marks)
@@ -204,11 +204,11 @@ def test_each_step_has_its_sentence_and_only_the_planes_asked(lang: Lang) -> Non
 def test_a_line_stops_before_letters() -> None:
     """Direction lines are drawn last, and shortened where labels stand."""
     from graphkin.sheet.free_room import FreeRoom
-    from graphkin.sheet.label_candidates import Scene
+    from graphkin.sheet.label_candidates import LabelScene
     from graphkin.sheet.lettering import plain
     from graphkin.sheet.paper import Room
 
-    free = FreeRoom(Scene((), [Text(plain("xxxx"), 20 + 1j, 4.0)], Room(0, -10, 60, 10)))
+    free = FreeRoom(LabelScene((), [Text(plain("xxxx"), 20 + 1j, 4.0)], Room(0, -10, 60, 10)))
     assert 18 < free.reach(0j, 1 + 0j, 50) < 20
     assert free.reach(0j, -1j, 8) == 8
     assert Drafted.__doc__

@@ -19,7 +19,7 @@ from graphkin.errors import (
 )
 from graphkin.outputs.designs import as_json
 from graphkin.say import design as words
-from graphkin.say.numbers import Figure
+from graphkin.say.numbers import SentenceNumber
 from graphkin.studies.design import angle_pairs, coupler_positions, guide_bar, hinges, rocker, slider
 from graphkin.studies.linkages import FourBar, SliderCrank, report
 
@@ -486,7 +486,7 @@ def test_every_design_is_told(name, lang):
     assert text[1].startswith("(1) ")
     assert not any("{" in line or "nan" in line for line in text)
     for one in found.solutions:
-        assert any(f"{Figure(one.a):mm}" in line for line in text)
+        assert any(f"{SentenceNumber(one.a):mm}" in line for line in text)
 
 
 def test_the_sentences_of_example_2_3():

@@ -13,7 +13,7 @@ from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Disc, VectorMark
 from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import Room
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 
 ROOM = Room(0.0, 0.0, 200.0, 160.0)
@@ -27,7 +27,7 @@ def fan(count: int, size: float) -> Callable[[Window], Figure]:
     def draw(window: Window) -> Figure:
         start = window(0)
         arrows = [VectorMark("velocity", name, "p", name, start, window(tip)) for name, tip in tips.items()]
-        names = [Wanted(plain(arrow.name), arrow.start, arrow.end, of=arrow.name) for arrow in arrows]
+        names = [LabelRequest(plain(arrow.name), arrow.start, arrow.end, of=arrow.name) for arrow in arrows]
         return Figure([*arrows], names)
 
     return draw

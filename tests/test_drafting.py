@@ -15,12 +15,13 @@ from graphkin.construction.drafting import (
     CircleAbout,
     CircleThrough,
     Drafting,
+    DraftLayOff,
+    DraftMeasure,
+    DraftMeet,
+    DraftTurn,
     Far,
-    LayOff,
     MarkOn,
-    Measure,
     MeasureAngle,
-    Meet,
     Parallel,
     Perpendicular,
     Pricked,
@@ -30,20 +31,19 @@ from graphkin.construction.drafting import (
     Step,
     Through,
     Traced,
-    Turned,
     Underlay,
     replay,
 )
 
 COUNT = 7
 EVERY = Stage("every kind", (
-    ChosenPoint("A", 0.1 + 0.2j), LayOff("B", "A", "r"), LayOff("C", "A", "r", "B", "turn", -1.0), Through("AB", "A", "B"),
+    ChosenPoint("A", 0.1 + 0.2j), DraftLayOff("B", "A", "r"), DraftLayOff("C", "A", "r", "B", "turn", -1.0), Through("AB", "A", "B"),
     Slanted("AT", "A", "B", "turn"), Perpendicular("n", "C", "AB"), Parallel("p", "AB", "r"), Bisector("m", "B", "C"),
-    Meet("D", "n", "p"), Meet("E", "AT", "m"), CarriedAngle("AK", "A", "n", "AB", "m"), Traced("guide", "guide"),
-    Far("F", "guide"), Through("BF", "B", "F"), Pricked("G", "G"), Meet("H", "BF", "AK"),
+    DraftMeet("D", "n", "p"), DraftMeet("E", "AT", "m"), CarriedAngle("AK", "A", "n", "AB", "m"), Traced("guide", "guide"),
+    Far("F", "guide"), Through("BF", "B", "F"), Pricked("G", "G"), DraftMeet("H", "BF", "AK"),
     CircleThrough("round", ("A", "B", "D"), "O"), CircleAbout("about", "B", "r"), CircleAbout("again", "A", through="G"),
-    Meet("I", "about", "round", near="D"), Meet("J", "AB", "about", far="A"), MarkOn("K", "round", 0.7),
-    Turned("L", "G", "O", "turn"), Measure("GL", "G", "L"), MeasureAngle("LOG", "O", "G", "L"),
+    DraftMeet("I", "about", "round", near="D"), DraftMeet("J", "AB", "about", far="A"), MarkOn("K", "round", 0.7),
+    DraftTurn("L", "G", "O", "turn"), DraftMeasure("GL", "G", "L"), MeasureAngle("LOG", "O", "G", "L"),
     Reckon("twice", "double", ("GL",)), MeasureAngle("GBF", "B", "G", "F"), Reckon("kept", "sense", ("r", "GBF")),
     Reckon("side", "sines", ("r", "GBF", "LOG")), Reckon("kept by two", "sense of sines", ("r", "GBF", "LOG")),
 ))  # fmt: skip
@@ -85,8 +85,8 @@ def test_what_the_steps_say_holds():
 
 @pytest.mark.parametrize(("steps", "point"), [
     ((ChosenPoint("A", 0j), ChosenPoint("B", 1 + 0j), ChosenPoint("C", 2 + 0j), CircleThrough("c", ("A", "B", "C"), "O")), "O"),
-    ((ChosenPoint("A", 0j), ChosenPoint("B", 1 + 0j), CircleAbout("a", "A", "r"), CircleAbout("b", "B", "r"), Meet("O", "a", "b")), "O"),
-    ((ChosenPoint("A", 0j), ChosenPoint("B", 0j), Through("AB", "A", "B"), Perpendicular("n", "A", "AB"), Meet("O", "AB", "n")), "O"),
+    ((ChosenPoint("A", 0j), ChosenPoint("B", 1 + 0j), CircleAbout("a", "A", "r"), CircleAbout("b", "B", "r"), DraftMeet("O", "a", "b")), "O"),
+    ((ChosenPoint("A", 0j), ChosenPoint("B", 0j), Through("AB", "A", "B"), Perpendicular("n", "A", "AB"), DraftMeet("O", "AB", "n")), "O"),
 ])  # fmt: skip
 def test_what_does_not_meet_is_nowhere(steps: tuple[Step, ...], point: str):
     assert np.isnan(replay(Drafting({"r": 0.1}, (Stage("", steps),))).at(point))
@@ -94,7 +94,7 @@ def test_what_does_not_meet_is_nowhere(steps: tuple[Step, ...], point: str):
 
 def test_parallels_meet_at_infinity():
     steps = (
-        ChosenPoint("A", 0j), ChosenPoint("B", 1 + 1j), Through("AB", "A", "B"), Parallel("p", "AB", "r"), Meet("O", "AB", "p"),
+        ChosenPoint("A", 0j), ChosenPoint("B", 1 + 1j), Through("AB", "A", "B"), Parallel("p", "AB", "r"), DraftMeet("O", "AB", "p"),
         ChosenPoint("C", 3 + 0j), Through("CO", "C", "O"),
     )  # fmt: skip
     board = replay(Drafting({"r": 0.1}, (Stage("", steps),)))

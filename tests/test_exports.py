@@ -23,12 +23,12 @@ MUCH = "GRAPHKIN_TEX" in os.environ
 NAMES = ("ex3-1", "ex3-4", "p3-22", "curved-slot")
 
 
-def _picture(name: str) -> drawings.Picture:
+def _picture(name: str) -> drawings.DrawingSource:
     drawing = graphkin.Drawing.of(graphkin.load(name))
-    return drawings.Picture(drawing.sheet(), drawing.method, drawing.plot, "en")
+    return drawings.DrawingSource(drawing.sheet(), drawing.method, drawing.plot, "en")
 
 
-def _ends(picture: drawings.Picture) -> list[tuple[complex, complex]]:
+def _ends(picture: drawings.DrawingSource) -> list[tuple[complex, complex]]:
     """Of every vector, from the foot of the paper up [mm]."""
     up = complex(0, picture.sheet.paper.height)
     vectors = [mark for mark in picture.sheet.marks if isinstance(mark, VectorMark)]

@@ -30,7 +30,7 @@ from graphkin.sheet import Sheet, sheet
 from graphkin.sheet.marks import Disc, Stroke, Text, VectorMark
 from graphkin.sheet.mistake_sheet import mistake_sheet
 from graphkin.sheet.obstacles import bounds
-from graphkin.submissions.submission import Drawn
+from graphkin.submissions.submission import MeasuredDrawing
 
 RANDOM = max(1, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 800)
 """Random mechanisms of each family; more of them, triads too, with GRAPHKIN_RANDOM=8000 in the environment."""
@@ -154,7 +154,7 @@ def test_measured_points_are_turned_back_and_scaled():
     """From the first point on; a plane without a scale has none."""
     turn = cmath.rect(1, 0.3)
     page = {("velocity", "p"): 40 + 7j, ("velocity", "b"): 40 + 7j + 50 * turn, ("acceleration", "p'"): 0j}
-    si = Drawn(page, {"velocity": 0.01}, (), {"velocity": 0.3}).in_si()
+    si = MeasuredDrawing(page, {"velocity": 0.01}, (), {"velocity": 0.3}).in_si()
     assert si == {"velocity": {"p": 0, "b": pytest.approx(0.5)}}
 
 
@@ -167,7 +167,7 @@ def handed_in(path: Path, name: str, *mistakes: tuple[str, ...]) -> Path:
     return path
 
 
-def graded(judge: grading.Judge, *paths: Path) -> list[platforms.Result]:
+def graded(judge: grading.SetMarker, *paths: Path) -> list[platforms.Result]:
     return [platforms.from_record(record(one), Where("x")) for one in grading.grade(judge, paths)]
 
 

@@ -30,7 +30,7 @@ from graphkin.errors import Lang
 from graphkin.files import library
 from graphkin.files.names import split_points
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Roll, Slide
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say import names
@@ -93,11 +93,11 @@ def variants(mechanism: Mechanism, pair: Pair) -> Iterator[tuple[str, Pair]]:
             yield "radii", replace(pair, radii=(other, one * 1.1))
             yield "internal", replace(pair, internal=not pair.internal)
             yield "centres", replace(pair, centres=(pair.centres[1], pair.centres[0]))
-        case Roll(line=None):
+        case RollingContact(line=None):
             yield "radius", replace(pair, radius=pair.radius * 1.1)
             yield "track", replace(pair, track_radius=pair.track_radius * 1.1)
             yield "internal", replace(pair, internal=not pair.internal)
-        case Roll(line=Line() as line):
+        case RollingContact(line=Line() as line):
             yield "side", replace(pair, left=not pair.left)
             yield from (("line", replace(pair, line=other)) for other in lines(mechanism, line))
         case Cam(profiles=(one, other)):

@@ -19,11 +19,11 @@ import graphkin
 from graphkin.cli import main
 from graphkin.files import library
 from graphkin.handouts import fonts, handout, proofs, stages
-from graphkin.handouts.document import Picture, Room, Rows, Text
+from graphkin.handouts.document import GridRoom, HandoutPicture, Paragraph, TermRows
 from graphkin.handouts.markers import MARKERS, MOST, digits
 from graphkin.handouts.page import html
 from graphkin.handouts.typst import pdf
-from graphkin.marking.key import Entry, Hypotheses
+from graphkin.marking.key import Hypotheses, KeyEntry
 from graphkin.outputs.diagram.fonts import chinese_font
 from graphkin.sheet.marks import VectorMark
 
@@ -66,7 +66,7 @@ def test_every_vector_of_a_solution_is_as_long_as_on_the_sheet():
     found = [b - a for page in reader.pages for a, b in lines(reader, page)]
     vectors = [
         (mark.end - mark.start).conjugate()
-        for block in made.blocks if isinstance(block, Picture)
+        for block in made.blocks if isinstance(block, HandoutPicture)
         for mark in block.sheet.marks if isinstance(mark, VectorMark) and mark.length > 0.05
     ]  # fmt: skip
     assert len(vectors) > 8
@@ -113,9 +113,9 @@ def _alts(reader) -> str:
 def test_a_worksheet_tells_nothing_by_its_rooms(name):
     """All are alike; the pole stands where its polygon has room, by lot: another remark in the file, another place."""
     machine = graphkin.load(name)
-    rooms = [block for block in handout([machine], "blank", "en").blocks if isinstance(block, Room)]
+    rooms = [block for block in handout([machine], "blank", "en").blocks if isinstance(block, GridRoom)]
     solved = handout([machine], "solution", "en")
-    pictures = [block.sheet for block in solved.blocks if isinstance(block, Picture)][1:]
+    pictures = [block.sheet for block in solved.blocks if isinstance(block, HandoutPicture)][1:]
     for room, sheet in zip(rooms, pictures, strict=True):
         assert (room.width, room.height) == (160, 120)
         plane, *_ = (plane for plane in sheet.origins)
@@ -123,14 +123,14 @@ def test_a_worksheet_tells_nothing_by_its_rooms(name):
                 for end in (mark.start, mark.end)]  # fmt: skip
         assert all(0 < at.real < room.width and 0 < at.imag < room.height for at in ends)
     texts = [machine.text + f"# {k}" for k in range(6)]
-    again = [next(b for b in handout([graphkin.loads(text)], "blank", "en").blocks if isinstance(b, Room)) for text in texts]
+    again = [next(b for b in handout([graphkin.loads(text)], "blank", "en").blocks if isinstance(b, GridRoom)) for text in texts]
     assert len({room.pole for room in again}) > 2
 
 
 @pytest.mark.parametrize("upto", [0, 1, 2, 9])
 def test_a_half_worked_solution_stops_between_equations(upto):
     made = handout([graphkin.load("ex3-5")], "half", "en", upto=upto)
-    rows = [block for block in made.blocks if isinstance(block, Rows)]
+    rows = [block for block in made.blocks if isinstance(block, TermRows)]
     whole = [block for block in rows if None not in block.columns]
     assert len(whole) == min(upto, 2)
     assert len(rows) - len(whole) == (upto < 2)
@@ -172,7 +172,7 @@ def test_pages_of_a_browser_need_nothing_else(name):
     assert not _Tags(page).open
     assert not re.search(r'(src|href)="(?!#)', page)
     assert "<math>" in page
-    assert any(isinstance(block, Text) and block.act for block in made.blocks)
+    assert any(isinstance(block, Paragraph) and block.act for block in made.blocks)
 
 
 KNOWN = (0xB532, 0x0F9A, 0x332D, 0x9946, 0x549E, 0x79CD, 0x9E2E, 0xC4F2)
@@ -228,7 +228,7 @@ def test_a_camera_reads_them(tmp_path: Path):
 @pytest.mark.parametrize("name", ["p3-16", "p3-17"])
 def test_images_of_wheels_fit_the_page(name: str):
     """They reach beyond the points of the polygon, and count where its scale is chosen."""
-    figures = [block for block in handout([library.load(name)], "solution", "en").blocks if isinstance(block, Picture)]
+    figures = [block for block in handout([library.load(name)], "solution", "en").blocks if isinstance(block, HandoutPicture)]
     assert len(figures) > 1
     assert all(each.sheet.paper.width <= 170 and each.sheet.paper.height <= 250 for each in figures)
 
@@ -317,7 +317,7 @@ def test_a_solution_is_written_by_the_ending(kind: str, tmp_path: Path):
 
 def test_common_mistakes_list_only_what_they_move():
     """Along a guide that runs the other way the same speed comes with a sign; the answer has none, nor has the mistake."""
-    entries = (Entry("v E", "m/s", "size", 0.176, 0.003, 0.009, 1.0), Entry("theta 3", "rad", "angle", 6.2, 0.01, 0.03))
+    entries = (KeyEntry("v E", "m/s", "size", 0.176, 0.003, 0.009, 1.0), KeyEntry("theta 3", "rad", "angle", 6.2, 0.01, 0.03))
     values = np.array([[-0.176, 6.2 - 2 * np.pi], [-0.25, 3.0]])
     names = ((("coriolis-omitted", "", "", ""),), (("coriolis-reversed", "", "", ""),))
     moved = proofs._moved(SimpleNamespace(entries=entries, singles=Hypotheses(names, values, values)))

@@ -25,7 +25,7 @@ from graphkin.planning import plan
 from graphkin.planning.position import position
 from graphkin.planning.stages import stages
 from graphkin.planning.starting_facts import facts_of
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 from graphkin.proof.roads import compare
 from graphkin.running import replay_all
 
@@ -95,7 +95,7 @@ def test_a_link_that_does_not_reach_is_named(place: int):
 
 def every_assembly(mechanism: Mechanism) -> dict[str, complex] | type[GraphkinError]:
     """The places of all points, or the refusal, with every combination of crossings drawn."""
-    structure = Structure(mechanism)
+    structure = Topology(mechanism)
     order, _ = stages(structure)
     construction, choices = position(structure, order)
     combinations = np.array([*itertools.product((1, -1), repeat=choices)]).reshape(2**choices, choices)

@@ -19,7 +19,7 @@ from graphkin.marking import making
 from graphkin.marking.diagnosis import independent
 from graphkin.marking.habits import Trace, added
 from graphkin.marking.making import drawings_of, half_digit
-from graphkin.marking.marked import Judged, Marked, Number, Work
+from graphkin.marking.marked import HandedNumber, Judged, Marked, StudentWork
 from graphkin.marking.marker import Marker
 from graphkin.marking.pencil import Pencil
 from graphkin.marking.scatter import Drawings, spread
@@ -36,16 +36,16 @@ def marker(name: str = "ex3-1") -> Marker:
     return Marker(key_from(name))
 
 
-def marked(values: dict[str, float | Number], name: str = "ex3-1") -> Marked:
-    numbers = {text: value if isinstance(value, Number) else Number(value) for text, value in values.items()}
-    return marker(name).mark([Work("s", numbers)])[0]
+def marked(values: dict[str, float | HandedNumber], name: str = "ex3-1") -> Marked:
+    numbers = {text: value if isinstance(value, HandedNumber) else HandedNumber(value) for text, value in values.items()}
+    return marker(name).mark([StudentWork("s", numbers)])[0]
 
 
-def judged(values: dict[str, float | Number], name: str = "ex3-1") -> dict[str, Judged]:
+def judged(values: dict[str, float | HandedNumber], name: str = "ex3-1") -> dict[str, Judged]:
     return {one.text: one for one in marked(values, name).judged}
 
 
-def ids(values: dict[str, float | Number], name: str = "ex3-1") -> set[str]:
+def ids(values: dict[str, float | HandedNumber], name: str = "ex3-1") -> set[str]:
     found = marked(values, name).diagnosis.explanations
     return set(found[0].ids) if found else set()
 
@@ -116,9 +116,9 @@ def test_three_printed_digits(value: float, unit: str, half: float):
 
 def test_three_digits_are_right_without_any_scatter():
     exact = Marker(key_for(api.load("ex3-1"), Pencils(0.0, 0.0)))
-    found = exact.mark([Work("s", {"omega 3": Number(-3.92), "alpha 3": Number(62.3)})])[0].judged
+    found = exact.mark([StudentWork("s", {"omega 3": HandedNumber(-3.92), "alpha 3": HandedNumber(62.3)})])[0].judged
     assert [one.verdict for one in found if one.given is not None] == ["right", "right"]
-    assert exact.mark([Work("s", {"omega 3": Number(-3.95)})])[0].judged[1].verdict == "wrong"
+    assert exact.mark([StudentWork("s", {"omega 3": HandedNumber(-3.95)})])[0].judged[1].verdict == "wrong"
 
 
 def test_parts_of_the_scatter_add_up():
@@ -204,7 +204,7 @@ def test_missing_lowers_nothing_else():
 
 
 def test_sense_and_unit_by_themselves():
-    found = judged({"omega 3": 3.92, "alpha 3": 62.2, "omega 2": Number(-3.92, unit_right=False)})
+    found = judged({"omega 3": 3.92, "alpha 3": 62.2, "omega 2": HandedNumber(-3.92, unit_right=False)})
     assert (found["omega 3"].verdict, found["omega 3"].sense, found["omega 3"].credit) == ("wrong", "wrong", 0.5)
     assert (found["alpha 3"].verdict, found["alpha 3"].sense) == ("right", "right")
     assert (found["omega 2"].verdict, found["omega 2"].unit_right, found["omega 2"].credit) == ("wrong", False, 0.5)
@@ -217,7 +217,7 @@ def test_angles_count_modulo_a_turn():
 
 def test_points_of_questions():
     key = key_for(api.load("ex3-1"), points={"omega 3": 3.0, "alpha 3": 1.0})
-    found = Marker(key).mark([Work("s", {"omega 3": Number(-3.92)})])[0]
+    found = Marker(key).mark([StudentWork("s", {"omega 3": HandedNumber(-3.92)})])[0]
     assert found.score == pytest.approx(0.75)
     assert [one.text for one in found.judged] == ["omega 3", "alpha 3"]
 
@@ -290,13 +290,13 @@ def test_evidence_adds_up_over_problems():
 def test_a_student_is_marked_alike_alone_and_in_a_class():
     """Whatever the others hand in, who have own values of other quantities, and of the same by other names."""
     key, rng = marker().key, np.random.default_rng(1)
-    works = [Work("odd", dict.fromkeys(("v C", "a C", "v_x C", "v_y C", "v B", "x C", "a_n B3D", "a_x B"), Number(1.0)))]
+    works = [StudentWork("odd", dict.fromkeys(("v C", "a C", "v_x C", "v_y C", "v B", "x C", "a_n B3D", "a_x B"), HandedNumber(1.0)))]
     for _ in range(40):
         row = key.singles.values[rng.integers(len(key.singles.names))] * rng.uniform(0.6, 1.6, len(key.entries))
-        handed = {entry.text: Number(float(value)) for entry, value in zip(key.entries, row, strict=True) if np.isfinite(value)}
+        handed = {entry.text: HandedNumber(float(value)) for entry, value in zip(key.entries, row, strict=True) if np.isfinite(value)}
         own = {text: number for text, number in handed.items() if rng.random() < 0.6}
-        works.append(Work("s", own | {"v C": Number(0.2)}))
-    works += [Work("many", {f"{letter} {point}": Number(2.0)}) for point in "ABCD" for letter in
+        works.append(StudentWork("s", own | {"v C": HandedNumber(0.2)}))
+    works += [StudentWork("many", {f"{letter} {point}": HandedNumber(2.0)}) for point in "ABCD" for letter in
               ("v", "a", "v_x", "v_y", "a_x", "a_y", "x", "y", "a_n", "a_t", "r")]  # fmt: skip
     together = Marker(key).mark(works)[1:]
     assert any(one.own for marked in together for one in marked.judged)
@@ -317,7 +317,7 @@ def test_a_key_is_read_as_it_was_written():
     text = key_text(key)
     again = key_of(text, NOWHERE)
     assert key_text(again) == text
-    work = [Work("s", {"omega 3": Number(-5.65), "a_k B3B2": Number(3.63), "v C": Number(0.19)})]
+    work = [StudentWork("s", {"omega 3": HandedNumber(-5.65), "a_k B3B2": HandedNumber(3.63), "v C": HandedNumber(0.19)})]
     mine, its = marker().mark(work)[0], Marker(again).mark(work)[0]
     assert [(one.verdict, one.own) for one in mine.judged] == [(one.verdict, one.own) for one in its.judged]
     assert mine.diagnosis.explanations[0].ids == its.diagnosis.explanations[0].ids
@@ -331,7 +331,7 @@ def test_a_changed_key_counts():
     entries = [replace(entry, right=-4.5, tolerance=0.1) if entry.text == "omega 3" else entry
                for entry in marker().key.entries]  # fmt: skip
     changed = Marker(replace(marker().key, entries=tuple(entries)))
-    assert changed.mark([Work("s", {"omega 3": Number(-4.45)})])[0].judged[1].verdict == "right"
+    assert changed.mark([StudentWork("s", {"omega 3": HandedNumber(-4.45)})])[0].judged[1].verdict == "right"
 
 
 def broken_keys() -> list[str]:

@@ -14,7 +14,7 @@ from graphkin.files import library, loads
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method, plan
 from graphkin.planning.held_still import standing
-from graphkin.planning.needed import Fact, _Reader, at_rest, needed, turning
+from graphkin.planning.needed import Fact, _PartsReader, at_rest, needed, turning
 from graphkin.running import replay_all
 from graphkin.say import explain
 
@@ -36,7 +36,7 @@ def unfounded(method: Method, parts: dict[Plane, tuple]) -> set[Fact]:
     known: set[Fact] = {(c.plane, c.pole) for c in method.constructions[1:]}
     known |= {(rate, slide) for rate in ("s_rate", "s_acceleration") for slide in method.structure.slides_driven}
     for plane, construction in zip(PLANES, method.constructions[1:], strict=True):
-        reader = _Reader(method, construction)
+        reader = _PartsReader(method, construction)
         for part in parts[plane]:
             needs = {fact for fact in reader.needs(part) if fact[0] not in ("position", "theta", "s")}
             missing |= {fact for fact in needs - known if not fact[0].startswith("driven")}

@@ -13,7 +13,7 @@ import shapely
 
 from graphkin.sheet.held import Held
 from graphkin.sheet.lettering import plain
-from graphkin.sheet.marks import Arc, Disc, Mark, Stroke, Text
+from graphkin.sheet.marks import ArcMark, Disc, Mark, Stroke, Text
 from graphkin.sheet.obstacles import arc_places, obstacles, places
 
 _COUNT = 60
@@ -31,7 +31,7 @@ def _marks(rng: random.Random) -> Iterator[tuple[Mark, shapely.Geometry]]:
         at = complex(rng.uniform(0, 100), rng.uniform(0, 80))
         far = at + cmath.rect(rng.choice((0.0, 3.0, 30.0)), rng.choice((0.0, cmath.pi / 2, rng.uniform(0, 6))))
         corners = _star(rng, at, 3 + k % 9, rng.uniform(0, 3))
-        arc = Arc(at, rng.uniform(1, 9), rng.uniform(0, 6), rng.uniform(-6, 6), "thin")
+        arc = ArcMark(at, rng.uniform(1, 9), rng.uniform(0, 6), rng.uniform(-6, 6), "thin")
         rim = [at + cmath.rect(2, cmath.pi / 12 * turn) for turn in range(24)]
         low = at + 1j * 0.04 * 3.5
         yield Stroke((at, far, at + 5), "thin"), shapely.LineString(_xy([at, far, at + 5]))

@@ -27,7 +27,7 @@ from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.page import Page, Panel, step_sheets
 from graphkin.sheet.paper import Room
 from graphkin.sheet.scales import SERIES, finer
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.centres import centres
 from graphkin.studies.centres.about import about
@@ -180,7 +180,7 @@ def test_cells_tile_their_room(count: int, columns: int):
 
 def test_a_page_tells_the_first_of_each_plane_and_takes_its_steps():
     """Two figures of one plane and one of no plane; steps 1 and 2; a label in two parts."""
-    name = Wanted(plain("A, B"), 40 + 40j, step=1, parts=((plain("A"), 1), (plain(", B"), 2)))
+    name = LabelRequest(plain("A, B"), 40 + 40j, step=1, parts=((plain("A"), 1), (plain(", B"), 2)))
     first = Figure([Stroke((30 + 30j, 50 + 30j), step=1)], [name])
     room, window = Room(0, 0, 100, 90), Window(3 + 4j, 0.002)
     panels = [

@@ -19,9 +19,9 @@ from graphkin.errors import GraphkinError
 from graphkin.files import library
 from graphkin.homework.grading import key_for, marking_of
 from graphkin.marking.handed import readable
-from graphkin.marking.key import Entry, Key
+from graphkin.marking.key import Key, KeyEntry
 from graphkin.marking.making import half_digit, pencil_of
-from graphkin.marking.marked import Number, Work
+from graphkin.marking.marked import HandedNumber, StudentWork
 from graphkin.marking.marker import Marker
 from graphkin.marking.pencil import _on_paper, drawn_positions
 from graphkin.marking.scatter import Drawings, spread
@@ -84,11 +84,11 @@ def test_a_dead_point_is_said_in_both_languages(place: str) -> None:
     assert "接近死点，图上无法确定该值" in rows["zh"]
 
 
-def handed(one: Marker, factor: float) -> Iterator[tuple[Entry, str, float]]:
+def handed(one: Marker, factor: float) -> Iterator[tuple[KeyEntry, str, float]]:
     """What becomes of so many times each right value, handed in alone."""
     for entry in one.key.entries:
         if entry.right and ("/s" in entry.unit):
-            (marked,) = one.mark([Work("s", {entry.text: Number(factor * entry.right)})])
+            (marked,) = one.mark([StudentWork("s", {entry.text: HandedNumber(factor * entry.right)})])
             verdict = next(judged for judged in marked.judged if judged.text == entry.text)
             yield entry, verdict.verdict, verdict.points * verdict.credit
 
@@ -112,7 +112,7 @@ def test_a_right_value_is_right_wherever_it_lies(place: str) -> None:
 
 
 def test_where_paper_tells_nothing_there_is_no_score() -> None:
-    (marked,) = marker("p3-15").mark([Work("s", {"v C": Number(-1.6), "a C": Number(-250.0)})])
+    (marked,) = marker("p3-15").mark([StudentWork("s", {"v C": HandedNumber(-1.6), "a C": HandedNumber(-250.0)})])
     assert [one.verdict for one in marked.judged] == ["dead point"] * 2
     assert marked.score is None
 

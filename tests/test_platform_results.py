@@ -22,7 +22,7 @@ from graphkin.cli.marking import PLATFORMS
 from graphkin.errors import CannotWrite, NoFile, NotAnOverride, NotAResult, Unreadable, Where
 from graphkin.homework.platforms import (
     RESULTS,
-    Picture,
+    ResultPicture,
     class_report,
     from_record,
     read_overrides,
@@ -389,7 +389,7 @@ def test_a_teacher_marks_what_was_not_marked(tmp_path: Path):
 
 
 def test_prairielearn(tmp_path: Path):
-    pictures = [Picture("polygon", "image/png", b"\x89PNG")]
+    pictures = [ResultPicture("polygon", "image/png", b"\x89PNG")]
     write_results(tmp_path / "grade" / "results", results(record(1)), "prairielearn", pictures=lambda *asked: pictures)
     told = json.loads((tmp_path / "grade" / "results" / "results.json").read_text())
     assert 0 <= told["score"] <= 1
@@ -401,7 +401,7 @@ def test_prairielearn(tmp_path: Path):
 
 @pytest.mark.parametrize("size", [10, 400_000, 800_000, 3_000_000])
 def test_prairielearn_stays_under_a_megabyte(size, tmp_path: Path):
-    pictures = [Picture(str(k), "image/png", b"x" * size) for k in range(2)]
+    pictures = [ResultPicture(str(k), "image/png", b"x" * size) for k in range(2)]
     long = record(1)
     if size > 2_000_000:
         long["quantities"] = {f"v {'E' * size} {k}": line for k, line in enumerate(long["quantities"].values())}

@@ -18,9 +18,9 @@ from graphkin.errors import NOWHERE
 from graphkin.files import library
 from graphkin.homework.grading import key_for, marking_of
 from graphkin.marking.explaining import Explainer
-from graphkin.marking.key import Entry, Hypotheses, Key, Marking
+from graphkin.marking.key import Hypotheses, Key, KeyEntry, Marking
 from graphkin.marking.making import drawings_of, pencil_of
-from graphkin.marking.marked import Number, Work
+from graphkin.marking.marked import HandedNumber, StudentWork
 from graphkin.marking.marker import Marker
 from graphkin.marking.power import power
 from graphkin.marking.right_ways import other_methods
@@ -64,7 +64,7 @@ def test_students_who_make_a_mistake_are_told_which(name: str):
 def made_up(*rows: tuple[float, ...], together: float = 0.0, known: bool = True) -> Marker:
     """Values that are 100 and scatter by 1; mistakes move them; of their scatter a part is common to all."""
     count = len(rows[0])
-    entries = tuple(Entry(f"omega {k}", "rad/s", "sense", 100.0, 1.0, 3.0, 1.0) for k in range(count))
+    entries = tuple(KeyEntry(f"omega {k}", "rad/s", "sense", 100.0, 1.0, 3.0, 1.0) for k in range(count))
     common = together + (1 - together) * np.eye(count)
     values = 100 + np.array(rows, dtype=float)
     names = tuple(((f"mistake {k}", "", "", ""),) for k in range(len(rows)))
@@ -104,7 +104,7 @@ def test_a_key_without_what_scatters_together_is_read():
         del mistake["together"]
     again = Marker(key_of(json.dumps(data), NOWHERE))
     for one in (marker, again):
-        [found] = one.mark([Work("s", {"omega 3": Number(-3.92), "alpha 3": Number(-37.3), "a_r B3B2": Number(4.52)})])
+        [found] = one.mark([StudentWork("s", {"omega 3": HandedNumber(-3.92), "alpha 3": HandedNumber(-37.3), "a_r B3B2": HandedNumber(4.52)})])
         assert "coriolis-reversed" in found.diagnosis.explanations[0].ids
 
 
@@ -128,7 +128,7 @@ def test_other_right_ways_are_told_nothing(name: str):
     marker = problem(name)
     key = marker.key
     right = {entry.text: entry.right for entry in key.entries}
-    works = [Work("s", {other: Number(right[text])}) for text, others in marker._same.items() for other in others]
+    works = [StudentWork("s", {other: HandedNumber(right[text])}) for text, others in marker._same.items() for other in others]
     for marked in marker.mark(works):
         assert [one.verdict for one in marked.judged if one.given is not None] == ["right"]
         assert not marked.diagnosis.explanations

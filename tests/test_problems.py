@@ -23,7 +23,7 @@ from graphkin.outputs.files import FileInTheWay
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say.problems import problem
-from graphkin.submissions import Asked, read
+from graphkin.submissions import ReadableProblem, read
 
 TEXT = """# a comment with AB = { from = 1, to = 2 } in it
 title  = { en = "Four-bar # with a slide", zh = "含移动副的四杆机构" }
@@ -184,7 +184,7 @@ def test_the_form_in_a_problem_reads_back_however_it_is_filled_in(template: Path
     filled = form.replace('"omega 3" = ', '"omega 3" = 3.9 顺时针').replace('"a_k B3B2" = ', '"a_k B3B2" = 2.5 m/s²')
     for name in ("a.toml", "a.txt"):
         (tmp_path / name).write_text(filled, encoding="utf-8")
-        (found,) = read([tmp_path / name], Asked(variant.mechanism, variant.mechanism.ask))
+        (found,) = read([tmp_path / name], ReadableProblem(variant.mechanism, variant.mechanism.ask))
         assert (found.student, found.reason) == ("s1", None)
         assert {q: v.value for q, v in found.values.items()} == {"omega 3": -3.9, "a_k B3B2": 2.5}
 

@@ -18,7 +18,7 @@ from graphkin.files import library, loads, starters
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import EDGE, WORDS, Centre, Quantity, Rotation, meant, named, parts, read
-from graphkin.model.quantities.kinds import Kind
+from graphkin.model.quantities.kinds import QuantityBase
 from graphkin.planning import plan
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
@@ -56,7 +56,7 @@ KINDS = {kind.__name__ for kind in get_args(Quantity)}
 
 
 def test_every_kind_is_in_the_union():
-    assert {kind.__name__ for kind in Kind.__subclasses__()} == KINDS
+    assert {kind.__name__ for kind in QuantityBase.__subclasses__()} == KINDS
 
 
 def test_readers_of_all_kinds_leave_none_to_chance():

@@ -18,7 +18,7 @@ from graphkin.homework.grading import grade, key_drawn
 from graphkin.homework.grading.again import again
 from graphkin.marking.consequences import rewrites, rewritten
 from graphkin.marking.graded import Drawn
-from graphkin.marking.marked import Number, Work
+from graphkin.marking.marked import HandedNumber, StudentWork
 from graphkin.marking.marker import Marker
 from graphkin.marking.rewrite import Rewrite
 from graphkin.model.quantities import Moving
@@ -149,9 +149,9 @@ def test_an_arrow_astray_tells_mistakes_apart():
     found, told = one.off_drawing({"velocity": points["velocity"]}, arrows, {})
     assert told == {"v B2": False}
     for pointing, expected in ((told, {"driver-reversed"}), ({}, {"driver-reversed", "omega-sense"})):
-        numbers = {text: Number(abs(vector), points=pointing.get(text)) for text, vector in arrows.items()}
-        numbers |= {text: Number(value) for text, value in found.values.items()}
-        (marked,) = one.mark([Work("s", numbers)])
+        numbers = {text: HandedNumber(abs(vector), points=pointing.get(text)) for text, vector in arrows.items()}
+        numbers |= {text: HandedNumber(value) for text, value in found.values.items()}
+        (marked,) = one.mark([StudentWork("s", numbers)])
         assert {id for each in marked.diagnosis.explanations for id in each.ids} == expected
 
 

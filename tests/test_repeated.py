@@ -18,7 +18,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.planning.equivalent import contacts, lower_pairs
 from graphkin.planning.repeated import repeated
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 from graphkin.proof.roads import compare
 from graphkin.results import results
 from graphkin.running import replay_all
@@ -180,7 +180,7 @@ def test_wheel_between_two_plates_as_a_textbook_solves_it() -> None:
 
 def aside_of(mechanism: Mechanism) -> list[tuple[object, str]]:
     lower = lower_pairs(mechanism)
-    found = repeated(mechanism, Structure(lower, tuple(contacts(mechanism, lower))))
+    found = repeated(mechanism, Topology(lower, tuple(contacts(mechanism, lower))))
     return [(each.pair, each.part) for each in found]
 
 

@@ -22,7 +22,7 @@ from graphkin.errors import (
     Where,
 )
 from graphkin.files.measures import link_points, read_measures
-from graphkin.files.shapes import Measures, solve_shape
+from graphkin.files.shapes import ShapeMeasures, solve_shape
 
 
 def shape(table: dict[str, object], *ccw: str) -> dict[str, complex]:
@@ -35,7 +35,7 @@ def shape(table: dict[str, object], *ccw: str) -> dict[str, complex]:
     assert not problems
     places = {"": Where("test.toml", 1)} | {key: where(key) for key in table}
     triples = tuple((a, b, c) for a, b, c in ccw)
-    solved = solve_shape(Measures("1", link_points(table), tuple(measures["1"]), triples, places))
+    solved = solve_shape(ShapeMeasures("1", link_points(table), tuple(measures["1"]), triples, places))
     return {point: place * 1e3 for point, place in solved.items()}
 
 

@@ -18,7 +18,7 @@ from graphkin.planning import Method, plan
 from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_sheets
 from graphkin.sheet.arrows import ASIDE
-from graphkin.sheet.label_candidates import Scene
+from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.labels import settle
 from graphkin.sheet.lettering import (
     Run,
@@ -32,11 +32,11 @@ from graphkin.sheet.lettering import (
     vector_label,
     width,
 )
-from graphkin.sheet.marks import Arc, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import ArcMark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import Room
 from graphkin.sheet.scales import finer, finest
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 
 
 @cache
@@ -320,10 +320,10 @@ def test_a_crowd_is_the_same_each_time() -> None:
 
 
 def test_labels_that_say_nothing_new_are_left_out_where_there_is_no_room() -> None:
-    wanted = [Wanted(plain(f"a{k}"), 10 + 10j, spare=k > 0) for k in range(9)]
+    wanted = [LabelRequest(plain(f"a{k}"), 10 + 10j, spare=k > 0) for k in range(9)]
     narrow = Room(6, 6, 14, 14)
-    assert len([m for m in settle(Scene(wanted, [], narrow)).marks if isinstance(m, Text)]) == 9
-    settled = settle(Scene(wanted, [], narrow), far=True)
+    assert len([m for m in settle(LabelScene(wanted, [], narrow)).marks if isinstance(m, Text)]) == 9
+    settled = settle(LabelScene(wanted, [], narrow), far=True)
     kept = ["".join(run.text for run in m.label) for m in settled.marks if isinstance(m, Text)]
     assert settled.clashes == 0
     assert "a0" in kept
@@ -470,7 +470,7 @@ C = [80, 60]
 """
     marks = Drawing.of(loads(text)).sheet(style="given").marks
     heads = [mark for mark in marks if (shows := getattr(mark, "shows", None)) and shows.form in ("omega", "alpha")]
-    arcs = [mark for mark in marks if isinstance(mark, Arc)]
+    arcs = [mark for mark in marks if isinstance(mark, ArcMark)]
     assert len(heads) == (2 if omega * alpha < 0 else 1)
     wanted = {"omega": omega, "alpha": alpha}
     for head in heads:

@@ -11,7 +11,7 @@ import graphkin
 from graphkin import files as loading
 from graphkin.errors import OtherSide
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.pairs import Cam, Roll
+from graphkin.model.pairs import Cam, RollingContact
 
 FOLLOWER = """
 [frame]
@@ -106,7 +106,7 @@ def test_a_face_lies_where_it_is_sketched(way: float, up: bool, alone: bool) -> 
 @pytest.mark.parametrize(("way", "above", "back"), [*product((0, 130.0), (True, False), (True, False))])
 def test_a_rack_lies_where_it_is_sketched(way: float, above: bool, back: bool) -> None:
     mechanism = rack(way, above, back)
-    (roll,) = mechanism.of(Roll)
+    (roll,) = mechanism.of(RollingContact)
     assert roll.left == (above == back)
     assert graphkin.Drawing.of(mechanism).plot.omega["1"] == pytest.approx(5)
 

@@ -6,7 +6,7 @@ import pytest
 
 from graphkin import files as loading
 from graphkin.homework.grading import key_for
-from graphkin.marking.marked import Number, Work
+from graphkin.marking.marked import HandedNumber, StudentWork
 from graphkin.marking.marker import Marker
 
 GUIDE_BESIDE_ITS_PIVOT = """
@@ -28,7 +28,7 @@ sketch = { C = [40, 60] }
 
 
 def verdicts(text: str, **numbers: float) -> dict[str, str]:
-    work = Work("s1", {name.replace("__", " "): Number(value) for name, value in numbers.items()})
+    work = StudentWork("s1", {name.replace("__", " "): HandedNumber(value) for name, value in numbers.items()})
     [marked] = Marker(key_for(loading.loads(text, name="it"))).mark([work])
     return {one.text: one.verdict for one in marked.judged}
 

@@ -20,7 +20,7 @@ from graphkin.errors import LetterTwice, NoLetters, NoScaleDrawn, Where
 from graphkin.files import library
 from graphkin.model.quantities import read as quantity
 from graphkin.proof.readings import readings
-from graphkin.submissions import Asked, Limits, Submission, read_one
+from graphkin.submissions import Limits, ReadableProblem, Submission, read_one
 from graphkin.submissions.class_names import owner
 from graphkin.submissions.dxf import read_dxf
 from graphkin.submissions.handed import Handed
@@ -42,7 +42,7 @@ VECTORS = {
 
 
 def handed(name: str, content: bytes, limits: Limits = USUAL, drawing: api.Drawing = DRAWING) -> Submission:
-    asked = Asked(drawing.mechanism, drawing.mechanism.ask)
+    asked = ReadableProblem(drawing.mechanism, drawing.mechanism.ask)
     return read_one(Handed(owner(name), name, files=((name, content),)), asked, limits)
 
 

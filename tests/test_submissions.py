@@ -28,7 +28,7 @@ from graphkin.errors import (
     UnknownStudent,
     WantsExtra,
 )
-from graphkin.submissions import Asked, Handed, Limits, guarded, handed_in, limited, read, read_one, safe_name
+from graphkin.submissions import Handed, Limits, ReadableProblem, guarded, handed_in, limited, read, read_one, safe_name
 from graphkin.submissions.answers import answers
 from graphkin.submissions.class_names import owner
 from graphkin.submissions.documents import read_lines
@@ -38,7 +38,7 @@ from graphkin.submissions.scales import scale
 from graphkin.submissions.texts import decoded
 
 MECHANISM = api.load("ex3-1")
-ASKED = Asked(MECHANISM, (*MECHANISM.ask, "v B", "v B3B2"))
+ASKED = ReadableProblem(MECHANISM, (*MECHANISM.ask, "v B", "v B3B2"))
 TURN, ACCELERATION, SPEED = "rad/s", "rad/s^2", "m/s"
 
 NUMBERS = (

@@ -19,15 +19,15 @@ from graphkin.files import library
 from graphkin.homework.grading import key_for
 from graphkin.homework.grading.keys import marking_of
 from graphkin.homework.problems import draws, read_template, roster, variants, well_posed
-from graphkin.homework.problems.paper import Paper
+from graphkin.homework.problems.paper import DrawingSizes
 from graphkin.homework.problems.shown import shown_at
-from graphkin.marking.key import Entry
+from graphkin.marking.key import KeyEntry
 from graphkin.marking.telling import Telling, compared, telling
 from graphkin.marking.told import Always, set_told
 from graphkin.running import replay_all
 from graphkin.say.told import told_lines
 
-SENSE, SIZE = (Entry(text, "rad/s", sort, 10.0, 0.1, 0.3) for text, sort in (("omega 3", "sense"), ("v C", "size")))
+SENSE, SIZE = (KeyEntry(text, "rad/s", sort, 10.0, 0.1, 0.3) for text, sort in (("omega 3", "sense"), ("v C", "size")))
 NAN = float("nan")
 
 
@@ -166,7 +166,7 @@ def test_scales_are_about_those_of_the_sheet(tmp_path: Path):
     """Without laying out a sheet for each problem."""
     (tmp_path / "a.toml").write_text(TEXT, encoding="utf-8")
     some = list(islice(draws._sample(read_template(tmp_path / "a.toml"), "1"), 5))
-    paper = Paper.of(some[:3])
+    paper = DrawingSizes.of(some[:3])
     for posed in some:
         about, right = paper.marking(posed).scales, marking_of(posed.method).scales
         assert all(0.4 < about[key] / right[key] < 2.5 for key in right)

@@ -18,7 +18,7 @@ from graphkin.files import library
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.variants import stacked
 from graphkin.running.program import TABLES
-from graphkin.running.variants import Drawn, is_simple, replay_many
+from graphkin.running.variants import DrawnVariants, is_simple, replay_many
 
 COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40)
 OTHERS = {"cylinder": cylinder, "relative": relative_angle, "coupler": coupler_angle, "chain": chain}
@@ -55,7 +55,7 @@ def alone(mechanism: Mechanism, values: list[float] | None = None) -> Plot | Gra
         return error
 
 
-def hold(found: Drawn, row: int, own: Plot | GraphkinError) -> None:
+def hold(found: DrawnVariants, row: int, own: Plot | GraphkinError) -> None:
     """Each table of a row, to 1e-9 of the largest value in it (1e-12 where all stand still); or the same refusal."""
     if isinstance(own, GraphkinError):
         assert found.refused[row].message() == own.message()

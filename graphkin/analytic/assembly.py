@@ -12,10 +12,10 @@ from functools import cache, partial
 
 import numpy as np
 
-from graphkin.analytic.branching import SAME, Judge, branched
+from graphkin.analytic.branching import SAME, BranchJudge, branched
 from graphkin.analytic.loops import Loops, loops_of
 from graphkin.analytic.newton import EquationSystem, close, search
-from graphkin.analytic.rules import Relation, driven, placing
+from graphkin.analytic.rules import LinearRelation, driven, placing
 from graphkin.analytic.sketch import guess
 from graphkin.analytic.vectors import Complex, Real, applied
 from graphkin.base.cache import kept
@@ -40,7 +40,7 @@ _AJAR = 1e-2
 
 
 @frozen
-class Assembled:
+class ChosenAssembly:
     """The chosen position q (n,), or None; then the smallest gap found [m]. The system that was closed."""
 
     q: Real | None
@@ -83,9 +83,9 @@ def driver_values(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[float, .
     return tuple(values)
 
 
-def held(loops: Loops, relations: Sequence[Relation]) -> tuple[Relation, ...]:
+def held(loops: Loops, relations: Sequence[LinearRelation]) -> tuple[LinearRelation, ...]:
     """Angles that nothing shows stay at 0."""
-    return tuple(Relation({unknown: 1.0}) for unknown in loops.silent(relations))
+    return tuple(LinearRelation({unknown: 1.0}) for unknown in loops.silent(relations))
 
 
 def idle(mechanism: Mechanism, loops: Loops) -> tuple[str, ...]:
@@ -94,7 +94,7 @@ def idle(mechanism: Mechanism, loops: Loops) -> tuple[str, ...]:
     return tuple(unknown.name for unknown in loops.silent((*loops.relations, *drivers)))
 
 
-def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assembled:
+def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> ChosenAssembly:
     """Put the mechanism together, its drivers and poses at their values unless not `driving`."""
     relations, c = _standing(mechanism, loops, driving)
     closure = EquationSystem.of(loops, relations)
@@ -104,21 +104,21 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Assemb
         near = np.nan_to_num(seen)[None]
         first = _closed(closure, near, c)[0] if np.isnan(ajar) else _met(closure, near, c, _FEW)
         if len(first) and _as_sketched(mechanism, loops, first[0]):
-            return Assembled(first[0], 0.0, closure)
+            return ChosenAssembly(first[0], 0.0, closure)
     starts = cache(partial(_starts, seen, mechanism, loops))
     found = _met(closure, branched(closure, _judge(mechanism, loops), seen, starts, c), c)
     if not len(found):
         found, ends = _closed(closure, starts()[:: 1 + len(closure.known.free) // _MANY], c)
     if not len(found):
-        return Assembled(None, _smallest_gap(closure, ends, c) * loops.size, closure)
-    return Assembled(choose(mechanism, loops, _distinct(found)), 0.0, closure)
+        return ChosenAssembly(None, _smallest_gap(closure, ends, c) * loops.size, closure)
+    return ChosenAssembly(choose(mechanism, loops, _distinct(found)), 0.0, closure)
 
 
-def _judge(mechanism: Mechanism, loops: Loops) -> Judge:
+def _judge(mechanism: Mechanism, loops: Loops) -> BranchJudge:
     """What the sketch and custom say of positions that are found in part."""
     rows, places = _sketched(mechanism, loops)
     lengths, forwards = _drawn_lengths(mechanism, loops), _taken_forwards(mechanism)
-    return Judge(rows, places / loops.size, _columns(loops, lengths), _columns(loops, forwards))
+    return BranchJudge(rows, places / loops.size, _columns(loops, lengths), _columns(loops, forwards))
 
 
 def _closed(closure: EquationSystem, starts: Real, c: Real) -> tuple[Real, Real]:
@@ -168,7 +168,7 @@ def _smallest_gap(closure: EquationSystem, ends: Real, c: Real) -> float:
     return max(float(gap.min()), closure.known.mismatch(c))
 
 
-def _standing(mechanism: Mechanism, loops: Loops, driving: bool = True) -> tuple[tuple[Relation, ...], Real]:
+def _standing(mechanism: Mechanism, loops: Loops, driving: bool = True) -> tuple[tuple[LinearRelation, ...], Real]:
     """The relations that hold at the drawn position, with their right sides (k,)."""
     given = placing(mechanism) if driving else []
     known = [(relation, 0.0) for relation in loops.relations if relation.offset is not None]

@@ -13,7 +13,7 @@ import numpy as np
 
 from graphkin.analytic.elimination import Elimination
 from graphkin.analytic.newton import EquationSystem
-from graphkin.analytic.vectors import Complex, Flags, Indices, Real, Vectors
+from graphkin.analytic.vectors import Complex, Flags, Indices, LoopVectors, Real
 from graphkin.base.value import frozen
 
 _NOTHING = 1e-12
@@ -21,7 +21,7 @@ _NOTHING = 1e-12
 
 
 @frozen
-class Block:
+class LoopBlock:
     """Some loops and the unknowns left (of y) that they give, with all others known.
 
     part     the loops' own closure: q is (y of the block, angles and lengths that the rest gives its arrows); what
@@ -50,7 +50,7 @@ class Block:
         return np.hstack([y, given])
 
 
-def blocks_of(closure: EquationSystem) -> tuple[Block, ...]:
+def blocks_of(closure: EquationSystem) -> tuple[LoopBlock, ...]:
     """The blocks in order; none where equations and unknowns do not match."""
     uses = moved_by(closure, closure.loops.rows)
     takers = _matched(uses)
@@ -102,7 +102,7 @@ def _in_order(uses: Flags, takers: Indices) -> list[Indices]:
     return [np.flatnonzero(together[head]) for head in sorted(heads, key=lambda head: int(waits[head].sum()))]
 
 
-def _block(closure: EquationSystem, rows: Indices, columns: Indices) -> Block:
+def _block(closure: EquationSystem, rows: Indices, columns: Indices) -> LoopBlock:
     """The closure of some loops alone: the other unknowns only turn and stretch their arrows."""
     loops, left = closure.loops, closure.known.left[:, columns]
     there = (np.abs(loops.rows[rows]) > _NOTHING).any(axis=0)
@@ -111,7 +111,7 @@ def _block(closure: EquationSystem, rows: Indices, columns: Indices) -> Block:
     moving, still = np.flatnonzero(there & moves), np.flatnonzero(there & ~moves)
     count, size = len(columns), len(moving) + len(rows)
     one, none, idle = np.eye(size), np.zeros((size, size)), np.zeros((len(rows), count))
-    vectors = Vectors(
+    vectors = LoopVectors(
         np.hstack([np.vstack([turning[moving], idle]), one, none]),
         np.hstack([np.vstack([stretching[moving], idle]), none, one]),
         np.zeros(size),
@@ -120,4 +120,4 @@ def _block(closure: EquationSystem, rows: Indices, columns: Indices) -> Block:
     free = np.vstack([np.eye(count), np.zeros((2 * size, count))])
     known = Elimination(given, free, np.arange(count), np.zeros((0, 2 * size)))
     part = replace(loops, vectors=vectors, rows=np.hstack([loops.rows[np.ix_(rows, moving)], np.eye(len(rows))]))
-    return Block(columns, moving, still, loops.rows[rows], EquationSystem(part, given.T, known), closure)
+    return LoopBlock(columns, moving, still, loops.rows[rows], EquationSystem(part, given.T, known), closure)

@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.analytic.blocks import Block, blocks_of, moved_by
+from graphkin.analytic.blocks import LoopBlock, blocks_of, moved_by
 from graphkin.analytic.dyads import ways
 from graphkin.analytic.newton import EquationSystem, close, inverse, search
 from graphkin.analytic.vectors import Complex, Flags, Indices, Real
@@ -31,7 +31,7 @@ SAME = 1e-4
 
 
 @frozen
-class Judge:
+class BranchJudge:
     """What branches are judged by, each with the unknowns left that it hangs on.
 
     places    rows of the sketched points, and where they are sketched, in units of size
@@ -44,7 +44,7 @@ class Judge:
     forwards: list[int]
 
 
-def branched(closure: EquationSystem, judge: Judge, seen: Real, starts: Starts, c: Real) -> Real:
+def branched(closure: EquationSystem, judge: BranchJudge, seen: Real, starts: Starts, c: Real) -> Real:
     """Positions (a, n) that close every block, the one nearest to the sketch among them; none where none is found.
 
     seen    what the sketch shows of the unknowns (n,), nan elsewhere
@@ -54,7 +54,7 @@ def branched(closure: EquationSystem, judge: Judge, seen: Real, starts: Starts, 
     if not blocks:
         return np.zeros((0, len(seen)))
     for width in _WIDTHS:
-        walk = _Walk(closure, judge, seen, starts, c, width, np.inf)
+        walk = _BranchWalk(closure, judge, seen, starts, c, width, np.inf)
         found = walk.through(blocks)
         if len(found):
             break
@@ -64,12 +64,12 @@ def branched(closure: EquationSystem, judge: Judge, seen: Real, starts: Starts, 
     limit = (nearest + SAME) ** 2
     if walk.every and walk.left > limit:
         return found
-    more = _Walk(closure, judge, seen, starts, c, _WIDTHS[-1], limit).through(blocks)
+    more = _BranchWalk(closure, judge, seen, starts, c, _WIDTHS[-1], limit).through(blocks)
     return np.vstack([found, more])
 
 
 @filled
-class _Walk:
+class _BranchWalk:
     """One search through the blocks; `limit`: branches farther from the sketch than this are left [size²].
 
     sure    every block was as sketched
@@ -78,7 +78,7 @@ class _Walk:
     """
 
     closure: EquationSystem
-    judge: Judge
+    judge: BranchJudge
     seen: Real
     starts: Starts
     c: Real
@@ -93,7 +93,7 @@ class _Walk:
         """Which unknowns left move each sketched point: (k, y)."""
         return moved_by(self.closure, self.judge.rows)
 
-    def through(self, blocks: tuple[Block, ...]) -> Real:
+    def through(self, blocks: tuple[LoopBlock, ...]) -> Real:
         known = self.closure.known
         q = known.unknowns(np.zeros((1, len(known.free))), self.c)
         solved = np.zeros(len(known.free), dtype=bool)
@@ -107,7 +107,7 @@ class _Walk:
 
     # --- one block ----------------------------------------------------------------------------
 
-    def _closed(self, block: Block, q: Real, solved: Flags) -> Real:
+    def _closed(self, block: LoopBlock, q: Real, solved: Flags) -> Real:
         """Each branch with every way to close a block."""
         free = self.closure.known.free[block.columns]
         given, told = block.given(q), self.seen[free]
@@ -132,7 +132,7 @@ class _Walk:
         return self._with(block, q[parent[order]], np.vstack([y[single], more[kept]])[order])
 
     def _either(
-        self, block: Block, q: Real, solved: Flags, given: Real, told: Real, both: Real
+        self, block: LoopBlock, q: Real, solved: Flags, given: Real, told: Real, both: Real
     ) -> Real:
         """Each branch with both ways (b, 2, 2) to close a block, or the one that the sketch shows."""
         unknowns = self.closure.loops.unknowns
@@ -149,21 +149,21 @@ class _Walk:
         kept = kept[_different(parent[kept], y[kept])]
         return self._with(block, q[parent[kept]], y[kept])
 
-    def _tried(self, block: Block, y: Real, given: Real) -> tuple[Real, Flags]:
+    def _tried(self, block: LoopBlock, y: Real, given: Real) -> tuple[Real, Flags]:
         """Where the search from y (b, k) ends, and whether the block is closed there."""
         return self._met(block, search(block.part, block.at(y, given), given), given)
 
-    def _met(self, block: Block, q: Real, given: Real) -> tuple[Real, Flags]:
+    def _met(self, block: LoopBlock, q: Real, given: Real) -> tuple[Real, Flags]:
         """Newton from there: the block's unknowns, and whether it is closed by them."""
         closed = close(block.part, q, given, steps=40)
         return closed.q[:, : len(block.columns)], (closed.gap < ROUNDED) & (closed.step < ROUNDED)
 
-    def _only(self, block: Block, y: Real, given: Real, told: Real) -> Flags:
+    def _only(self, block: LoopBlock, y: Real, given: Real, told: Real) -> Flags:
         """Whether the sketch shows all of a block, so near that no other way to close it is as near: (b,)."""
         condition = inverse(block.part.matrix(block.at(y, given)))[1]
         return np.asarray(np.max(np.abs(y - told), axis=1, initial=0.0) < _NEAR * condition)
 
-    def _with(self, block: Block, q: Real, y: Real) -> Real:
+    def _with(self, block: LoopBlock, q: Real, y: Real) -> Real:
         """Branches with a block's unknowns."""
         left = self.closure.known.left[:, block.columns]
         return q + (y - q[:, self.closure.known.free[block.columns]]) @ left.T

@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from graphkin.analytic.blocks import Block
+from graphkin.analytic.blocks import LoopBlock
 from graphkin.analytic.vectors import Complex, Real
 
 _NOTHING = 1e-12
 """Coefficients below this are rounding, in units of size."""
 
 
-def ways(block: Block, given: Real) -> Real | None:
+def ways(block: LoopBlock, given: Real) -> Real | None:
     """Both ways to close a block of one loop (b, 2, 2); the nearest to it where the loop does not close.
 
     None where it is not of such a kind, or where it is open to any direction.

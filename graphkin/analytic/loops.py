@@ -14,8 +14,8 @@ from itertools import combinations
 
 import numpy as np
 
-from graphkin.analytic.rules import Joint, Relation, Unknown, shares, theta
-from graphkin.analytic.vectors import Complex, Flags, Polar, Real, Vectors, applied
+from graphkin.analytic.rules import Joint, LinearRelation, Unknown, shares, theta
+from graphkin.analytic.vectors import Complex, Flags, LoopVectors, Polar, Real, applied
 from graphkin.base.value import frozen
 from graphkin.errors import NotJoined
 from graphkin.model.mechanism import FRAME, Mechanism
@@ -38,14 +38,14 @@ class Loops:
     unknowns: tuple[Unknown, ...]
     unit: Real
     size: float
-    vectors: Vectors
+    vectors: LoopVectors
     rows: Complex
     points: dict[str, Complex]
     origins: dict[str, Complex]
-    relations: tuple[Relation, ...]
+    relations: tuple[LinearRelation, ...]
     joints: tuple[Joint, ...]
 
-    def weights(self, relations: Sequence[Relation]) -> Real:
+    def weights(self, relations: Sequence[LinearRelation]) -> Real:
         """Left sides of relations as a matrix on the internal unknowns: (k, n)."""
         table = np.zeros((len(relations), len(self.unknowns)))
         for row, relation in zip(table, relations, strict=True):
@@ -91,7 +91,7 @@ class Loops:
         """Which unknowns move any arrow of a loop, or any point: (n,)."""
         return self._moved_with(self._arrows_in(self.rows) + self._arrows_in(self.places))
 
-    def silent(self, relations: Sequence[Relation]) -> tuple[Unknown, ...]:
+    def silent(self, relations: Sequence[LinearRelation]) -> tuple[Unknown, ...]:
         """Unknowns that move nothing and stand in no relation: the rotation of a link of one point."""
         if self.moving.all():
             return ()
@@ -143,7 +143,7 @@ def _names(mechanism: Mechanism, joints: Sequence[Joint]) -> tuple[tuple[str, ..
     return tuple(links), {joint.slide: joint.tail for joint in joints if joint.slide is not None}
 
 
-def _vectors(links: tuple[str, ...], slides: dict[str, str]) -> Vectors:
+def _vectors(links: tuple[str, ...], slides: dict[str, str]) -> LoopVectors:
     """One arrow a link, one a slide, in the order of the names; the frame's does not turn."""
     moving = links[1:]
     turning = np.zeros((len(links) + len(slides), len(moving) + len(slides)))
@@ -154,7 +154,7 @@ def _vectors(links: tuple[str, ...], slides: dict[str, str]) -> Vectors:
     for number in range(len(slides)):
         stretching[len(links) + number, len(moving) + number] = 1.0
     base = np.array([1.0] * len(links) + [0.0] * len(slides))
-    return Vectors(turning, stretching, base)
+    return LoopVectors(turning, stretching, base)
 
 
 @frozen

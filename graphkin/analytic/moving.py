@@ -12,7 +12,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.analytic.newton import Closed, EquationSystem, close
-from graphkin.analytic.path import Path, RightSides, path_along
+from graphkin.analytic.path import MotionPath, RightSides, path_along
 from graphkin.analytic.rates import tangent
 from graphkin.analytic.vectors import Flags, Indices, Real
 from graphkin.base.value import frozen
@@ -120,7 +120,7 @@ def _turn_by_turn(line: RightSides, start: Real, along: Real, beyond: float) -> 
     return q + turns[:, None] * gone, limits
 
 
-def _on(path: Path, along: Real) -> tuple[Real, list[Limit]]:
+def _on(path: MotionPath, along: Real) -> tuple[Real, list[Limit]]:
     q = _closed_at(path, along)
     limits = [limit for change in path.changes if (limit := _beside(path, along, change)) is not None]
     for limit in limits:
@@ -128,7 +128,7 @@ def _on(path: Path, along: Real) -> tuple[Real, list[Limit]]:
     return q, limits
 
 
-def _closed_at(path: Path, along: Real) -> Real:
+def _closed_at(path: MotionPath, along: Real) -> Real:
     line, guess = path.line, path.between(along)
     closed = close(line.closure, guess, line.c + along[:, None] * line.toward, steps=25)
     margin = _MARGIN * line.longest
@@ -136,7 +136,7 @@ def _closed_at(path: Path, along: Real) -> Real:
     return np.where((reached & _good(line.closure, closed, guess))[:, None], closed.q, np.nan)
 
 
-def _beside(path: Path, along: Real, change: float) -> Limit | None:
+def _beside(path: MotionPath, along: Real, change: float) -> Limit | None:
     """The positions beside a change point; none where its neighbours are not all reached."""
     others = [*(abs(change - other) for other in path.changes if other != change), *np.abs(path.at[[0, -1]] - change)]
     aside = min(_ASIDE * path.line.longest, min(others) / _CLEAR)

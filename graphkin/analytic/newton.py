@@ -12,7 +12,7 @@ import numpy as np
 
 from graphkin.analytic.elimination import Elimination, eliminate
 from graphkin.analytic.loops import Loops
-from graphkin.analytic.rules import Relation
+from graphkin.analytic.rules import LinearRelation
 from graphkin.analytic.vectors import Polar, Real, applied, through
 from graphkin.base.value import frozen
 
@@ -34,7 +34,7 @@ class EquationSystem:
 
     @classmethod
     def of(
-        cls, loops: Loops, relations: Sequence[Relation], like: EquationSystem | None = None
+        cls, loops: Loops, relations: Sequence[LinearRelation], like: EquationSystem | None = None
     ) -> EquationSystem:
         """The system of these relations: `like`, if that has the same."""
         weights = loops.weights(relations)

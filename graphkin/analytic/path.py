@@ -97,7 +97,7 @@ class RightSides:
 
 
 @frozen
-class Path:
+class MotionPath:
     """Nodes in the order of their places, and the places of change points."""
 
     line: RightSides
@@ -118,19 +118,19 @@ class Path:
         return _cubic(*ends, at)[0]
 
 
-def path_along(line: RightSides, start: Real, low: float, high: float) -> Path:
+def path_along(line: RightSides, start: Real, low: float, high: float) -> MotionPath:
     """The path from the unknowns `start` (n,) at 0 down to `low` and up to `high`, or as far as it leads."""
-    forth = _Walk(line, start)
-    back = _Walk(replace(line, toward=-line.toward), start)
+    forth = _MotionWalk(line, start)
+    back = _MotionWalk(replace(line, toward=-line.toward), start)
     forth.walk(high)
     back.walk(-low)
     before = tuple(PathNode(-node.at, node.q, -node.slope, node.measure) for node in back.nodes[:0:-1])
     changes = (*(-at for at in reversed(back.changes)), *forth.changes)
-    return Path(line, (*before, *forth.nodes), changes)
+    return MotionPath(line, (*before, *forth.nodes), changes)
 
 
 @filled
-class _Walk:
+class _MotionWalk:
     """One direction of a path; `missed` is where two motions only came near each other."""
 
     line: RightSides

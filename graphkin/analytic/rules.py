@@ -16,7 +16,7 @@ from graphkin.base.geometry import phase
 from graphkin.base.tolerances import ROUNDED
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
-from graphkin.model.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Rod, Roll, Rolling, Slide, Slot
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Rod, Rolling, RollingContact, Slide, Slot
 
 
 class Unknown(NamedTuple):
@@ -46,7 +46,7 @@ class Joint:
 
 
 @frozen
-class Relation:
+class LinearRelation:
     """sum of weight x unknown + offset = value; value is 0 but for drivers and poses [rad or m].
 
     offset is None where the sum is whatever it is at the drawn position, and then stays.
@@ -64,7 +64,7 @@ class Share(NamedTuple):
     """What one pair brings."""
 
     joints: tuple[Joint, ...] = ()
-    relations: tuple[Relation, ...] = ()
+    relations: tuple[LinearRelation, ...] = ()
 
 
 def shares(mechanism: Mechanism) -> Iterable[Share]:
@@ -91,7 +91,7 @@ def slide(mechanism: Mechanism, pair: Slide) -> Share:
     joint = Joint(pair.guide, origin, carrier, point, pair.name, pair.line.direction)
     if pair.block is None:
         return Share((joint,))
-    return Share((joint,), (Relation(_turned(pair.block, pair.guide), -pair.turn),))
+    return Share((joint,), (LinearRelation(_turned(pair.block, pair.guide), -pair.turn),))
 
 
 def gear(mechanism: Mechanism, pair: Gear) -> Share:
@@ -100,13 +100,13 @@ def gear(mechanism: Mechanism, pair: Gear) -> Share:
     return Share(joints, (_no_slip(pair.rolling, line),))
 
 
-def roll(mechanism: Mechanism, pair: Roll) -> Share:
+def roll(mechanism: Mechanism, pair: RollingContact) -> Share:
     """On a line: the centre at distance r from it, s and the angle tied by s + r (theta_wheel - theta_track) = const
     where the centre lies left of the line, s - r (..) where right. On a circle: as gears, in contact.
     """
     if (path := pair.path) is not None:
         turned = {unknown: path.offset * weight for unknown, weight in _turned(pair.wheel, pair.track).items()}
-        relation = Relation({Unknown("s", pair.name): 1.0, **turned}, None)
+        relation = LinearRelation({Unknown("s", pair.name): 1.0, **turned}, None)
         return Share((_beside(mechanism, path, pair.wheel, pair.name),), (relation,))
     assert isinstance(pair.equivalent, Rod)
     line, joints = _line_of_centres(mechanism, pair, pair.equivalent, pair.equivalent.length)
@@ -130,7 +130,7 @@ RULES: dict[type[Any], Callable[[Mechanism, Any], Share]] = {
     Slide: slide,
     CircularSlot: replaced,
     Gear: gear,
-    Roll: roll,
+    RollingContact: roll,
     Cam: replaced,
 }
 
@@ -160,14 +160,14 @@ def _line_of_centres(
     return name, (start, Joint(name, length, second, far))
 
 
-def _no_slip(rolling: Rolling, line: str) -> Relation:
+def _no_slip(rolling: Rolling, line: str) -> LinearRelation:
     """r1 (theta1 - phi) + r2 (theta2 - phi) = const with phi the angle of the line of centres; a ring counts -r."""
     most, weights = max(rolling.radii), dict.fromkeys((*rolling.wheels, line), 0.0)
     for link, radius in zip(rolling.wheels, rolling.radii, strict=True):
         share = (-1 if rolling.internal and radius == most else 1) * radius / most
         weights[link] += share
         weights[line] -= share
-    return Relation({theta(link): weight for link, weight in weights.items() if link != FRAME}, None)
+    return LinearRelation({theta(link): weight for link, weight in weights.items() if link != FRAME}, None)
 
 
 def _beside(mechanism: Mechanism, slot: Slot, link: str, name: str) -> Joint:
@@ -178,16 +178,16 @@ def _beside(mechanism: Mechanism, slot: Slot, link: str, name: str) -> Joint:
     return Joint(line.link, origin + slot.offset * 1j * line.direction, link, arm, name, line.direction)
 
 
-def driven(mechanism: Mechanism, driver: Driver | Pose) -> Relation:
+def driven(mechanism: Mechanism, driver: Driver | Pose) -> LinearRelation:
     """The left side of a driver's (or pose's) equation; its value is the right side.
 
     Angle: theta + arg(arm) - (theta_from + arg(from arm)) = value. Slide: s = value.
     """
     if driver.kind == "slide":
-        return Relation({Unknown("s", driver.link): 1.0})
+        return LinearRelation({Unknown("s", driver.link): 1.0})
     weights = _turned(driver.link, driver.from_link)
     offset = _axis_to(mechanism, driver.link, driver.vector)
-    return Relation(weights, offset - _axis_to(mechanism, driver.from_link, driver.from_vector))
+    return LinearRelation(weights, offset - _axis_to(mechanism, driver.from_link, driver.from_vector))
 
 
 def placing(mechanism: Mechanism) -> list[tuple[Driver | Pose, float]]:

@@ -68,7 +68,7 @@ Polar = tuple[Real, Complex]
 
 
 @frozen
-class Vectors:
+class LoopVectors:
     """How arrows hang on the unknowns q: angle = turning q, length = base + stretching q.
 
     What asks for `polar` works that out itself where it is not given.

@@ -36,16 +36,16 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from graphkin.model.quantities import Answer
-    from graphkin.outputs.frames import Sweep
-    from graphkin.outputs.notebook import Shown
-    from graphkin.running.variants import Drawn
+    from graphkin.outputs.frames import SweepFrames
+    from graphkin.outputs.notebook import NotebookSheet
+    from graphkin.running.variants import DrawnVariants
     from graphkin.sheet import Style
     from graphkin.studies.sweeps import PointPath, Ranges, Road
 
 __all__ = ["Drawing", "load", "motion", "plan", "replay", "replay_many", "sweep"]
 
 
-def load(source: str | Path) -> loading.Mechanism:
+def load(source: str | Path) -> loading.MechanismFile:
     """A mechanism from a file, or from the library by its name (`ex3-1`).
 
     Raises a `GraphkinError` that names file, line and key of what is wrong.
@@ -123,7 +123,7 @@ def replay(
 def replay_many(
     method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None = None, *,
     held: bool = True,
-) -> Drawn:  # fmt: skip
+) -> DrawnVariants:  # fmt: skip
     """Every mechanism of a method's topology, each at its own drawn position or at driver values.
 
     mechanisms  one after another; or one whose numbers are arrays (n,), those that all share scalars
@@ -166,7 +166,7 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> S
 def sweep(
     mechanism: Mechanism | Method, ranges: Ranges = (), of: str | Sequence[str] = (), by: Road = "construction",
     compiled: bool | None = None,
-) -> Sweep:  # fmt: skip
+) -> SweepFrames:  # fmt: skip
     """Quantities over a turn, or as far as the mechanism gets; angles go on beyond a full turn.
 
     ranges  by driver, in deg and mm: an array, a text `"0:360:10"`, or a number that holds it still; nothing: the first
@@ -253,7 +253,7 @@ class Drawing(Readable):
     def sheet(
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, style: Style = "construction",
         tight: bool = False, paths: Sequence[str] = (), arrows: bool = False,
-    ) -> Shown:  # fmt: skip
+    ) -> NotebookSheet:  # fmt: skip
         """The sheet: mechanism and polygons to scale, in millimetres on paper; `style`: with their construction, as
         results alone, or only the mechanism with what is given; `tight`: the figures alone.
 
@@ -282,7 +282,7 @@ class Drawing(Readable):
 
     def step_sheets(
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, tight: bool = False
-    ) -> Iterator[Shown]:
+    ) -> Iterator[NotebookSheet]:
         """One sheet a step of the construction, the newest marks emphasised."""
         from graphkin.outputs.notebook import shown
         from graphkin.sheet import step_sheets

@@ -13,7 +13,7 @@ from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 
 from graphkin import files as loading
 from graphkin.base.value import frozen
-from graphkin.check.shown import Shown, Sight, seen_in
+from graphkin.check.shown import ShownMark, Sight, seen_in
 from graphkin.check.transforms import Unread
 from graphkin.construction import Plane
 from graphkin.errors import BadDrawing, NoDrawing, NothingToMeasure, Where
@@ -49,7 +49,7 @@ class DrawingFile:
     claims: Mapping[str, object]
     root: Element
 
-    def measures(self, element: Shown) -> bool:
+    def measures(self, element: ShownMark) -> bool:
         """A ruler is laid on it: a vector's line, a point's dot, a line of a link where links have points."""
         if "link" in element.kind:
             return self.measures_links or element.attributes.get("data-form") == "ruler"
@@ -61,7 +61,7 @@ class DrawingFile:
         """The name of the sheet in a viewer."""
         return next((element.text or "" for element in self.root if element.tag.endswith("}title")), "")
 
-    def of_class(self, kind: str) -> tuple[Shown, ...]:
+    def of_class(self, kind: str) -> tuple[ShownMark, ...]:
         return tuple(element for element in self.sight.shown if kind in element.kind)
 
     @cached_property
@@ -82,11 +82,11 @@ class DrawingFile:
         return tuple((circle.attributes, circle.middle) for circle in circles)
 
 
-def _ends(line: Shown) -> tuple[complex, complex]:
+def _ends(line: ShownMark) -> tuple[complex, complex]:
     return line.lines[0][0], line.lines[0][-1]
 
 
-def stated(element: Shown) -> tuple[str, ...]:
+def stated(element: ShownMark) -> tuple[str, ...]:
     """What an element says that it shows: its class and its `data-*`, as the file lists them."""
     kind = next(kind for kind in MARKS if kind in element.kind)
     data = {key.removeprefix("data-"): value for key, value in element.attributes.items() if key.startswith("data-")}

@@ -8,7 +8,7 @@ from xml.etree.ElementTree import Element
 
 from graphkin.check.drawing import DrawingFile, Fault
 from graphkin.check.outlines import is_plain, outline
-from graphkin.check.shown import Shown
+from graphkin.check.shown import ShownMark
 from graphkin.check.styles import Style, styled
 from graphkin.check.transforms import Affine, length, numbers_in, transform
 
@@ -32,12 +32,12 @@ def wrong_heads(drawing: DrawingFile) -> Iterator[Fault]:
             yield Fault("arrow", place_of(element))
 
 
-def place_of(element: Shown) -> str:
+def place_of(element: ShownMark) -> str:
     x, y = element.lines[0][0].real, -element.lines[0][0].imag
     return f"({x:.1f}, {y:.1f})"
 
 
-def _points_on(root: Element, element: Shown) -> bool:
+def _points_on(root: Element, element: ShownMark) -> bool:
     """Whether the marker at a line's end is one dark tip that ends exactly there and opens backwards."""
     named = element.style.get("marker-end").removeprefix("url(").removesuffix(")").strip("\"' ").removeprefix("#")
     marker = next((found for found in root.iter() if found.get("id") == named), None)

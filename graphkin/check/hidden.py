@@ -11,7 +11,7 @@ import shapely
 from graphkin.base.value import frozen
 from graphkin.check.drawing import MARKS, Fault
 from graphkin.check.links import link_name
-from graphkin.check.shown import Shown, Sight
+from graphkin.check.shown import ShownMark, Sight
 from graphkin.check.styles import FAINT, HAIR, dashed_away
 
 _SIGN = 7.6
@@ -24,11 +24,11 @@ _THICK = 1.5
 """No line of a mark is thicker; one that is counts as a surface [mm]."""
 
 
-def name_of(mark: Shown) -> str:
+def name_of(mark: ShownMark) -> str:
     return link_name(mark.attributes) if "link" in mark.kind else mark.attributes.get("data-name", "")
 
 
-def _is_mark(element: Shown) -> bool:
+def _is_mark(element: ShownMark) -> bool:
     return any(kind in element.kind for kind in MARKS)
 
 
@@ -64,13 +64,13 @@ class Layers:
         found = ((" ".join(text.text.split()), text.lines[0][0]) for k, text in texts if self._can_be_read(k, text))
         return tuple((text, place) for text, place in found if text)
 
-    def _can_be_read(self, number: int, text: Shown) -> bool:
+    def _can_be_read(self, number: int, text: ShownMark) -> bool:
         begin = text.lines[0][0] + 0.3 + 0.3j
         under = any(area.contains(shapely.Point(begin.real, begin.imag)) for area in self.over(number))
         return not under and _on_paper(text, self.sight.paper)
 
 
-def _inked(mark: Shown) -> bool:
+def _inked(mark: ShownMark) -> bool:
     """Whether there is a line, or a dot, of a width that can be seen and measured."""
     drawn = mark.style.ink("stroke") > FAINT and HAIR < mark.width < _THICK
     if "point" in mark.kind:
@@ -81,7 +81,7 @@ def _inked(mark: Shown) -> bool:
     return True
 
 
-def _on_paper(mark: Shown, paper: complex) -> bool:
+def _on_paper(mark: ShownMark, paper: complex) -> bool:
     places = [place for line in mark.lines for place in line]
     return all(-0.01 <= p.real <= paper.real + 0.01 and -paper.imag - 0.01 <= p.imag <= 0.01 for p in places)
 
@@ -89,7 +89,7 @@ def _on_paper(mark: Shown, paper: complex) -> bool:
 # --- one over another -------------------------------------------------------------------------
 
 
-def _hide(above: list[shapely.Geometry], mark: Shown) -> bool:
+def _hide(above: list[shapely.Geometry], mark: ShownMark) -> bool:
     """A dot is hidden as a whole; a line by a large surface over any of it, or by small signs over most of it; the path
     of a point, which runs under the links, by anything over most of it.
     """
@@ -107,7 +107,7 @@ def _size(area: shapely.Geometry) -> float:
     return abs(complex(right - left, high - low))
 
 
-def _surface(element: Shown) -> shapely.Geometry | None:
+def _surface(element: ShownMark) -> shapely.Geometry | None:
     """What an element hides of what is under it; nothing for lines, small dark signs, and blocks and hinges."""
     if element.tag == "text" or _belongs(element):
         return None
@@ -121,14 +121,14 @@ def _surface(element: Shown) -> shapely.Geometry | None:
     return None if whole.is_empty or (_size(whole) < _SIGN and ink > FAINT) else whole
 
 
-def _whole(element: Shown) -> shapely.Geometry:
+def _whole(element: ShownMark) -> shapely.Geometry:
     """The area that an element fills; of curves what is around them."""
     areas = [shapely.Polygon(_xy(line)) for line in element.lines if len(line) > 3]
     around = areas if element.plain else [area.convex_hull for area in areas]
     return shapely.union_all([area if area.is_valid else area.buffer(0) for area in around])
 
 
-def _belongs(element: Shown) -> bool:
+def _belongs(element: ShownMark) -> bool:
     """Blocks, slots, tubes and dots are drawn over lines; no larger than they are."""
     if not _is_mark(element) or element.width > _THICK:
         return False

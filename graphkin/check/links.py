@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 
-from graphkin.check.shown import Shown
+from graphkin.check.shown import ShownMark
 from graphkin.check.widened import Widened, lines_of
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.pairs import Rod
@@ -25,7 +25,7 @@ def link_name(attributes: Mapping[str, str]) -> str:
     return f"{attributes.get('data-link', '')}: {on or attributes.get('data-points', '')}"
 
 
-def worst_place(mark: Shown, exact: Widened, at: Callable[[str], complex], scale: float) -> Pair | None:
+def worst_place(mark: ShownMark, exact: Widened, at: Callable[[str], complex], scale: float) -> Pair | None:
     """The place of a link's line that is farthest off; None for a mark that says nothing known.
 
     at  where a point of its plane should be on paper [mm]; raises KeyError.  scale  [m/mm]
@@ -48,17 +48,17 @@ def worst_place(mark: Shown, exact: Widened, at: Callable[[str], complex], scale
     return max(pairs, key=lambda pair: abs(pair[0] - pair[1]), default=None)
 
 
-def _corners(mark: Shown) -> list[complex]:
+def _corners(mark: ShownMark) -> list[complex]:
     places = list(mark.lines[0])
     return places[:-1] if len(places) > 2 and abs(places[0] - places[-1]) < 1e-9 else places
 
 
-def _bar(mark: Shown, wanted: list[complex]) -> list[Pair]:
+def _bar(mark: ShownMark, wanted: list[complex]) -> list[Pair]:
     corners = _corners(mark)
     return list(zip(corners, wanted, strict=True)) if len(corners) == len(wanted) else []
 
 
-def _wheel(mark: Shown, mechanism: Mechanism, at: Callable[[str], complex], scale: float) -> Iterator[Pair]:
+def _wheel(mark: ShownMark, mechanism: Mechanism, at: Callable[[str], complex], scale: float) -> Iterator[Pair]:
     """The circle's middle, and its radius beside the nearest one that its link has there."""
     link, centre = mark.attributes["data-link"], mark.attributes.get("data-points", "")
     middle, radius = mark.middle, abs(mark.lines[0][0] - mark.middle)
@@ -69,7 +69,7 @@ def _wheel(mark: Shown, mechanism: Mechanism, at: Callable[[str], complex], scal
     yield middle + radius, middle + min(radii, key=lambda right: abs(right - radius))
 
 
-def _arc(mark: Shown, mechanism: Mechanism, points: list[complex], scale: float) -> Iterator[Pair]:
+def _arc(mark: ShownMark, mechanism: Mechanism, points: list[complex], scale: float) -> Iterator[Pair]:
     """Every corner at its radius from the centre, a slot's half a width off it; and the pin between the ends."""
     centre, pin = points
     (radius,) = (pair.equivalent.length for pair in mechanism.pairs
@@ -84,7 +84,7 @@ def _arc(mark: Shown, mechanism: Mechanism, points: list[complex], scale: float)
         yield corners[0], pin
 
 
-def _sense(mark: Shown, form: str, exact: Widened, points: list[complex]) -> Pair:
+def _sense(mark: ShownMark, form: str, exact: Widened, points: list[complex]) -> Pair:
     """The middle of an arrow head's back, behind its tip on the side from which the motion comes."""
     tip, *back = _corners(mark)
     foot = sum(back) / len(back)
@@ -109,7 +109,7 @@ def _radii(mechanism: Mechanism, link: str, centre: str) -> set[float]:
 
 
 def _on_line(
-    mark: Shown, form: str, exact: Widened, at: Callable[[str], complex], points: list[str]
+    mark: ShownMark, form: str, exact: Widened, at: Callable[[str], complex], points: list[str]
 ) -> Iterator[Pair]:
     """Ends or middle on the line, sides along it, over its points; a block's middle on its point."""
     line = lines_of(exact.mechanism)[mark.attributes.get("data-line", "")]

@@ -12,7 +12,7 @@ import shapely
 from graphkin.analytic import motion
 from graphkin.analytic.loops import size_of
 from graphkin.base.value import frozen
-from graphkin.check.shown import Shown
+from graphkin.check.shown import ShownMark
 from graphkin.errors import GraphkinError
 from graphkin.model.mechanism import Driver, Mechanism
 
@@ -36,7 +36,7 @@ _BEYOND = 2.0
 
 
 def worst_of_path(
-    mark: Shown, mechanism: Mechanism, values: Sequence[float], scale: float, origin: complex
+    mark: ShownMark, mechanism: Mechanism, values: Sequence[float], scale: float, origin: complex
 ) -> Pair | None:
     """The corner that is farthest off the curve, or the place of the curve that is missing; None where the mark names
     no point and driver.

@@ -19,7 +19,7 @@ from graphkin.check.heads import wrong_heads
 from graphkin.check.hidden import Layers
 from graphkin.check.links import link_name, worst_place
 from graphkin.check.point_paths import worst_of_path
-from graphkin.check.shown import Shown
+from graphkin.check.shown import ShownMark
 from graphkin.check.signs import judged
 from graphkin.check.transforms import Unread
 from graphkin.check.widened import Widened, widened
@@ -29,7 +29,7 @@ from graphkin.model.mechanism import Mechanism
 
 
 @frozen
-class Measured:
+class RulerReading:
     """One vector, point or line of a link: what the ruler says, what it should be.
 
     drawn, exact  in mm on paper, x to the right and y up; of a link, the place that is farthest off
@@ -58,7 +58,7 @@ class RulerReport:
     """
 
     file: str
-    measured: tuple[Measured, ...]
+    measured: tuple[RulerReading, ...]
     faults: tuple[Fault, ...]
     notes: tuple[Fault, ...] = ()
 
@@ -119,10 +119,10 @@ class _Ruler:
     def exact(self) -> Widened:
         return widened(self.mechanism, self.solved, self.drawing)
 
-    def _measured(self, plane: Plane, name: str, kind: str, drawn: complex, right: complex) -> Measured:
-        return Measured(plane, name, kind, drawn, right, self.scales[plane], UNITS[plane])
+    def _measured(self, plane: Plane, name: str, kind: str, drawn: complex, right: complex) -> RulerReading:
+        return RulerReading(plane, name, kind, drawn, right, self.scales[plane], UNITS[plane])
 
-    def vectors(self) -> Iterator[Measured]:
+    def vectors(self) -> Iterator[RulerReading]:
         for attributes, tail, head in self.drawing.vectors:
             plane, name = plane_of(self.drawing, attributes), attributes.get("data-name", "")
             value = vector_value(self.exact, plane, attributes)
@@ -143,7 +143,7 @@ class _Ruler:
     def _origin(self, plane: Plane) -> complex:
         return _origin([(place, right) for _, place, right in self._placed(plane)])
 
-    def points(self) -> Iterator[Measured]:
+    def points(self) -> Iterator[RulerReading]:
         """Points of the mechanism against each other; points of a polygon against its pole."""
         for plane in self.scales:
             if placed := self._placed(plane):
@@ -151,7 +151,7 @@ class _Ruler:
                 for name, place, right in placed:
                     yield self._measured(plane, name, "point", place - origin, right)
 
-    def links(self) -> Iterator[Measured]:
+    def links(self) -> Iterator[RulerReading]:
         """Lines of links against the places where the points should be."""
         origins: dict[Plane, complex] = {}
         for mark in self.drawing.of_class("link"):
@@ -160,7 +160,7 @@ class _Ruler:
             elif self.drawing.measures_links:
                 yield self._link(mark, origins)
 
-    def _link(self, mark: Shown, origins: dict[Plane, complex]) -> Measured:
+    def _link(self, mark: ShownMark, origins: dict[Plane, complex]) -> RulerReading:
         plane, name = plane_of(self.drawing, mark.attributes), link_name(mark.attributes)
         try:
             origin = origins[plane] = origins.get(plane) or self._origin(plane)
@@ -171,7 +171,7 @@ class _Ruler:
             raise BadDrawing(Where(self.drawing.file), "value", f"data-link={name}")
         return self._measured(plane, name, "link", found[0] - origin, found[1] - origin)
 
-    def _worst(self, mark: Shown, plane: Plane, origin: complex) -> tuple[complex, complex] | None:
+    def _worst(self, mark: ShownMark, plane: Plane, origin: complex) -> tuple[complex, complex] | None:
         """The place of a link's line, or of a path, that is farthest off, and where it should be."""
         if mark.attributes.get("data-form") == "path":
             return worst_of_path(mark, self.mechanism, self.values, self.scales[plane], origin)
@@ -193,7 +193,7 @@ class _Ruler:
             if vector.tip and not self._is_tip(vector):
                 yield Fault("tip", vector.attributes.get("data-name", ""))
 
-    def _is_tip(self, vector: Shown) -> bool:
+    def _is_tip(self, vector: ShownMark) -> bool:
         """True if its value in words is its length, to the digits that are written."""
         told = re.search(r"= ([0-9.e+-]+) m/s²?$", vector.tip)
         size = abs(vector.lines[0][-1] - vector.lines[0][0]) * self.scales[plane_of(self.drawing, vector.attributes)]
@@ -213,15 +213,15 @@ class _Ruler:
                 yield Fault("unknown", name)
 
 
-def _hundred(mark: Shown) -> Measured:
+def _hundred(mark: ShownMark) -> RulerReading:
     """The line that is 100 mm long on paper."""
     along = mark.lines[0][-1] - mark.lines[0][0] if mark.lines else 0j
-    return Measured("sheet", "100 mm", "link", along, 100 * along / (abs(along) or 1.0), 1e-3, "m")
+    return RulerReading("sheet", "100 mm", "link", along, 100 * along / (abs(along) or 1.0), 1e-3, "m")
 
 
 def _centres(
     planes: DrawingFile, centres: DrawingFile, mechanism: Mechanism, solved: Motion, scales: Mapping[Plane, float]
-) -> Iterator[Measured]:
+) -> Iterator[RulerReading]:
     """Marks of instant centres with the mechanism's points, and arrows towards centres that have no mark."""
     if "position" not in scales:
         raise BadDrawing(Where(centres.file), "value", "scales.length")
@@ -234,9 +234,9 @@ def _centres(
             pairs.append((place, complex(solved.position[of]) / scale))
     origin = _origin(pairs)
     for mark in marks:
-        yield Measured(CENTRES, mark.name, mark.kind, mark.drawn - origin, mark.exact, scale, "m")
+        yield RulerReading(CENTRES, mark.name, mark.kind, mark.drawn - origin, mark.exact, scale, "m")
     for arrow in seen_arrows(centres, mechanism, exact, scale, origin):
-        yield Measured(CENTRES, arrow.name, arrow.kind, arrow.drawn, arrow.exact, scale, "m")
+        yield RulerReading(CENTRES, arrow.name, arrow.kind, arrow.drawn, arrow.exact, scale, "m")
 
 
 def _origin(pairs: list[tuple[complex, complex]]) -> complex:

@@ -24,7 +24,7 @@ _NOT_SHOWN = (
 
 
 @frozen
-class Shown:
+class ShownMark:
     """A shape or a text on paper.
 
     tag, attributes  as in the file
@@ -68,7 +68,7 @@ class Sight:
     """A whole sheet: its paper [mm], what is on it from the bottom up, and what is doubtful about its size."""
 
     paper: complex
-    shown: tuple[Shown, ...]
+    shown: tuple[ShownMark, ...]
     doubt: str
 
 
@@ -95,7 +95,7 @@ def _name(element: Element) -> str:
     return element.tag.rpartition("}")[2]
 
 
-def _walk(element: Element, outer: Affine, above: Style) -> Iterator[Shown]:
+def _walk(element: Element, outer: Affine, above: Style) -> Iterator[ShownMark]:
     style = styled(element.attrib, above)
     affine = outer.then(transform(element.attrib.get("transform", "")))
     for child in element:
@@ -110,17 +110,17 @@ def _walk(element: Element, outer: Affine, above: Style) -> Iterator[Shown]:
             yield _shape(child, name, affine, style)
 
 
-def _shape(element: Element, name: str, outer: Affine, above: Style) -> Shown:
+def _shape(element: Element, name: str, outer: Affine, above: Style) -> ShownMark:
     style = styled(element.attrib, above)
     affine = outer.then(transform(element.attrib.get("transform", "")))
     if name == "text":
         if style.share("stroke") and length(style.get("stroke-width", "1")) * affine.scale > 1:
             raise Unread("a text drawn with a thick pen")
         text = "".join(_letters(element, style, affine))
-        return Shown(name, element.attrib, style, affine, ((_begin(element, affine),),), text=text)
+        return ShownMark(name, element.attrib, style, affine, ((_begin(element, affine),),), text=text)
     lines = tuple(tuple(affine(p.real, p.imag) for p in line) for line in outline(name, element.attrib))
     tip = "".join(child.text or "" for child in element if _name(child) == "title")
-    return Shown(name, element.attrib, style, affine, lines, is_plain(name, element.attrib), tip=tip)
+    return ShownMark(name, element.attrib, style, affine, lines, is_plain(name, element.attrib), tip=tip)
 
 
 def _letters(element: Element, style: Style, affine: Affine) -> Iterator[str]:

@@ -12,7 +12,7 @@ import shapely
 from graphkin.check.claims import Letters, claimed_letters, shift_of
 from graphkin.check.drawing import DrawingFile, Fault
 from graphkin.check.heads import place_of
-from graphkin.check.shown import Shown
+from graphkin.check.shown import ShownMark
 from graphkin.check.styles import FAINT, HAIR, dashed_away
 
 _NEAR = 0.05
@@ -23,20 +23,20 @@ _SHARP = np.cos(np.radians(75))
 Ends = tuple[complex, complex]
 
 
-def _ends(sign: Shown) -> Ends:
+def _ends(sign: ShownMark) -> Ends:
     """Where it begins, and its middle corner or, of a circle, its middle: as the file states them when it is drawn."""
     line = sign.lines[0]
     return line[0], sign.middle if sign.tag == "circle" else line[len(line) // 2]
 
 
-def _signs(drawing: DrawingFile) -> list[Shown]:
+def _signs(drawing: DrawingFile) -> list[ShownMark]:
     """Elements that are painted and held against no length."""
     return [element for element in drawing.sight.shown
             if element.tag != "text" and element.lines and all(element.lines) and not drawing.measures(element)
             and max(element.style.share("stroke"), element.style.share("fill")) > 0]  # fmt: skip
 
 
-def _can_be_seen(sign: Shown) -> bool:
+def _can_be_seen(sign: ShownMark) -> bool:
     line = sign.style.ink("stroke") > FAINT and sign.width > HAIR and not dashed_away(sign.style, False)
     return line or sign.style.ink("fill") > FAINT
 
@@ -54,7 +54,7 @@ def _drawn(drawing: DrawingFile) -> list[Ends]:
     return found
 
 
-def _altered(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[complex], list[Shown]]:
+def _altered(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[complex], list[ShownMark]]:
     """Places of signs that are gone, and signs that are new; the sheet as a whole may have been moved."""
     shift, seen, drawn = shift_of(drawing, read), _signs(drawing), _drawn(drawing)
     now = np.array([_ends(sign) for sign in seen], dtype=complex).reshape(-1, 2)
@@ -85,7 +85,7 @@ def _where(places: Sequence[complex]) -> str:
     return f"{len(places)}: ({places[0].real:.1f}, {-places[0].imag:.1f})" if places else ""
 
 
-def _has_head(sign: Shown) -> bool:
+def _has_head(sign: ShownMark) -> bool:
     """True if a filled corner of it is as sharp as the head of an arrow."""
     return sign.style.share("fill") > 0 and any(_sharp(line) for line in sign.lines if 3 < len(line) < 7)
 

@@ -101,7 +101,7 @@ def draw(
     drawing = drawn(machine, coincident, method, angles, displacements)
     sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight, paths=paths, arrows=arrows)
     written = drawings.WRITERS[output.suffix.lower() or ".svg"]
-    pages = [(output, written(drawings.Picture(sheet, drawing.method, drawing.plot, lang, dpi or 200.0, ink)))]
+    pages = [(output, written(drawings.DrawingSource(sheet, drawing.method, drawing.plot, lang, dpi or 200.0, ink)))]
     if steps is not None:
         pages += [
             (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page, ink).encode())

@@ -24,7 +24,7 @@ from graphkin.cli.shared import (
 from graphkin.errors import BadPencil, Lang, Where
 
 if TYPE_CHECKING:
-    from graphkin.homework.grading import Judge, Pencils, Problem, Way
+    from graphkin.homework.grading import Pencils, Problem, SetMarker, Way
     from graphkin.homework.platforms import PolygonPictures, Result, Reveal
     from graphkin.marking.graded import Graded
     from graphkin.marking.habits import Trace
@@ -208,7 +208,7 @@ class _Told:
     def _line(self, problem: str, line: Mapping[str, Any]) -> str:
         return json_line({**line, "problem": problem} if problem else line)
 
-    def write_records(self, path: Path, judge: Judge, part: Problem, way: Way) -> None:
+    def write_records(self, path: Path, judge: SetMarker, part: Problem, way: Way) -> None:
         """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
         from graphkin.homework import grading, platforms
         from graphkin.outputs import marks_file, marks_json
@@ -235,7 +235,7 @@ class _Told:
                 click.echo(self._line(problem, marks_json.line_of(record)))
             yield record
 
-    def write_folders(self, output: Path, parts: Sequence[Problem], judges: Sequence[Judge]) -> None:
+    def write_folders(self, output: Path, parts: Sequence[Problem], judges: Sequence[SetMarker]) -> None:
         """Everything else, made of the records; of several problems all are looked at together."""
         from graphkin.homework import platforms
 

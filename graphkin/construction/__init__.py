@@ -32,7 +32,7 @@ from graphkin.construction.kinds import (
     Step,
     Swing,
     Touch,
-    Unknown,
+    UnknownScalar,
 )
 from graphkin.construction.pencil import replay
 from graphkin.construction.plot import Facts, Plot, TurnOf, slide_key
@@ -106,7 +106,7 @@ __all__ = [
     "Touch",
     "TurnOf",
     "Turning",
-    "Unknown",
+    "UnknownScalar",
     "replay",
     "slide_key",
     "unknowns_of",

@@ -8,7 +8,7 @@ import numpy as np
 
 from graphkin.base.geometry import Value
 from graphkin.construction.fitting import unknowns_of
-from graphkin.construction.kinds import Chain, Simultaneous, Unknown
+from graphkin.construction.kinds import Chain, Simultaneous, UnknownScalar
 from graphkin.construction.linear import Row, solved, system, two
 from graphkin.construction.plot import Plot, slide_key
 from graphkin.construction.rolling import displacements, in_step, order_of
@@ -52,7 +52,7 @@ def _chain(chain: Chain, plot: Plot, plane: Plane) -> Row:
     return known, arrows
 
 
-def _unknown(unknown: Unknown, plot: Plot, plane: Plane) -> tuple[str, Value, Value]:
+def _unknown(unknown: UnknownScalar, plot: Plot, plane: Plane) -> tuple[str, Value, Value]:
     """The `slide_key` or base link, its arrow at 1, and what the link turns against its base link, as an arrow."""
     if unknown.slide:
         return slide_key(unknown.slide), unknown.sign * plot.guide_direction(unknown.slide), 0.0

@@ -179,7 +179,7 @@ class Touch:
 
 
 @frozen
-class Unknown:
+class UnknownScalar:
     """One unknown scalar in a closed chain of arrows: turning of `link` over an arm, or sliding with a `sign`."""
 
     link: str
@@ -194,7 +194,7 @@ class Chain:
     """A closed chain of arrows: known sizes with their signs, and unknown scalars."""
 
     known: tuple[tuple[Size, int], ...]
-    unknown: tuple[Unknown, ...]
+    unknown: tuple[UnknownScalar, ...]
 
 
 @frozen

@@ -16,10 +16,10 @@ from itertools import count
 from graphkin.analytic import Motion
 from graphkin.equations.legend import Legend
 from graphkin.equations.readers import angle_readers, difference
-from graphkin.equations.symbols import NO_ANGLE, Angle, Symbol
+from graphkin.equations.symbols import NO_ANGLE, AngleSum, Symbol
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Slide
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 from graphkin.say.catalogue import Meaning, meaning
 
 _PLACES = 12
@@ -44,14 +44,14 @@ class Bodies:
     spots   points without a name that have been given a letter: the letter, the point, and the body
     """
 
-    structure: Structure
+    structure: Topology
     ledger: Legend
     drawn: Motion
-    angles: dict[str, Angle] = field(default_factory=dict)
+    angles: dict[str, AngleSum] = field(default_factory=dict)
     base: dict[str, Symbol | None] = field(default_factory=dict)
     drivers: dict[int, Symbol] = field(default_factory=dict)
     spots: dict[str, tuple[str, str]] = field(default_factory=dict)
-    _lines: dict[str, Angle] = field(default_factory=dict)
+    _lines: dict[str, AngleSum] = field(default_factory=dict)
     _named: set[str] = field(default_factory=set)
 
     def __post_init__(self) -> None:
@@ -59,7 +59,7 @@ class Bodies:
         for body in sorted(self.structure.bodies, key=self._rank):
             if body not in self.angles:
                 theta = self._theta(body, steady=False)
-                self._spread(body, Angle.of(theta), theta)
+                self._spread(body, AngleSum.of(theta), theta)
 
     def called(self, body: str) -> str:
         """What people call a body; links of the lower-pair equivalent are e, e2, .. as in the drawings."""
@@ -94,7 +94,7 @@ class Bodies:
         guides = {slide.guide for slide in self.structure.slides.values()}
         return not straight, body not in guides, self.structure.order[body]
 
-    def _spread(self, start: str, angle: Angle, base: Symbol | None) -> None:
+    def _spread(self, start: str, angle: AngleSum, base: Symbol | None) -> None:
         """From one body to all that keep their angle to it, or are driven against it."""
         self.angles[start], self.base[start], queue = angle, base, [start]
         for body in queue:
@@ -142,17 +142,17 @@ class Bodies:
         both = (angle_readers(self.structure, body, self.drawn) for body in (driver.link, driver.from_link))
         return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), difference(*both))
 
-    def driven(self, body: str, other: str, number: int, driver: Driver, sign: int) -> Angle:
+    def driven(self, body: str, other: str, number: int, driver: Driver, sign: int) -> AngleSum:
         """The angle of `other` that a driver gives: its own θ where `body` stands still, else θ21."""
         if not self.angles[body].moving:
             self.drivers[number] = self._theta(other, driver.acceleration == 0)
             self._named.add(other)
-            return Angle.of(self.drivers[number])
+            return AngleSum.of(self.drivers[number])
         self.drivers[number] = self._phi(driver)
-        phi = Angle.of(self.drivers[number])
+        phi = AngleSum.of(self.drivers[number])
         return self.angles[body] + (phi if sign == 1 else -phi)
 
-    def line(self, slide: Slide) -> Angle:
+    def line(self, slide: Slide) -> AngleSum:
         """The angle from the guide's axis to the slide's line."""
         if slide.name not in self._lines:
             low = "" if self._oblique() == 1 else self.called(slide.guide)
@@ -166,7 +166,7 @@ class Bodies:
         """How many lines want an angle of their own."""
         return sum(quarters(cmath.phase(s.line.direction)) is None for s in self.structure.slides.values())
 
-    def turn(self, slide: Slide) -> Angle:
+    def turn(self, slide: Slide) -> AngleSum:
         """The angle from the guide's axis to the block's."""
         if (count := quarters(slide.tilt)) is not None or slide.block is None:
             return self.line(slide).turned(count or 0)
@@ -177,10 +177,10 @@ class Bodies:
             self._lines[key] = self._constant(slide.turn, "δ", names[0], what)
         return self._lines[key]
 
-    def _constant(self, value: float, letter: str, low: str, what: Meaning) -> Angle:
+    def _constant(self, value: float, letter: str, low: str, what: Meaning) -> AngleSum:
         if (count := quarters(value)) is not None:
-            return Angle((), count)
-        return Angle.of(self.ledger.constant(letter, low, what, "deg", math.remainder(value, math.tau)))
+            return AngleSum((), count)
+        return AngleSum.of(self.ledger.constant(letter, low, what, "deg", math.remainder(value, math.tau)))
 
     def _name(self, body: str) -> None:
         """A link whose angle follows from others has a θ of its own: a name for that sum."""
@@ -202,7 +202,7 @@ class _Maker:
     by: Slide | tuple[int, Driver]
     sign: int
 
-    def __call__(self) -> Angle:
+    def __call__(self) -> AngleSum:
         if isinstance(self.by, Slide):
             turn = self.bodies.turn(self.by)
             return self.bodies.angles[self.body] + (turn if self.sign == 1 else -turn)

@@ -10,11 +10,11 @@ from graphkin.base.geometry import Value
 from graphkin.base.value import frozen
 from graphkin.equations.bodies import quarters
 from graphkin.equations.expressions import Sum, Wave, one, phasor
-from graphkin.equations.legend import Entry, Reader, Unit
+from graphkin.equations.legend import LegendEntry, Reader, Unit
 from graphkin.equations.model import Model
 from graphkin.equations.polygons import way
 from graphkin.equations.readers import place
-from graphkin.equations.symbols import Angle, Symbol
+from graphkin.equations.symbols import AngleSum, Symbol
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import parts
 from graphkin.planning.structure import Hinge, Joint, Sliding
@@ -22,7 +22,7 @@ from graphkin.say.catalogue import meaning
 
 
 @frozen
-class Chain:
+class PointChain:
     """From the fixed point `start` to the point `of`."""
 
     start: str
@@ -40,7 +40,7 @@ def asked_points(model: Model) -> tuple[str, ...]:
     return tuple(point for point in found if FRAME not in mechanism.owners[point])
 
 
-def chain(model: Model, point: str, low: str) -> Chain:
+def chain(model: Model, point: str, low: str) -> PointChain:
     """The shortest way from the frame to a point; `low` is the subscript of its a and b."""
     structure = model.method.structure
     owners = [body for body in structure.owners[point] if not structure.is_pin(body)]
@@ -52,7 +52,7 @@ def chain(model: Model, point: str, low: str) -> Chain:
             total += _slid(model, joints[k], inner)
         goal = point if k == 0 else _at(model, joints[k - 1], inner)
         total += _arm(model, inner, _at(model, joints[k], inner), goal, low)
-    return Chain(_at(model, joints[-1], FRAME), point, _by_links(model, total))
+    return PointChain(_at(model, joints[-1], FRAME), point, _by_links(model, total))
 
 
 def _by_links(model: Model, of: Sum) -> Sum:
@@ -63,7 +63,7 @@ def _by_links(model: Model, of: Sum) -> Sum:
         if (found := own.get(wave.angle.parts)) is None:
             return wave
         symbol, quarters = found
-        return replace(wave, angle=Angle.of(symbol, (wave.angle.quarters - quarters) % 4))
+        return replace(wave, angle=AngleSum.of(symbol, (wave.angle.quarters - quarters) % 4))
 
     return Sum.of(replace(term, waves=tuple(map(named, term.waves))) for term in of.terms)
 
@@ -98,7 +98,7 @@ def _arm(model: Model, body: str, start: str, end: str, low: str) -> Sum:
     return phasor(one(a), theta) + phasor(one(b), theta.turned(1))
 
 
-def vectors(model: Model, of: Chain) -> tuple[Symbol, Symbol, Symbol]:
+def vectors(model: Model, of: PointChain) -> tuple[Symbol, Symbol, Symbol]:
     """Letters for the point's position from the chain's start, its velocity, its acceleration: complex numbers."""
 
     def position(motion: Motion) -> Value:
@@ -115,6 +115,6 @@ def vectors(model: Model, of: Chain) -> tuple[Symbol, Symbol, Symbol]:
     found = []
     for (letter, text), unit, read in zip(what, units, readers, strict=True):
         symbol = model.ledger.fresh(letter, of.of)
-        model.ledger.entries[symbol] = Entry(text, unit, read)
+        model.ledger.entries[symbol] = LegendEntry(text, unit, read)
         found.append(symbol)
     return found[0], found[1], found[2]

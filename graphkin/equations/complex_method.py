@@ -7,19 +7,19 @@ from collections.abc import Sequence
 from graphkin.equations.chains import asked_points, chain, vectors
 from graphkin.equations.driven import listed, say_derived
 from graphkin.equations.dyads import Split
-from graphkin.equations.expressions import Sum, Term
+from graphkin.equations.expressions import Sum, SymbolProduct
 from graphkin.equations.layout import Letter, Node, Op, Row, Word
 from graphkin.equations.matrices import matrices
 from graphkin.equations.model import Model, Task
-from graphkin.equations.page import Page
-from graphkin.equations.polygons import Polygon
+from graphkin.equations.page import EquationPage
+from graphkin.equations.polygons import ClosedPolygon
 from graphkin.equations.positions import Solver
 from graphkin.equations.pretty import Pretty, bracketed
 from graphkin.equations.rates import quotients
 from graphkin.equations.symbols import Symbol
 
 
-def write_complex(model: Model, page: Page) -> None:
+def write_complex(model: Model, page: EquationPage) -> None:
     """All polygons in the order of solution, then the points asked for."""
     pretty = Pretty(model.alias)
     polygons = sum(len(task.polygons) for task in model.tasks)
@@ -45,7 +45,7 @@ def write_complex(model: Model, page: Page) -> None:
     _points(model, page, pretty)
 
 
-def ring(model: Model, polygon: Polygon) -> str:
+def ring(model: Model, polygon: ClosedPolygon) -> str:
     """The polygon's corners in their order: ABCDA."""
     ways = [(arrow.tail, arrow.head)[:: arrow.sign] for arrow in polygon.walk]
     sites = [site for way in ways for site in way]
@@ -60,9 +60,9 @@ def sides(pretty: Pretty, of: Sum) -> tuple[Node, Node]:
     return pretty.sum(left), pretty.sum(right)
 
 
-def complex_sides(pretty: Pretty, polygon: Polygon, of: Sum) -> tuple[Node, Node]:
+def complex_sides(pretty: Pretty, polygon: ClosedPolygon, of: Sum) -> tuple[Node, Node]:
     """A polygon's sum or its derivative, each term on the side of its arrow; the right one walked from the start."""
-    found: tuple[list[Term], list[Term]] = [], []
+    found: tuple[list[SymbolProduct], list[SymbolProduct]] = [], []
     for k, arrows in enumerate(polygon.sides):
         for arrow in arrows:
             mine = {arrow.length, arrow.length.rate, arrow.length.rate and arrow.length.rate.rate}
@@ -70,7 +70,7 @@ def complex_sides(pretty: Pretty, polygon: Polygon, of: Sum) -> tuple[Node, Node
     return pretty.sum(Sum(tuple(found[0])), ordered=True), pretty.sum(-Sum(tuple(found[1])), ordered=True)
 
 
-def _closed(page: Page, pretty: Pretty, polygon: Polygon) -> None:
+def _closed(page: EquationPage, pretty: Pretty, polygon: ClosedPolygon) -> None:
     """The closure in complex form and in components, then its derivatives."""
     page.say("equations.closure")
     page.show(complex_sides(pretty, polygon, polygon.sum))
@@ -78,7 +78,7 @@ def _closed(page: Page, pretty: Pretty, polygon: Polygon) -> None:
     page.show(*(complex_sides(pretty, polygon, part) for part in (polygon.sum.real, polygon.sum.imag)))
 
 
-def _derived(page: Page, pretty: Pretty, polygon: Polygon, order: int) -> None:
+def _derived(page: EquationPage, pretty: Pretty, polygon: ClosedPolygon, order: int) -> None:
     derived = polygon.sum.rate
     if not any(arrow.length.moves for arrow in polygon.arrows):
         derived = derived.over_i
@@ -90,7 +90,7 @@ def _derived(page: Page, pretty: Pretty, polygon: Polygon, order: int) -> None:
     page.show(complex_sides(pretty, polygon, derived))
 
 
-def _solved(solver: Solver, task: Task, polygon: Polygon) -> None:
+def _solved(solver: Solver, task: Task, polygon: ClosedPolygon) -> None:
     """A dyad: position, velocity, acceleration."""
     page, pretty = solver.page, solver.pretty
     split = Split(polygon.sum, task.unknowns)
@@ -106,7 +106,7 @@ def _solved(solver: Solver, task: Task, polygon: Polygon) -> None:
         page.show(*((Letter(each.symbol), pretty.quotient(each.top, each.bottom)) for each in found))
 
 
-def _rolled(page: Page, pretty: Pretty, moving: Sum, constant: Node) -> None:
+def _rolled(page: EquationPage, pretty: Pretty, moving: Sum, constant: Node) -> None:
     """The angle relation and its derivatives."""
     page.say("equations.rolling relation")
     page.show((pretty.sum(moving), constant))
@@ -114,7 +114,7 @@ def _rolled(page: Page, pretty: Pretty, moving: Sum, constant: Node) -> None:
     page.show(sides(pretty, moving.rate), sides(pretty, moving.rate.rate))
 
 
-def _one_rolled(page: Page, pretty: Pretty, task: Task) -> None:
+def _one_rolled(page: EquationPage, pretty: Pretty, task: Task) -> None:
     """The last unknown of a rolling contact."""
     symbol, moving = task.unknowns[0], task.rollings[0].sum
     rows = []
@@ -129,7 +129,7 @@ def _one_rolled(page: Page, pretty: Pretty, task: Task) -> None:
     page.show(*rows)
 
 
-def _two_rolled(model: Model, page: Page, pretty: Pretty, task: Task) -> None:
+def _two_rolled(model: Model, page: EquationPage, pretty: Pretty, task: Task) -> None:
     """Two wheels that hang on each other: linear in their angles, and in the same way in their rates."""
     page.head("equations.group", names=", ".join(model.bodies.called(body) for body in _group_bodies(model, task)))
     page.say("equations.unknown", unknowns=listed(task.unknowns))
@@ -157,7 +157,7 @@ def _eliminated(sums: Sequence[Sum], wanted: Symbol, away: Symbol) -> tuple[Sum,
     return -rest, whole.partial(wanted)
 
 
-def _together(model: Model, page: Page, pretty: Pretty, task: Task) -> None:
+def _together(model: Model, page: EquationPage, pretty: Pretty, task: Task) -> None:
     """A group that no dyad leads through."""
     names = [model.bodies.called(body) for body in _group_bodies(model, task)]
     page.head("equations.group", names=", ".join(names))
@@ -171,7 +171,7 @@ def _group_bodies(model: Model, task: Task) -> list[str]:
     return [body for body in bases if not model.method.structure.is_pin(body)]
 
 
-def _points(model: Model, page: Page, pretty: Pretty) -> None:
+def _points(model: Model, page: EquationPage, pretty: Pretty) -> None:
     """(3-18) to (3-20) for every point asked for."""
     points = asked_points(model)
     for number, point in enumerate(points, start=1):

@@ -15,13 +15,13 @@ Words = tuple[str | Node, ...]
 
 
 @frozen
-class Heading:
+class DocumentHeading:
     text: str
     level: int = 2
 
 
 @frozen
-class Sentence:
+class DocumentSentence:
     """Words, and formulas in the line."""
 
     parts: Words
@@ -36,19 +36,19 @@ class Display:
 
 
 @frozen
-class Table:
+class DocumentTable:
     heads: tuple[str, ...]
     rows: tuple[tuple[str | Node, ...], ...]
 
 
 @frozen
-class Drawing:
+class FigureNode:
     """A figure, drawn where it is asked for: text has none."""
 
     draw: Callable[[], Sheet]
 
 
-Block = Heading | Sentence | Display | Table | Drawing
+Block = DocumentHeading | DocumentSentence | Display | DocumentTable | FigureNode
 
 
 @frozen

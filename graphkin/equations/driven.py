@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from graphkin.equations.expressions import Sum
 from graphkin.equations.layout import Letter, Node, Num, Op, Row
-from graphkin.equations.page import Page
+from graphkin.equations.page import EquationPage
 from graphkin.equations.symbols import Symbol
 
 
@@ -22,7 +22,7 @@ def motion_of(driver: Symbol) -> list[Node]:
     return [Letter(driver), Letter(moving.rate), last]
 
 
-def say_derived(page: Page, sums: Iterable[Sum], again: bool = False) -> None:
+def say_derived(page: EquationPage, sums: Iterable[Sum], again: bool = False) -> None:
     """The sentence before a second derivative, with what is zero in it: `.., with α1 = 0`."""
     found = dict.fromkeys(push for of in sums for symbol in of.moving if (push := _without_push(symbol)) is not None)
     if found:

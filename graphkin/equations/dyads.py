@@ -9,8 +9,8 @@ from __future__ import annotations
 from functools import cached_property
 
 from graphkin.base.value import frozen
-from graphkin.equations.expressions import Sum, Term, number, phasor
-from graphkin.equations.symbols import Angle, Symbol
+from graphkin.equations.expressions import Sum, SymbolProduct, number, phasor
+from graphkin.equations.symbols import AngleSum, Symbol
 
 
 @frozen
@@ -32,7 +32,7 @@ class Split:
     def known(self) -> Sum:
         return Sum(tuple(term for term in self.sum.terms if not any(term.has(symbol) for symbol in self.unknowns)))
 
-    def slid(self, slide: Symbol) -> Term:
+    def slid(self, slide: Symbol) -> SymbolProduct:
         """The term of an unknown displacement."""
         return next(term for term in self.sum.terms if any(symbol == slide for symbol, _ in term.symbols))
 
@@ -40,7 +40,7 @@ class Split:
         """U of U e^(iθ): what turns with an angle, unknown displacements left out."""
         sliding = [self.slid(slide) for slide in self.slides]
         turning = tuple(term for term in self.sum.terms if term.has(angle) and term not in sliding)
-        return Sum(turning) * phasor(number(1.0), -Angle.of(angle))
+        return Sum(turning) * phasor(number(1.0), -AngleSum.of(angle))
 
     @property
     def turns_with(self) -> bool:
@@ -48,11 +48,11 @@ class Split:
         return bool(self.angles and self.slides and self.slid(self.slides[0]).angle.has(self.angles[0]))
 
 
-def unit(term: Term) -> Sum:
+def unit(term: SymbolProduct) -> Sum:
     """The direction of a term, of length 1."""
     return phasor(number(1.0), term.angle)
 
 
-def single(vector: Sum) -> Term | None:
+def single(vector: Sum) -> SymbolProduct | None:
     """The only term of a vector; None where there are several."""
     return vector.terms[0] if len(vector.terms) == 1 else None

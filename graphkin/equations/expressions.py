@@ -15,7 +15,7 @@ import numpy as np
 
 from graphkin.base.geometry import Value
 from graphkin.base.value import frozen
-from graphkin.equations.symbols import NO_ANGLE, Angle, Symbol
+from graphkin.equations.symbols import NO_ANGLE, AngleSum, Symbol
 
 Values = Mapping[Symbol, Value]
 WaveKind = Literal["cos", "sin", "exp"]
@@ -26,11 +26,11 @@ class Wave:
     """cos, sin or e^i of an angle."""
 
     kind: WaveKind
-    angle: Angle
+    angle: AngleSum
 
 
 @frozen
-class Term:
+class SymbolProduct:
     """factor · i^turns · symbols · waves, in the order they are printed. `turns` is 0 or 1."""
 
     factor: float
@@ -38,7 +38,7 @@ class Term:
     waves: tuple[Wave, ...] = ()
     turns: int = 0
 
-    def __mul__(self, other: Term) -> Term:
+    def __mul__(self, other: SymbolProduct) -> SymbolProduct:
         powers = dict(self.symbols)
         for symbol, power in other.symbols:
             powers[symbol] = powers.get(symbol, 0) + power
@@ -53,7 +53,7 @@ class Term:
         return self.symbols, self.waves, self.turns
 
     @property
-    def angle(self) -> Angle:
+    def angle(self) -> AngleSum:
         """The angle of the arrow this term is."""
         return next((wave.angle for wave in self.waves if wave.kind == "exp"), NO_ANGLE).turned(self.turns)
 
@@ -63,31 +63,31 @@ class Term:
 
 def _plain(
     factor: float, symbols: tuple[tuple[Symbol, int], ...], waves: tuple[Wave, ...], turns: int
-) -> Term:
+) -> SymbolProduct:
     """A term whose power of i is folded into its sign."""
     sign = -1.0 if turns % 4 in (2, 3) else 1.0
-    return Term(sign * factor, symbols, waves, turns % 2)
+    return SymbolProduct(sign * factor, symbols, waves, turns % 2)
 
 
-def _turned(term: Term, angle: Angle) -> Term:
+def _turned(term: SymbolProduct, angle: AngleSum) -> SymbolProduct:
     """The term times e^(i angle): half turns go into the sign; a plain quarter turn is i."""
     quarters = angle.quarters
     if not angle.parts:
         return _plain(term.factor, term.symbols, term.waves, term.turns + quarters)
     sign, rest = (-1.0 if quarters >= 2 else 1.0), quarters % 2
-    return replace(term, factor=sign * term.factor, waves=(*term.waves, Wave("exp", Angle(angle.parts, rest))))
+    return replace(term, factor=sign * term.factor, waves=(*term.waves, Wave("exp", AngleSum(angle.parts, rest))))
 
 
 @frozen
 class Sum:
     """Terms to be added; none is zero."""
 
-    terms: tuple[Term, ...] = ()
+    terms: tuple[SymbolProduct, ...] = ()
 
     @classmethod
-    def of(cls, terms: Iterable[Term]) -> Sum:
+    def of(cls, terms: Iterable[SymbolProduct]) -> Sum:
         """Like terms together, in the order of their first."""
-        found: dict[tuple[object, ...], Term] = {}
+        found: dict[tuple[object, ...], SymbolProduct] = {}
         for term in terms:
             known = found.get(term.key)
             found[term.key] = term if known is None else replace(known, factor=known.factor + term.factor)
@@ -122,7 +122,7 @@ class Sum:
 
     @property
     def over_i(self) -> Sum:
-        return self * Sum((Term(-1.0, turns=1),))
+        return self * Sum((SymbolProduct(-1.0, turns=1),))
 
     def having(self, *symbols: Symbol) -> Sum:
         """The terms in which any of these stands."""
@@ -160,38 +160,38 @@ class Sum:
 
 def one(symbol: Symbol) -> Sum:
     """A symbol alone."""
-    return Sum((Term(1.0, ((symbol, 1),)),))
+    return Sum((SymbolProduct(1.0, ((symbol, 1),)),))
 
 
 def number(value: float) -> Sum:
-    return Sum((Term(value),)) if value else Sum()
+    return Sum((SymbolProduct(value),)) if value else Sum()
 
 
-def phasor(length: Sum, angle: Angle) -> Sum:
+def phasor(length: Sum, angle: AngleSum) -> Sum:
     """length · e^(i angle)."""
     return Sum.of(_turned(term, angle) for term in length.terms)
 
 
-def wave(kind: Literal["cos", "sin"], angle: Angle) -> Sum:
+def wave(kind: Literal["cos", "sin"], angle: AngleSum) -> Sum:
     """cos or sin of an angle, quarter turns and common signs taken out: cos(−γ) is cos γ, sin(θ + 90°) cos θ."""
     quarters = (angle.quarters if kind == "cos" else angle.quarters - 1) % 4
-    bare, sign = Angle(angle.parts), -1.0 if quarters in (1, 2) else 1.0
+    bare, sign = AngleSum(angle.parts), -1.0 if quarters in (1, 2) else 1.0
     name: Literal["cos", "sin"] = "cos" if quarters in (0, 2) else "sin"
     if not bare.parts:
         return number(sign if name == "cos" else 0.0)
     if all(count < 0 for _, count in bare.parts):
         bare, sign = -bare, sign if name == "cos" else -sign
-    return Sum((Term(sign, waves=(Wave(name, bare),)),))
+    return Sum((SymbolProduct(sign, waves=(Wave(name, bare),)),))
 
 
-def _conjugate(term: Term) -> Term:
+def _conjugate(term: SymbolProduct) -> SymbolProduct:
     rest = [wave for wave in term.waves if wave.kind != "exp"]
     plain = replace(term, waves=tuple(rest), factor=-term.factor if term.turns else term.factor)
     exps = [wave.angle for wave in term.waves if wave.kind == "exp"]
     return _turned(plain, -exps[0]) if exps else plain
 
 
-def _part(term: Term, quarter: int) -> Iterable[Term]:
+def _part(term: SymbolProduct, quarter: int) -> Iterable[SymbolProduct]:
     """Real (0) or imaginary (1) part: e^iψ gives cos ψ or sin ψ."""
     exps = [wave.angle for wave in term.waves if wave.kind == "exp"]
     plain = replace(term, waves=tuple(wave for wave in term.waves if wave.kind != "exp"), turns=0)
@@ -199,7 +199,7 @@ def _part(term: Term, quarter: int) -> Iterable[Term]:
     return (Sum((plain,)) * wave("sin" if quarter else "cos", angle)).terms
 
 
-def _partial(term: Term, symbol: Symbol) -> Iterable[Term]:
+def _partial(term: SymbolProduct, symbol: Symbol) -> Iterable[SymbolProduct]:
     for at, (found, power) in enumerate(term.symbols):
         if found == symbol:
             left = ((found, power - 1),) if power > 1 else ()
@@ -215,7 +215,7 @@ def _partial(term: Term, symbol: Symbol) -> Iterable[Term]:
 def _slope(of: Wave) -> Sum:
     """Derivative of a wave by its angle."""
     if of.kind == "exp":
-        return phasor(Sum((Term(1.0, turns=1),)), of.angle)
+        return phasor(Sum((SymbolProduct(1.0, turns=1),)), of.angle)
     return -wave("sin", of.angle) if of.kind == "cos" else wave("cos", of.angle)
 
 
@@ -237,12 +237,12 @@ def squared(vector: Sum) -> Sum:
     return Sum.of((*squares, *pairs))
 
 
-def angle_value(angle: Angle, values: Values) -> Value:
+def angle_value(angle: AngleSum, values: Values) -> Value:
     """[rad]"""
     return sum((count * values[symbol] for symbol, count in angle.parts), start=angle.quarters * np.pi / 2)
 
 
-def _value(term: Term, values: Values) -> Value:
+def _value(term: SymbolProduct, values: Values) -> Value:
     product: Value = term.factor * (1j if term.turns else 1.0)
     for symbol, power in term.symbols:
         product = product * values[symbol] ** power

@@ -9,21 +9,21 @@ from dataclasses import replace
 from functools import partial
 
 from graphkin.equations.model import Model
-from graphkin.equations.polygons import Arrow
+from graphkin.equations.polygons import LinkVector
 from graphkin.equations.readers import place
 from graphkin.equations.symbols import Symbol
 from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.fit import corners, cut_out
 from graphkin.sheet.lettering import Label, Run
-from graphkin.sheet.marks import Arc, Mark, Place, Stroke, VectorMark
+from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.page import Page, Panel
 from graphkin.sheet.paper import Paper
 from graphkin.sheet.plain_mechanism import mechanism_places
 from graphkin.sheet.scales import finest
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 
 _ROOM = complex(130.0, 95.0)
@@ -58,7 +58,7 @@ def _thin(mark: Mark) -> Mark:
     return mark
 
 
-def _drawn(model: Model, places: list[complex], arrows: list[Arrow], window: Window) -> Figure:
+def _drawn(model: Model, places: list[complex], arrows: list[LinkVector], window: Window) -> Figure:
     skeleton = Skeleton(model.method.mechanism, model.plot, window, {})
     found = mechanism_figure(skeleton, model.method, places).numbered(None)
     found.marks = [_thin(mark) for mark in found.marks]
@@ -69,14 +69,14 @@ def _drawn(model: Model, places: list[complex], arrows: list[Arrow], window: Win
         label = symbol_label(arrow.length)
         name = "".join(run.text for run in label)
         found.marks.append(VectorMark("position", name, arrow.tail[0], arrow.head[0], start, end, _VECTORS))
-        found.wanted.append(Wanted(label, start, end, gap=1.0, step=_VECTORS))
+        found.wanted.append(LabelRequest(label, start, end, gap=1.0, step=_VECTORS))
         if (theta := _own_angle(arrow)) is not None and theta not in turned:
             turned.add(theta)
             _angle(found, theta, float(values[theta]), start, abs(end - start))
     return found
 
 
-def _own_angle(arrow: Arrow) -> Symbol | None:
+def _own_angle(arrow: LinkVector) -> Symbol | None:
     """The θ of an arrow that points along it."""
     only = arrow.angle.parts
     return only[0][0] if len(only) == 1 and only[0] == (only[0][0], 1) and not arrow.angle.quarters else None
@@ -89,12 +89,12 @@ def _angle(found: Figure, theta: Symbol, value: float, at: Place, length: float)
     if not theta.moves or radius < _ARC / 2 or abs(sweep) < math.radians(8):
         return
     found.marks.append(Stroke((at, at + 1.4 * radius), "construction", step=_VECTORS))
-    found.marks.append(Arc(at, radius, 0.0, -sweep, "thin", step=_VECTORS))
+    found.marks.append(ArcMark(at, radius, 0.0, -sweep, "thin", step=_VECTORS))
     away = cmath.rect(1.0, -sweep / 2)
-    found.wanted.append(Wanted(symbol_label(theta), at + radius * away, away=away, step=_VECTORS))
+    found.wanted.append(LabelRequest(symbol_label(theta), at + radius * away, away=away, step=_VECTORS))
 
 
-def _arrows(model: Model) -> Iterator[Arrow]:
+def _arrows(model: Model) -> Iterator[LinkVector]:
     """Every arrow of the polygons once, as it points."""
     seen: set[Symbol] = set()
     for task in model.tasks:
@@ -105,7 +105,7 @@ def _arrows(model: Model) -> Iterator[Arrow]:
                     yield arrow
 
 
-def _ends(model: Model, arrow: Arrow) -> tuple[complex, complex]:
+def _ends(model: Model, arrow: LinkVector) -> tuple[complex, complex]:
     """Tail and head [m]; a displacement counted negative points from its origin to the point all the same."""
     first, last = (complex(place(model.method.structure, *site, model.drawn)) for site in (arrow.tail, arrow.head))
     return first, last

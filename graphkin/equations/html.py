@@ -5,7 +5,15 @@ from __future__ import annotations
 from html import escape
 from typing import assert_never
 
-from graphkin.equations.document import Block, Display, Document, Drawing, Heading, Sentence, Table
+from graphkin.equations.document import (
+    Block,
+    Display,
+    Document,
+    DocumentHeading,
+    DocumentSentence,
+    DocumentTable,
+    FigureNode,
+)
 from graphkin.equations.layout import Node, Op, Row
 from graphkin.equations.mathml import escaped, mathml
 from graphkin.outputs.svg import inline
@@ -44,16 +52,16 @@ def write_html(document: Document) -> str:
 
 def _block(block: Block) -> str:
     match block:
-        case Heading():
+        case DocumentHeading():
             return f"<h{block.level}>{escaped(block.text)}</h{block.level}>"
-        case Sentence():
+        case DocumentSentence():
             return f"<p>{''.join(_part(part) for part in block.parts)}</p>"
         case Display():
             rows = "".join(mathml(_chain(row), display=True) for row in block.rows)
             return f'<div class="equation"><div class="rows">{rows}</div><span>({block.number})</span></div>'
-        case Table():
+        case DocumentTable():
             return _table(block)
-        case Drawing():
+        case FigureNode():
             sheet = block.draw()
             return f"<figure>{svg(sheet)}<figcaption>{escaped(sheet.title)}</figcaption></figure>"
         case _:
@@ -72,7 +80,7 @@ def _chain(row: tuple[Node, ...]) -> Node:
     return Row(tuple(items))
 
 
-def _table(block: Table) -> str:
+def _table(block: DocumentTable) -> str:
     heads = "".join(f"<th>{escaped(head)}</th>" for head in block.heads)
     rows = "".join("<tr>" + "".join(f"<td>{_part(cell)}</td>" for cell in row) + "</tr>\n" for row in block.rows)
     return f"<table>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table>"

@@ -9,7 +9,7 @@ from typing import Literal
 from graphkin.analytic import Motion
 from graphkin.base.geometry import Value
 from graphkin.base.value import frozen
-from graphkin.equations.symbols import Angle, Kind, Symbol
+from graphkin.equations.symbols import AngleSum, Kind, Symbol
 from graphkin.say.catalogue import Meaning
 
 Unit = Literal["mm", "deg", "rad/s", "rad/s^2", "m/s", "m/s^2", "mm rad", "1"]
@@ -17,7 +17,7 @@ Reader = Callable[[Motion], Value]
 
 
 @frozen
-class Entry:
+class LegendEntry:
     """A line of the legend: what a symbol is, the unit it is written in, and its value in SI at a motion."""
 
     meaning: Meaning
@@ -32,8 +32,8 @@ class Legend:
     alias   how angles fixed to one another are called: θ2 = θ3 + γ
     """
 
-    entries: dict[Symbol, Entry] = field(default_factory=dict)
-    alias: dict[Symbol, Angle] = field(default_factory=dict)
+    entries: dict[Symbol, LegendEntry] = field(default_factory=dict)
+    alias: dict[Symbol, AngleSum] = field(default_factory=dict)
     _taken: set[tuple[str, str, int]] = field(default_factory=set)
 
     def fresh(self, letter: str, low: str, kind: Kind = "constant", steady: bool = False) -> Symbol:
@@ -52,7 +52,7 @@ class Legend:
     def constant(self, letter: str, low: str, meaning: Meaning, unit: Unit, value: float) -> Symbol:
         """A dimension, whatever the position [m, rad]."""
         symbol = self.fresh(letter, low)
-        self.entries[symbol] = Entry(meaning, unit, lambda motion: value)
+        self.entries[symbol] = LegendEntry(meaning, unit, lambda motion: value)
         return symbol
 
     def variable(
@@ -61,7 +61,7 @@ class Legend:
     ) -> Symbol:  # fmt: skip
         """A symbol that moves, with its rates."""
         for each, meaning, unit, read in zip(_family(symbol), meanings, units, readers, strict=False):
-            self.entries[each] = Entry(meaning, unit, read)
+            self.entries[each] = LegendEntry(meaning, unit, read)
         return symbol
 
 

@@ -16,7 +16,7 @@ from graphkin.equations.driven import say_derived
 from graphkin.equations.expressions import Sum
 from graphkin.equations.layout import Grid, Letter, Minus, Node, Num, Op, Row
 from graphkin.equations.model import Model
-from graphkin.equations.page import Page
+from graphkin.equations.page import EquationPage
 from graphkin.equations.pretty import ZERO, Pretty
 from graphkin.equations.symbols import Symbol
 from graphkin.model.usual import ROUNDING
@@ -62,12 +62,17 @@ def _slope(of: Sum, symbol: Symbol) -> Sum:
 
 
 def matrices(
-    model: Model, page: Page, pretty: Pretty, equations: Sequence[Sum], unknowns: Sequence[Symbol], numbers: bool = True
+    model: Model,
+    page: EquationPage,
+    pretty: Pretty,
+    equations: Sequence[Sum],
+    unknowns: Sequence[Symbol],
+    numbers: bool = True,
 ) -> None:
     """Velocity and acceleration in matrices; in numbers at the drawn position, too."""
     known = _moving(equations, unknowns, model)
     system = System(tuple(equations), tuple(unknowns), known)
-    writer = _Writer(model, page, pretty, system)
+    writer = _MatrixWriter(model, page, pretty, system)
     if len(equations) > len(unknowns):
         page.say("equations.more rows")
     page.head("equations.velocity", 3)
@@ -87,9 +92,9 @@ def _moving(equations: Sequence[Sum], unknowns: Sequence[Symbol], model: Model) 
 
 
 @frozen
-class _Writer:
+class _MatrixWriter:
     model: Model
-    page: Page
+    page: EquationPage
     pretty: Pretty
     system: System
 

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 
-from graphkin.equations.chains import Chain, asked_points, chain, vectors
+from graphkin.equations.chains import PointChain, asked_points, chain, vectors
 from graphkin.equations.complex_method import complex_sides, ring
 from graphkin.equations.driven import listed
 from graphkin.equations.expressions import Sum
 from graphkin.equations.layout import Grid, Letter, Node, Op, Row
-from graphkin.equations.legend import Entry, Reader
+from graphkin.equations.legend import LegendEntry, Reader
 from graphkin.equations.matrices import matrices
 from graphkin.equations.model import Model
-from graphkin.equations.page import Page
+from graphkin.equations.page import EquationPage
 from graphkin.equations.pretty import ZERO, Pretty
 from graphkin.equations.symbols import Symbol
 from graphkin.say.catalogue import meaning
 
 
-def write_matrix(model: Model, page: Page) -> None:
+def write_matrix(model: Model, page: EquationPage) -> None:
     """The polygons in complex form, their components with the unknowns left, the matrices, the points asked for."""
     pretty = Pretty(model.alias)
     if not model.unknowns:
@@ -42,14 +42,14 @@ def _unknown_left(pretty: Pretty, of: Sum, unknowns: tuple[Symbol, ...]) -> tupl
     return pretty.sum(left), pretty.sum(left - of)
 
 
-def _differentiated(page: Page, pretty: Pretty, equations: list[Sum], unknowns: tuple[Symbol, ...]) -> None:
+def _differentiated(page: EquationPage, pretty: Pretty, equations: list[Sum], unknowns: tuple[Symbol, ...]) -> None:
     """(3-22): unknown rates left."""
     rates = tuple(symbol.rate for symbol in unknowns if symbol.rate is not None)
     page.say("equations.derived")
     page.show(*(_unknown_left(pretty, each.rate, rates) for each in equations))
 
 
-def _points(model: Model, page: Page, pretty: Pretty) -> None:
+def _points(model: Model, page: EquationPage, pretty: Pretty) -> None:
     points = asked_points(model)
     for number, point in enumerate(points, start=1):
         found = chain(model, point, "" if len(points) == 1 else str(number))
@@ -58,7 +58,7 @@ def _points(model: Model, page: Page, pretty: Pretty) -> None:
         _point(model, page, pretty, found)
 
 
-def _point(model: Model, page: Page, pretty: Pretty, found: Chain) -> None:
+def _point(model: Model, page: EquationPage, pretty: Pretty, found: PointChain) -> None:
     """(3-25) to (3-27)."""
     whole = vectors(model, found)
     letters = [_components(model, symbol, axes) for symbol, axes in zip(whole, _AXES, strict=True)]
@@ -86,7 +86,7 @@ def _components(model: Model, symbol: Symbol, axis: str) -> tuple[Symbol, Symbol
         letter, low = (axis, f"{symbol.low}{name}") if axis else (name, symbol.low)
         made = model.ledger.fresh(letter, low + "'" * symbol.primes)
         what = meaning("equations.component", of=entry.meaning, axis=name)
-        model.ledger.entries[made] = Entry(what, entry.unit, _turned(entry.read, turn))
+        model.ledger.entries[made] = LegendEntry(what, entry.unit, _turned(entry.read, turn))
         found.append(made)
     return found[0], found[1]
 

@@ -11,9 +11,9 @@ from graphkin.construction import Plot
 from graphkin.equations.bodies import Bodies
 from graphkin.equations.expressions import Sum
 from graphkin.equations.legend import Legend, values
-from graphkin.equations.polygons import Arrows, Polygon, closed
-from graphkin.equations.rolling import Rolling, rolling
-from graphkin.equations.symbols import Angle, Symbol
+from graphkin.equations.polygons import ClosedPolygon, LinkVectorMaker, closed
+from graphkin.equations.rolling import RollingSum, rolling
+from graphkin.equations.symbols import AngleSum, Symbol
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.planning.equivalent import Contact
@@ -31,8 +31,8 @@ class Task:
     known  bodies solved before
     """
 
-    polygons: tuple[Polygon, ...]
-    rollings: tuple[Rolling, ...]
+    polygons: tuple[ClosedPolygon, ...]
+    rollings: tuple[RollingSum, ...]
     unknowns: tuple[Symbol, ...]
     known: frozenset[str]
 
@@ -56,14 +56,14 @@ class Model:
     method: Method
     ledger: Legend
     bodies: Bodies
-    arrows: Arrows
+    arrows: LinkVectorMaker
     tasks: tuple[Task, ...]
     drivers: tuple[Symbol, ...]
     drawn: Motion
     plot: Plot
 
     @property
-    def alias(self) -> Mapping[Symbol, Angle]:
+    def alias(self) -> Mapping[Symbol, AngleSum]:
         return self.ledger.alias
 
     @property
@@ -83,18 +83,18 @@ def model_of(method: Method) -> Model:
     ledger, found = Legend(), proved(method)
     drawn = found.exact
     bodies = Bodies(method.structure, ledger, drawn)
-    arrows = Arrows(bodies, ledger)
+    arrows = LinkVectorMaker(bodies, ledger)
     drivers = tuple(_driver(bodies, arrows, number) for number in range(len(method.drivers)))
     tasks = tuple(_tasks(method, arrows, drawn))
     return Model(method, ledger, bodies, arrows, tasks, drivers, drawn, found.plot)
 
 
-def _driver(bodies: Bodies, arrows: Arrows, number: int) -> Symbol:
+def _driver(bodies: Bodies, arrows: LinkVectorMaker, number: int) -> Symbol:
     driver = bodies.structure.mechanism.drivers[number]
     return arrows.displacement(driver.link) if driver.kind == "slide" else bodies.drivers[number]
 
 
-def _tasks(method: Method, arrows: Arrows, drawn: Motion) -> list[Task]:
+def _tasks(method: Method, arrows: LinkVectorMaker, drawn: Motion) -> list[Task]:
     known, found = {FRAME}, list[Task]()
     for stage in method.stages:
         task = _task(stage, arrows, frozenset(known), drawn)
@@ -114,8 +114,8 @@ def _bodies(stage: Stage) -> tuple[str, ...]:
             return ()
 
 
-def _task(stage: Stage, arrows: Arrows, known: frozenset[str], drawn: Motion) -> Task | None:
-    polygons: tuple[Polygon, ...] = ()
+def _task(stage: Stage, arrows: LinkVectorMaker, known: frozenset[str], drawn: Motion) -> Task | None:
+    polygons: tuple[ClosedPolygon, ...] = ()
     contacts: tuple[Contact, ...] = ()
     match stage:
         case Loop():
@@ -133,7 +133,7 @@ def _task(stage: Stage, arrows: Arrows, known: frozenset[str], drawn: Motion) ->
     return Task(polygons, rollings, _unknowns(stage, arrows), known)
 
 
-def _unknowns(stage: Loop | Bridge | Mesh | Group, arrows: Arrows) -> tuple[Symbol, ...]:
+def _unknowns(stage: Loop | Bridge | Mesh | Group, arrows: LinkVectorMaker) -> tuple[Symbol, ...]:
     """Displacements along moving guides, then angles, then displacements on the frame, as the book lists them."""
     angles: tuple[str, ...] = ()
     slides: tuple[str, ...] = ()

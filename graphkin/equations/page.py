@@ -6,14 +6,14 @@ import re
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from graphkin.equations.document import Block, Display, Heading, Sentence, Table
+from graphkin.equations.document import Block, Display, DocumentHeading, DocumentSentence, DocumentTable
 from graphkin.equations.layout import Node
 from graphkin.errors import Lang
 from graphkin.say.catalogue import phrase, say
 
 
 @dataclass
-class Page:
+class EquationPage:
     """`say` writes a sentence by its key, `show` an equation; `show` gives the equation's number."""
 
     lang: Lang
@@ -21,7 +21,7 @@ class Page:
     shown: int = 0
 
     def head(self, key: str, level: int = 2, /, **words: str | int) -> None:
-        self.blocks.append(Heading(say(key, self.lang, **words), level))
+        self.blocks.append(DocumentHeading(say(key, self.lang, **words), level))
 
     def say(self, key: str, /, **given: str | int | Node) -> None:
         """A sentence; what is given is put in where the phrase names it."""
@@ -32,7 +32,7 @@ class Page:
                 continue
             value = given[piece]
             parts.append(str(value) if isinstance(value, str | int) else value)
-        self.blocks.append(Sentence(tuple(parts)))
+        self.blocks.append(DocumentSentence(tuple(parts)))
 
     def show(self, *rows: Iterable[Node]) -> int:
         self.shown += 1
@@ -40,7 +40,7 @@ class Page:
         return self.shown
 
     def table(self, heads: Iterable[str], rows: Iterable[Iterable[str | Node]]) -> None:
-        self.blocks.append(Table(tuple(heads), tuple(tuple(row) for row in rows)))
+        self.blocks.append(DocumentTable(tuple(heads), tuple(tuple(row) for row in rows)))
 
     def add(self, block: Block) -> None:
         self.blocks.append(block)

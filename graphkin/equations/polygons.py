@@ -13,13 +13,13 @@ from dataclasses import dataclass, field
 
 from graphkin.base.value import frozen
 from graphkin.equations.bodies import Bodies, quarters
-from graphkin.equations.expressions import Sum, Term, one, phasor
+from graphkin.equations.expressions import Sum, SymbolProduct, one, phasor
 from graphkin.equations.legend import Legend
 from graphkin.equations.readers import slide_readers
-from graphkin.equations.symbols import Angle, Symbol
+from graphkin.equations.symbols import AngleSum, Symbol
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Slide
-from graphkin.planning.structure import Hinge, Joint, Sliding, Structure
+from graphkin.planning.structure import Hinge, Joint, Sliding, Topology
 from graphkin.say.catalogue import meaning
 
 Site = tuple[str, str]
@@ -27,25 +27,25 @@ Site = tuple[str, str]
 
 
 @frozen
-class Arrow:
+class LinkVector:
     """One link vector: its length, its angle, from where to where it points; sign -1 where walked backwards."""
 
     length: Symbol
-    angle: Angle
+    angle: AngleSum
     tail: Site
     head: Site
     sign: int = 1
 
     @property
     def sum(self) -> Sum:
-        return phasor(Sum((Term(float(self.sign)),)) * one(self.length), self.angle)
+        return phasor(Sum((SymbolProduct(float(self.sign)),)) * one(self.length), self.angle)
 
 
 @frozen
-class Polygon:
+class ClosedPolygon:
     """Arrows that close; `sum` of them is zero."""
 
-    arrows: tuple[Arrow, ...]
+    arrows: tuple[LinkVector, ...]
 
     @property
     def sum(self) -> Sum:
@@ -54,40 +54,40 @@ class Polygon:
         return Sum.of(term for arrow in (*left, *right) for term in arrow.sum.terms)
 
     @property
-    def sides(self) -> tuple[tuple[Arrow, ...], tuple[Arrow, ...]]:
+    def sides(self) -> tuple[tuple[LinkVector, ...], tuple[LinkVector, ...]]:
         """Arrows walked forward, and those walked backward in the order they are met from the start."""
         walk = self.walk
         return tuple(a for a in walk if _sign(a) > 0), tuple(a for a in reversed(walk) if _sign(a) < 0)
 
     @property
-    def walk(self) -> tuple[Arrow, ...]:
+    def walk(self) -> tuple[LinkVector, ...]:
         """Once round, beginning where arrows walked forward begin."""
         signs = [_sign(arrow) for arrow in self.arrows]
         first = next((k for k, sign in enumerate(signs) if sign > 0 and signs[k - 1] < 0), 0)
         return (*self.arrows[first:], *self.arrows[:first])
 
 
-def _sign(arrow: Arrow) -> float:
+def _sign(arrow: LinkVector) -> float:
     """Which side of the equation an arrow stands on: half turns of its angle count."""
     return arrow.sum.terms[0].factor
 
 
 @dataclass
-class Arrows:
+class LinkVectorMaker:
     """Makes the arrows of links and slides, each once."""
 
     bodies: Bodies
     ledger: Legend
-    arms: dict[tuple[str, frozenset[str]], Arrow] = field(default_factory=dict)
+    arms: dict[tuple[str, frozenset[str]], LinkVector] = field(default_factory=dict)
     slides: dict[str, Symbol] = field(default_factory=dict)
     radii: dict[tuple[str, str], Symbol] = field(default_factory=dict)
     sizes: dict[str, float] = field(default_factory=dict)
 
     @property
-    def structure(self) -> Structure:
+    def structure(self) -> Topology:
         return self.bodies.structure
 
-    def along(self, body: str, start: str, end: str) -> Iterator[Arrow]:
+    def along(self, body: str, start: str, end: str) -> Iterator[LinkVector]:
         """The arrow on one body from a point to another; none where they lie at one place."""
         shape = self.structure.shapes[body]
         if start == end or abs(shape[end] - shape[start]) <= 1e-12 * self._size(body):
@@ -96,7 +96,7 @@ class Arrows:
         if key not in self.arms:
             self.arms[key] = self._arm(body, start, end)
         arrow = self.arms[key]
-        yield arrow if arrow.tail[0] == start else Arrow(arrow.length, arrow.angle, arrow.tail, arrow.head, -1)
+        yield arrow if arrow.tail[0] == start else LinkVector(arrow.length, arrow.angle, arrow.tail, arrow.head, -1)
 
     def _size(self, body: str) -> float:
         """How far the points of a body lie apart at most [m]."""
@@ -105,7 +105,7 @@ class Arrows:
             self.sizes[body] = max((abs(p - q) for p in places for q in places), default=0.0)
         return self.sizes[body]
 
-    def _arm(self, body: str, start: str, end: str) -> Arrow:
+    def _arm(self, body: str, start: str, end: str) -> LinkVector:
         """Along the link's own direction where it lies on it; else as nearly so as can be."""
         shape = self.structure.shapes[body]
         arm = shape[end] - shape[start]
@@ -118,23 +118,23 @@ class Arrows:
         ends = self.bodies.spot(start) + self.bodies.spot(end)
         what = meaning("equations.length", ends=ends, link=called)
         length = self.ledger.constant("l", called, what, "mm", abs(arm))
-        angle = Angle((), count) if count is not None else self._offset(body, called, length, arm)
-        return Arrow(length, self.bodies.angles[body] + angle, (start, body), (end, body))
+        angle = AngleSum((), count) if count is not None else self._offset(body, called, length, arm)
+        return LinkVector(length, self.bodies.angles[body] + angle, (start, body), (end, body))
 
-    def _offset(self, body: str, called: str, length: Symbol, arm: complex) -> Angle:
+    def _offset(self, body: str, called: str, length: Symbol, arm: complex) -> AngleSum:
         low = called + "'" * length.primes
         if body == FRAME:
             what = meaning("equations.frame direction", vector=_written(length))
-            return Angle.of(self.ledger.constant("θ", low, what, "deg", cmath.phase(arm)))
+            return AngleSum.of(self.ledger.constant("θ", low, what, "deg", cmath.phase(arm)))
         what = meaning("equations.offset", link=called, vector=_written(length))
-        return Angle.of(self.ledger.constant("β", low, what, "deg", cmath.phase(arm)))
+        return AngleSum.of(self.ledger.constant("β", low, what, "deg", cmath.phase(arm)))
 
-    def sliding(self, name: str) -> Arrow:
+    def sliding(self, name: str) -> LinkVector:
         """The displacement along a slide's line, from its origin on the guide to the point."""
         slide = self.structure.slides[name]
         angle = self.bodies.angles[slide.guide] + self.bodies.line(slide)
         tail, head = (slide.line.origin, slide.guide), (slide.point, self.structure.block(slide))
-        return Arrow(self.displacement(name), angle, tail, head)
+        return LinkVector(self.displacement(name), angle, tail, head)
 
     def displacement(self, name: str) -> Symbol:
         if name not in self.slides:
@@ -167,7 +167,7 @@ def _written(symbol: Symbol) -> str:
 
 
 def way(
-    structure: Structure, known: Collection[str], starts: Sequence[str], ends: Collection[str]
+    structure: Topology, known: Collection[str], starts: Sequence[str], ends: Collection[str]
 ) -> tuple[list[str], list[Joint]]:
     """The bodies, and the joints between them, of the shortest way over known bodies; the frame goes first."""
     queue = deque([([start], list[Joint]()) for start in starts])
@@ -185,23 +185,23 @@ def way(
 
 
 def closed(
-    arrows: Arrows, known: Collection[str], bodies: Sequence[str], joints: Sequence[Joint]
-) -> Polygon:
+    arrows: LinkVectorMaker, known: Collection[str], bodies: Sequence[str], joints: Sequence[Joint]
+) -> ClosedPolygon:
     """The polygon through `bodies`, entered by the first of `joints` and left by the last, closed over known bodies.
 
     Where the last joint is the first, the bodies are a ring by themselves, whether or not any of them is known.
     """
     structure = arrows.structure
     if joints[0] == joints[-1]:
-        return Polygon(tuple(_round(arrows, bodies, joints[:-1])))
+        return ClosedPolygon(tuple(_round(arrows, bodies, joints[:-1])))
     near = _known_side(structure, known, joints[0], bodies[0])
     far = _known_side(structure, known, joints[-1], bodies[-1])
     back, between = way(structure, known, far, near)
     ring, links = [*bodies, *back], [*joints, *between]
-    return Polygon(tuple(_round(arrows, ring, links)))
+    return ClosedPolygon(tuple(_round(arrows, ring, links)))
 
 
-def _known_side(structure: Structure, known: Collection[str], joint: Joint, body: str) -> list[str]:
+def _known_side(structure: Topology, known: Collection[str], joint: Joint, body: str) -> list[str]:
     if isinstance(joint, Hinge):
         found = [other for other in structure.owners[joint.point] if other != body and other in known]
         return sorted(found, key=lambda other: other != FRAME)
@@ -209,18 +209,18 @@ def _known_side(structure: Structure, known: Collection[str], joint: Joint, body
     return [slide.guide if body != slide.guide else structure.block(slide)]
 
 
-def _round(arrows: Arrows, ring: Sequence[str], joints: Sequence[Joint]) -> Iterator[Arrow]:
+def _round(arrows: LinkVectorMaker, ring: Sequence[str], joints: Sequence[Joint]) -> Iterator[LinkVector]:
     """All arrows of a ring of bodies: joint k leads into body k, the first one out of the last."""
     for k, body in enumerate(ring):
         into, out = joints[k], joints[(k + 1) % len(joints)]
         if isinstance(into, Sliding):
             arrow = arrows.sliding(into.slide)
             backward = arrows.structure.slides[into.slide].guide == body
-            yield Arrow(arrow.length, arrow.angle, arrow.tail, arrow.head, -1 if backward else 1)
+            yield LinkVector(arrow.length, arrow.angle, arrow.tail, arrow.head, -1 if backward else 1)
         yield from arrows.along(body, _place(arrows.structure, into, body), _place(arrows.structure, out, body))
 
 
-def _place(structure: Structure, joint: Joint, body: str) -> str:
+def _place(structure: Topology, joint: Joint, body: str) -> str:
     return joint.point if isinstance(joint, Hinge) else structure.slide_point(joint.slide, body)
 
 

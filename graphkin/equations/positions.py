@@ -9,12 +9,12 @@ import numpy as np
 from graphkin.base.geometry import Value
 from graphkin.base.value import frozen
 from graphkin.equations.dyads import Split, single, unit
-from graphkin.equations.expressions import Sum, Term, cross, dot, number, one, phasor, squared
+from graphkin.equations.expressions import Sum, SymbolProduct, cross, dot, number, one, phasor, squared
 from graphkin.equations.layout import Call, Frac, Letter, Node, Num, Op, Pow, Root, Row
 from graphkin.equations.legend import Legend
-from graphkin.equations.page import Page
+from graphkin.equations.page import EquationPage
 from graphkin.equations.pretty import ZERO, Pretty, added
-from graphkin.equations.symbols import Angle, Symbol
+from graphkin.equations.symbols import AngleSum, Symbol
 
 Values = Mapping[Symbol, Value]
 
@@ -27,7 +27,7 @@ class Solver:
     low     subscript of A, B, C where several polygons want them
     """
 
-    page: Page
+    page: EquationPage
     pretty: Pretty
     ledger: Legend
     values: Values
@@ -59,7 +59,7 @@ class Solver:
         self._half_angle(
             angle, turned.imag.times(2.0), turned.real.times(-2.0), squared(lever) - squared(arm) - squared(known)
         )
-        self._direction(other, lever, known + arm * phasor(number(1.0), Angle.of(angle)))
+        self._direction(other, lever, known + arm * phasor(number(1.0), AngleSum.of(angle)))
 
     def _angle_and_slide(self, split: Split) -> None:
         """RRP: across the guide the displacement vanishes."""
@@ -67,7 +67,7 @@ class Solver:
         line, lever, known = unit(split.slid(slide)), split.lever(angle), split.known
         self.page.say("equations.eliminate slide", other=Letter(slide))
         if single(lever) is not None:
-            self._sine(line, lever * phasor(number(1.0), Angle.of(angle)), known)
+            self._sine(line, lever * phasor(number(1.0), AngleSum.of(angle)), known)
         else:
             turned = line.conjugate * lever
             self._half_angle(angle, turned.real, turned.imag, cross(line, known))
@@ -78,7 +78,7 @@ class Solver:
         """RPR: the displacement's line turns with the lever; |K|² = |U + s e^(iβ)|²."""
         angle, slide = split.angles[0], split.slides[0]
         lever, known, term = split.lever(angle), split.known, split.slid(slide)
-        line = phasor(number(1.0), term.angle - Angle.of(angle))
+        line = phasor(number(1.0), term.angle - AngleSum.of(angle))
         offset = dot(line, lever).times(-term.factor)
         under = squared(known) - cross(line, lever) * cross(line, lever)
         self.page.say("equations.square", angle=Letter(angle))
@@ -125,12 +125,12 @@ class Solver:
         """One arrow of unknown angle against a line: its sine is known, its cosine up to the sign."""
         first, second = (term for part in (cross(line, turned), dot(line, turned)) for term in part.terms)
         (sine,), (cosine,) = first.waves, second.waves
-        size = Sum((Term(first.factor, first.symbols),))
-        left = self.pretty.sum(Sum((Term(1.0, waves=(sine,)),)))
+        size = Sum((SymbolProduct(first.factor, first.symbols),))
+        left = self.pretty.sum(Sum((SymbolProduct(1.0, waves=(sine,)),)))
         under = Row((Num("1"), Op("−"), Pow(left, 2)))
-        right = self.pretty.sum(Sum((Term(1.0, waves=(cosine,)),)))
+        right = self.pretty.sum(Sum((SymbolProduct(1.0, waves=(cosine,)),)))
         self.page.show((left, self.pretty.quotient(-cross(line, known), size)), (right, Row((Op("±"), Root(under)))))
-        self._sign(float(Sum((Term(1.0, waves=(cosine,)),)).at(self.values)) > 0)
+        self._sign(float(Sum((SymbolProduct(1.0, waves=(cosine,)),)).at(self.values)) > 0)
 
     def _projected(self, split: Split, slide: Symbol) -> None:
         term = split.slid(slide)
@@ -147,7 +147,7 @@ class Solver:
             ends = [self._atan(-rest), self._atan(lever)]
             self.page.show((Letter(angle), Row((ends[0], Op("−"), ends[1]))))
             return
-        theta = Angle.of(angle) + term.angle
+        theta = AngleSum.of(angle) + term.angle
         right = self._atan(rest.times(-1.0 if term.factor > 0 else 1.0))
         self.page.show((self.pretty.angle(theta), right))
 

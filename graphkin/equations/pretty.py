@@ -8,9 +8,9 @@ from functools import cached_property
 from heapq import heapify, heappop, heappush
 
 from graphkin.base.value import frozen
-from graphkin.equations.expressions import Sum, Term, Wave
+from graphkin.equations.expressions import Sum, SymbolProduct, Wave
 from graphkin.equations.layout import Call, Exp, Frac, Letter, Minus, Node, Num, Op, Paren, Pow, Row, Word
-from graphkin.equations.symbols import Angle, Symbol
+from graphkin.equations.symbols import AngleSum, Symbol
 
 ZERO = Num("0")
 
@@ -19,7 +19,7 @@ ZERO = Num("0")
 class Pretty:
     """Writes sums; `alias` names angles fixed to one another (θ2 for θ3 + γ)."""
 
-    alias: Mapping[Symbol, Angle]
+    alias: Mapping[Symbol, AngleSum]
 
     def sum(self, of: Sum, ordered: bool = False) -> Node:
         """Terms with their signs, a positive one first where there is one (not where they stand `ordered`)."""
@@ -41,7 +41,7 @@ class Pretty:
 
     def grouped(self, of: Sum) -> Node:
         """Terms of one rate together, as in (3-19): ω2 (a sin θ2 + b cos θ2)."""
-        groups: dict[tuple[tuple[Symbol, int], ...], list[Term]] = {}
+        groups: dict[tuple[tuple[Symbol, int], ...], list[SymbolProduct]] = {}
         for term in of.terms:
             rates = tuple(part for part in term.symbols if part[0].kind in ("rate", "push"))
             groups.setdefault(rates, []).append(term)
@@ -51,15 +51,15 @@ class Pretty:
                 found += [(term.factor < 0, self._product(term)) for term in terms]
                 continue
             minus = all(term.factor < 0 for term in terms)
-            inner = Sum(tuple(_without(term, Term(-1.0 if minus else 1.0, rates)) for term in terms))
-            found.append((minus, Row((self._product(Term(1.0, rates)), Paren(self.sum(inner))))))
+            inner = Sum(tuple(_without(term, SymbolProduct(-1.0 if minus else 1.0, rates)) for term in terms))
+            found.append((minus, Row((self._product(SymbolProduct(1.0, rates)), Paren(self.sum(inner))))))
         return added(sorted(found, key=lambda part: part[0])) if found else ZERO
 
     def quotient(self, top: Sum, bottom: Sum) -> Node:
         """top / bottom; signs above, nothing below where it is 1."""
         if bottom.terms and bottom.terms[0].factor < 0:
             top, bottom = -top, -bottom
-        if bottom == Sum((Term(1.0),)):
+        if bottom == Sum((SymbolProduct(1.0),)):
             return self.sum(top)
         if top.terms and all(term.factor < 0 for term in top.terms):
             return Minus(Frac(self.factored(-top), self.factored(bottom)))
@@ -67,7 +67,7 @@ class Pretty:
             return ZERO
         return Frac(self.factored(top), self.factored(bottom))
 
-    def angle(self, of: Angle) -> Node:
+    def angle(self, of: AngleSum) -> Node:
         parts = sorted(self._called(of), key=lambda part: part[1] < 0)
         quarters = of.quarters - sum(n * self.alias[s].quarters for s, n in parts if s in self.alias)
         found = [(count < 0, _times(abs(count), Letter(symbol))) for symbol, count in parts]
@@ -75,7 +75,7 @@ class Pretty:
             found.append((False, Num(f"{quarters % 4 * 90}°")))
         return added(found) if found else ZERO
 
-    def _called(self, of: Angle) -> list[tuple[Symbol, int]]:
+    def _called(self, of: AngleSum) -> list[tuple[Symbol, int]]:
         counts, last = dict(of.parts), -1
         waiting = [k for symbol in counts for k in self._naming.get(symbol, ())]
         heapify(waiting)
@@ -103,11 +103,11 @@ class Pretty:
         return naming
 
     @cached_property
-    def _longest_first(self) -> list[tuple[Symbol, Angle]]:
+    def _longest_first(self) -> list[tuple[Symbol, AngleSum]]:
         """What a long sum is called, before what a part of it is."""
         return sorted(self.alias.items(), key=lambda each: -len(each[1].parts))
 
-    def _product(self, term: Term) -> Node:
+    def _product(self, term: SymbolProduct) -> Node:
         """A term without its sign."""
         size, items = abs(term.factor), list[Node]()
         items += [Word("i")] if term.turns else []
@@ -151,7 +151,7 @@ def bracketed(node: Node) -> Node:
     return Paren(node) if summed else node
 
 
-def _common(terms: Sequence[Term]) -> Term | None:
+def _common(terms: Sequence[SymbolProduct]) -> SymbolProduct | None:
     """The number and the symbols that stand in all terms."""
     if not terms:
         return None
@@ -159,10 +159,10 @@ def _common(terms: Sequence[Term]) -> Term | None:
     powers = {s: min(dict(term.symbols).get(s, 0) for term in terms) for s, _ in terms[0].symbols}
     shared = tuple((symbol, power) for symbol, power in powers.items() if power)
     size = sizes.pop() if len(sizes) == 1 else 1.0
-    return Term(size, shared) if shared or size != 1.0 else None
+    return SymbolProduct(size, shared) if shared or size != 1.0 else None
 
 
-def _without(term: Term, common: Term) -> Term:
+def _without(term: SymbolProduct, common: SymbolProduct) -> SymbolProduct:
     taken = dict(common.symbols)
     left = ((symbol, power - taken.get(symbol, 0)) for symbol, power in term.symbols)
     return replace(term, factor=term.factor / common.factor, symbols=tuple((s, p) for s, p in left if p))

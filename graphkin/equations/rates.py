@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from graphkin.base.value import frozen
 from graphkin.equations.dyads import Split, single, unit
-from graphkin.equations.expressions import Sum, Term, cross, dot, number
+from graphkin.equations.expressions import Sum, SymbolProduct, cross, dot, number
 from graphkin.equations.symbols import Symbol
 
 
 @frozen
-class Quotient:
+class RateQuotient:
     """symbol = top / bottom."""
 
     symbol: Symbol
@@ -17,7 +17,7 @@ class Quotient:
     bottom: Sum
 
 
-def quotients(split: Split, order: int) -> tuple[Quotient, ...]:
+def quotients(split: Split, order: int) -> tuple[RateQuotient, ...]:
     """The first (order 1) or second (2) derivatives of the unknowns, angles before displacements.
 
     The polygon derived is linear in them: c1 x1 + c2 x2 + rest = 0 with plane vectors c. Multiplied crosswise by c2
@@ -27,7 +27,7 @@ def quotients(split: Split, order: int) -> tuple[Quotient, ...]:
     wanted = {symbol: _derivative(symbol, order) for symbol in (*split.angles, *split.slides)}
     rest = Sum(tuple(term for term in derived.terms if not any(term.has(found) for found in wanted.values())))
     columns = {symbol: split.sum.partial(symbol) for symbol in wanted}
-    found: list[Quotient] = []
+    found: list[RateQuotient] = []
     for symbol in (*reversed(split.angles), *split.slides):
         others = [other for other in wanted if other != symbol]
         if symbol in split.slides and split.angles:
@@ -53,24 +53,24 @@ def _direction(column: Sum) -> Sum:
     return column if term is None else unit(term)
 
 
-def _along(split: Split, slide: Symbol, derived: Sum, wanted: Symbol) -> Quotient:
+def _along(split: Split, slide: Symbol, derived: Sum, wanted: Symbol) -> RateQuotient:
     """The displacement's rate by projection on its line, the angle's rate known."""
     term = split.slid(slide)
     others = Sum(tuple(part for part in derived.terms if not part.has(wanted)))
-    return _signed(wanted, -dot(unit(term), others), Sum((Term(term.factor),)))
+    return _signed(wanted, -dot(unit(term), others), Sum((SymbolProduct(term.factor),)))
 
 
-def _alone(column: Sum, rest: Sum, wanted: Symbol) -> Quotient:
+def _alone(column: Sum, rest: Sum, wanted: Symbol) -> RateQuotient:
     """The only unknown of a polygon."""
     across = _direction(column)
     return _signed(wanted, -dot(across, rest), dot(across, column))
 
 
-def _signed(symbol: Symbol, top: Sum, bottom: Sum) -> Quotient:
+def _signed(symbol: Symbol, top: Sum, bottom: Sum) -> RateQuotient:
     """Factors of bare numbers put into the top."""
     term = single(bottom)
     if term is not None and not term.symbols and not term.waves:
-        return Quotient(symbol, top.times(1 / term.factor), number(1.0))
+        return RateQuotient(symbol, top.times(1 / term.factor), number(1.0))
     if bottom.terms and bottom.terms[0].factor < 0:
-        return Quotient(symbol, -top, -bottom)
-    return Quotient(symbol, top, bottom)
+        return RateQuotient(symbol, -top, -bottom)
+    return RateQuotient(symbol, top, bottom)

@@ -15,12 +15,12 @@ from graphkin.base.geometry import Value
 from graphkin.equations.legend import Reader
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Slide
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 
 Three = tuple[Reader, Reader, Reader]
 
 
-def angle_readers(structure: Structure, body: str, drawn: Motion) -> Three:
+def angle_readers(structure: Topology, body: str, drawn: Motion) -> Three:
     """θ, ω, α of a body [rad, rad/s, rad/s^2]; of a link of the equivalent, by its two points."""
     if structure.is_pin(body):
         slide = structure.pins[body]
@@ -64,7 +64,7 @@ def _between(tail: str, head: str, drawn: Motion) -> Three:
     return theta, omega, alpha
 
 
-def place(structure: Structure, point: str, body: str, motion: Motion) -> Value:
+def place(structure: Topology, point: str, body: str, motion: Motion) -> Value:
     """Where a point of a body is [m], also one that stands for a parallel of the equivalent."""
     if point in motion.position:
         return motion.position[point]
@@ -78,7 +78,7 @@ def _arm(motion: Motion, body: str, arm: complex) -> Value:
     return arm * np.exp(1j * motion.theta[body])
 
 
-def slide_readers(structure: Structure, slide: Slide) -> Three:
+def slide_readers(structure: Topology, slide: Slide) -> Three:
     """s, its rate and second rate, from the motion of the point as seen on the guide [m, m/s, m/s^2]."""
     guide, point, origin = slide.guide, slide.point, slide.line.origin
 

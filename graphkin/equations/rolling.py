@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from graphkin.analytic import Motion
 from graphkin.base.value import frozen
-from graphkin.equations.expressions import Sum, Term, number, one
-from graphkin.equations.polygons import Arrows
-from graphkin.equations.symbols import Angle, Symbol
+from graphkin.equations.expressions import Sum, SymbolProduct, number, one
+from graphkin.equations.polygons import LinkVectorMaker
+from graphkin.equations.symbols import AngleSum, Symbol
 from graphkin.planning.equivalent import Contact
 from graphkin.say.catalogue import meaning
 
 
 @frozen
-class Rolling:
+class RollingSum:
     """sum = 0: what turns and slides, less the constant of the drawn position. `contact` is what rolls."""
 
     contact: Contact
@@ -24,7 +24,7 @@ class Rolling:
         return self.moving - one(self.constant)
 
 
-def rolling(arrows: Arrows, contact: Contact, drawn: Motion) -> Rolling:
+def rolling(arrows: LinkVectorMaker, contact: Contact, drawn: Motion) -> RollingSum:
     """The relation of one contact; its constant is what the drawn position gives."""
     moving = _on_circles(arrows, contact) if contact.arm else _on_line(arrows, contact)
     entries = arrows.ledger.entries
@@ -33,10 +33,10 @@ def rolling(arrows: Arrows, contact: Contact, drawn: Motion) -> Rolling:
     what = meaning("equations.rolling constant", first=names[0], second=names[1])
     constant = arrows.ledger.constant("c", "".join(names) if all(map(str.isdigit, names)) else names[1],
                                       what, "mm rad", value)  # fmt: skip
-    return Rolling(contact, moving, constant)
+    return RollingSum(contact, moving, constant)
 
 
-def _radius(arrows: Arrows, wheel: str, radius: float) -> Symbol:
+def _radius(arrows: LinkVectorMaker, wheel: str, radius: float) -> Symbol:
     """The radius of a wheel's circle, one letter for each size."""
     name, size = arrows.bodies.called(wheel), f"{radius * 1000:.12g}"
     if (name, size) not in arrows.radii:
@@ -45,12 +45,12 @@ def _radius(arrows: Arrows, wheel: str, radius: float) -> Symbol:
     return arrows.radii[name, size]
 
 
-def _turning(angle: Angle) -> Sum:
+def _turning(angle: AngleSum) -> Sum:
     """What changes of an angle."""
-    return Sum.of(Term(float(count), ((symbol, 1),)) for symbol, count in angle.moving)
+    return Sum.of(SymbolProduct(float(count), ((symbol, 1),)) for symbol, count in angle.moving)
 
 
-def _on_circles(arrows: Arrows, contact: Contact) -> Sum:
+def _on_circles(arrows: LinkVectorMaker, contact: Contact) -> Sum:
     angles = [arrows.bodies.angles[wheel] for wheel in contact.wheels]
     arm = _turning(arrows.bodies.angles[contact.arm])
     total = Sum()
@@ -60,7 +60,7 @@ def _on_circles(arrows: Arrows, contact: Contact) -> Sum:
     return total
 
 
-def _on_line(arrows: Arrows, contact: Contact) -> Sum:
+def _on_line(arrows: LinkVectorMaker, contact: Contact) -> Sum:
     """s + r (θ_wheel − θ_track) where the centre lies left of the line, s − r (..) where right.
 
     Where other pairs keep the centre on its way, s is made up of their displacements.

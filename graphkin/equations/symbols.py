@@ -58,18 +58,18 @@ _ANGULAR = {"θ": "ω", "φ": "ω", "ω": "α"}
 
 
 @frozen
-class Angle:
+class AngleSum:
     """A sum of angles, θ1 − θ3 + γ + 90°: symbols with whole coefficients in their order, and quarter turns."""
 
     parts: tuple[tuple[Symbol, int], ...] = ()
     quarters: int = 0
 
     @classmethod
-    def of(cls, symbol: Symbol, quarters: int = 0) -> Angle:
+    def of(cls, symbol: Symbol, quarters: int = 0) -> AngleSum:
         return cls(((symbol, 1),), quarters)
 
     @classmethod
-    def sum_of(cls, parts: Iterable[tuple[Symbol, int]], quarters: int) -> Angle:
+    def sum_of(cls, parts: Iterable[tuple[Symbol, int]], quarters: int) -> AngleSum:
         """Like symbols together, in their order; whole turns left out."""
         found: dict[Symbol, int] = {}
         for symbol, count in parts:
@@ -77,17 +77,17 @@ class Angle:
         kept = sorted(((s, n) for s, n in found.items() if n), key=lambda part: (not part[0].moves, part[0].order))
         return cls(tuple(kept), quarters % 4)
 
-    def __add__(self, other: Angle) -> Angle:
-        return Angle.sum_of((*self.parts, *other.parts), self.quarters + other.quarters)
+    def __add__(self, other: AngleSum) -> AngleSum:
+        return AngleSum.sum_of((*self.parts, *other.parts), self.quarters + other.quarters)
 
-    def __neg__(self) -> Angle:
-        return Angle.sum_of(((s, -n) for s, n in self.parts), -self.quarters)
+    def __neg__(self) -> AngleSum:
+        return AngleSum.sum_of(((s, -n) for s, n in self.parts), -self.quarters)
 
-    def __sub__(self, other: Angle) -> Angle:
+    def __sub__(self, other: AngleSum) -> AngleSum:
         return self + -other
 
-    def turned(self, quarters: int) -> Angle:
-        return Angle.sum_of(self.parts, self.quarters + quarters)
+    def turned(self, quarters: int) -> AngleSum:
+        return AngleSum.sum_of(self.parts, self.quarters + quarters)
 
     @property
     def symbols(self) -> Mapping[Symbol, int]:
@@ -102,4 +102,4 @@ class Angle:
         return any(symbol == part for part, _ in self.parts)
 
 
-NO_ANGLE = Angle()
+NO_ANGLE = AngleSum()

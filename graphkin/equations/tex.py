@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from graphkin.equations.document import Block, Display, Document, Drawing, Heading, Sentence, Table
+from graphkin.equations.document import (
+    Block,
+    Display,
+    Document,
+    DocumentHeading,
+    DocumentSentence,
+    DocumentTable,
+    FigureNode,
+)
 from graphkin.equations.latex import latex
 from graphkin.equations.layout import Grid, Node, Row
 from graphkin.outputs.tex_words import tex_text
@@ -40,15 +48,15 @@ def write_tex(document: Document) -> str:
 
 def _block(block: Block) -> str:
     match block:
-        case Heading():
+        case DocumentHeading():
             return rf"\{'section' if block.level == 2 else 'subsection'}*{{{tex_text(block.text)}}}"
-        case Sentence():
+        case DocumentSentence():
             return "".join(_part(part) for part in block.parts)
         case Display():
             return _display(block)
-        case Table():
+        case DocumentTable():
             return _table(block)
-        case Drawing():
+        case FigureNode():
             sheet = block.draw()
             return f"\\begin{{center}}\n{picture(sheet, 'black')}\n\n{tex_text(sheet.title)}\n\\end{{center}}"
         case _:
@@ -73,7 +81,7 @@ def _has_grid(row: tuple[Node, ...]) -> bool:
     return any(isinstance(side, Grid) or (isinstance(side, Row) and _has_grid(side.items)) for side in row)
 
 
-def _table(block: Table) -> str:
+def _table(block: DocumentTable) -> str:
     columns = "l" * (len(block.heads) - 2) + r"p{0.55\linewidth}l"
     heads = " & ".join(tex_text(head) for head in block.heads)
     rows = "".join(" & ".join(_part(cell) for cell in row) + " \\\\\n" for row in block.rows)

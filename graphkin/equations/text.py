@@ -7,7 +7,15 @@ import unicodedata
 from collections.abc import Sequence
 from typing import assert_never
 
-from graphkin.equations.document import Block, Display, Document, Drawing, Heading, Sentence, Table
+from graphkin.equations.document import (
+    Block,
+    Display,
+    Document,
+    DocumentHeading,
+    DocumentSentence,
+    DocumentTable,
+    FigureNode,
+)
 from graphkin.equations.layout import (
     Call,
     Exp,
@@ -44,15 +52,15 @@ def write_text(document: Document) -> str:
 
 def _block(block: Block) -> list[str]:
     match block:
-        case Heading():
+        case DocumentHeading():
             return [block.text, ("-" if block.level == 2 else "·") * width(block.text)]
-        case Sentence():
+        case DocumentSentence():
             return _wrapped("".join(part if isinstance(part, str) else inline(part) for part in block.parts))
         case Display():
             return _display(block)
-        case Table():
+        case DocumentTable():
             return _table(block)
-        case Drawing():
+        case FigureNode():
             return []
         case _:
             assert_never(block)
@@ -110,7 +118,7 @@ def _matrix(grid: Grid) -> list[str]:
     return [f"{left} {row} {right}" for (left, right), row in zip(ends, rows, strict=True)]
 
 
-def _table(block: Table) -> list[str]:
+def _table(block: DocumentTable) -> list[str]:
     cells = [list(block.heads), *([_cell(entry) for entry in row] for row in block.rows)]
     return ["    " + line for line in aligned(cells, "<")]
 

@@ -9,17 +9,17 @@ import numpy as np
 
 from graphkin.base.geometry import Value
 from graphkin.equations.complex_method import write_complex
-from graphkin.equations.document import Block, By, Document, Drawing
+from graphkin.equations.document import Block, By, Document, FigureNode
 from graphkin.equations.driven import listed, motion_of
-from graphkin.equations.expressions import Sum, Term
+from graphkin.equations.expressions import Sum, SymbolProduct
 from graphkin.equations.figure import figure
 from graphkin.equations.layout import Call, Exp, Letter, Node, Op, Row, Word
-from graphkin.equations.legend import Entry
+from graphkin.equations.legend import LegendEntry
 from graphkin.equations.matrix_method import write_matrix
 from graphkin.equations.model import Model, model_of
-from graphkin.equations.page import Page
+from graphkin.equations.page import EquationPage
 from graphkin.equations.pretty import Pretty
-from graphkin.equations.symbols import Angle, Symbol
+from graphkin.equations.symbols import AngleSum, Symbol
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import EDGE, Unit
@@ -38,9 +38,9 @@ def document(method: Method, by: By = "complex", lang: Lang = "en") -> Document:
 
 def written(model: Model, by: By, lang: Lang) -> Document:
     """The document, filling the model's legend."""
-    page = Page(lang)
+    page = EquationPage(lang)
     page.say("equations.every vector", euler=_euler())
-    page.add(Drawing(partial(figure, model, say("equations.figure", lang), lang)))
+    page.add(FigureNode(partial(figure, model, say("equations.figure", lang), lang)))
     _given(model, page)
     before = len(page.blocks)
     if not model.tasks:
@@ -60,7 +60,7 @@ def _euler() -> Node:
     return Row((Exp(Row((turn, theta))), Op("="), Call("cos", (theta,)), Op("+"), turn, Call("sin", (theta,))))
 
 
-def _given(model: Model, page: Page) -> None:
+def _given(model: Model, page: EquationPage) -> None:
     """The drivers, and the angles that follow others at once."""
     if model.drivers:
         page.say("equations.driver" if len(model.drivers) == 1 else "equations.drivers", drivers=_motions(model))
@@ -80,7 +80,7 @@ def _motions(model: Model) -> Node:
 
 def _auxiliary(model: Model, lang: Lang) -> list[Block]:
     """The points that have a letter in the equations only: where a line that the file gives by coordinates begins."""
-    page, bodies, shapes = Page(lang), model.bodies, model.method.structure.shapes
+    page, bodies, shapes = EquationPage(lang), model.bodies, model.method.structure.shapes
     for letter, (point, body) in bodies.spots.items():
         if body == FRAME:
             place = shapes[FRAME][point]
@@ -93,9 +93,9 @@ def _auxiliary(model: Model, lang: Lang) -> list[Block]:
     return page.blocks
 
 
-def _rates(name: Symbol, angle: Angle) -> list[tuple[Symbol, Sum]]:
+def _rates(name: Symbol, angle: AngleSum) -> list[tuple[Symbol, Sum]]:
     """ω and α of a link whose angle is a sum."""
-    turning = Sum.of(Term(float(count), ((symbol, 1),)) for symbol, count in angle.moving)
+    turning = Sum.of(SymbolProduct(float(count), ((symbol, 1),)) for symbol, count in angle.moving)
     assert name.rate is not None
     assert name.rate.rate is not None
     return [(name.rate, turning.rate), (name.rate.rate, turning.rate.rate)]
@@ -112,7 +112,7 @@ _SHOWN = {unit.name: unit for unit in (*EDGE.values(), Unit("mm rad", "mm·rad",
 """How the legend's units are shown, by their names; `mm rad` is what a wheel's radius makes of an angle."""
 
 
-def _value(entry: Entry, value: Value) -> str:
+def _value(entry: LegendEntry, value: Value) -> str:
     """In the unit of the legend; an angle that came as a sum or a difference without its whole turns."""
     shown = _SHOWN[entry.unit]
     real, imag = (shown.factor * float(part) for part in (np.real(value), np.imag(value)))

@@ -13,10 +13,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from graphkin.files.loader import Mechanism, from_dict, load, load_stream, loads
+    from graphkin.files.loader import MechanismFile, from_dict, load, load_stream, loads
     from graphkin.files.questions import remarks
 
-__all__ = ["Mechanism", "from_dict", "load", "load_stream", "loads", "remarks"]
+__all__ = ["MechanismFile", "from_dict", "load", "load_stream", "loads", "remarks"]
 
 
 def __getattr__(name: str) -> object:

@@ -9,7 +9,7 @@ from graphkin.files.draft import Draft
 from graphkin.files.lines import has_line, read_line
 from graphkin.files.positions import Path
 from graphkin.files.schema import CamTable, GearTable, ProfileTable, RollTable
-from graphkin.model.pairs import Cam, Gear, Pair, Profile, Roll
+from graphkin.model.pairs import Cam, Gear, Pair, Profile, RollingContact
 
 
 def _two_links(draft: Draft, given: Sequence[str], path: Path) -> tuple[str, str]:
@@ -32,7 +32,7 @@ def read_gear(draft: Draft, table: GearTable, path: Path, before: Sequence[Pair]
     return Gear(draft.name(None, f"g{path[1]}", *path), links, (first, second), (one, other), table.internal)
 
 
-def read_roll(draft: Draft, table: RollTable, path: Path, before: Sequence[Pair]) -> Roll:
+def read_roll(draft: Draft, table: RollTable, path: Path, before: Sequence[Pair]) -> RollingContact:
     """A wheel on a line if any key of a line is there, on a circle if any of a circle is."""
     own, on_line = f"r{path[1]}", table.on_centre is None and table.on_radius is None
     name = draft.name(table.name, own, *path) if on_line else own
@@ -46,12 +46,14 @@ def read_roll(draft: Draft, table: RollTable, path: Path, before: Sequence[Pair]
     if not on_line:
         on_centre, on_radius = _track_circle(draft, table, track, path)
         internal = bool(table.internal)
-        return Roll(own, False, wheel, centre, table.radius, track, None, True, on_centre, on_radius, internal)
+        return RollingContact(
+            own, False, wheel, centre, table.radius, track, None, True, on_centre, on_radius, internal
+        )
     if table.internal is not None:
         raise NoMeaning(draft.where(*path, "internal"), "internal", "line")
     line = read_line(draft, table, track, own, path)
     left, named = table.side != "right", table.name is not None
-    return Roll(name, named, wheel, centre, table.radius, track, line, left, None, 0.0, False)
+    return RollingContact(name, named, wheel, centre, table.radius, track, line, left, None, 0.0, False)
 
 
 def _track_circle(draft: Draft, table: RollTable, track: str, path: Path) -> tuple[str, float]:

@@ -17,7 +17,7 @@ TOUCHES = 1e-9
 
 
 @frozen
-class Circle:
+class CircleCurve:
     centre: complex
     radius: float
 
@@ -33,7 +33,7 @@ class StraightLine:
         return abs(((place - self.point) * self.along.conjugate()).imag)
 
 
-Curve = Circle | StraightLine
+Curve = CircleCurve | StraightLine
 Places = Mapping[str, complex]
 Triple = tuple[str, str, str]
 
@@ -49,7 +49,7 @@ class Length:
     def curves(self, point: str, placed: Places) -> list[Curve]:
         """Where `point` may lie, the other point being placed."""
         other = self.points[1] if point == self.points[0] else self.points[0]
-        return [Circle(placed[other], self.value)]
+        return [CircleCurve(placed[other], self.value)]
 
     def miss(self, placed: Places) -> float:
         """How far a layout is off this length [m]."""
@@ -58,7 +58,7 @@ class Length:
 
 
 @frozen
-class Angle:
+class AngleMeasure:
     """`BDE = 90`: the angle at the middle point, 0 to pi."""
 
     key: str
@@ -85,7 +85,7 @@ class Angle:
         return abs(abs(cmath.phase(one / other)) - self.value) * min(abs(one), abs(other))
 
 
-Measure = Length | Angle
+Measure = Length | AngleMeasure
 
 
 def _equal_angles(a: complex, b: complex, angle: float) -> list[Curve]:
@@ -95,14 +95,14 @@ def _equal_angles(a: complex, b: complex, angle: float) -> list[Curve]:
     if math.sin(angle) < 1e-9:
         return [StraightLine(a, (b - a) / abs(b - a))]
     offset = (b - a) / 2j / math.tan(angle)
-    return [Circle((a + b) / 2 + side * offset, abs(b - a) / 2 / math.sin(angle)) for side in (1, -1)]
+    return [CircleCurve((a + b) / 2 + side * offset, abs(b - a) / 2 / math.sin(angle)) for side in (1, -1)]
 
 
 def crossings(one: Curve, other: Curve) -> list[complex]:
     """The points two curves share: none, one or two; none if they coincide."""
-    if isinstance(one, Circle):
-        return _two_circles(one, other) if isinstance(other, Circle) else _line_and_circle(other, one)
-    return _line_and_circle(one, other) if isinstance(other, Circle) else _two_lines(one, other)
+    if isinstance(one, CircleCurve):
+        return _two_circles(one, other) if isinstance(other, CircleCurve) else _line_and_circle(other, one)
+    return _line_and_circle(one, other) if isinstance(other, CircleCurve) else _two_lines(one, other)
 
 
 def gap(one: Curve, other: Curve) -> float:
@@ -115,7 +115,7 @@ def gap(one: Curve, other: Curve) -> float:
     return max(apart - one.radius - other.radius, abs(one.radius - other.radius) - apart, 0.0)
 
 
-def _two_circles(one: Circle, other: Circle) -> list[complex]:
+def _two_circles(one: CircleCurve, other: CircleCurve) -> list[complex]:
     between = other.centre - one.centre
     apart = abs(between)
     size = max(apart, one.radius, other.radius)
@@ -135,7 +135,7 @@ def _two_circles(one: Circle, other: Circle) -> list[complex]:
     return [one.centre + along * complex(foot, side * height) for side in (1, -1)]
 
 
-def _line_and_circle(line: StraightLine, circle: Circle) -> list[complex]:
+def _line_and_circle(line: StraightLine, circle: CircleCurve) -> list[complex]:
     offset = (circle.centre - line.point) * line.along.conjugate()
     foot = line.point + offset.real * line.along
     room = circle.radius - abs(offset.imag)

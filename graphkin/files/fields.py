@@ -30,7 +30,7 @@ _T = TypeVar("_T")
 
 
 @frozen
-class Kind:
+class FieldKind:
     """What a value must be: for pydantic's core, and for JSON Schema; of what dimension, where it is a quantity."""
 
     core: Schema
@@ -53,8 +53,8 @@ def _guarded(read: Callable[..., Any]) -> Callable[..., Any]:
     return guarded
 
 
-def _read(read: Callable[[Any], Any], json: dict[str, Any]) -> Kind:
-    return Kind({"type": "function-plain", "function": {"type": "no-info", "function": _guarded(read)}}, json)
+def _read(read: Callable[[Any], Any], json: dict[str, Any]) -> FieldKind:
+    return FieldKind({"type": "function-plain", "function": {"type": "no-info", "function": _guarded(read)}}, json)
 
 
 def _before(read: Callable[[Any], Any], inner: Schema) -> Schema:
@@ -73,21 +73,21 @@ def _of_type(kind: str, wanted: type, inner: Schema) -> Schema:
     return _before(checked, inner)
 
 
-def anything(json: dict[str, Any]) -> Kind:
+def anything(json: dict[str, Any]) -> FieldKind:
     """A value that is looked at later."""
-    return Kind({"type": "any"}, json)
+    return FieldKind({"type": "any"}, json)
 
 
 # --- single values ----------------------------------------------------------------------------
 
 
-def quantity_of(dimension: Dimension, check: Callable[[float], float] = float) -> Kind:
+def quantity_of(dimension: Dimension, check: Callable[[float], float] = float) -> FieldKind:
     """A number or a text with a unit."""
     read = _read(lambda value: check(quantity(value, dimension)), NUMBER)
-    return Kind(read.core, read.json, dimension)
+    return FieldKind(read.core, read.json, dimension)
 
 
-def _text(kind: str, read: Callable[[str], str] = tidy, **json: str) -> Kind:
+def _text(kind: str, read: Callable[[str], str] = tidy, **json: str) -> FieldKind:
     """A text; `kind` says in a message what is wanted."""
 
     def checked(value: object) -> str:
@@ -117,7 +117,7 @@ def _side(value: str) -> str:
 
 LENGTH, ANGLE = quantity_of("length"), quantity_of("angle")
 RADIUS, EDGE_RADIUS = quantity_of("length", above_zero), quantity_of("length", zero_or_more)
-ALSO = Kind({"type": "function-plain", "function": {"type": "with-info", "function": _guarded(_also)}}, NUMBER)
+ALSO = FieldKind({"type": "function-plain", "function": {"type": "with-info", "function": _guarded(_also)}}, NUMBER)
 SCALE = _read(scale, {"type": "number", "exclusiveMinimum": 0})
 FLAG = _read(_flag, {"type": "boolean"})
 TEXT = _text("text", lambda text: " ".join(text.split()))
@@ -132,43 +132,45 @@ SIDE.json["enum"] = ["left", "right"]
 # --- several values ---------------------------------------------------------------------------
 
 
-def list_of(item: Kind, kind: str = "list", count: int | None = None) -> Kind:
+def list_of(item: FieldKind, kind: str = "list", count: int | None = None) -> FieldKind:
     """A list of values, of any or of one certain length."""
     length = {} if count is None else {"min_length": count, "max_length": count}
     core = _of_type(kind, list, {"type": "list", "items_schema": item.core, **length})
-    return Kind(core, {"type": "array", "items": item.json, **_counted(count)}, item.dimension)
+    return FieldKind(core, {"type": "array", "items": item.json, **_counted(count)}, item.dimension)
 
 
 def _counted(count: int | None) -> dict[str, Any]:
     return {} if count is None else {"minItems": count, "maxItems": count}
 
 
-def two(item: Kind) -> Kind:
+def two(item: FieldKind) -> FieldKind:
     """One value for each of two links."""
     return list_of(item, count=2)
 
 
-def mapping(names: Kind, values: Kind) -> Kind:
+def mapping(names: FieldKind, values: FieldKind) -> FieldKind:
     """A table whose keys are names themselves."""
     core = _of_type("table", dict, {"type": "dict", "keys_schema": names.core, "values_schema": values.core})
-    return Kind(core, {"type": "object", "patternProperties": {names.json["pattern"]: values.json}}, values.dimension)
+    return FieldKind(
+        core, {"type": "object", "patternProperties": {names.json["pattern"]: values.json}}, values.dimension
+    )
 
 
-def _either(names: Kind, places: Kind) -> Kind:
+def _either(names: FieldKind, places: FieldKind) -> FieldKind:
     """A point's name, or a place."""
     core = {
         "type": "tagged-union",
         "choices": {"a point": names.core, "a place": places.core},
         "discriminator": lambda value: "a place" if isinstance(value, list) else "a point",
     }
-    return Kind(core, {"oneOf": [names.json, places.json]})
+    return FieldKind(core, {"oneOf": [names.json, places.json]})
 
 
-def _triples() -> Kind:
+def _triples() -> FieldKind:
     """One triple of points or several."""
     triple = list_of(POINT_NAME, "triple", 3)
     core = _before(triples, {"type": "list", "items_schema": triple.core})
-    return Kind(core, {"type": "array", "items": {"anyOf": [POINT_NAME.json, triple.json]}})
+    return FieldKind(core, {"type": "array", "items": {"anyOf": [POINT_NAME.json, triple.json]}})
 
 
 PLACE = list_of(LENGTH, "place", 2)
@@ -179,12 +181,12 @@ TRIPLES = _triples()
 # --- tables -----------------------------------------------------------------------------------
 
 
-def key(kind: Kind, *, default: Any = MISSING, default_factory: Any = MISSING) -> Any:
+def key(kind: FieldKind, *, default: Any = MISSING, default_factory: Any = MISSING) -> Any:
     """A key of a table; it may be left out where there is a default."""
     return field(default=default, default_factory=default_factory, metadata={"kind": kind})
 
 
-def further(pattern: str, kind: Kind) -> Any:
+def further(pattern: str, kind: FieldKind) -> Any:
     """All keys of a table that are not named, by a dictionary; an editor expects this pattern of them."""
     return field(default_factory=dict, metadata={"further": kind, "pattern": pattern})
 
@@ -195,13 +197,13 @@ def table(cls: type[_T]) -> type[_T]:
     cls.__doc__ = cls.__doc__ or f"`{cls.__name__}`"
     made: Any = frozen(cls)
     rest = next((field for field in fields(made) if "further" in field.metadata), None)
-    made.kind = Kind(_checking(made, rest), _object(made, rest))
+    made.kind = FieldKind(_checking(made, rest), _object(made, rest))
     return cls
 
 
-def kind_of(cls: Any) -> Kind:
+def kind_of(cls: Any) -> FieldKind:
     """The kind of value that becomes an instance of a table's class."""
-    kind: Kind = cls.kind
+    kind: FieldKind = cls.kind
     return kind
 
 
@@ -210,29 +212,29 @@ def keys(cls: Any) -> dict[str, Field[Any]]:
     return {field.name.rstrip("_"): field for field in fields(cls) if "kind" in field.metadata}
 
 
-def one_table(cls: Any) -> Kind:
+def one_table(cls: Any) -> FieldKind:
     """A value that is such a table."""
-    return Kind(_of_type("table", dict, kind_of(cls).core), _reference(cls))
+    return FieldKind(_of_type("table", dict, kind_of(cls).core), _reference(cls))
 
 
-def tables(cls: Any) -> Kind:
+def tables(cls: Any) -> FieldKind:
     """`[[..]]`: any number of such tables."""
     return list_of(entry(cls), "tables")
 
 
-def entry(cls: Any) -> Kind:
+def entry(cls: Any) -> FieldKind:
     """A table among others of its kind."""
-    return Kind(kind_of(cls).core, _reference(cls))
+    return FieldKind(kind_of(cls).core, _reference(cls))
 
 
 def _reference(cls: Any) -> dict[str, Any]:
     return {"$ref": f"#/$defs/{cls.__name__}"}
 
 
-def title(cls: Any) -> Kind:
+def title(cls: Any) -> FieldKind:
     """A text, or such a table of one for each language."""
     core = _before(titles, kind_of(cls).core)
-    return Kind(core, {"anyOf": [{"type": "string"}, kind_of(cls).json]})
+    return FieldKind(core, {"anyOf": [{"type": "string"}, kind_of(cls).json]})
 
 
 def _required(field: Field[Any]) -> bool:

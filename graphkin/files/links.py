@@ -12,7 +12,7 @@ from graphkin.files.draft import Draft
 from graphkin.files.measures import link_points
 from graphkin.files.names import tidy
 from graphkin.files.schema import File, LinkTable
-from graphkin.files.shapes import Measures, check_round, own_axes, solve_shape
+from graphkin.files.shapes import ShapeMeasures, check_round, own_axes, solve_shape
 from graphkin.model.mechanism import FRAME, Link
 
 
@@ -55,7 +55,7 @@ def _shape(
 
 def _measures(
     draft: Draft, name: str, table: LinkTable, points: tuple[str, ...], measures: Sequence[Measure]
-) -> Measures:
+) -> ShapeMeasures:
     """All that is known of the shape, each with its place."""
     ccw = table.ccw or []
     places: dict[str, tuple[str | int, ...]] = {"": ("links", name)}
@@ -66,4 +66,4 @@ def _measures(
         for point in triple:
             draft.point(name, point, *place[:3])
     triples = tuple((a, b, c) for a, b, c in ccw)
-    return Measures(name, points, tuple(measures), triples, Lazy(places, lambda key: draft.where(*places[key])))
+    return ShapeMeasures(name, points, tuple(measures), triples, Lazy(places, lambda key: draft.where(*places[key])))

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from graphkin.files.schema import File, Titles
 
 
-class Mechanism(mechanism.Mechanism):
+class MechanismFile(mechanism.Mechanism):
     """A planar mechanism as its file describes it: links, pairs, drivers, in SI units and without a position.
 
     `graphkin.load`, `loads` and `from_dict` give one, and `Mechanism.new()` builds one. It never changes: `with_` gives
@@ -33,7 +33,7 @@ class Mechanism(mechanism.Mechanism):
     <Mechanism ex3-1: links 4 1 2 3, points A D B C, driver AB>
     """
 
-    def with_(self, values: Mapping[str, object] | None = None, /, **more: object) -> Mechanism:
+    def with_(self, values: Mapping[str, object] | None = None, /, **more: object) -> MechanismFile:
         """The mechanism with other numbers in its file, in mm, deg, rad/s as there, or texts with a unit.
 
         AB            length AB of the link that has it; `BDE` an angle of a link
@@ -68,7 +68,7 @@ class Mechanism(mechanism.Mechanism):
         return self.text
 
     @staticmethod
-    def new(name: str = "mechanism", **title: str) -> Builder[Mechanism]:
+    def new(name: str = "mechanism", **title: str) -> Builder[MechanismFile]:
         """A mechanism to be built step by step; `en="..", zh=".."` are its titles. See `Builder`."""
         from graphkin.files.builder import Builder
 
@@ -81,7 +81,7 @@ class Mechanism(mechanism.Mechanism):
 
 
 
-def load(source: str | FilePath) -> Mechanism:
+def load(source: str | FilePath) -> MechanismFile:
     """The mechanism a file describes.
 
     Raises a `GraphkinError`: the one thing that is wrong, or `Several` with all of them in the order of the lines.
@@ -90,7 +90,7 @@ def load(source: str | FilePath) -> Mechanism:
     return loads(read_text(path), name=named(path), file=str(path))
 
 
-def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> Mechanism:
+def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> MechanismFile:
     """The mechanism a text describes; `name` and `file` are what messages and drawings call it."""
     document, lines = read_toml(text, file)
     draft = Draft(file, lines)
@@ -98,7 +98,7 @@ def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> Mechan
     return _drawn_up(draft, tables, document, measures, name, text)
 
 
-def from_dict(document: Mapping[str, Any], *, name: str = "mechanism") -> Mechanism:
+def from_dict(document: Mapping[str, Any], *, name: str = "mechanism") -> MechanismFile:
     """The mechanism that data describe: tables and keys as in the file, numbers in its units.
 
     Numpy's numbers and arrays do, too. Messages give lines of the text that `to_toml` then gives.
@@ -112,7 +112,7 @@ def from_dict(document: Mapping[str, Any], *, name: str = "mechanism") -> Mechan
     return loads(toml(document), name=name, file=f"<{name}>")
 
 
-def load_stream(stream: IO[bytes], *, name: str, file: str) -> Mechanism:
+def load_stream(stream: IO[bytes], *, name: str, file: str) -> MechanismFile:
     """The mechanism that comes in through a pipe."""
     return loads(decoded(read_bytes(stream, file), file), name=name, file=file)
 
@@ -138,7 +138,7 @@ def _checked(draft: Draft, document: dict[str, Any]) -> tuple[File, dict[str, li
 
 def _drawn_up(
     draft: Draft, file: File, raw: dict[str, Any], measures: dict[str, list[Measure]], name: str, text: str
-) -> Mechanism:
+) -> MechanismFile:
     """The tables against each other."""
     from graphkin.files.drivers import read_drivers, read_poses
     from graphkin.files.joints import check_joints, check_sizes, check_sketch
@@ -158,7 +158,7 @@ def _drawn_up(
     scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}
     sketch = {point: complex(*place) for point, place in file.sketch.items()}
     pairs = as_sketched(file, draft.links, pairs, (*drivers, *poses), sketch)
-    machine = Mechanism(
+    machine = MechanismFile(
         name, draft.frame, draft.links, pairs, drivers, poses, sketch, scales,
         _titles(file.title), _titles(file.source), tuple(file.ask), text, draft.file, draft.lines,
         slide_titles=_slide_titles(file, pairs),

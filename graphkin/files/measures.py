@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from graphkin.errors import NOWHERE, AngleRange, BadName, DuplicateName, GraphkinError, KeyClash, UnknownKey, Where
-from graphkin.files.curves import Angle, Length, Measure
+from graphkin.files.curves import AngleMeasure, Length, Measure
 from graphkin.files.names import POINT, split_points, tidy
 from graphkin.files.values import above_zero, quantity, shown
 
@@ -66,7 +66,7 @@ def _measure(key: str, value: object) -> Measure:
             angle = quantity(value, "angle")
             if not 0 <= angle <= math.pi:
                 raise AngleRange(NOWHERE, math.degrees(angle))
-            return Angle(key, (a, b, c), angle)
+            return AngleMeasure(key, (a, b, c), angle)
     if key[:1].islower():
         raise UnknownKey(NOWHERE, shown(key), (*OWN_KEYS, "AB", "BDE"))
     raise BadName(NOWHERE, "measure", shown(key))

@@ -24,17 +24,17 @@ _STRING = r'(?s:"""(?:\\.|[^\\])*?"{3,5}' r"|'''.*?'{3,5}" r'|"(?:\\.|[^"\\])*"'
 def positions(text: str) -> dict[Path, int]:
     """Key -> line, counted from 1."""
     starts = [0, *(match.end() for match in re.finditer("\n", text))]
-    return {path: bisect_right(starts, offset) for path, offset in _Walk(text).offsets().items()}
+    return {path: bisect_right(starts, offset) for path, offset in _TextWalk(text).offsets().items()}
 
 
 def values(text: str) -> tuple[dict[Path, tuple[int, int]], dict[Path, int]]:
     """Where each value begins and ends, and where the last thing ends that each table with a header has."""
-    walk = _Walk(text)
+    walk = _TextWalk(text)
     walk.offsets()
     return walk.values, walk.ends
 
 
-class _Walk:
+class _TextWalk:
     """One walk over a text; `found` maps each key to the offset where it first stands."""
 
     def __init__(self, text: str) -> None:

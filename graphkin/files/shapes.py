@@ -39,7 +39,7 @@ MOST_CURVES = 20
 
 
 @frozen
-class Measures:
+class ShapeMeasures:
     """All that is known of one link's shape, and where each of it stands in the file, by key; the whole under ""."""
 
     link: str
@@ -56,13 +56,13 @@ class Measures:
         return self.places[key if key in self.places else ""]
 
 
-def solve_shape(given: Measures) -> dict[str, complex]:
+def solve_shape(given: ShapeMeasures) -> dict[str, complex]:
     """The points in the link's own axes [m]. Errors: see `graphkin.errors.shapes`."""
     if len(given.points) == 1:
         return {given.points[0]: 0j}
     if len(given.points) > MOST_POINTS:
         raise TooManyPoints(given.where, given.link, MOST_POINTS)
-    found = _Search(given, given.ccw).first_two()
+    found = _LayoutSearch(given, given.ccw).first_two()
     if not found:
         raise _why_not_round(given)
     if len(found) > 1:
@@ -70,7 +70,7 @@ def solve_shape(given: Measures) -> dict[str, complex]:
     return own_axes({point: found[0][point] for point in given.points}, given)
 
 
-def own_axes(places: Places, given: Measures) -> dict[str, complex]:
+def own_axes(places: Places, given: ShapeMeasures) -> dict[str, complex]:
     """The same figure with its first point in the origin and the next distinct one on +x."""
     origin = next(iter(places.values()))
     arms = {point: place - origin for point, place in places.items()}
@@ -82,10 +82,10 @@ def own_axes(places: Places, given: Measures) -> dict[str, complex]:
     return {point: complex(abs(arm), 0) if arm == axis else arm * turn for point, arm in arms.items()}
 
 
-class _Search:
+class _LayoutSearch:
     """All layouts that fulfil the measures and run the right way round, at most two of them."""
 
-    def __init__(self, given: Measures, ccw: Sequence[Triple]) -> None:
+    def __init__(self, given: ShapeMeasures, ccw: Sequence[Triple]) -> None:
         self.given = given
         self.ccw = ccw
         self.by_point: dict[str, list[Measure]] = {}
@@ -223,7 +223,7 @@ def orientation(layout: Places, triple: Sequence[str]) -> int:
     return 0 if abs(area) <= 1e-9 * sides else int(math.copysign(1, area))
 
 
-def check_round(given: Measures, places: Places) -> None:
+def check_round(given: ShapeMeasures, places: Places) -> None:
     """Whether given coordinates run the way `ccw` says."""
     for number, triple in enumerate(given.ccw):
         turn = orientation(places, triple)
@@ -231,9 +231,9 @@ def check_round(given: Measures, places: Places) -> None:
             raise (CcwContradicts if turn else CcwOnLine)(given.place(f"ccw {number}"), triple)
 
 
-def _why_not_round(given: Measures) -> GraphkinError:
+def _why_not_round(given: ShapeMeasures) -> GraphkinError:
     """No layout runs the way `ccw` says: which triple cannot."""
-    layouts = _Search(given, ()).first_two()
+    layouts = _LayoutSearch(given, ()).first_two()
     for number, triple in enumerate(given.ccw):
         where = given.place(f"ccw {number}")
         if all(orientation(layout, triple) == 0 for layout in layouts):
@@ -241,12 +241,12 @@ def _why_not_round(given: Measures) -> GraphkinError:
     done: list[Triple] = []
     for number, triple in enumerate(given.ccw):
         done.append(triple)
-        if not _Search(given, done).first_two():
+        if not _LayoutSearch(given, done).first_two():
             return CcwContradicts(given.place(f"ccw {number}"), triple)
     return CcwContradicts(given.where, given.ccw[-1])
 
 
-def _what_is_open(given: Measures, one: Places, other: Places) -> GraphkinError:
+def _what_is_open(given: ShapeMeasures, one: Places, other: Places) -> GraphkinError:
     """Two layouts are left: either some triple tells them apart, or measures are lacking."""
     for a, b, c in combinations(given.points, 3):
         turns = orientation(one, (a, b, c)), orientation(other, (a, b, c))

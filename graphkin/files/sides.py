@@ -14,7 +14,7 @@ from functools import cached_property, partial
 from graphkin.base.worklist import Rounds, Waiting
 from graphkin.files.schema import File
 from graphkin.model.mechanism import FRAME, Driver, Link, Pose
-from graphkin.model.pairs import Cam, Line, Pair, Profile, Roll, Slide
+from graphkin.model.pairs import Cam, Line, Pair, Profile, RollingContact, Slide
 
 Found = tuple[dict[str, complex], str, complex]
 """Directions of links or places of points, and what is to be entered there."""
@@ -39,14 +39,14 @@ def as_sketched(
     seen = _Roughly(links, [pair for pair in pairs if isinstance(pair, Slide)], given, sketch)
     rolling, touching = iter(rolls), iter(faces)
     return tuple(
-        _rolled(pair, seen) if isinstance(pair, Roll) and next(rolling)
+        _rolled(pair, seen) if isinstance(pair, RollingContact) and next(rolling)
         else _faced(pair, next(touching), seen) if isinstance(pair, Cam)
         else pair
         for pair in pairs
     )  # fmt: skip
 
 
-def _rolled(roll: Roll, seen: _Roughly) -> Roll:
+def _rolled(roll: RollingContact, seen: _Roughly) -> RollingContact:
     return roll if roll.line is None else replace(roll, left=seen.on_left(roll.line, roll.centre))
 
 

@@ -8,8 +8,8 @@ import math
 from collections.abc import Iterator
 
 from graphkin.construction import Construction, LayOff, Plane
-from graphkin.handouts.document import Room, Rows, Table
-from graphkin.handouts.told import Told
+from graphkin.handouts.document import GridRoom, HandoutTable, TermRows
+from graphkin.handouts.told import HandoutProblem
 from graphkin.model.quantities import EDGE, Centre, Quantity, Rotation
 from graphkin.say.catalogue import say
 from graphkin.say.entry import VectorEquation
@@ -27,7 +27,7 @@ _STEP = 10.0
 _EQUATIONS, _TERMS = 3, {"velocity": 3, "acceleration": 5}
 
 
-def room(told: Told, plane: Plane) -> Room:
+def room(told: HandoutProblem, plane: Plane) -> GridRoom:
     """The same room for every problem, with the pole somewhere, by lot, from where its polygon has room: neither tells
     anything of the polygon. Where a scale of the file's own makes that larger, the box of the polygon and a fifth more.
     """
@@ -37,10 +37,10 @@ def room(told: Told, plane: Plane) -> Room:
     right, up = _lots(told.drawing.mechanism.text + plane)
     pole = complex(_stood(low.real, high.real, wide, right), tall - _stood(low.imag, high.imag, tall, up))
     direction, mark = _first_direction(told, construction)
-    return Room(wide, tall, pole, point_label(construction.pole), direction, mark)
+    return GridRoom(wide, tall, pole, point_label(construction.pole), direction, mark)
 
 
-def _places(told: Told, construction: Construction) -> list[complex]:
+def _places(told: HandoutProblem, construction: Construction) -> list[complex]:
     """The corners of a polygon from its pole, on paper [mm, y up]."""
     points = told.drawing.plot.points(construction.plane)
     names = (construction.pole, *construction.nodes)
@@ -60,7 +60,7 @@ def _stood(low: float, high: float, room: float, lot: float) -> float:
     return _GRID * (least + round(lot * (most - least)))
 
 
-def _construction(told: Told, plane: Plane) -> Construction:
+def _construction(told: HandoutProblem, plane: Plane) -> Construction:
     return told.drawing.method.velocity if plane == "velocity" else told.drawing.method.acceleration
 
 
@@ -68,7 +68,7 @@ def _whole(length: float, usual: float) -> float:
     return max(usual, _STEP * math.ceil(_MORE * length / _STEP))
 
 
-def _first_direction(told: Told, construction: Construction) -> tuple[float, Label]:
+def _first_direction(told: HandoutProblem, construction: Construction) -> tuple[float, Label]:
     """The line of the first arrow that is laid off, which is given with the driver [rad, y up]."""
     points = told.drawing.plot.points(construction.plane)
     for step in construction.steps:
@@ -80,14 +80,14 @@ def _first_direction(told: Told, construction: Construction) -> tuple[float, Lab
     return 0.0, plain("0°")
 
 
-def equations(told: Told, plane: Plane) -> Iterator[Rows]:
+def equations(told: HandoutProblem, plane: Plane) -> Iterator[TermRows]:
     """Lines for as many equations as a polygon takes, three at most, each with as many terms as its plane may have."""
     construction = _construction(told, plane)
     for _ in construction.equations[:_EQUATIONS]:
         yield empty_rows(told, terms=_TERMS[plane])
 
 
-def empty_rows(told: Told, equation: VectorEquation | None = None, terms: int = 3) -> Rows:
+def empty_rows(told: HandoutProblem, equation: VectorEquation | None = None, terms: int = 3) -> TermRows:
     """Lines to write an equation on: as many terms as it has, or as any may have."""
     lang = told.lang
     heads = tuple(plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row"))
@@ -99,22 +99,22 @@ def empty_rows(told: Told, equation: VectorEquation | None = None, terms: int = 
         columns += [(plain("="), (), ())] if k else []
         for n in range(count):
             columns += [(plain("+"), (), ()), None] if n else [None]
-    return Rows((heads[0], heads[1]), tuple(columns))
+    return TermRows((heads[0], heads[1]), tuple(columns))
 
 
-def measured(told: Told, count: int = 3) -> Table:
+def measured(told: HandoutProblem, count: int = 3) -> HandoutTable:
     """Room for what is read off: a vector, its length on paper, its value; twice beside each other."""
     heads = tuple(plain(say(f"handouts.{key}", told.lang)) for key in ("vector", "measured", "value"))
-    return Table(heads * 2, (((),) * 6,) * count)
+    return HandoutTable(heads * 2, (((),) * 6,) * count)
 
 
-def boxes(told: Told) -> Table:
+def boxes(told: HandoutProblem) -> HandoutTable:
     """A box an answer, with its unit, and one for the sense where it has one."""
     heads = tuple(plain(say(f"handouts.{key}", told.lang)) for key in ("quantity", "answer", "unit", "sense"))
-    return Table(heads, tuple(_box(told, quantity) for quantity in told.goal.wanted if quantity is not None))
+    return HandoutTable(heads, tuple(_box(told, quantity) for quantity in told.goal.wanted if quantity is not None))
 
 
-def _box(told: Told, quantity: Quantity) -> tuple[Label, ...]:
+def _box(told: HandoutProblem, quantity: Quantity) -> tuple[Label, ...]:
     unit = "" if isinstance(quantity, Centre) else EDGE[quantity.unit].sign
     turns = isinstance(quantity, Rotation) and quantity.word != "theta"
     return formula(told.goal.symbol(quantity)), (), plain(unit), () if turns else plain("—")

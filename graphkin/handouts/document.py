@@ -13,7 +13,7 @@ Stage = Literal["problem", "blank", "half", "solution"]
 
 
 @frozen
-class Heading:
+class HandoutHeading:
     """A heading; level 1 is a problem's title. `said`: what the foot of its pages says of this problem alone."""
 
     words: Label
@@ -22,7 +22,7 @@ class Heading:
 
 
 @frozen
-class Text:
+class Paragraph:
     """A paragraph; `act`: the number of the pencil's act that it tells; the drawing bears it, too, in a circle."""
 
     words: Label
@@ -30,14 +30,14 @@ class Text:
 
 
 @frozen
-class Formula:
+class FormulaLine:
     """A line of reckoning, set in from the edge."""
 
     words: Label
 
 
 @frozen
-class Rows:
+class TermRows:
     """A vector equation with its rows of directions and sizes; a blank is a column of three lines to write on.
 
     heads    what stands before the rows
@@ -55,7 +55,7 @@ class Rows:
 
 
 @frozen
-class Picture:
+class HandoutPicture:
     """A drawing in its true size, and what is on it in words."""
 
     sheet: Sheet
@@ -63,7 +63,7 @@ class Picture:
 
 
 @frozen
-class Table:
+class HandoutTable:
     """Rows under their heads; an empty label is room to write."""
 
     heads: tuple[Label, ...]
@@ -71,7 +71,7 @@ class Table:
 
 
 @frozen
-class Room:
+class GridRoom:
     """Gridded paper [mm] with the pole printed on it, and one direction through it [rad].
 
     pole  from the left upper corner, y down
@@ -92,7 +92,7 @@ class NewPage:
     front: bool = False
 
 
-Block = Heading | Text | Formula | Rows | Picture | Table | Room | NewPage
+Block = HandoutHeading | Paragraph | FormulaLine | TermRows | HandoutPicture | HandoutTable | GridRoom | NewPage
 
 
 @frozen

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from graphkin.handouts.document import Room
+from graphkin.handouts.document import GridRoom
 from graphkin.outputs.spans import mm
 from graphkin.sheet.lettering import Label, scripts
 
@@ -17,7 +17,7 @@ _OFF, _HIGH, _WIDE = 1.4, 3.0, 4.0
 _FAMILY = "Times New Roman, Liberation Serif, Tinos, serif"
 
 
-def room_svg(room: Room) -> str:
+def room_svg(room: GridRoom) -> str:
     """The grid, the pole, and one direction through it with its mark."""
     drawing = drawing_of(room.width, room.height)
     for k in range(round(room.width / _STEP) + 1):
@@ -52,7 +52,7 @@ def _line(drawing: Any, start: complex, end: complex, colour: str, width: float)
     drawing.add(element)
 
 
-def _through(room: Room, along: complex) -> tuple[complex, complex]:
+def _through(room: GridRoom, along: complex) -> tuple[complex, complex]:
     """The ends of a line through the pole, a little inside the frame."""
     ends = []
     for way in (along, -along):
@@ -72,7 +72,7 @@ def _beside(along: complex) -> tuple[complex, complex]:
     return off + (1j * _HIGH if rises else 0), -off - _WIDE + (0 if rises else 1j * _HIGH)
 
 
-def _inside(room: Room, place: complex) -> bool:
+def _inside(room: GridRoom, place: complex) -> bool:
     return 8 < place.real < room.width - 12 and 8 < place.imag < room.height - 4
 
 

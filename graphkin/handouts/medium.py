@@ -6,7 +6,17 @@ from collections.abc import Callable, Iterable
 from typing import Any, NoReturn, assert_never
 
 from graphkin.base.value import frozen
-from graphkin.handouts.document import Block, Formula, Heading, NewPage, Picture, Room, Rows, Table, Text
+from graphkin.handouts.document import (
+    Block,
+    FormulaLine,
+    GridRoom,
+    HandoutHeading,
+    HandoutPicture,
+    HandoutTable,
+    NewPage,
+    Paragraph,
+    TermRows,
+)
 
 
 def _nowhere(block: Any) -> NoReturn:
@@ -17,13 +27,13 @@ def _nowhere(block: Any) -> NoReturn:
 class Medium:
     """One writer a kind of block; a medium of words alone leaves the last four out."""
 
-    heading: Callable[[Heading], str]
-    text: Callable[[Text], str]
-    formula: Callable[[Formula], str]
-    rows: Callable[[Rows], str]
-    picture: Callable[[Picture], str] = _nowhere
-    room: Callable[[Room], str] = _nowhere
-    table: Callable[[Table], str] = _nowhere
+    heading: Callable[[HandoutHeading], str]
+    text: Callable[[Paragraph], str]
+    formula: Callable[[FormulaLine], str]
+    rows: Callable[[TermRows], str]
+    picture: Callable[[HandoutPicture], str] = _nowhere
+    room: Callable[[GridRoom], str] = _nowhere
+    table: Callable[[HandoutTable], str] = _nowhere
     new_page: Callable[[NewPage], str] = _nowhere
 
     def written(self, blocks: Iterable[Block], between: str = "\n") -> str:
@@ -32,19 +42,19 @@ class Medium:
 
     def _written(self, block: Block) -> str:
         match block:
-            case Heading():
+            case HandoutHeading():
                 return self.heading(block)
-            case Text():
+            case Paragraph():
                 return self.text(block)
-            case Formula():
+            case FormulaLine():
                 return self.formula(block)
-            case Rows():
+            case TermRows():
                 return self.rows(block)
-            case Picture():
+            case HandoutPicture():
                 return self.picture(block)
-            case Room():
+            case GridRoom():
                 return self.room(block)
-            case Table():
+            case HandoutTable():
                 return self.table(block)
             case NewPage():
                 return self.new_page(block)

@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from html import escape
 
-from graphkin.handouts.document import Handout, Heading, NewPage, Picture, Rows, Table, Text
+from graphkin.handouts.document import (
+    Handout,
+    HandoutHeading,
+    HandoutPicture,
+    HandoutTable,
+    NewPage,
+    Paragraph,
+    TermRows,
+)
 from graphkin.handouts.grid import room_svg
 from graphkin.handouts.medium import Medium
 from graphkin.handouts.scripted import Sign, signs
@@ -48,32 +56,32 @@ def html(handout: Handout, paper: str = "A4") -> str:
 def _contents(handout: Handout) -> str:
     if not handout.contents:
         return ""
-    heads = (block for block in handout.blocks if isinstance(block, Heading) and block.level == 1)
+    heads = (block for block in handout.blocks if isinstance(block, HandoutHeading) and block.level == 1)
     items = "".join(f"<li>{_words(head.words)}</li>" for head in heads)
     return f'<h1>{escape(handout.contents)}</h1>\n<ol>{items}</ol>\n'
 
 
-def _heading(heading: Heading) -> str:
+def _heading(heading: HandoutHeading) -> str:
     said = f' <small>{escape(heading.said)}</small>' if heading.said else ""
     return f"<h{heading.level}>{_words(heading.words)}{said}</h{heading.level}>"
 
 
-def _text(text: Text) -> str:
+def _text(text: Paragraph) -> str:
     number = f'<span class="act">{escape(text.act)}</span> ' if text.act else ""
     return f"<p>{number}{_words(text.words)}</p>"
 
 
-def _rows(rows: Rows) -> str:
+def _rows(rows: TermRows) -> str:
     rule = '<span class="rule"></span>'
     lines = ("".join(f"<td>{_words(cell) if cell is not None else rule}</td>" for cell in line) for line in rows.lines)
     return '<table class="rows">' + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
 
 
-def _picture(picture: Picture) -> str:
+def _picture(picture: HandoutPicture) -> str:
     return f'<figure role="img" aria-label="{escape(picture.told)}">{inline(picture.sheet)}</figure>'
 
 
-def _table(table: Table) -> str:
+def _table(table: HandoutTable) -> str:
     first = "".join(f"<th>{_words(head)}</th>" for head in table.heads)
     lines = ("".join(f"<td>{_words(cell)}</td>" for cell in row) for row in table.rows)
     return f'<table class="filled"><tr>{first}</tr>' + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"

@@ -9,9 +9,9 @@ import numpy as np
 
 from graphkin.analytic import motion
 from graphkin.errors import Lang
-from graphkin.handouts.document import Block, Heading, Table, Text
-from graphkin.handouts.told import Told
-from graphkin.marking.key import Entry, Key
+from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Paragraph
+from graphkin.handouts.told import HandoutProblem
+from graphkin.marking.key import Key, KeyEntry
 from graphkin.marking.verdicts import columns, upright
 from graphkin.marking.weights import shifts
 from graphkin.model.quantities import EDGE, Centre
@@ -27,7 +27,7 @@ from graphkin.sheet.lettering import Label, plain
 _SHOWN = 3
 
 
-def beside(told: Told) -> Iterator[Block]:
+def beside(told: HandoutProblem) -> Iterator[Block]:
     """A row an answer: drawn, analysed, and how far a careful pencil may be off."""
     key = _key(told)
     entries = {entry.text: entry for entry in key.entries} if key is not None else {}
@@ -44,18 +44,18 @@ def beside(told: Told) -> Iterator[Block]:
         rows.append((formula(told.goal.symbol(quantity)), *shown, off, plain(unit.sign)))
     if rows:
         heads = ("quantity", "drawn", "analysed", "allowed", "unit")
-        yield Heading(plain(say("handouts.beside", told.lang)))
-        yield Table(tuple(plain(say(f"handouts.{head}", told.lang)) for head in heads), tuple(rows))
+        yield HandoutHeading(plain(say("handouts.beside", told.lang)))
+        yield HandoutTable(tuple(plain(say(f"handouts.{head}", told.lang)) for head in heads), tuple(rows))
 
 
-def _off(entry: Entry, factor: float, lang: Lang) -> str:
+def _off(entry: KeyEntry, factor: float, lang: Lang) -> str:
     """`± 0.012`, or that paper cannot tell the value."""
     if entry.doubt in ("dead point", "too small"):
         return say(f"verdicts.verdict {entry.doubt}", lang)
     return f"± {entry.tolerance * factor:.2g}"
 
 
-def mistakes(told: Told) -> Iterator[Block]:
+def mistakes(told: HandoutProblem) -> Iterator[Block]:
     """The mistakes that move most of what is asked, of different kinds, with the numbers they give."""
     key = _key(told)
     if key is None:
@@ -65,9 +65,9 @@ def mistakes(told: Told) -> Iterator[Block]:
     shown = {made[0][0] for made, row in zip(key.singles.names, moved, strict=True) if any(row[wanted])}
     common = [id for id in _COMMON if id in shown][:_SHOWN]
     if common:
-        yield Heading(plain(say("handouts.common", told.lang)))
+        yield HandoutHeading(plain(say("handouts.common", told.lang)))
     for id in common:
-        yield Text(_given_by(told, key, id, wanted, moved))
+        yield Paragraph(_given_by(told, key, id, wanted, moved))
 
 
 def _moved(key: Key) -> np.ndarray:
@@ -77,7 +77,7 @@ def _moved(key: Key) -> np.ndarray:
     return moved
 
 
-def _given_by(told: Told, key: Key, id: str, wanted: list[int], moved: np.ndarray) -> Label:
+def _given_by(told: HandoutProblem, key: Key, id: str, wanted: list[int], moved: np.ndarray) -> Label:
     row = next(k for k, made in enumerate(key.singles.names) if made[0][0] == id and any(moved[k][wanted]))
     symbols = {text: q for text, q in zip(told.goal.texts, told.goal.wanted, strict=False) if q is not None}
     given = upright(columns(key.entries), key.singles.values[row])
@@ -102,7 +102,7 @@ _COMMON = (
 """What students do, the most frequent first."""
 
 
-def _key(told: Told) -> Key | None:
+def _key(told: HandoutProblem) -> Key | None:
     """The key of the problem; None where nothing is asked that is marked."""
     from graphkin.errors import GraphkinError
     from graphkin.homework.grading.keys import key_drawn

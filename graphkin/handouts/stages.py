@@ -13,8 +13,19 @@ from graphkin.api import Drawing, plan
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.handouts import blank, proofs
-from graphkin.handouts.document import Block, Foot, Formula, Handout, Heading, NewPage, Picture, Rows, Stage, Text
-from graphkin.handouts.told import Section, Told
+from graphkin.handouts.document import (
+    Block,
+    Foot,
+    FormulaLine,
+    Handout,
+    HandoutHeading,
+    HandoutPicture,
+    NewPage,
+    Paragraph,
+    Stage,
+    TermRows,
+)
+from graphkin.handouts.told import HandoutProblem, Section
 from graphkin.model.mechanism import Mechanism
 from graphkin.running import replay_all
 from graphkin.say import entry
@@ -54,10 +65,10 @@ def handout(
         blocks += [NewPage(duplex)] if k or contents else []
         own = _digest([problem.drawing.mechanism]) if len(problems) > 1 else ""
         said = " · ".join(filter(None, (problem.whose, own)))
-        blocks += (replace(b, said=said) if isinstance(b, Heading) and b.level == 1 else b
+        blocks += (replace(b, said=said) if isinstance(b, HandoutHeading) and b.level == 1 else b
                    for b in _staged(problem, stage, upto))  # fmt: skip
     if answers:
-        blocks += [NewPage(duplex), Heading(plain(say("handouts.answers", lang)), 1)]
+        blocks += [NewPage(duplex), HandoutHeading(plain(say("handouts.answers", lang)), 1)]
         blocks += [block for problem in problems for block in _answers(problem)]
     title = " / ".join(problem.title for problem in problems)
     return Handout(title, lang, tuple(blocks), _foot(mechanisms, stage, lang, seed), contents)
@@ -76,13 +87,13 @@ def in_languages(
     return replace(found[0], blocks=tuple(blocks))
 
 
-def told(mechanism: Mechanism, lang: Lang) -> Told:
+def told(mechanism: Mechanism, lang: Lang) -> HandoutProblem:
     """A mechanism drawn and proved at the scales of its handout, which all its figures share."""
     drawing = Drawing.of(mechanism)
     scales = dict(_scales(drawing))
     scaled = replace(mechanism, scales={KEYS[plane]: scale for plane, scale in scales.items()})
     method = plan(scaled)
-    return Told(Drawing(scaled, method, replay_all(method)), scales, lang)
+    return HandoutProblem(Drawing(scaled, method, replay_all(method)), scales, lang)
 
 
 def _scales(drawing: Drawing) -> Iterator[tuple[Plane, float]]:
@@ -107,7 +118,7 @@ def _digest(mechanisms: Sequence[Mechanism]) -> str:
 # --- stages -----------------------------------------------------------------------------------
 
 
-def _staged(problem: Told, stage: Stage, upto: int) -> Iterator[Block]:
+def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]:
     match stage:
         case "problem":
             yield from _problem(problem)
@@ -123,34 +134,34 @@ def _staged(problem: Told, stage: Stage, upto: int) -> Iterator[Block]:
             assert_never(stage)
 
 
-def _problem(problem: Told) -> Iterator[Block]:
+def _problem(problem: HandoutProblem) -> Iterator[Block]:
     """What is given and asked, the mechanism to scale, the scales to use, boxes for the answers."""
-    yield Heading(plain(problem.title), 1)
+    yield HandoutHeading(plain(problem.title), 1)
     yield from _section(problem.given, problem.lang)
     yield from _section(problem.asked, problem.lang)
     yield _figure(problem, "position", "given")
-    yield Heading(plain(say("handouts.scales", problem.lang)))
+    yield HandoutHeading(plain(say("handouts.scales", problem.lang)))
     planes: tuple[Plane, ...] = ("position", *problem.polygons)
     scales = [written(plane, problem.scales[plane]) for plane in planes]
-    yield Text(tuple(run for k, scale in enumerate(scales) for run in (*(plain(";  ") if k else ()), *scale)))
+    yield Paragraph(tuple(run for k, scale in enumerate(scales) for run in (*(plain(";  ") if k else ()), *scale)))
     if problem.goal.wanted:
-        yield Heading(plain(say("handouts.your answers", problem.lang)))
+        yield HandoutHeading(plain(say("handouts.your answers", problem.lang)))
         yield blank.boxes(problem)
 
 
-def _blank(problem: Told) -> Iterator[Block]:
+def _blank(problem: HandoutProblem) -> Iterator[Block]:
     """For each polygon an empty equation, gridded paper with the pole, and a table to measure into."""
     for plane in problem.polygons:
         yield NewPage()
-        yield Heading(plain(HEADINGS[problem.lang][plane]))
+        yield HandoutHeading(plain(HEADINGS[problem.lang][plane]))
         yield from blank.equations(problem, plane)
         before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
-        yield Text((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
+        yield Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
         yield blank.room(problem, plane)
         yield blank.measured(problem)
 
 
-def _half(problem: Told, upto: int) -> Iterator[Block]:
+def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
     """The solution as far as whole equations go, drawn so far; then the next equation, empty."""
     yield NewPage()
     last, waiting = 0, None
@@ -161,14 +172,14 @@ def _half(problem: Told, upto: int) -> Iterator[Block]:
         if section.plane is not None:
             yield _figure(problem, section.plane, "construction", last)
     if waiting is not None:
-        yield Text(plain(say("handouts.go on", problem.lang)))
+        yield Paragraph(plain(say("handouts.go on", problem.lang)))
         yield blank.empty_rows(problem, waiting)
         yield blank.measured(problem, 2)
 
 
-def _solution(problem: Told) -> Iterator[Block]:
+def _solution(problem: HandoutProblem) -> Iterator[Block]:
     """Reasons, equations, steps in words and drawing, results beside the analysis, tolerance, common mistakes."""
-    yield Heading(plain(problem.title), 1)
+    yield HandoutHeading(plain(problem.title), 1)
     for section in (problem.given, problem.asked, problem.solution):
         yield from _section(section, problem.lang)
     for section in problem.parts:
@@ -180,8 +191,8 @@ def _solution(problem: Told) -> Iterator[Block]:
     yield from proofs.mistakes(problem)
 
 
-def _answers(problem: Told) -> Iterator[Block]:
-    yield Heading(plain(problem.title))
+def _answers(problem: HandoutProblem) -> Iterator[Block]:
+    yield HandoutHeading(plain(problem.title))
     yield from blocks_of(problem.answers.entries, problem.lang)
 
 
@@ -189,7 +200,7 @@ def _answers(problem: Told) -> Iterator[Block]:
 
 
 def _section(section: Section, lang: Lang) -> Iterator[Block]:
-    yield Heading(plain(section.heading))
+    yield HandoutHeading(plain(section.heading))
     yield from blocks_of(section.entries, lang)
 
 
@@ -198,19 +209,19 @@ def blocks_of(entries: Sequence[entry.Entry], lang: Lang) -> Iterator[Block]:
     for each in entries:
         match each:
             case entry.Heading(text):
-                yield Heading(plain(text))
+                yield HandoutHeading(plain(text))
             case entry.Sentence(text, act):
-                yield Text(formula(text), str(act.number) if act is not None and act.numbered else "")
+                yield Paragraph(formula(text), str(act.number) if act is not None and act.numbered else "")
             case entry.Calculation():
                 note = f"  ({each.note})" if each.note else ""
-                yield Formula(formula(each.text + note))
+                yield FormulaLine(formula(each.text + note))
             case entry.VectorEquation():
                 yield rows(each, lang)
             case _:
                 assert_never(each)
 
 
-def rows(equation: entry.VectorEquation, lang: Lang) -> Rows:
+def rows(equation: entry.VectorEquation, lang: Lang) -> TermRows:
     """A vector equation as it is printed."""
     heads = [plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row")]
     columns: list[tuple[Label, Label, Label]] = []
@@ -221,15 +232,15 @@ def rows(equation: entry.VectorEquation, lang: Lang) -> Rows:
         for n, arrow in enumerate(side):
             columns += [(plain("+"), (), ())] if n else []
             columns.append((formula(arrow.name), formula(arrow.direction), formula(arrow.size)))
-    return Rows((heads[0], heads[1]), tuple(columns))
+    return TermRows((heads[0], heads[1]), tuple(columns))
 
 
-def _figure(problem: Told, plane: Plane, style: Style, last: int | None = None) -> Picture:
+def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | None = None) -> HandoutPicture:
     """One figure of the sheet at its scale, cut to its size; `last`: the act after which nothing is drawn."""
     method, plot, lang = problem.drawing.method, problem.drawing.plot, problem.lang
     drawn = mechanism_sheet(method, plot, lang=lang, only=plane, style=style, tight=True)
     if last is not None:
         drawn = drawn.redrawn(lambda mark: mark if mark.step is None or mark.step <= last else None)
     if style == "given":
-        return Picture(drawn, say("handouts.figure given", lang, title=problem.title))
-    return Picture(drawn, say("handouts.figure drawn", lang, what=HEADINGS[lang][plane], title=problem.title))
+        return HandoutPicture(drawn, say("handouts.figure given", lang, title=problem.title))
+    return HandoutPicture(drawn, say("handouts.figure drawn", lang, what=HEADINGS[lang][plane], title=problem.title))

@@ -28,7 +28,7 @@ class Section:
 
 
 @frozen
-class Told:
+class HandoutProblem:
     """One problem at its scales, by plane; `whose`: the student it is for, where it is one's own."""
 
     drawing: Drawing

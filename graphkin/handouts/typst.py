@@ -6,7 +6,15 @@ import re
 from pathlib import Path
 
 from graphkin.errors import NoLetter
-from graphkin.handouts.document import Handout, Heading, Picture, Room, Rows, Table, Text
+from graphkin.handouts.document import (
+    GridRoom,
+    Handout,
+    HandoutHeading,
+    HandoutPicture,
+    HandoutTable,
+    Paragraph,
+    TermRows,
+)
 from graphkin.handouts.fonts import Fonts, fonts
 from graphkin.handouts.grid import room_svg
 from graphkin.handouts.markers import DIGITS, MARKERS, SIZE, digits, edges, markers_svg
@@ -162,23 +170,23 @@ def _medium(pictures: dict[str, str]) -> Medium:
     )
 
 
-def _heading(heading: Heading) -> str:
+def _heading(heading: HandoutHeading) -> str:
     """With what the feet say from here on: a heading of the first level begins a page."""
     said = f"#state(\"said\", \"\").update({_string(' · ' + heading.said)})\n" if heading.said else ""
     return f"{said}#heading(level: {heading.level})[{_words(heading.words)}]\n"
 
 
-def _text(text: Text) -> str:
+def _text(text: Paragraph) -> str:
     number = f"#act({_string(text.act)}) " if text.act else ""
     return f"#par[{number}{_words(text.words)}]\n"
 
 
-def _picture(pictures: dict[str, str], picture: Picture) -> str:
+def _picture(pictures: dict[str, str], picture: HandoutPicture) -> str:
     name, image = _image(pictures, svg(picture.sheet), picture.sheet.paper.width, picture.told)
     return f"#drawn({_string(name)}, {image})\n"
 
 
-def _room(pictures: dict[str, str], room: Room) -> str:
+def _room(pictures: dict[str, str], room: GridRoom) -> str:
     _, image = _image(pictures, room_svg(room), room.width, "".join(run.text for run in room.name))
     return f"#align(center, {image})\n"
 
@@ -194,7 +202,7 @@ def _in_own_font(found: re.Match[str]) -> str:
     return _ACCENTED.sub(r'<tspan font-family="Libertinus Serif">\1</tspan>', found[0])
 
 
-def _rows(rows: Rows) -> str:
+def _rows(rows: TermRows) -> str:
     """Three lines: terms, directions, sizes; a blank is a line to write on."""
     rule = "#box(width: 20mm, height: 6mm, stroke: (bottom: 0.18mm))"
     cells = [f"[{_words(cell) if cell is not None else rule}]" for line in rows.lines for cell in line]
@@ -202,7 +210,7 @@ def _rows(rows: Rows) -> str:
     return f"#block(breakable: false, pad(left: 8mm, grid({shape}, {', '.join(cells)})))\n"
 
 
-def _table(table: Table) -> str:
+def _table(table: HandoutTable) -> str:
     cells = [f"[{_words(cell)}]" for row in table.rows for cell in row]
     first = ", ".join(f"[{_words(head)}]" for head in table.heads)
     wide = mm(min(30, 152 / len(table.heads)))

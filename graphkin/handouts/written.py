@@ -9,7 +9,7 @@ import graphkin
 from graphkin.api import Drawing
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.handouts.document import Foot, Handout, Rows, Text
+from graphkin.handouts.document import Foot, Handout, Paragraph, TermRows
 from graphkin.handouts.medium import Medium
 from graphkin.handouts.page import html
 from graphkin.handouts.scripted import Sign, signs
@@ -51,12 +51,12 @@ def tex(found: Handout) -> str:
     return "\n".join([*head, _TEX_PAGE, r"\begin{document}", body, r"\end{document}", ""])
 
 
-def _tex_text(text: Text) -> str:
+def _tex_text(text: Paragraph) -> str:
     number = rf"\textcircled{{\scriptsize {text.act}}} " if text.act else ""
     return rf"\noindent {number}{tex_words(text.words)}"
 
 
-def _tex_rows(rows: Rows) -> str:
+def _tex_rows(rows: TermRows) -> str:
     lines = (" & ".join(tex_words(cell or ()) for cell in line) for line in rows.lines)
     table = rf"\begin{{tabular}}{{{'c' * len(rows.lines[0])}}}" + r" \\ ".join(lines) + r"\end{tabular}"
     return rf"\quad\fit{{{table}}}"
@@ -79,7 +79,7 @@ def markdown(found: Handout) -> str:
     return f"<!-- {MARK} -->\n\n{body}\n"
 
 
-def _markdown_rows(rows: Rows) -> str:
+def _markdown_rows(rows: TermRows) -> str:
     lines = ["| " + " | ".join(_plain_words(cell or ()) for cell in line) + " |" for line in rows.lines]
     return "\n".join([lines[0], "|" + ":-:|" * len(rows.lines[0]), *lines[1:]])
 

@@ -36,7 +36,7 @@ Ends = tuple[Plane, str, str]
 
 
 @frozen
-class Arrows:
+class ArrowPlaces:
     """Where arrows lie in the polygons of a method.
 
     nodes   by link and point, its name in each plane
@@ -66,7 +66,7 @@ class Arrows:
         return None if turned is None else (turned, -1)
 
 
-def arrows_of(method: Method) -> Arrows:
+def arrows_of(method: Method) -> ArrowPlaces:
     """The arrows of both polygons."""
     nodes: dict[tuple[str, str, Plane], str] = {}
     owners = method.mechanism.owners
@@ -80,7 +80,7 @@ def arrows_of(method: Method) -> Arrows:
                 own = owners.get(node.site.point, ())
                 for link in own if node.site.link in own else (node.site.link,):
                     nodes.setdefault((link, node.site.point, plane), node.name)
-    known = Arrows(nodes, poles, parts)
+    known = ArrowPlaces(nodes, poles, parts)
     for construction in (method.velocity, method.acceleration):
         for term in construction.vectors().values():
             _put(known, parts, term, construction.plane, method.mechanism)
@@ -88,7 +88,7 @@ def arrows_of(method: Method) -> Arrows:
 
 
 def _put(
-    known: Arrows, parts: dict[tuple[Plane, str, str, str], Ends], term: Term, plane: Plane, mechanism: Mechanism
+    known: ArrowPlaces, parts: dict[tuple[Plane, str, str, str], Ends], term: Term, plane: Plane, mechanism: Mechanism
 ) -> None:
     """Under its part, where it is an arrow between two sites; a lone normal arrow of a crank too."""
     if len(term.sites) != 2:
@@ -99,14 +99,14 @@ def _put(
         parts.setdefault((plane, part, head, tail), (plane, term.tail, term.head))
 
 
-def _node_of(known: Arrows, site: Site, plane: Plane, mechanism: Mechanism) -> str | None:
+def _node_of(known: ArrowPlaces, site: Site, plane: Plane, mechanism: Mechanism) -> str | None:
     """The point of a pin's own block is that of the links which bear the pin."""
     links = (site.link,) if site.link in mechanism.links else mechanism.owners.get(site.point, ())
     found = (known.node(Site(site.point, link), plane) for link in links)
     return next((node for node in found if node is not None), None)
 
 
-def asked(method: Method, plot: Redrawing, quantity: Quantity, arrows: Arrows, before: bool = False) -> Answer:
+def asked(method: Method, plot: Redrawing, quantity: Quantity, arrows: ArrowPlaces, before: bool = False) -> Answer:
     """What a drawing gives for a quantity: one value a column; along a guide with its sign.
 
     before  as it follows from what was drawn earlier, where the hand then put a point elsewhere
@@ -136,7 +136,7 @@ def size_of(quantity: Quantity, vector: Value) -> Value:
     return np.where(dot(quantity.along, vector) < -ACROSS * size, -size, size)[()]
 
 
-def _vector(method: Method, plot: Redrawing, quantity: Moving, arrows: Arrows, before: bool) -> Value:
+def _vector(method: Method, plot: Redrawing, quantity: Moving, arrows: ArrowPlaces, before: bool) -> Value:
     found = arrows.of(quantity)
     if found is None:
         return quantity.vector(readings(method, plot))

@@ -7,13 +7,13 @@ from dataclasses import replace
 
 from graphkin.marking.diagnosis import Diagnosis, Explanation
 from graphkin.marking.habits import Trace, added
-from graphkin.marking.marked import Judged, Marked, Number, Work
+from graphkin.marking.marked import HandedNumber, Judged, Marked, StudentWork
 from graphkin.model.quantities import at_position, position_of
 
 
-def parted(work: Work, count: int) -> list[Work]:
+def parted(work: StudentWork, count: int) -> list[StudentWork]:
     """The numbers of each position, under the names they have there; of one that there is not, they are dropped."""
-    found: list[dict[str, Number]] = [{} for _ in range(count)]
+    found: list[dict[str, HandedNumber]] = [{} for _ in range(count)]
     for text, number in work.numbers.items():
         bare, at = position_of(text)
         if at <= count:

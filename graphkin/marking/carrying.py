@@ -10,7 +10,7 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plot
-from graphkin.marking.asked import Arrows, arrows_of
+from graphkin.marking.asked import ArrowPlaces, arrows_of
 from graphkin.marking.consequences import combined
 from graphkin.marking.follow_through import replay_with
 from graphkin.marking.key import Key
@@ -62,7 +62,7 @@ class Carried:
 
 
 @frozen
-class Problem:
+class CarriedProblem:
     """A key with the construction from which values are carried on."""
 
     key: Key
@@ -75,7 +75,7 @@ class Problem:
         return columns(self.key.entries)
 
     @cached_property
-    def arrows(self) -> Arrows:
+    def arrows(self) -> ArrowPlaces:
         return arrows_of(self.method)
 
     @cached_property

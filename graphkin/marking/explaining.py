@@ -14,7 +14,7 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.marking.key import Hypotheses, Key, Name
 from graphkin.marking.verdicts import Columns, agrees, columns_of, differences
-from graphkin.marking.weights import FITS, Scale, Weighed
+from graphkin.marking.weights import FITS, ScaledExplanations, Weighed
 
 MARGIN = 3.0
 """Explanations whose weights differ by less cannot be told apart: a factor of 20."""
@@ -62,7 +62,7 @@ class Explainer:
         self, key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, met: float, ways: Ways
     ) -> None:
         """met: logarithm of how often one of the hypotheses is met."""
-        self.there, self._scale, self._ways = there, Scale(key, table, there, hypotheses, met), ways
+        self.there, self._scale, self._ways = there, ScaledExplanations(key, table, there, hypotheses, met), ways
         rows, self._hypotheses = self._scale.rows, hypotheses
         self.texts = tuple(entry.text for entry, handed in zip(key.entries, there, strict=True) if handed)
         self._table = columns_of(table, there)

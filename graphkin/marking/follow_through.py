@@ -9,7 +9,7 @@ import numpy as np
 from graphkin.base.geometry import Value
 from graphkin.base.value import frozen
 from graphkin.construction import Coriolis, Image, LayOff, Measure, Plane, Plot, Size
-from graphkin.marking.asked import Arrows, Ends, arrows_of, asked
+from graphkin.marking.asked import ArrowPlaces, Ends, arrows_of, asked
 from graphkin.marking.hand import Hand, Redrawing
 from graphkin.marking.redrawing import redraw
 from graphkin.model.quantities import Answer, Component, Moving, Quantity, Rotation
@@ -24,7 +24,7 @@ class Followed:
     """
 
     method: Method
-    arrows: Arrows
+    arrows: ArrowPlaces
     plot: Redrawing
 
     def value(self, quantity: Quantity) -> Answer:
@@ -40,7 +40,9 @@ class Followed:
         return np.minimum.reduce(np.broadcast_arrays(1.0, *sines))
 
 
-def replay_with(method: Method, right: Plot, own: Mapping[Quantity, Value], arrows: Arrows | None = None) -> Followed:
+def replay_with(
+    method: Method, right: Plot, own: Mapping[Quantity, Value], arrows: ArrowPlaces | None = None
+) -> Followed:
     """Draw the polygons on from a student's own values, at the positions of the right plot.
 
     own  by quantity, SI: omega and alpha with their sense; of a vector the complex vector where it was drawn (or both
@@ -59,7 +61,7 @@ def replay_with(method: Method, right: Plot, own: Mapping[Quantity, Value], arro
 class Own(Hand):
     """Draws with own values in their place."""
 
-    def __init__(self, own: Mapping[Quantity, Value], arrows: Arrows) -> None:
+    def __init__(self, own: Mapping[Quantity, Value], arrows: ArrowPlaces) -> None:
         self.rotations = {(q.word, q.link): value for q, value in own.items() if isinstance(q, Rotation)}
         self.vectors: dict[Ends, list[Value]] = {}
         for quantity, value in _whole(own):

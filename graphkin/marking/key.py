@@ -45,7 +45,7 @@ class Marking:
 
 
 @frozen
-class Entry:
+class KeyEntry:
     """One quantity that may be handed in, SI.
 
     text       as it is read: "omega 3"
@@ -94,7 +94,7 @@ class Hypotheses:
 
 
 @frozen
-class Step:
+class KeyStep:
     """One vector equation: the arrows of both sides as they are named, and the rotations that are read off it."""
 
     plane: str
@@ -117,12 +117,12 @@ class Key:
     text: str
     coincident: str
     marking: Marking
-    entries: tuple[Entry, ...]
+    entries: tuple[KeyEntry, ...]
     given: tuple[float, ...]
     together: np.ndarray
     singles: Hypotheses
     title: Mapping[str, str] = field(default_factory=dict)
-    steps: tuple[Step, ...] = ()
+    steps: tuple[KeyStep, ...] = ()
     further: tuple[Key, ...] = ()
 
     @property

@@ -12,7 +12,7 @@ from graphkin.base.geometry import Value
 from graphkin.construction import Measure, Plot
 from graphkin.marking.consequences import combined, rewrites
 from graphkin.marking.handed import asked_of, on_the_way, sort_of
-from graphkin.marking.key import Entry, Hypotheses, Key, Marking, Name, Step
+from graphkin.marking.key import Hypotheses, Key, KeyEntry, KeyStep, Marking, Name
 from graphkin.marking.pencil import Pencil
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.scatter import Drawings, spread
@@ -79,7 +79,7 @@ def make_key(
 
 def asked_alone(
     method: Method, plot: Plot, marking: Marking
-) -> tuple[tuple[Quantity, ...], tuple[Entry, ...], float]:
+) -> tuple[tuple[Quantity, ...], tuple[KeyEntry, ...], float]:
     """What is asked for, and what paper allows of it, without anything on the way and of fewer drawings; with the part
     of these whose links do not meet."""
     asked = asked_of(method.mechanism)
@@ -97,7 +97,7 @@ def asked_alone(
     return every, entries, drawings.failed + (1 - drawings.failed) * float(np.isnan(drawn).any(axis=1).mean())
 
 
-def steps_of(method: Method) -> tuple[Step, ...]:
+def steps_of(method: Method) -> tuple[KeyStep, ...]:
     """The vector equations of both polygons with what is read off them."""
     found = []
     for construction in (method.velocity, method.acceleration):
@@ -105,7 +105,7 @@ def steps_of(method: Method) -> tuple[Step, ...]:
             left, right = (tuple(t.name(construction.plane) for t in side) for side in (equation.left, equation.right))
             measured = [step for step in equation.steps if isinstance(step, Measure)]
             gives = tuple(f"{step.quantity} {step.of}" for step in measured if step.quantity in ("omega", "alpha"))
-            found.append(Step(construction.plane, left, right, gives))
+            found.append(KeyStep(construction.plane, left, right, gives))
     return tuple(found)
 
 
@@ -166,16 +166,16 @@ def half_digit(value: float, unit: str, natural: float = 0.0) -> float:
 def _entry(
     text: str, quantity: Quantity, right: float, deviation: float, natural: float, marking: Marking,
     worth: Mapping[str, float],
-) -> Entry:  # fmt: skip
+) -> KeyEntry:  # fmt: skip
     half = half_digit(float(right), quantity.unit, natural)
     deviation = float(deviation) if np.isfinite(deviation) else 0.0
     scatter = math.hypot(deviation, half / math.sqrt(3))
     allowed = marking.relative * abs(right) if marking.relative and right else marking.sigmas * scatter
     tolerance, points = max(float(allowed), half), worth.get(text, 0.0)
-    return Entry(text, quantity.unit, sort_of(quantity), float(right), scatter, tolerance, points)
+    return KeyEntry(text, quantity.unit, sort_of(quantity), float(right), scatter, tolerance, points)
 
 
-def _doubted(entry: Entry, usual: float, deviation: float, proportional: float, failed: float) -> Entry:
+def _doubted(entry: KeyEntry, usual: float, deviation: float, proportional: float, failed: float) -> KeyEntry:
     """With what is to be said against it.
 
     usual         size of quantities of its kind; that of places and angles, which have no zero of their own
@@ -218,7 +218,7 @@ def _together(drawn: np.ndarray) -> np.ndarray:
 
 
 def _singles(
-    method: Method, plot: Plot, quantities: Sequence[Quantity], entries: Sequence[Entry], marking: Marking
+    method: Method, plot: Plot, quantities: Sequence[Quantity], entries: Sequence[KeyEntry], marking: Marking
 ) -> Hypotheses:
     """What each single mistake gives, and how that scatters."""
     found = rewrites(method, plot, quantities, marking.scales)
@@ -229,7 +229,7 @@ def hypotheses_of(
     method: Method,
     plot: Plot,
     quantities: Sequence[Quantity],
-    entries: Sequence[Entry],
+    entries: Sequence[KeyEntry],
     marking: Marking,
     columns: Sequence[tuple[Rewrite, ...]],
 ) -> Hypotheses:
@@ -251,7 +251,7 @@ def hypotheses_of(
 
 
 def _told_of_each(
-    drawings: Drawings, quantities: Sequence[Quantity], entries: Sequence[Entry],
+    drawings: Drawings, quantities: Sequence[Quantity], entries: Sequence[KeyEntry],
     columns: Sequence[tuple[Rewrite, ...]], values: np.ndarray,
 ) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:  # fmt: skip
     """Of each column's drawings: how they scatter (n,), what comes out as of the right ones, and how all hang together
@@ -272,7 +272,7 @@ def _untouched(drawn: np.ndarray, right: np.ndarray) -> np.ndarray:
     return found
 
 
-def least_of(value: Value, entry: Entry) -> float:
+def least_of(value: Value, entry: KeyEntry) -> float:
     """Rounding in print: of the mistaken value, or what the right one has where that is 0."""
     if not np.isfinite(value):
         return math.nan

@@ -14,7 +14,7 @@ Verdict = Literal["right", "carried", "wrong", "missing", "dead point", "too sma
 
 
 @frozen
-class Number:
+class HandedNumber:
     """A handed-in value, SI.
 
     unit_right   its unit is of the quantity's kind, or none stands there
@@ -29,11 +29,11 @@ class Number:
 
 
 @frozen
-class Work:
+class StudentWork:
     """What one student hands in: numbers by quantity, as quantities are read."""
 
     student: str
-    numbers: Mapping[str, Number]
+    numbers: Mapping[str, HandedNumber]
 
 
 @frozen

@@ -15,14 +15,14 @@ from graphkin import planning
 from graphkin.construction import Plot
 from graphkin.marking.arrows_astray import as_drawn, turned_by
 from graphkin.marking.at_positions import joined, parted
-from graphkin.marking.carrying import Carried, Problem
+from graphkin.marking.carrying import Carried, CarriedProblem
 from graphkin.marking.consequences import rewrites
 from graphkin.marking.diagnosis import Diagnosis, diagnoses
 from graphkin.marking.graded import Drawn
 from graphkin.marking.handed import readable
-from graphkin.marking.key import Entry, Hypotheses, Key, Name
+from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name
 from graphkin.marking.making import make_key
-from graphkin.marking.marked import Judged, Marked, Verdict, Work
+from graphkin.marking.marked import Judged, Marked, StudentWork, Verdict
 from graphkin.marking.own_scatter import ways_of
 from graphkin.marking.pairing import pairs_of
 from graphkin.marking.read_off import OffDrawing, pointing, read_off
@@ -65,8 +65,8 @@ class Marker:
         return tuple(quantity for quantity in found if quantity is not None)
 
     @cached_property
-    def problem(self) -> Problem:
-        return Problem(self.key, self.method, self.plot, self.quantities)
+    def problem(self) -> CarriedProblem:
+        return CarriedProblem(self.key, self.method, self.plot, self.quantities)
 
     def off_drawing(
         self, drawn: Drawn, vectors: Mapping[str, complex], written: Mapping[str, float]
@@ -100,7 +100,7 @@ class Marker:
         """One for each position that is asked for, this one for the first."""
         return self, *(Marker(key) for key in self.key.further)
 
-    def mark(self, works: Sequence[Work]) -> list[Marked]:
+    def mark(self, works: Sequence[StudentWork]) -> list[Marked]:
         """The marks of some students, in their order; they hang on nobody else's work."""
         if self.key.further:
             parts = zip(*(parted(work, len(self.positions)) for work in works), strict=True)
@@ -108,7 +108,7 @@ class Marker:
             return [joined(work.student, some) for work, *some in zip(works, *marks, strict=True)]
         return self._mark_here(works)
 
-    def _mark_here(self, works: Sequence[Work]) -> list[Marked]:
+    def _mark_here(self, works: Sequence[StudentWork]) -> list[Marked]:
         """At the drawn position."""
         works = [self._as_asked(work) for work in works]
         asked = {entry.text for entry in self.key.entries}
@@ -121,7 +121,7 @@ class Marker:
         return marker._marks(works)
 
     @cached_property
-    def _asked(self) -> tuple[Entry, ...]:
+    def _asked(self) -> tuple[KeyEntry, ...]:
         return tuple(entry for entry in self.key.entries if entry.points)
 
     @cached_property
@@ -130,7 +130,7 @@ class Marker:
         found = ((entry.text, readable(self.method.mechanism, entry.text)) for entry in self._asked)
         return {text: same_answers(self.method, self.plot, q) if q is not None else () for text, q in found}
 
-    def _as_asked(self, work: Work) -> Work:
+    def _as_asked(self, work: StudentWork) -> StudentWork:
         """With the key's name for what was handed in under another."""
         asked = sum(entry.text in work.numbers for entry in self._asked)
         if asked == len(self._asked) or asked == len(work.numbers):
@@ -149,7 +149,7 @@ class Marker:
         self._further = known  # last: an alarm may have ended it before
         return self._wider or self
 
-    def _marks(self, works: Sequence[Work]) -> list[Marked]:
+    def _marks(self, works: Sequence[StudentWork]) -> list[Marked]:
         given = np.array([[_value(work, entry) for entry in self.key.entries] for work in works]).reshape(
             len(works), len(self.key.entries)
         )
@@ -162,7 +162,9 @@ class Marker:
         found = [self._as_drawn(work, one) for work, one in zip(works, found, strict=True)]
         return [self._marked(work, k, given[k], right[k], untold[k], carried, found[k]) for k, work in enumerate(works)]
 
-    def _carried(self, works: Sequence[Work], given: np.ndarray, known: np.ndarray, wrong: np.ndarray) -> Carried:
+    def _carried(
+        self, works: Sequence[StudentWork], given: np.ndarray, known: np.ndarray, wrong: np.ndarray
+    ) -> Carried:
         """What follows from own values. What is measured on a drawing follows from all that was drawn before it: only
         own values that are asked for, and so have cost something, are carried on to it."""
         found = self.problem.carried(given, known, wrong)
@@ -192,7 +194,7 @@ class Marker:
                 found[row] = one
         return found
 
-    def _as_drawn(self, work: Work, diagnosis: Diagnosis) -> Diagnosis:
+    def _as_drawn(self, work: StudentWork, diagnosis: Diagnosis) -> Diagnosis:
         """By the arrows of a drawing that point another way."""
         each = zip(self.key.entries, self.quantities, strict=True)
         astray = [q for entry, q in each if entry.text in work.numbers and work.numbers[entry.text].points is False]
@@ -208,7 +210,7 @@ class Marker:
     # --- one student --------------------------------------------------------------------------
 
     def _marked(
-        self, work: Work, k: int, given: np.ndarray, right: np.ndarray, untold: np.ndarray, carried: Carried,
+        self, work: StudentWork, k: int, given: np.ndarray, right: np.ndarray, untold: np.ndarray, carried: Carried,
         diagnosis: Diagnosis,
     ) -> Marked:  # fmt: skip
         senses = sense_only(self.table, given, self.table.right, self.table.tolerance) | carried.sense_only[k]
@@ -221,7 +223,15 @@ class Marker:
         return Marked(work.student, judged, diagnosis)
 
     def _judged(
-        self, work: Work, entry: Entry, n: int, given: float, right: bool, sense_only: bool, carried: Carried, k: int
+        self,
+        work: StudentWork,
+        entry: KeyEntry,
+        n: int,
+        given: float,
+        right: bool,
+        sense_only: bool,
+        carried: Carried,
+        k: int,
     ) -> Judged:
         """One quantity; the better of both verdicts counts."""
         if not np.isfinite(given):
@@ -246,7 +256,7 @@ class Marker:
         )  # fmt: skip
 
 
-def _doubtful(work: Work, entry: Entry) -> Judged:
+def _doubtful(work: StudentWork, entry: KeyEntry) -> Judged:
     """A value that paper cannot tell."""
     assert entry.doubt in ("dead point", "too small")
     return Judged(entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, entry.doubt)
@@ -256,18 +266,18 @@ def _sense(wrong: bool) -> Literal["right", "wrong"]:
     return "wrong" if wrong else "right"
 
 
-def _value(work: Work, entry: Entry) -> float:
+def _value(work: StudentWork, entry: KeyEntry) -> float:
     """What is judged: numbers beyond all sizes are only large."""
     number = work.numbers.get(entry.text)
     return np.nan if number is None else min(max(number.value, -_LARGE), _LARGE)
 
 
-def _measured(work: Work, entry: Entry) -> bool:
+def _measured(work: StudentWork, entry: KeyEntry) -> bool:
     number = work.numbers.get(entry.text)
     return number is not None and number.measured
 
 
-def _strange(work: Work, entry: Entry) -> bool:
+def _strange(work: StudentWork, entry: KeyEntry) -> bool:
     """Whether a number stands there with a unit of another kind: it is judged by itself, and nothing is made of it."""
     number = work.numbers.get(entry.text)
     return number is not None and not number.unit_right

@@ -29,7 +29,7 @@ _AT_ONCE = 64
 
 
 @frozen
-class Found:
+class MistakePower:
     """What came of the students who make one mistake.
 
     moved        by how many standard deviations it moves a handed-in value, at most
@@ -64,7 +64,7 @@ class Power:
 
     texts: tuple[str, ...]
     trials: int
-    found: tuple[Found, ...]
+    found: tuple[MistakePower, ...]
     alarms: tuple[float, float]
     random: float
 
@@ -81,7 +81,7 @@ def power(marker: Marker, trials: int = 200, texts: Sequence[str] | None = None)
     return Power(kept, trials, found, alarms(marker, texts), _random(marker, handed, 2 * trials))
 
 
-def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[Found]:
+def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[MistakePower]:
     key, table = marker.key, marker.table
     scales = key.marking.scales
     known = {one.name: one for one in rewrites(marker.method, marker.plot, marker.quantities, scales)}
@@ -95,7 +95,7 @@ def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[F
         columns: list[tuple[Rewrite, ...]] = [(known[key.singles.names[row][0]],) for row in some]
         tried |= _tried(marker, handed, some, _printed(drawings.values(marker.quantities, columns)))
     for row, names in enumerate(key.singles.names):
-        yield Found(names[0], float(most[row]), row in tried, *tried.get(row, ()))
+        yield MistakePower(names[0], float(most[row]), row in tried, *tried.get(row, ()))
 
 
 def _tried(

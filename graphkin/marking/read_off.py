@@ -16,7 +16,7 @@ import numpy as np
 from graphkin.base.geometry import Value, cross
 from graphkin.base.value import frozen
 from graphkin.construction import Given, LayOff, Measure, Plane, Plot
-from graphkin.marking.asked import Arrows, Ends
+from graphkin.marking.asked import ArrowPlaces, Ends
 from graphkin.marking.follow_through import replay_with
 from graphkin.marking.graded import Drawn
 from graphkin.marking.handed import readable
@@ -52,13 +52,13 @@ class OffDrawing:
     no_sense: tuple[str, ...] = ()
 
 
-def read_off(method: Method, plot: Plot, arrows: Arrows, drawn: Drawn, wanted: Sequence[Quantity]) -> OffDrawing:
+def read_off(method: Method, plot: Plot, arrows: ArrowPlaces, drawn: Drawn, wanted: Sequence[Quantity]) -> OffDrawing:
     """What of the wanted quantities a drawing determines.
 
     plot   the right one, for the lengths of links
     drawn  points by plane and letter, SI, from any of them
     """
-    own = _Own(method, plot, drawn)
+    own = _OwnPoints(method, plot, drawn)
     rates = dict(own.rates())
     values = {quantity.text: own.value(quantity, rates, arrows) for quantity in wanted}
     whole = {text: value for text, value in values.items() if value is not None}
@@ -67,7 +67,7 @@ def read_off(method: Method, plot: Plot, arrows: Arrows, drawn: Drawn, wanted: S
 
 
 def pointing(
-    method: Method, plot: Plot, arrows: Arrows, drawn: Drawn, vectors: Mapping[Moving, complex],
+    method: Method, plot: Plot, arrows: ArrowPlaces, drawn: Drawn, vectors: Mapping[Moving, complex],
     written: Mapping[Rotation, float],
 ) -> dict[str, bool]:  # fmt: skip
     """By quantity, whether an arrow that is laid off points as it should: as in the right drawing, or as the student's
@@ -92,7 +92,7 @@ def _turning(method: Method, plot: Plot, drawn: Drawn, written: Mapping[Rotation
     base = {link: turn.base for link, turn in plot.facts.turns.items()}
     told = {(rotation.word, base.get(rotation.link)) for rotation in written}
     found = dict(written)
-    for (word, link), value in _Own(method, plot, drawn).rates():
+    for (word, link), value in _OwnPoints(method, plot, drawn).rates():
         rotation = readable(method.mechanism, f"{word} {link}")
         if math.isfinite(value) and isinstance(rotation, Rotation) and (word, base[link]) not in told:
             found[rotation] = value
@@ -123,7 +123,7 @@ def _laid(method: Method) -> set[Ends]:
 
 
 @frozen
-class _Own:
+class _OwnPoints:
     """A student's points, and the right lengths of links."""
 
     method: Method
@@ -173,7 +173,7 @@ class _Own:
                 return points.get(name, points.get(step.point))
         return points.get(name)
 
-    def value(self, quantity: Quantity, rates: Rates, arrows: Arrows) -> float | None:
+    def value(self, quantity: Quantity, rates: Rates, arrows: ArrowPlaces) -> float | None:
         """None of what the drawing does not determine."""
         match quantity:
             case Rotation():
@@ -200,7 +200,7 @@ class _Own:
             return None
         return float(facts.relative_rate(quantity.link, orders[quantity.word]))
 
-    def _vector(self, quantity: Moving, arrows: Arrows) -> complex | None:
+    def _vector(self, quantity: Moving, arrows: ArrowPlaces) -> complex | None:
         found = arrows.of(quantity)
         if found is None or (arrow := self.arrow(found[0])) is None:
             return None

@@ -40,7 +40,7 @@ class Edit:
 
 
 @frozen
-class Written:
+class RewrittenValue:
     """A handed-in value that is not what was read: so many times it, or another value instead.
 
     quantity  its text
@@ -67,7 +67,7 @@ class Rewrite:
     of: str
     form: str = ""
     edits: tuple[Edit, ...] = ()
-    asked: tuple[Written, ...] = ()
+    asked: tuple[RewrittenValue, ...] = ()
     way: str = ""
 
     @property

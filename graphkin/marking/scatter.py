@@ -10,12 +10,12 @@ import numpy as np
 from graphkin.base.geometry import Value
 from graphkin.base.value import frozen
 from graphkin.construction import Plot
-from graphkin.marking.asked import Arrows, arrows_of, asked, size_of
+from graphkin.marking.asked import ArrowPlaces, arrows_of, asked, size_of
 from graphkin.marking.hand import Hands, Redrawing
 from graphkin.marking.key import Sort
 from graphkin.marking.pencil import Pencil, PencilHand, drawn_positions
 from graphkin.marking.redrawing import redraw
-from graphkin.marking.rewrite import Mistaken, Rewrite, Written
+from graphkin.marking.rewrite import Mistaken, Rewrite, RewrittenValue
 from graphkin.marking.slips import Mark, Slips
 from graphkin.model.quantities import (
     Centre,
@@ -49,7 +49,7 @@ class Drawings:
     method: Method
     pencil: Pencil
     slips: Slips
-    arrows: Arrows
+    arrows: ArrowPlaces
     positions: Plot
     failed: float = 0.0
 
@@ -128,7 +128,7 @@ def _begun_again(method: Method, pencil: Pencil, slips: Slips, failed: float) ->
     return more.only(kept[: slips.count])
 
 
-def _written(quantity: Quantity, written: Written, values: np.ndarray) -> np.ndarray:
+def _written(quantity: Quantity, written: RewrittenValue, values: np.ndarray) -> np.ndarray:
     """What is handed in for values that were read: so many times them, or another value that scatters as they do."""
     if written.instead is not None:
         other = complex(written.factor * written.instead)

@@ -27,7 +27,7 @@ from graphkin.construction import (
     Step,
     Term,
 )
-from graphkin.marking.asked import Arrows, arrows_of
+from graphkin.marking.asked import ArrowPlaces, arrows_of
 from graphkin.marking.rewrite import Rewrite
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
@@ -52,7 +52,7 @@ class Scene:
     scales: Mapping[str, float] = field(default_factory=dict)
 
     @cached_property
-    def arrows(self) -> Arrows:
+    def arrows(self) -> ArrowPlaces:
         return arrows_of(self.method)
 
     @cached_property

@@ -9,8 +9,8 @@ import numpy as np
 
 from graphkin.construction import Plot
 from graphkin.marking.handed import readable
-from graphkin.marking.key import Entry
-from graphkin.marking.marked import Work
+from graphkin.marking.key import KeyEntry
+from graphkin.marking.marked import StudentWork
 from graphkin.marking.right_ways import OtherWay, other_ways
 from graphkin.model.quantities import Moving, Quantity, Rotation
 from graphkin.planning import Method
@@ -34,7 +34,7 @@ def same_answers(method: Method, plot: Plot, quantity: Quantity) -> tuple[str, .
     return tuple(way.quantity.text for way in same)
 
 
-def called_as_asked(work: Work, asked: Sequence[Entry], same: Mapping[str, Sequence[str]]) -> Work:
+def called_as_asked(work: StudentWork, asked: Sequence[KeyEntry], same: Mapping[str, Sequence[str]]) -> StudentWork:
     """With numbers under the key's names, where what is asked was handed in under another; `same` by asked text."""
     numbers, texts = dict(work.numbers), {entry.text for entry in asked}
     for entry in asked:

@@ -13,7 +13,7 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.marking.consequences import SAME, combined, rewrites
-from graphkin.marking.key import Entry, Marking, Name
+from graphkin.marking.key import KeyEntry, Marking, Name
 from graphkin.marking.making import asked_alone
 from graphkin.marking.verdicts import Columns, columns, columns_of, differences, upright
 from graphkin.planning import Method
@@ -50,7 +50,7 @@ def telling(method: Method, plot: Plot, marking: Marking) -> Telling:
     return replace(compared(entries, [one.name for one in found], values), failed=failed)
 
 
-def compared(entries: Sequence[Entry], names: Sequence[Name], values: np.ndarray) -> Telling:
+def compared(entries: Sequence[KeyEntry], names: Sequence[Name], values: np.ndarray) -> Telling:
     """What mistakes give for answers: values (mistakes, answers), NaN where one says nothing of an answer."""
     table = columns(entries)
     rows: list[int] = np.flatnonzero(np.isfinite(values).any(axis=1)).tolist()

@@ -21,7 +21,7 @@ LOOKED_AT = 6
 
 
 @frozen
-class Told:
+class Discriminability:
     """What one problem tells of mistakes.
 
     lost      how many mistakes it loses that its template can tell
@@ -49,7 +49,7 @@ class Always:
             self.same[np.ix_(at, at)] &= one.same
             self.still[at] &= one.still
 
-    def told(self, telling: Telling) -> Told:
+    def told(self, telling: Telling) -> Discriminability:
         """Of one problem; a mistake that none of the others had is always told from them."""
         same, still = self._of(telling)
         rivals, sets = telling.near & ~same, telling.near & same
@@ -61,7 +61,7 @@ class Always:
             for kind in dict.fromkeys(kinds)
             for of in (kinds == kind,)
         }
-        return Told(int(lost.sum()), counts, _pairs(telling.names, sets), _pairs(telling.names, rivals))
+        return Discriminability(int(lost.sum()), counts, _pairs(telling.names, sets), _pairs(telling.names, rivals))
 
     def _of(self, telling: Telling) -> tuple[np.ndarray, np.ndarray]:
         at = np.array([self.places.get(name, -1) for name in telling.names], dtype=int)
@@ -113,7 +113,7 @@ class SetTold:
 
 
 def set_told(
-    found: Sequence[Told], pencil: tuple[float, float], alarms: Sequence[tuple[float, float]] = ()
+    found: Sequence[Discriminability], pencil: tuple[float, float], alarms: Sequence[tuple[float, float]] = ()
 ) -> SetTold:
     """Of all problems together; `alarms` of some of them."""
     sums: dict[str, tuple[int, ...]] = {}

@@ -21,7 +21,7 @@ from graphkin.construction import (
     Turning,
 )
 from graphkin.marking.handed import readable
-from graphkin.marking.key import Entry, Key
+from graphkin.marking.key import Key, KeyEntry
 from graphkin.marking.making import DRAWINGS, drawings_of, pencil_of
 from graphkin.marking.pencil import called
 from graphkin.marking.scatter import Drawings, spread
@@ -53,7 +53,7 @@ class Tolerances:
     """
 
     key: Key
-    entries: tuple[Entry, ...]
+    entries: tuple[KeyEntry, ...]
     costs: tuple[Cost, ...]
     drawings: int
     failed: float

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.marking.key import Entry, Key
+from graphkin.marking.key import Key, KeyEntry
 
 _TURN = 2 * np.pi
 _SAME = 1e-6
@@ -32,7 +32,7 @@ class Columns:
     allowed: np.ndarray
 
 
-def columns(entries: Sequence[Entry]) -> Columns:
+def columns(entries: Sequence[KeyEntry]) -> Columns:
     """Entries as arrays."""
     right, scatter, tolerance, points, allowed = (
         np.array([getattr(entry, name) for entry in entries])

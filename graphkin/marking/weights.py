@@ -50,7 +50,7 @@ class Weighed:
     none: np.ndarray
 
 
-class Scale:
+class ScaledExplanations:
     """Explanations made ready to be weighed by those who hand in the same quantities.
 
     there   which of the key's quantities are handed in (all of them,); n of them
@@ -64,11 +64,11 @@ class Scale:
         self.rows = np.flatnonzero(visible(self.table, hypotheses.values[:, there]))
         self.shares = met + _shares(hypotheses.kinds[self.rows])
         chosen, usual = np.ix_(self.rows, there), key.together[np.ix_(there, there)]
-        own = None if hypotheses.together is None else _Own(hypotheses.together, self.rows, there)
+        own = None if hypotheses.together is None else _OwnScatter(hypotheses.together, self.rows, there)
         self._one = _Rows(self.table, hypotheses.values[chosen], hypotheses.scatters[chosen], usual, own)
         self._right = _Rows(self.table, self.table.right[None], self.table.scatter[None], usual)
 
-    def only(self, k: int) -> Scale:
+    def only(self, k: int) -> ScaledExplanations:
         """Of explanation k alone, met as often as here, and hit by chance as often as all are."""
         one = copy(self)
         one.rows, one.shares, one._one = self.rows[[k]], self.shares[[k]], self._one.only(k)
@@ -76,7 +76,7 @@ class Scale:
 
     def right_by(self, given: np.ndarray, ways: Hypotheses) -> np.ndarray:
         """The weights of right work by the likeliest of some ways (students,), their rows being right values."""
-        own = None if ways.together is None else _Own(ways.together, np.arange(len(ways.values)), self._there)
+        own = None if ways.together is None else _OwnScatter(ways.together, np.arange(len(ways.values)), self._there)
         values, scatters = ways.values[:, self._there], ways.scatters[:, self._there]
         rows = _Rows(self.table, values, scatters, self._right.usual, own)
         weights = rows.weigh(given, _nothing(self.table, given))[0]
@@ -153,7 +153,7 @@ def _turned(angles: np.ndarray) -> np.ndarray:
 
 
 @frozen
-class _Own:
+class _OwnScatter:
     """How values of some rows scatter together, by themselves: what is known of all quantities (.., n, n)."""
 
     known: np.ndarray
@@ -173,7 +173,12 @@ class _Rows:
     """
 
     def __init__(
-        self, table: Columns, values: np.ndarray, scatters: np.ndarray, usual: np.ndarray, own: _Own | None = None
+        self,
+        table: Columns,
+        values: np.ndarray,
+        scatters: np.ndarray,
+        usual: np.ndarray,
+        own: _OwnScatter | None = None,
     ) -> None:
         self.table, self.given, self.usual, self._own = table, (values, scatters), usual, own
         self.judged = np.isfinite(values) & np.isfinite(scatters)

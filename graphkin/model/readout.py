@@ -24,13 +24,13 @@ from graphkin.model.quantities import Quantity, named
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.units import measured
 
-__all__ = ["Readable", "State", "Table", "read_off"]
+__all__ = ["NamedValues", "Readable", "State", "read_off"]
 
 _TURNS = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s^2"}
 """Tables of links: the frame, by the name that it always has, stands still."""
 
 
-class Table(Mapping[str, Any]):
+class NamedValues(Mapping[str, Any]):
     """Values by the name of a link, a point or a slide; a name that is not there raises KeyError and says which are."""
 
     def __init__(self, owner: Readable, word: str) -> None:
@@ -89,40 +89,40 @@ class Readable:
         raise NotImplementedError
 
     @property
-    def theta(self) -> Table:
-        return Table(self, "theta")
+    def theta(self) -> NamedValues:
+        return NamedValues(self, "theta")
 
     @property
-    def omega(self) -> Table:
-        return Table(self, "omega")
+    def omega(self) -> NamedValues:
+        return NamedValues(self, "omega")
 
     @property
-    def alpha(self) -> Table:
-        return Table(self, "alpha")
+    def alpha(self) -> NamedValues:
+        return NamedValues(self, "alpha")
 
     @property
-    def s(self) -> Table:
-        return Table(self, "s")
+    def s(self) -> NamedValues:
+        return NamedValues(self, "s")
 
     @property
-    def position(self) -> Table:
-        return Table(self, "path")
+    def position(self) -> NamedValues:
+        return NamedValues(self, "path")
 
     @property
-    def x(self) -> Table:
-        return Table(self, "x")
+    def x(self) -> NamedValues:
+        return NamedValues(self, "x")
 
     @property
-    def y(self) -> Table:
-        return Table(self, "y")
+    def y(self) -> NamedValues:
+        return NamedValues(self, "y")
 
     @property
-    def v(self) -> Table:
-        return Table(self, "v")
+    def v(self) -> NamedValues:
+        return NamedValues(self, "v")
 
     @property
-    def a(self) -> Table:
-        return Table(self, "a")
+    def a(self) -> NamedValues:
+        return NamedValues(self, "a")
 
 
 @frozen

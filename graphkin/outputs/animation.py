@@ -16,9 +16,9 @@ from itertools import groupby
 
 from graphkin.outputs.paint import Ink
 from graphkin.outputs.spans import short
-from graphkin.outputs.svg import Pen, Ready
+from graphkin.outputs.svg import Ready, SvgPen
 from graphkin.sheet import Sheet
-from graphkin.sheet.marks import Arc, Disc, Mark, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import ArcMark, Disc, Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer
 
 SECONDS = 8.0
@@ -34,7 +34,7 @@ Row = list[Mark | None]
 def animation(frames: Sequence[Sheet], seconds: float = SECONDS, ink: Ink = "accent") -> str:
     """One SVG that goes through the sheets, and from the last to the first again."""
     first = frames[0]
-    pen = Pen(first, ink, metadata=True, moving=True)
+    pen = SvgPen(first, ink, metadata=True, moving=True)
     for number, layer in enumerate(first.layers):
         group = _moving(pen, layer, [frame.layers[number].marks for frame in frames], seconds)
         if len(group):
@@ -42,7 +42,7 @@ def animation(frames: Sequence[Sheet], seconds: float = SECONDS, ink: Ink = "acc
     return '<?xml version="1.0" encoding="utf-8"?>\n' + str(pen.drawing.tostring()) + "\n"
 
 
-def _moving(pen: Pen, layer: Layer, frames: Sequence[Sequence[Mark]], seconds: float) -> ET.Element:
+def _moving(pen: SvgPen, layer: Layer, frames: Sequence[Sequence[Mark]], seconds: float) -> ET.Element:
     """A layer's marks; neighbours in one paint share it."""
     whole = ET.Element("g")
     painted = [(_paint(pen, layer, row), row) for row in _rows(frames)]
@@ -53,7 +53,7 @@ def _moving(pen: Pen, layer: Layer, frames: Sequence[Sequence[Mark]], seconds: f
     return whole
 
 
-def _paint(pen: Pen, layer: Layer, row: Row) -> tuple[tuple[str, str], ...]:
+def _paint(pen: SvgPen, layer: Layer, row: Row) -> tuple[tuple[str, str], ...]:
     return pen.colours.paint(layer, next(mark for mark in row if mark is not None))
 
 
@@ -93,7 +93,7 @@ def _kind(mark: Mark) -> Key:
             return "stroke", mark.pen, mark.fill, mark.closed, mark.shows, len(mark.places), mark.accent
         case Disc():
             return "disc", mark.pen, mark.fill, mark.shows, mark.accent
-        case Arc():
+        case ArcMark():
             return "arc", mark.pen, abs(mark.sweep) > 3.14, mark.sweep > 0, mark.accent
         case Text():
             return "text", mark.label, mark.size, mark.accent
@@ -124,7 +124,7 @@ def _nearest(mark: Stroke, before: Sequence[complex]) -> tuple[complex, ...]:
 # --- elements ---------------------------------------------------------------------------------
 
 
-def _element(pen: Pen, layer: Layer, row: Row, seconds: float) -> ET.Element:
+def _element(pen: SvgPen, layer: Layer, row: Row, seconds: float) -> ET.Element:
     """A mark as it is first, with what of it changes."""
     shown = [mark is not None for mark in row]
     there = _filled(row)

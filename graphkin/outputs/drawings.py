@@ -17,7 +17,7 @@ from graphkin.sheet import Sheet
 
 
 @frozen
-class Picture:
+class DrawingSource:
     """What a format is made of: the sheet; for a GeoGebra file, what the sheet shows."""
 
     sheet: Sheet
@@ -28,37 +28,37 @@ class Picture:
     ink: Ink = "accent"
 
 
-def _svg(picture: Picture) -> bytes:
+def _svg(picture: DrawingSource) -> bytes:
     from graphkin.outputs.svg import svg
 
     return svg(picture.sheet, picture.ink).encode()
 
 
-def _pdf(picture: Picture) -> bytes:
+def _pdf(picture: DrawingSource) -> bytes:
     from graphkin.outputs.paged import pdf
 
     return pdf(picture.sheet, picture.lang, picture.ink)
 
 
-def _png(picture: Picture) -> bytes:
+def _png(picture: DrawingSource) -> bytes:
     from graphkin.outputs.paged import png
 
     return png(picture.sheet, picture.dpi, picture.ink)
 
 
-def _dxf(picture: Picture) -> bytes:
+def _dxf(picture: DrawingSource) -> bytes:
     from graphkin.outputs.dxf import dxf
 
     return dxf(picture.sheet)
 
 
-def _tikz(picture: Picture) -> bytes:
+def _tikz(picture: DrawingSource) -> bytes:
     from graphkin.outputs.tikz import tikz
 
     return tikz(picture.sheet, picture.ink).encode()
 
 
-def _ggb(picture: Picture) -> bytes:
+def _ggb(picture: DrawingSource) -> bytes:
     from graphkin.outputs.geogebra import ggb
 
     return ggb(picture.method, picture.plot, picture.sheet.scales, picture.lang)
@@ -77,7 +77,7 @@ def _moving_png(sheets: Sequence[Sheet], dpi: float, ink: Ink) -> bytes:
     return moving_png(sheets, dpi, SECONDS, ink)
 
 
-WRITERS: Mapping[str, Callable[[Picture], bytes]] = {
+WRITERS: Mapping[str, Callable[[DrawingSource], bytes]] = {
     ".svg": _svg, ".pdf": _pdf, ".png": _png, ".dxf": _dxf, ".ggb": _ggb, ".tex": _tikz,
 }  # fmt: skip
 """By the file's ending."""

@@ -13,7 +13,7 @@ from typing import Any, assert_never
 from graphkin.outputs.extras import needed
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import Label, box
-from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
 
 MARK = b"graphkin sheet"
@@ -40,7 +40,7 @@ def dxf(sheet: Sheet) -> bytes:
         for name, colour in _LAYERS.items():
             if name:
                 document.layers.add(name, color=colour)
-        _Page(document.modelspace(), sheet).draw()
+        _DxfPage(document.modelspace(), sheet).draw()
         for name in sorted(document.entitydb.dxf_types_in_use()):  # else in an order that changes
             document.classes.add_class(name)
         held = io.StringIO()
@@ -50,7 +50,7 @@ def dxf(sheet: Sheet) -> bytes:
     return held.getvalue().encode(document.output_encoding)
 
 
-class _Page:
+class _DxfPage:
     """The marks of one sheet, painted into a space of the document."""
 
     def __init__(self, space: Any, sheet: Sheet) -> None:
@@ -69,7 +69,7 @@ class _Page:
             case Disc():
                 look = self._look(mark.pen, mark.shows.plane if mark.shows is not None else "")
                 self.space.add_circle(self._xy(mark.centre), mark.radius, dxfattribs=look)
-            case Arc():
+            case ArcMark():
                 start, end = -math.degrees(mark.start), -math.degrees(mark.start + mark.sweep)
                 if mark.sweep > 0:
                     start, end = end, start

@@ -19,7 +19,7 @@ SHOWN = 8
 """Rows at either end of a table in a notebook."""
 
 
-class Sweep(sweeps.Sweep):
+class SweepFrames(sweeps.Sweep):
     __doc__ = sweeps.Sweep.__doc__
 
     def columns(self, si: bool = False) -> dict[str, np.ndarray]:
@@ -97,6 +97,6 @@ def _in_si(sweep: sweeps.Sweep) -> dict[str, np.ndarray]:
     return found
 
 
-def framed(sweep: sweeps.Sweep) -> Sweep:
+def framed(sweep: sweeps.Sweep) -> SweepFrames:
     """The same sweep, as programs and notebooks take it."""
-    return Sweep(**vars(sweep))
+    return SweepFrames(**vars(sweep))

@@ -11,7 +11,7 @@ from typing import Any, cast, get_args
 import numpy as np
 
 from graphkin.errors import BadKey, Where
-from graphkin.marking.key import Doubt, Entry, Hypotheses, Key, Marking, Name, Sort, Step
+from graphkin.marking.key import Doubt, Hypotheses, Key, KeyEntry, KeyStep, Marking, Name, Sort
 
 FORMAT, KIND = 1, "graphkin key"
 _DEEP = "nested too deep"
@@ -64,8 +64,8 @@ def key_data(key: Key) -> Json:
     }  # fmt: skip
 
 
-def _entry(entry: Entry) -> Json:
-    return {name: getattr(entry, name) for name in Entry.__match_args__ if name != "doubt" or entry.doubt}
+def _entry(entry: KeyEntry) -> Json:
+    return {name: getattr(entry, name) for name in KeyEntry.__match_args__ if name != "doubt" or entry.doubt}
 
 
 def _hanging(mistakes: Hypotheses) -> list[dict[str, str]]:
@@ -98,7 +98,7 @@ def key_of(text: str, where: Where) -> Key:
     except ValueError as problem:
         raise BadKey(where, str(problem)) from None
     try:
-        return _Reader(where).key(data)
+        return _KeyReader(where).key(data)
     except (KeyError, TypeError, ValueError, OverflowError, AttributeError) as problem:
         raise BadKey(where, f"{type(problem).__name__}: {problem}"[:200]) from None
 
@@ -107,7 +107,7 @@ def _refused(constant: str) -> float:
     raise ValueError(f"{constant} is no number")
 
 
-class _Reader:
+class _KeyReader:
     """Takes plain data apart; whatever is not as it should be raises."""
 
     def __init__(self, where: Where) -> None:
@@ -131,7 +131,7 @@ class _Reader:
             tuple(self.key(item) for item in data.get("positions", ())),
         )  # fmt: skip
 
-    def _entry(self, item: Json) -> Entry:
+    def _entry(self, item: Json) -> KeyEntry:
         what = f"quantities: {item['text']}"
         self._require(isinstance(item["text"], str) and item["sort"] in ("sense", "size", "angle"), what)
         right, scatter, tolerance, points = (
@@ -140,7 +140,7 @@ class _Reader:
         self._require(scatter > 0 and tolerance >= 0 and points >= 0 and isinstance(item["unit"], str), what)
         doubt = item.get("doubt", "")
         self._require(doubt in get_args(Doubt), what)
-        return Entry(item["text"], item["unit"], cast(Sort, item["sort"]), right, scatter, tolerance, points, doubt)
+        return KeyEntry(item["text"], item["unit"], cast(Sort, item["sort"]), right, scatter, tolerance, points, doubt)
 
     def _marking(self, item: Json) -> Marking:
         planes = ("position", "velocity", "acceleration")
@@ -174,8 +174,8 @@ class _Reader:
             table[rows, columns] = table[columns, rows] = values
         return table
 
-    def _step(self, item: Json) -> Step:
-        return Step(str(item["plane"]), *(tuple(map(str, item[name])) for name in ("left", "right", "gives")))
+    def _step(self, item: Json) -> KeyStep:
+        return KeyStep(str(item["plane"]), *(tuple(map(str, item[name])) for name in ("left", "right", "gives")))
 
     def _table(self, rows: list[list[float | None]], count: int) -> np.ndarray:
         """(rows, count); None is NaN."""

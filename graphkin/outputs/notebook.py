@@ -6,12 +6,12 @@ from graphkin.outputs.svg import svg
 from graphkin.sheet import Sheet
 
 
-class Shown(Sheet):
+class NotebookSheet(Sheet):
     """A sheet that a notebook shows as its SVG."""
 
     def _repr_svg_(self) -> str:
         return svg(self)
 
 
-def shown(sheet: Sheet) -> Shown:
-    return Shown(**vars(sheet))
+def shown(sheet: Sheet) -> NotebookSheet:
+    return NotebookSheet(**vars(sheet))

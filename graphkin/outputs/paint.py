@@ -8,7 +8,7 @@ from typing import Literal
 from graphkin.base.value import frozen
 from graphkin.outputs.spans import mm
 from graphkin.sheet import Sheet
-from graphkin.sheet.marks import Arc, Disc, Fill, Mark, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import ArcMark, Disc, Fill, Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer
 from graphkin.sheet.paper import PENS, PenName
 
@@ -52,14 +52,14 @@ class Colours:
         return tuple(found.items())
 
 
-def _fill_of(mark: Stroke | Disc | Arc | VectorMark | PointMark) -> Fill:
+def _fill_of(mark: Stroke | Disc | ArcMark | VectorMark | PointMark) -> Fill:
     """In a detail an arrow's head is part of its outline."""
     if isinstance(mark, VectorMark):
         return "ink" if mark.plane == "detail" else "none"
-    return "none" if isinstance(mark, Arc) else mark.fill
+    return "none" if isinstance(mark, ArcMark) else mark.fill
 
 
-def _pen_of(mark: Stroke | Disc | Arc | VectorMark | PointMark) -> PenName:
+def _pen_of(mark: Stroke | Disc | ArcMark | VectorMark | PointMark) -> PenName:
     if isinstance(mark, PointMark):
         return "outline" if mark.fill == "paper" else "construction"
     return mark.pen

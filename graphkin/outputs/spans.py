@@ -40,7 +40,7 @@ def _bare(value: float, text: str) -> str:
 
 
 @frozen
-class Span:
+class LetterSpan:
     """Letters of one script and style; where they begin, and how large they are [mm]."""
 
     text: str
@@ -63,9 +63,9 @@ def _is_chinese(letter: str) -> bool:
     return is_wide(letter) or (letter in _SIGNS and letter != "")
 
 
-def runs(mark: Text) -> list[Span]:
+def runs(mark: Text) -> list[LetterSpan]:
     """The letters of a text. Spaces end a span and never begin one: some viewers drop those."""
-    found: list[Span] = []
+    found: list[LetterSpan] = []
     for run, start, drop in scripts(mark.label, mark.size):
         size = run_size(run, mark.size)
         for text in _of_one_script(run.text):
@@ -76,7 +76,9 @@ def runs(mark: Text) -> list[Span]:
             at = mark.at + complex(start + advance(spaces, run.italic) * size, drop)
             letters = _DOTTED.get(bare, [bare])
             over = (complex(k * _OVER * size) for k in range(len(letters)))
-            found += [Span(each, at + aside, size, run.italic, run.bold) for each, aside in zip(letters, over) if each]
+            found += [
+                LetterSpan(each, at + aside, size, run.italic, run.bold) for each, aside in zip(letters, over) if each
+            ]
             start += run_width(run._replace(text=text), mark.size) if text != run.text else 0.0
     return found
 

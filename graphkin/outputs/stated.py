@@ -10,7 +10,7 @@ from typing import assert_never
 from graphkin.base.checksum import seal
 from graphkin.outputs.spans import lettered
 from graphkin.sheet import Sheet
-from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark
+from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark
 from graphkin.sheet.scales import KEYS
 
 
@@ -102,7 +102,7 @@ def _ends(mark: Mark) -> tuple[Place, Place]:
             return corners[0], corners[len(corners) // 2]
         case Disc(centre=at, radius=radius) | PointMark(at=at, radius=radius):
             return at + radius, at
-        case Arc():
+        case ArcMark():
             start, end = (mark.centre + cmath.rect(mark.radius, mark.start + turn) for turn in (0.0, mark.sweep))
             return start, (start + end) / 2 - mark.radius * (1 + 1j)
         case VectorMark():

@@ -24,7 +24,7 @@ from graphkin.outputs.stated import kind, stated, statement
 from graphkin.sheet import Sheet
 from graphkin.sheet.composed import HEADINGS
 from graphkin.sheet.lettering import Label
-from graphkin.sheet.marks import Arc, Disc, Half, Mark, Place, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import ArcMark, Disc, Half, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer
 from graphkin.sheet.scales import written
 
@@ -71,7 +71,7 @@ def inline(sheet: Sheet) -> str:
 
 def _drawn(sheet: Sheet, ink: Ink, metadata: bool) -> str:
     _refuse_control(sheet.title, sheet.mechanism.file)
-    pen = Pen(sheet, ink, metadata)
+    pen = SvgPen(sheet, ink, metadata)
     for layer in sheet.layers:
         pen.layer(layer)
     return _written(pen.drawing.get_xml())
@@ -104,7 +104,7 @@ def _xy(place: Place) -> tuple[str, str]:
 # --- elements ---------------------------------------------------------------------------------
 
 
-class Pen:
+class SvgPen:
     """One drawing in the making. Marks of one layer that follow one another in one paint share it in a group."""
 
     def __init__(self, sheet: Sheet, ink: Ink, metadata: bool, moving: bool = False) -> None:
@@ -158,7 +158,7 @@ class Pen:
                 return _stroke(mark)
             case Disc():
                 return _circle(mark.centre, mark.radius)
-            case Arc():
+            case ArcMark():
                 return _arc(mark)
             case VectorMark(plane="detail"):
                 return "path", {"d": _pointed(mark)}, ""
@@ -231,7 +231,7 @@ def _stroke(mark: Stroke) -> Form:
     return "path", {"d": "M" + corners + ("Z" if mark.closed else "")}, ""
 
 
-def _arc(mark: Arc) -> Form:
+def _arc(mark: ArcMark) -> Form:
     start = mark.centre + cmath.rect(mark.radius, mark.start)
     end = mark.centre + cmath.rect(mark.radius, mark.start + mark.sweep)
     flags = f"{int(abs(mark.sweep) > math.pi)} {int(mark.sweep > 0)}"

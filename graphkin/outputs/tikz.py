@@ -12,7 +12,7 @@ from typing import assert_never
 from graphkin.outputs.paint import Colours, Ink
 from graphkin.outputs.tex_words import tex_words
 from graphkin.sheet import Sheet
-from graphkin.sheet.marks import Arc, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import ArcMark, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
 
 MARK = b"% graphkin sheet"
@@ -79,7 +79,7 @@ def _mark(mark: Mark) -> Iterator[str]:
             yield rf"\draw[{_pen(mark.pen, mark.fill)}] {ends};"
         case Disc():
             yield rf"\draw[{_pen(mark.pen, mark.fill)}] {_place(mark.centre)} circle[radius={_mm(mark.radius)}];"
-        case Arc():
+        case ArcMark():
             start = mark.centre + mark.radius * complex(math.cos(mark.start), math.sin(mark.start))
             turn = f"start angle={_mm(math.degrees(mark.start))}, delta angle={_mm(math.degrees(mark.sweep))}"
             yield rf"\draw[{_pen(mark.pen)}] {_place(start)} arc[{turn}, radius={_mm(mark.radius)}];"

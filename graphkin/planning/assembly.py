@@ -19,7 +19,7 @@ from graphkin.errors import AmbiguousSketch, CannotAssemble, DeadPoint
 from graphkin.model.naming import spelled
 from graphkin.planning.branch_search import BETWEEN, DeadEnd, branches, told_slides
 from graphkin.planning.branches import Branches
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 
 DEAD_DEG = 0.5
 """Lines that meet under less than this give no usable drawing [deg]."""
@@ -35,7 +35,7 @@ class Assembly:
 
 
 def assemble(
-    structure: Structure, construction: Construction, choices: int, facts: Facts, known: Mapping[str, float]
+    structure: Topology, construction: Construction, choices: int, facts: Facts, known: Mapping[str, float]
 ) -> Assembly:
     """The assembly that the sketch means.
 
@@ -52,7 +52,7 @@ def assemble(
     return Assembly(tuple(int(side) for side in sides), drawn)
 
 
-def _nearest(structure: Structure, found: Branches) -> int:
+def _nearest(structure: Topology, found: Branches) -> int:
     """The assembly nearest to the sketch; raises where the sketch lies between two."""
     if found.count == 1:
         return 0
@@ -92,7 +92,7 @@ def _at(value: Value, k: int) -> complex:
     return complex(value[k] if np.ndim(value) else value)
 
 
-def _by_custom(structure: Structure, plot: Plot, first: int, second: int) -> int:
+def _by_custom(structure: Topology, plot: Plot, first: int, second: int) -> int:
     """Assemblies that the sketch cannot tell apart: more positive displacements win, of the file's own slides."""
     told = [plot.s[name] for name in told_slides(structure)]
     score = [sum(float(np.sign(_at(value, k).real)) for value in told) for k in (first, second)]
@@ -101,7 +101,7 @@ def _by_custom(structure: Structure, plot: Plot, first: int, second: int) -> int
     return first if score[0] > score[1] else second
 
 
-def _ambiguous(structure: Structure, plot: Plot, first: int, second: int) -> AmbiguousSketch:
+def _ambiguous(structure: Topology, plot: Plot, first: int, second: int) -> AmbiguousSketch:
     """The points that would tell the two assemblies apart, each with its two places."""
     mechanism, size = structure.mechanism, _size(plot, first)
     places = {
@@ -124,7 +124,7 @@ def _millimetres(place: complex, size: float) -> str:
 # --- positions that are none ------------------------------------------------------------------
 
 
-def refuse_bad_positions(structure: Structure, construction: Construction, plot: Plot) -> None:
+def refuse_bad_positions(structure: Topology, construction: Construction, plot: Plot) -> None:
     """A single position that does not close, or is a dead point, raises; arrays pass, with NaN in them."""
     if any(isinstance(value, np.ndarray) and value.ndim for value in plot.position.values()):
         return
@@ -135,7 +135,7 @@ def refuse_bad_positions(structure: Structure, construction: Construction, plot:
     refuse_open(structure, plot, CLOSED)
 
 
-def refuse_open(structure: Structure, plot: Plot, part: float) -> None:
+def refuse_open(structure: Topology, plot: Plot, part: float) -> None:
     """A link that repeats a constraint must fit it to a part of the mechanism's size."""
     size = extent(plot)
     link, gap = _open_link(structure, plot, size)
@@ -158,7 +158,7 @@ def _crossings(construction: Construction) -> Iterator[tuple[Meet | Swing | Fit,
             yield step, step.name
 
 
-def _refusal(structure: Structure, construction: Construction, plot: Plot) -> CannotAssemble | DeadPoint:
+def _refusal(structure: Topology, construction: Construction, plot: Plot) -> CannotAssemble | DeadPoint:
     """Of the crossing at which no branch is left; before all of them, of a cylinder driven back too far."""
     last = None
     for step, key in _crossings(construction):
@@ -169,7 +169,7 @@ def _refusal(structure: Structure, construction: Construction, plot: Plot) -> Ca
     return _driven_back(structure, plot) if last is None else _refusal_at(structure, *last, plot)
 
 
-def _driven_back(structure: Structure, plot: Plot) -> CannotAssemble:
+def _driven_back(structure: Topology, plot: Plot) -> CannotAssemble:
     """The slide that is the least drawn out, of those drawn so far."""
     mechanism = structure.mechanism
     slide = structure.slides[min(plot.s, key=lambda name: float(np.min(plot.s[name])))]
@@ -179,7 +179,7 @@ def _driven_back(structure: Structure, plot: Plot) -> CannotAssemble:
     return CannotAssemble(mechanism.where("driver", driver), called, abs(float(np.min(plot.s[slide.name]))) * 1000)
 
 
-def _refusal_at(structure: Structure, step: Meet | Swing | Fit, key: str, plot: Plot) -> CannotAssemble | DeadPoint:
+def _refusal_at(structure: Topology, step: Meet | Swing | Fit, key: str, plot: Plot) -> CannotAssemble | DeadPoint:
     mechanism, links = structure.mechanism, links_of(structure, step)
     where = mechanism.where("links", *[link for link in links if structure.is_link(link)][-1:])
     from graphkin.planning.far_sketch import cannot_assemble
@@ -203,7 +203,7 @@ def extent(plot: Plot) -> float:
     return max(float(abs(value - placed[0])) for value in placed) if placed else 1.0
 
 
-def _open_link(structure: Structure, plot: Plot, size: float) -> tuple[str, float]:
+def _open_link(structure: Topology, plot: Plot, size: float) -> tuple[str, float]:
     """The link whose points fit its shape least, and by how much [m], in a mechanism of this size.
 
     Only a link that repeats a constraint can fail so; every other has been drawn from its shape.
@@ -229,7 +229,7 @@ def _open_link(structure: Structure, plot: Plot, size: float) -> tuple[str, floa
     return worst
 
 
-def links_of(structure: Structure, step: Meet | Swing | Fit) -> list[str]:
+def links_of(structure: Topology, step: Meet | Swing | Fit) -> list[str]:
     """The links whose reach, or whose guide, a crossing is about."""
     if isinstance(step, Swing):
         pair = structure.slides[step.slide]
@@ -247,7 +247,7 @@ def links_of(structure: Structure, step: Meet | Swing | Fit) -> list[str]:
     return list(found)
 
 
-def _of_span(structure: Structure, span: Span) -> list[str]:
+def _of_span(structure: Topology, span: Span) -> list[str]:
     return [part.link if isinstance(part, Arm) else structure.slides[part.slide].guide for part in span.parts]
 
 

@@ -25,7 +25,7 @@ from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Slide
 from graphkin.planning.branches import Branches
 from graphkin.planning.starts import Starts
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 
 WIDTHS = (1, 8, 64)
 """Branches kept while a first assembly is looked for."""
@@ -44,31 +44,31 @@ class DeadEnd(Exception):
 
 
 @frozen
-class Block:
+class SearchBlock:
     """A step that leaves several possibilities, None before the first of them, and all that follows from it."""
 
     opening: Meet | Swing | Fit | None
     rest: tuple[Step, ...]
 
 
-def blocks_of(construction: Construction) -> tuple[Block, ...]:
+def blocks_of(construction: Construction) -> tuple[SearchBlock, ...]:
     """The blocks of a position construction in order."""
-    blocks, rest, opening = list[Block](), list[Step](), None
+    blocks, rest, opening = list[SearchBlock](), list[Step](), None
     for step in construction.steps:
         if isinstance(step, Fit) or (isinstance(step, Meet | Swing) and step.choice is not None):
-            blocks.append(Block(opening, tuple(rest)))
+            blocks.append(SearchBlock(opening, tuple(rest)))
             opening, rest = step, []
         else:
             rest.append(step)
-    return (*blocks, Block(opening, tuple(rest)))
+    return (*blocks, SearchBlock(opening, tuple(rest)))
 
 
-def branches(structure: Structure, construction: Construction, facts: Facts, known: Mapping[str, float]) -> Branches:
+def branches(structure: Topology, construction: Construction, facts: Facts, known: Mapping[str, float]) -> Branches:
     """Every assembly that the sketch may mean, one at least. Raises DeadEnd.
 
     known  angles and displacements where the drawn position has them already
     """
-    search = _Search(structure, construction, facts, known)
+    search = _BranchSearch(structure, construction, facts, known)
     found, nearest = search.first(), np.inf
     if search.alone(found):
         return found
@@ -90,9 +90,9 @@ class _Bound:
     rounding: float
 
 
-class _Search:
+class _BranchSearch:
     def __init__(
-        self, structure: Structure, construction: Construction, facts: Facts, known: Mapping[str, float]
+        self, structure: Topology, construction: Construction, facts: Facts, known: Mapping[str, float]
     ) -> None:
         self.structure, self.facts, self.known = structure, facts, known
         self.sketch = structure.mechanism.sketch
@@ -100,7 +100,7 @@ class _Search:
         self.blocks = list(blocks_of(construction))
         last = self.blocks[-1]
         self.late = _late(last)
-        self.blocks[-1] = Block(last.opening, last.rest[: len(last.rest) - len(self.late)])
+        self.blocks[-1] = SearchBlock(last.opening, last.rest[: len(last.rest) - len(self.late)])
         self.starts = Starts(structure)
         self.left: list[Branches] = []
 
@@ -148,7 +148,7 @@ class _Search:
 
     # --- one block ----------------------------------------------------------------------------
 
-    def _opened(self, here: Branches, block: Block, spare: float) -> Branches:
+    def _opened(self, here: Branches, block: SearchBlock, spare: float) -> Branches:
         """Both ways on at a crossing; of a group every assembly that fits."""
         match block.opening:
             case None:
@@ -255,12 +255,12 @@ def _places(here: Branches, points: Sequence[str]) -> np.ndarray:
     return table
 
 
-def _is_cylinder(structure: Structure, slide: Slide) -> bool:
+def _is_cylinder(structure: Topology, slide: Slide) -> bool:
     """Whether a slide's guide is a moving link of one point, which is its own line."""
     return slide.guide != FRAME and len(structure.bodies[slide.guide]) == 1 and slide.line.on_axis
 
 
-def _late(block: Block) -> list[Measure]:
+def _late(block: SearchBlock) -> list[Measure]:
     """Displacements that a construction measures at its very end."""
     late: list[Measure] = []
     for step in reversed(block.rest):
@@ -270,6 +270,6 @@ def _late(block: Block) -> list[Measure]:
     return late
 
 
-def told_slides(structure: Structure) -> list[str]:
+def told_slides(structure: Topology) -> list[str]:
     """Slides that the file speaks of, not those of an equivalent."""
     return [name for name, pair in structure.slides.items() if pair.stands_for is None]

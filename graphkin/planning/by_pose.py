@@ -15,7 +15,7 @@ from graphkin.planning.equivalent import lower_pairs
 from graphkin.planning.method import Method
 
 if TYPE_CHECKING:
-    from graphkin.planning.drawn_position import Placement
+    from graphkin.planning.drawn_position import DrawnPlacement
 
 
 def by_pose(method: Method, plot: Plot) -> tuple[Method, Plot] | None:
@@ -40,13 +40,13 @@ def shown(method: Method, plot: Plot) -> tuple[Method, Plot]:
 
 
 @kept(4)
-def _placement(method: Method) -> Placement:
+def _placement(method: Method) -> DrawnPlacement:
     from graphkin.planning.drawn_position import placement
 
     return placement(method.mechanism, lower_pairs(method.mechanism), method.aside)
 
 
-def _construction(method: Method, placed: Placement) -> Construction:
+def _construction(method: Method, placed: DrawnPlacement) -> Construction:
     """With the points of contact, and the special points, of the method's own."""
     own, nodes = method.position, placed.construction.nodes
     more = tuple(part for part in own.parts if _further(part, method))

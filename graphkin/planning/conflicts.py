@@ -10,9 +10,9 @@ from graphkin.base.tolerances import CLOSED, RANK
 from graphkin.base.value import frozen
 from graphkin.errors import NotRepeated
 from graphkin.model.naming import named
-from graphkin.planning.constraint_jacobian import Array, Restraints, Row, Rows, settled
+from graphkin.planning.constraint_jacobian import Array, ConstraintRow, ConstraintRows, Restraints, settled
 from graphkin.planning.ranks import beside, drawn_place, open_by, rank
-from graphkin.planning.redundancy import Candidates, SetAside, over
+from graphkin.planning.redundancy import PairEquations, SetAside, over
 
 _MISSED = 1e-8
 """A gap of more than this contradicts [size, rad]."""
@@ -28,10 +28,10 @@ _RIGID = 0.2
 class Contradictions:
     """What of some constraints does not agree with the others."""
 
-    candidates: Candidates
+    candidates: PairEquations
     restraints: Restraints
 
-    def near(self, rows: Rows) -> list[SetAside]:
+    def near(self, rows: ConstraintRows) -> list[SetAside]:
         """The constraint that leaves the drivers no freedom though it all but repeats others."""
         freedoms = rows.slopes.shape[1] - rank(rows.slopes) - len(self.restraints.structure.idle)
         if freedoms >= len(self.restraints.structure.mechanism.drivers):
@@ -108,7 +108,7 @@ class Contradictions:
         if _MISSED < gap < np.inf:
             raise self._refusal(link, gap * self.restraints.size * 1e3, "mm", self.restraints.rows(q))
 
-    def _astray(self, each: SetAside, q: Array, rows: Rows) -> float:
+    def _astray(self, each: SetAside, q: Array, rows: ConstraintRows) -> float:
         """The angle between a line and the way of its point; of anything else, how far it is from following [deg]."""
         slide, rows = self.restraints.structure.slides.get(each.rows[0].name), rows.without(_driving(rows))
         if slide is None or each.rows[0].kind != "line":
@@ -121,11 +121,11 @@ class Contradictions:
         speed = max(abs(self.restraints.place(*end, q)[1] @ move) for end in ends)
         return float(np.degrees(np.arcsin(min(1.0, across @ across / speed))))
 
-    def _refusal(self, each: SetAside, off: float, unit: str, rows: Rows) -> NotRepeated:
+    def _refusal(self, each: SetAside, off: float, unit: str, rows: ConstraintRows) -> NotRepeated:
         m, others = self.candidates.mechanism, self.candidates.holding(each, rows, rows.without(each.rows))
         held = tuple(named(m, pair) for pair in others if pair != each.pair)
         return NotRepeated(m.where(*each.pair), named(m, each.pair), held, off, unit)
 
 
-def _driving(rows: Rows) -> list[Row]:
+def _driving(rows: ConstraintRows) -> list[ConstraintRow]:
     return [row for row in rows.labels if row.kind == "given"]

@@ -18,7 +18,7 @@ from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Slide
 from graphkin.planning.equivalent import Contact
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Gradient = np.ndarray[Any, np.dtype[np.complex128]]
@@ -27,7 +27,7 @@ _ROUNDS = 80
 
 
 @frozen
-class Row:
+class ConstraintRow:
     """Whose equation a row is.
 
     kind  "hinge" of a point and a body, "line" or "angle" of a slide, "slip" of a contact, "given" of a driver or pose
@@ -39,27 +39,27 @@ class Row:
 
 
 @frozen
-class Rows:
+class ConstraintRows:
     """Equations at a place: what is left open (k,), and its slopes (k, 3n); lengths in units of size."""
 
-    labels: tuple[Row, ...]
+    labels: tuple[ConstraintRow, ...]
     open: Array
     slopes: Array
 
-    def only(self, labels: Sequence[Row]) -> Array:
+    def only(self, labels: Sequence[ConstraintRow]) -> Array:
         """The slopes of some of them."""
         return self.slopes[[k for k, label in enumerate(self.labels) if label in labels]]
 
-    def without(self, labels: Sequence[Row]) -> Rows:
+    def without(self, labels: Sequence[ConstraintRow]) -> ConstraintRows:
         kept = [k for k, label in enumerate(self.labels) if label not in labels]
-        return Rows(tuple(self.labels[k] for k in kept), self.open[kept], self.slopes[kept])
+        return ConstraintRows(tuple(self.labels[k] for k in kept), self.open[kept], self.slopes[kept])
 
 
 @frozen
 class Restraints:
     """The equations of a structure; `given` are the drivers and poses that hold at the drawn position."""
 
-    structure: Structure
+    structure: Topology
     given: tuple[Driver, ...]
 
     @cached_property
@@ -73,38 +73,40 @@ class Restraints:
         radii = [abs(radius) for contact in self.structure.contacts for radius in contact.radii]
         return max([*arms, *radii], default=0.0) or 1.0
 
-    def rows(self, q: Array, start: Array | None = None) -> Rows:
+    def rows(self, q: Array, start: Array | None = None) -> ConstraintRows:
         """All equations at q (3n,); rolling counts from `start`, which is q itself where it is left out."""
         found = list(self._rows(q, q if start is None else start))
         labels = tuple(label for label, _, _ in found)
         width = len(self.bodies) * 3
-        return Rows(labels, np.array([gap for _, gap, _ in found]), np.array([g for *_, g in found]).reshape(-1, width))
+        return ConstraintRows(
+            labels, np.array([gap for _, gap, _ in found]), np.array([g for *_, g in found]).reshape(-1, width)
+        )
 
-    def _rows(self, q: Array, start: Array) -> Iterator[tuple[Row, float, Array]]:
+    def _rows(self, q: Array, start: Array) -> Iterator[tuple[ConstraintRow, float, Array]]:
         yield from self._hinges(q)
         for slide in self.structure.mechanism.slides:
             across, slope = self.along(slide, q)
-            yield Row("line", slide.name), across.imag, slope.imag
+            yield ConstraintRow("line", slide.name), across.imag, slope.imag
             if slide.block is not None:
                 gap, turn = self._angle(slide.block, q)
                 back, turned = self._angle(slide.guide, q)
-                yield Row("angle", slide.name), wrapped(gap - back - slide.turn), turn - turned
+                yield ConstraintRow("angle", slide.name), wrapped(gap - back - slide.turn), turn - turned
         for contact in self.structure.contacts:
-            yield Row("slip", contact.name), *self._slip(contact, q, start)
+            yield ConstraintRow("slip", contact.name), *self._slip(contact, q, start)
         for k, driver in enumerate(self.given):
-            yield Row("given", str(k)), *self._given(driver, q)
+            yield ConstraintRow("given", str(k)), *self._given(driver, q)
 
-    def _hinges(self, q: Array) -> Iterator[tuple[Row, float, Array]]:
+    def _hinges(self, q: Array) -> Iterator[tuple[ConstraintRow, float, Array]]:
         for point, owners in self.structure.owners.items():
             hub, *others = [body for body in owners if not self.structure.is_pin(body)]
             for body in others:
                 (one, slope), (other, more) = self.place(hub, point, q), self.place(body, point, q)
                 gap, slopes = one - other, slope - more
                 if body in self.structure.followers and point != next(iter(self.structure.bodies[body])):
-                    yield Row("hinge", point, body), *self._towards(body, gap, slopes, q)
+                    yield ConstraintRow("hinge", point, body), *self._towards(body, gap, slopes, q)
                     continue
                 for part in (np.real, np.imag):
-                    yield Row("hinge", point, body), float(part(gap)), part(slopes)
+                    yield ConstraintRow("hinge", point, body), float(part(gap)), part(slopes)
 
     def _towards(self, body: str, gap: complex, slopes: Gradient, q: Array) -> tuple[float, Array]:
         """A line of centres points at its second centre, however far that is."""
@@ -201,7 +203,9 @@ class Restraints:
         return cmath.phase(turn) if abs(turn) > _DAMPED else float(rng.uniform(-np.pi, np.pi))
 
 
-def settled(restraints: Restraints, q: Array, aside: Sequence[Row], start: Array | None = None) -> tuple[Array, Rows]:
+def settled(
+    restraints: Restraints, q: Array, aside: Sequence[ConstraintRow], start: Array | None = None
+) -> tuple[Array, ConstraintRows]:
     """The place close to q where the equations hold but for those set aside, or hold best: Levenberg-Marquardt.
 
     start  from where rolling counts; left out, nothing counts as having rolled

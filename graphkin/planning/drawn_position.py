@@ -24,7 +24,7 @@ from graphkin.planning.position import position
 from graphkin.planning.repeated import as_aside, still_repeated
 from graphkin.planning.stages import stages
 from graphkin.planning.starting_facts import facts_of, with_sides
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 
 if TYPE_CHECKING:
     from graphkin.planning.redundancy import SetAside
@@ -45,10 +45,10 @@ class _Given:
 
 
 @frozen
-class Placement:
+class DrawnPlacement:
     """The drawn position: the mechanism held there by poses and values alone, how it is drawn by these, and drawn."""
 
-    structure: Structure
+    structure: Topology
     construction: Construction
     plot: Plot
 
@@ -72,7 +72,7 @@ def as_drawn(
     return _counted_on(replace(structure, mechanism=driven), drawn), driven
 
 
-def _counted_on(structure: Structure, drawn: dict[str, float]) -> dict[str, float]:
+def _counted_on(structure: Topology, drawn: dict[str, float]) -> dict[str, float]:
     """The same with angles that count whole turns as the drivers' values do."""
     counted = dict(drawn)
     for body, turn in structure.turns.items():
@@ -94,7 +94,7 @@ def _valued(driver: Driver, plot: Plot, drawn: Mapping[str, float]) -> Driver:
 # --- what is given ----------------------------------------------------------------------------
 
 
-def placement(mechanism: Mechanism, lower: Mechanism, repeats: Repeats) -> Placement:
+def placement(mechanism: Mechanism, lower: Mechanism, repeats: Repeats) -> DrawnPlacement:
     """All that is given taken together; where that does not do, without poses that the rest gives as well.
 
     Those must say the same as what is then found.
@@ -125,7 +125,7 @@ def _fewer_and_fewer(given: tuple[_Given, ...]) -> Iterator[tuple[_Given, ...]]:
 
 
 def _refuse_other(
-    mechanism: Mechanism, placed: Placement, given: tuple[_Given, ...], needed: tuple[_Given, ...]
+    mechanism: Mechanism, placed: DrawnPlacement, given: tuple[_Given, ...], needed: tuple[_Given, ...]
 ) -> None:
     """A pose that was not needed must hold all the same."""
     for each in given:
@@ -153,7 +153,7 @@ def _fixed(mechanism: Mechanism) -> Iterator[_Given]:
         yield _Given(fixes, True, k)
 
 
-def _beside(structure: Structure, given: _Given, needed: Sequence[_Given]) -> list[_Given]:
+def _beside(structure: Topology, given: _Given, needed: Sequence[_Given]) -> list[_Given]:
     """What fixes the same: the values that turn one of the two links against the other, else all that is needed."""
     fixes, turns = given.fixes, structure.turns
     if fixes.kind == "slide":
@@ -168,7 +168,7 @@ def _beside(structure: Structure, given: _Given, needed: Sequence[_Given]) -> li
 # --- placing ----------------------------------------------------------------------------------
 
 
-def _placed(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats) -> Placement:
+def _placed(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats) -> DrawnPlacement:
     """The mechanism put together by these values."""
     structure = placed_by(mechanism, lower, given, repeats)
     if names := left_open(structure):
@@ -179,13 +179,13 @@ def _placed(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], r
     construction = with_sides(construction, found.sides)
     plot = replay(construction, Plot(facts, found.near))
     refuse_open(structure, plot, ROUNDED)
-    return Placement(structure, construction, plot)
+    return DrawnPlacement(structure, construction, plot)
 
 
-def placed_by(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats) -> Structure:
+def placed_by(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...], repeats: Repeats) -> Topology:
     """The mechanism with these values; wheels that nothing turns and that show no direction stand at 0."""
     drivers = tuple(each.fixes for each in given)
-    structure = Structure(replace(lower, drivers=drivers))
+    structure = Topology(replace(lower, drivers=drivers))
     structure = replace(structure, aside=as_aside(still_repeated(structure, repeats)))
     plain: dict[str, str] = {}
     for body in structure.bodies:
@@ -195,7 +195,7 @@ def placed_by(mechanism: Mechanism, lower: Mechanism, given: tuple[_Given, ...],
     return replace(structure, mechanism=replace(lower, drivers=(*drivers, *marked)))
 
 
-def _shows_nothing(mechanism: Mechanism, structure: Structure, body: str) -> bool:
+def _shows_nothing(mechanism: Mechanism, structure: Topology, body: str) -> bool:
     """Whether one cannot see how a wheel stands: it hangs on its centre alone, and has no other point."""
     wheels = {wheel for pair in mechanism.pairs if pair.rolling is not None for wheel in pair.joins}
     wheels |= {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
@@ -203,7 +203,7 @@ def _shows_nothing(mechanism: Mechanism, structure: Structure, body: str) -> boo
     return body in wheels and len(hinges) < 2 and len(set(structure.shapes[body].values())) == 1
 
 
-def left_open(structure: Structure) -> tuple[str, ...]:
+def left_open(structure: Topology) -> tuple[str, ...]:
     """The links that nothing places, those first whose direction is open."""
     left = [body for body in stages(structure)[1] if not structure.is_pin(body)]
     turning = [body for body in left if structure.base(body) != FRAME]

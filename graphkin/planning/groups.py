@@ -15,12 +15,12 @@ from graphkin.construction import (
     Site,
     Size,
     Term,
-    Unknown,
+    UnknownScalar,
 )
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.images import add_up, base_of, drive, fill, reach
-from graphkin.planning.loop_terms import Hop, Lever, Slip, outward, way_round
-from graphkin.planning.polygon import Polygon
+from graphkin.planning.loop_terms import Hop, LinkArm, Slip, outward, way_round
+from graphkin.planning.polygon import PolygonPlan
 from graphkin.planning.position import contact_letters, in_step
 from graphkin.planning.repeating import measure_slide
 from graphkin.planning.rolling import train
@@ -31,7 +31,7 @@ Known = tuple[tuple[Site, ...], str, Size, Direction | None]
 """A known arrow: the sites it lies between, its part, its size, its direction."""
 
 
-def group(polygon: Polygon, stage: Group, found: Ternary | None) -> None:
+def group(polygon: PolygonPlan, stage: Group, found: Ternary | None) -> None:
     """All unknowns of a group, then the points of its links, each from what is drawn by then."""
     if found is None:
         if not train(polygon, stage) and not _by_contact(polygon, stage):
@@ -51,15 +51,15 @@ def group(polygon: Polygon, stage: Group, found: Ternary | None) -> None:
                 coincide(polygon, loop)
 
 
-def coincide(polygon: Polygon, loop: Loop) -> None:
+def coincide(polygon: PolygonPlan, loop: Loop) -> None:
     """Both points at which links move past a moving one: the acceleration's Coriolis term is read between them."""
     for hop in way_round(polygon.structure, loop)[1]:
-        if not isinstance(hop, Lever) and FRAME not in (hop.seen_from.link, hop.of.link):
+        if not isinstance(hop, LinkArm) and FRAME not in (hop.seen_from.link, hop.of.link):
             reach(polygon, hop.seen_from)
             reach(polygon, hop.of)
 
 
-def _slid_from(polygon: Polygon, body: str) -> str:
+def _slid_from(polygon: PolygonPlan, body: str) -> str:
     """A slide whose other link is drawn."""
     for name, pair in polygon.structure.slides.items():
         ends = pair.guide, polygon.structure.block(pair)
@@ -70,7 +70,7 @@ def _slid_from(polygon: Polygon, body: str) -> str:
     return ""
 
 
-def _special(polygon: Polygon, found: Ternary) -> None:
+def _special(polygon: PolygonPlan, found: Ternary) -> None:
     """Two equations by way of the special point, then what each leg turns or slides."""
     first, second, third = found.legs
     point = Site(found.name, found.link)
@@ -81,7 +81,7 @@ def _special(polygon: Polygon, found: Ternary) -> None:
         polygon.put(polygon.key(point), polygon.pole)
     else:
         polygon.equate(point, _leg(polygon, first, point), _leg(polygon, second, point))
-    lever = Lever(point, third.end, False)
+    lever = LinkArm(point, third.end, False)
     sides = polygon.in_order(polygon.side(point, (lever,)), polygon.side(third.start, third.hops))
     polygon.equate(third.end, *sides)
     polygon.measure_unknown(lever)
@@ -91,7 +91,7 @@ def _special(polygon: Polygon, found: Ternary) -> None:
         _measure_leg(polygon, leg)
 
 
-def _leg(polygon: Polygon, leg: Leg, point: Site) -> tuple[Term, ...]:
+def _leg(polygon: PolygonPlan, leg: Leg, point: Site) -> tuple[Term, ...]:
     """Known arrows first, then the two unknown ones that lie on one line."""
     terms = list(polygon.absolute(leg.start))
     tail = terms[-1].head if terms else polygon.name(leg.start)
@@ -111,7 +111,7 @@ def _leg(polygon: Polygon, leg: Leg, point: Site) -> tuple[Term, ...]:
     return tuple(terms)
 
 
-def _known_of(polygon: Polygon, leg: Leg, point: Site) -> list[Known]:
+def _known_of(polygon: PolygonPlan, leg: Leg, point: Site) -> list[Known]:
     """Each known arrow of a leg, and the normal one from its end to the point."""
     known: list[Known] = [
         ((hop.of, hop.seen_from), part, size, way)
@@ -120,13 +120,13 @@ def _known_of(polygon: Polygon, leg: Leg, point: Site) -> list[Known]:
         if size is not None
     ]
     if polygon.plane == "acceleration":
-        part, size, way = polygon.pieces(Lever(leg.end, point, True))[0]
+        part, size, way = polygon.pieces(LinkArm(leg.end, point, True))[0]
         assert size is not None
         known.append(((point, leg.end), part, size, way))
     return known
 
 
-def _unknown_of(polygon: Polygon, hop: Hop) -> tuple[str, str]:
+def _unknown_of(polygon: PolygonPlan, hop: Hop) -> tuple[str, str]:
     """What the unknown arrow of a leg is seen from, and its part."""
     in_velocity, sliding = polygon.plane == "velocity", isinstance(hop, Slip)
     absolute = hop.seen_from.link == FRAME and (in_velocity or sliding)
@@ -134,7 +134,7 @@ def _unknown_of(polygon: Polygon, hop: Hop) -> tuple[str, str]:
     return "" if absolute else polygon.labels.label(hop.seen_from), part
 
 
-def _measure_leg(polygon: Polygon, leg: Leg) -> None:
+def _measure_leg(polygon: PolygonPlan, leg: Leg) -> None:
     """With the ternary link known, its end's arrow gives what the leg itself does."""
     hop = leg.unknown
     for earlier in leg.hops[: leg.hops.index(hop)]:
@@ -146,7 +146,7 @@ def _measure_leg(polygon: Polygon, leg: Leg) -> None:
     polygon.measure(hop, polygon.name(hop.seen_from), polygon.name(hop.of))
 
 
-def _by_contact(polygon: Polygon, stage: Group) -> bool:
+def _by_contact(polygon: PolygonPlan, stage: Group) -> bool:
     """Velocities of a track on which a wheel of known motion rolls: its point of contact has that of the wheel's."""
     if polygon.plane != "velocity" or len(stage.loops) != 1 or len(stage.contacts) != 1:
         return False
@@ -164,7 +164,7 @@ def _by_contact(polygon: Polygon, stage: Group) -> bool:
     of, at = Site(letter, track), Site(letter, wheel)
     reach(polygon, at)
     polygon.put(polygon.key(of), polygon.name(at))
-    swing, middle = Lever(of, hops[1].of, False), hops.index(unknown[1])
+    swing, middle = LinkArm(of, hops[1].of, False), hops.index(unknown[1])
     left, right = (swing, *hops[2:middle]), outward(hops[middle:])
     polygon.equate(left[-1].of, *polygon.in_order(polygon.side(of, left), polygon.side(end, right)))
     for hop in (swing, right[-1]):
@@ -173,18 +173,18 @@ def _by_contact(polygon: Polygon, stage: Group) -> bool:
     return True
 
 
-def _together(polygon: Polygon, stage: Group) -> None:
+def _together(polygon: PolygonPlan, stage: Group) -> None:
     """All chains at once, by calculation."""
     chains = tuple(chain(polygon, loop) for loop in stage.loops)
     contacts = tuple(in_step(contact) for contact in stage.contacts)
     polygon.parts.append(Simultaneous(stage.angles, stage.slides, chains, contacts))
 
 
-def chain(polygon: Polygon, loop: Loop) -> Chain:
+def chain(polygon: PolygonPlan, loop: Loop) -> Chain:
     """A loop as arrows of known size and unknown scalars."""
     start, hops, end = way_round(polygon.structure, loop)
     known: list[tuple[Size, int]] = []
-    unknown: list[Unknown] = []
+    unknown: list[UnknownScalar] = []
     if loop.joints[0] != loop.joints[-1]:
         reach(polygon, start)
         reach(polygon, end)
@@ -194,16 +194,16 @@ def chain(polygon: Polygon, loop: Loop) -> Chain:
             if size is not None:
                 known.append((size, 1))
             elif isinstance(hop, Slip):
-                unknown.append(Unknown("", hop.slide, "", "", polygon.sense(hop)))
+                unknown.append(UnknownScalar("", hop.slide, "", "", polygon.sense(hop)))
             else:
-                unknown.append(Unknown(hop.of.link, "", hop.seen_from.point, hop.of.point, 1))
+                unknown.append(UnknownScalar(hop.of.link, "", hop.seen_from.point, hop.of.point, 1))
     return Chain(tuple(known), tuple(unknown))
 
 
-def walk(polygon: Polygon, stage: Loop) -> None:
+def walk(polygon: PolygonPlan, stage: Loop) -> None:
     """Draw every site of a loop whose unknowns have been found, hop by hop."""
     for hop in way_round(polygon.structure, stage)[1]:
-        if isinstance(hop, Lever):
+        if isinstance(hop, LinkArm):
             reach(polygon, hop.of)
         elif not polygon.known(hop.of):
             add_up(polygon, hop.of, polygon.side(hop.seen_from, (replace(hop, known=True),)))

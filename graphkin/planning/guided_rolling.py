@@ -12,12 +12,12 @@ from dataclasses import replace
 
 from graphkin.model.pairs import Slide
 from graphkin.planning.equivalent import Contact
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 
 Way = tuple[tuple[str, float], ...]
 
 
-def with_ways(structure: Structure) -> tuple[Contact, ...]:
+def with_ways(structure: Topology) -> tuple[Contact, ...]:
     """The contacts; those whose own slide is set aside with the slides that add up to its displacement, if any do."""
     return tuple(
         replace(contact, way=_way(structure, structure.slides[contact.slide], contact.centres[1]))
@@ -27,7 +27,7 @@ def with_ways(structure: Structure) -> tuple[Contact, ...]:
     )
 
 
-def _way(structure: Structure, track: Slide, centre: str) -> Way:
+def _way(structure: Topology, track: Slide, centre: str) -> Way:
     """From the track over parallel slides to a link that carries the centre; nothing where there is no such way."""
     ways: dict[str, tuple[complex, Way]] = {track.guide: (track.line.direction, ())}
     queue = [track.guide]
@@ -42,7 +42,7 @@ def _way(structure: Structure, track: Slide, centre: str) -> Way:
     return ()
 
 
-def _on(structure: Structure, link: str, along: complex) -> Iterator[tuple[str, float, str, complex]]:
+def _on(structure: Topology, link: str, along: complex) -> Iterator[tuple[str, float, str, complex]]:
     """The slides of a link that run as the track does: name, what it counts, the other body, the track's line there."""
     for slide in structure.joining:
         block, turn = structure.block(slide), cmath.rect(1.0, slide.turn)

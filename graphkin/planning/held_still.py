@@ -30,7 +30,7 @@ def standing(method: Method, plane: Plane, parts: tuple[Part, ...], rested: froz
     """The parts that find something that moves, with the pole for every point that does not."""
     construction = method.velocity if plane == "velocity" else method.acceleration
     nodes = _held(method, plane, rested)
-    writer = _Writer(plane, construction.pole, nodes, {of: point for point, of in nodes.values()})
+    writer = _PartsWriter(plane, construction.pole, nodes, {of: point for point, of in nodes.values()})
     return tuple(writer.part(part) for part in parts if not rests(method, plane, part, rested))
 
 
@@ -42,7 +42,7 @@ def _held(method: Method, plane: Plane, rested: frozenset[Fact]) -> dict[str, tu
 
 
 @frozen
-class _Writer:
+class _PartsWriter:
     """Writes parts anew: `nodes` become the pole, `labels` the letters of their points."""
 
     plane: Plane

@@ -7,17 +7,17 @@ from itertools import combinations
 from graphkin.construction import Image, LayOff, Site, Term
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.closing import known_sum
-from graphkin.planning.loop_terms import Lever, Slip
-from graphkin.planning.polygon import Polygon
+from graphkin.planning.loop_terms import LinkArm, Slip
+from graphkin.planning.polygon import PolygonPlan
 
 
-def fill(polygon: Polygon, body: str) -> None:
+def fill(polygon: PolygonPlan, body: str) -> None:
     """Every named point of a link."""
     for point in polygon.structure.named(body):
         reach(polygon, Site(point, body))
 
 
-def reach(polygon: Polygon, site: Site) -> None:
+def reach(polygon: PolygonPlan, site: Site) -> None:
     """Draw a site of a link whose motion is known: by image on two known points, else from one."""
     if polygon.known(site):
         return
@@ -33,14 +33,14 @@ def reach(polygon: Polygon, site: Site) -> None:
         _levered(polygon, base[0], site)
 
 
-def _driven_pivot(polygon: Polygon, base: list[Site], site: Site) -> Site | None:
+def _driven_pivot(polygon: PolygonPlan, base: list[Site], site: Site) -> Site | None:
     """The fixed point about which a driven link turns, for a place on it that is no point of its own."""
     own = site.point in polygon.structure.bodies[site.link]
     driven = polygon.structure.base(site.link) == FRAME != site.link and not own
     return next((one for one in base if polygon.key(one).link == FRAME), None) if driven else None
 
 
-def base_of(polygon: Polygon, body: str) -> list[Site]:
+def base_of(polygon: PolygonPlan, body: str) -> list[Site]:
     """Known sites of a body that lie apart, its own points first."""
     own = [Site(point, body) for point in polygon.structure.named(body)]
     more = [key for key in polygon.of_link.get(body, ()) if key not in own]
@@ -49,7 +49,7 @@ def base_of(polygon: Polygon, body: str) -> list[Site]:
     return next(([*pair] for pair in pairs if _apart(polygon, body, *pair)), known[:1])
 
 
-def _apart(polygon: Polygon, body: str, first: Site, second: Site) -> bool:
+def _apart(polygon: PolygonPlan, body: str, first: Site, second: Site) -> bool:
     """Points of one link are apart by their shape; a coincident point may come to lie on another,
     but not on the one whose lever has just been measured.
     """
@@ -62,16 +62,16 @@ def _apart(polygon: Polygon, body: str, first: Site, second: Site) -> bool:
     return False
 
 
-def _levered(polygon: Polygon, start: Site, site: Site) -> None:
+def _levered(polygon: PolygonPlan, start: Site, site: Site) -> None:
     """From one known point by the link's known rotation."""
-    hop = Lever(Site(start.point, site.link), site, True)
+    hop = LinkArm(Site(start.point, site.link), site, True)
     right = polygon.absolute(start) + tuple(polygon.terms(hop))
     if polygon.plane == "acceleration" and polygon.structure.steady(site.link):
         right = _without_tangential(polygon, right)
     add_up(polygon, site, right)
 
 
-def _without_tangential(polygon: Polygon, right: tuple[Term, ...]) -> tuple[Term, ...]:
+def _without_tangential(polygon: PolygonPlan, right: tuple[Term, ...]) -> tuple[Term, ...]:
     """Where a link turns steadily, only the normal arrow is left of its two."""
     normal, tangential = right[-2:]
     polygon.nodes.pop(normal.head)
@@ -89,7 +89,7 @@ def _without_tangential(polygon: Polygon, right: tuple[Term, ...]) -> tuple[Term
     return (*right[:-2], only)
 
 
-def drive(polygon: Polygon, slide: str, body: str) -> None:
+def drive(polygon: PolygonPlan, slide: str, body: str) -> None:
     """A body that a driver moves along a known one."""
     pair = polygon.structure.slides[slide]
     other = pair.guide if body != pair.guide else polygon.structure.block(pair)
@@ -101,7 +101,7 @@ def drive(polygon: Polygon, slide: str, body: str) -> None:
     add_up(polygon, of, right)
 
 
-def add_up(polygon: Polygon, of: Site, right: tuple[Term, ...]) -> None:
+def add_up(polygon: PolygonPlan, of: Site, right: tuple[Term, ...]) -> None:
     """The motion of a site as the sum of known arrows."""
     label, node = polygon.labels.label(of), polygon.name(of)
     if len(right) == 1:

@@ -9,7 +9,7 @@ from functools import cached_property
 from graphkin.base.value import filled, frozen
 from graphkin.construction.plot import grouped
 from graphkin.model.mechanism import FRAME
-from graphkin.planning.structure import Hinge, Joint, Structure
+from graphkin.planning.structure import Hinge, Joint, Topology
 
 
 @frozen
@@ -25,7 +25,7 @@ class News:
 class Known:
     """Bodies with their points, angles of groups of links by their bases, displacements of slides."""
 
-    structure: Structure
+    structure: Topology
     bodies: set[str] = field(default_factory=lambda: {FRAME})
     angles: set[str] = field(default_factory=lambda: {FRAME})
     slides: set[str] = field(default_factory=set)

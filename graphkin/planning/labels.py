@@ -12,14 +12,14 @@ from graphkin.model.mechanism import FRAME
 from graphkin.planning.loop_terms import Slip, Twist, way_round
 from graphkin.planning.position import touching
 from graphkin.planning.stages import Carry, Group, Loop, Stage
-from graphkin.planning.structure import Sliding, Structure
+from graphkin.planning.structure import Sliding, Topology
 
 
 @filled
 class Labels:
     """How sites are written: `C`; `B3` where links slide past each other; `B@guide` where that would mislead."""
 
-    structure: Structure
+    structure: Topology
     coincident: Mapping[str, str]
     """Points at which links slide past each other, with the link whose point the hinge itself is."""
     _known: dict[Site, str] = field(default_factory=dict)
@@ -77,7 +77,7 @@ def _as_begun(label: str) -> str:
     return label[0].lower() + label[1:]
 
 
-def coincident_points(structure: Structure, order: tuple[Stage, ...]) -> dict[str, str]:
+def coincident_points(structure: Topology, order: tuple[Stage, ...]) -> dict[str, str]:
     """Points at which links move past a moving link, with the link of which the hinge there is a point."""
     found: dict[str, str] = {}
     for stage in order:
@@ -90,7 +90,7 @@ def coincident_points(structure: Structure, order: tuple[Stage, ...]) -> dict[st
     return found
 
 
-def _jumps(structure: Structure, stage: Stage) -> list[Slip | Twist]:
+def _jumps(structure: Topology, stage: Stage) -> list[Slip | Twist]:
     """The coincident points of one stage."""
     if isinstance(stage, Loop):
         return [hop for hop in way_round(structure, stage)[1] if isinstance(hop, Slip | Twist)]

@@ -14,11 +14,11 @@ from graphkin.base.value import frozen
 from graphkin.construction import Site
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.stages import Loop
-from graphkin.planning.structure import Hinge, Sliding, Structure
+from graphkin.planning.structure import Hinge, Sliding, Topology
 
 
 @frozen
-class Lever:
+class LinkArm:
     """Two points of one link."""
 
     seen_from: Site
@@ -46,10 +46,10 @@ class Twist:
     pivot: str
 
 
-Hop = Lever | Slip | Twist
+Hop = LinkArm | Slip | Twist
 
 
-def halves(structure: Structure, loop: Loop) -> tuple[Site, tuple[Hop, ...], Site, tuple[Hop, ...]]:
+def halves(structure: Topology, loop: Loop) -> tuple[Site, tuple[Hop, ...], Site, tuple[Hop, ...]]:
     """Both sides of the loop's equation: each a known site and the hops from it outward to the site sought."""
     start, hops, end = way_round(structure, loop)
     unknown = [k for k, hop in enumerate(hops) if not hop.known]
@@ -58,7 +58,7 @@ def halves(structure: Structure, loop: Loop) -> tuple[Site, tuple[Hop, ...], Sit
 
 
 @kept(256, objects=2)
-def way_round(structure: Structure, loop: Loop, lever: str = "") -> tuple[Site, tuple[Hop, ...], Site]:
+def way_round(structure: Topology, loop: Loop, lever: str = "") -> tuple[Site, tuple[Hop, ...], Site]:
     """The whole loop in one direction: from a known site over all hops to a known site.
 
     lever  the body of its group that shall carry the lever, where this is to be chosen
@@ -73,7 +73,7 @@ def outward(hops: tuple[Hop, ...]) -> tuple[Hop, ...]:
     return tuple(_turned(hop) for hop in reversed(hops))
 
 
-def _places(structure: Structure, loop: Loop, lever: str = "") -> list[str]:
+def _places(structure: Topology, loop: Loop, lever: str = "") -> list[str]:
     """The point at which each joint is looked at: the hinge itself; for slides the coincident point."""
     places = [joint.point if isinstance(joint, Hinge) else "" for joint in loop.joints]
     for first, last in _groups(structure, loop):
@@ -101,14 +101,14 @@ def _places(structure: Structure, loop: Loop, lever: str = "") -> list[str]:
     return places
 
 
-def _own_place(structure: Structure, loop: Loop, waiting: list[int]) -> tuple[int, str]:
+def _own_place(structure: Topology, loop: Loop, waiting: list[int]) -> tuple[int, str]:
     """A joint with no hinge beside it, and its own point: a pin's first, as the circle's centre at a flat face."""
     slides = [(k, structure.slides[joint.slide]) for k in waiting if isinstance(joint := loop.joints[k], Sliding)]
     k, slide = min(slides, key=lambda found: found[1].block is not None)
     return k, slide.point
 
 
-def _groups(structure: Structure, loop: Loop) -> list[tuple[int, int]]:
+def _groups(structure: Topology, loop: Loop) -> list[tuple[int, int]]:
     """First and last body of each run of two or more that follow one another in one unknown group."""
     bases = [structure.base(body) for body in loop.bodies]
     starts = [k for k in range(len(bases)) if k == 0 or bases[k] != bases[k - 1]]
@@ -116,13 +116,13 @@ def _groups(structure: Structure, loop: Loop) -> list[tuple[int, int]]:
     return [(first, end - 1) for first, end in runs if end - first > 1 and bases[first] in loop.angles]
 
 
-def _block_side(structure: Structure, loop: Loop, slide: str) -> str:
+def _block_side(structure: Topology, loop: Loop, slide: str) -> str:
     """Whether one comes to a slide of a group from its block's side (`entry`) or leaves to it (`exit`)."""
     at = loop.joints.index(Sliding(slide))
     return "entry" if loop.bodies[at - 1] == structure.block(structure.slides[slide]) else "exit"
 
 
-def _near_hinge(structure: Structure, loop: Loop, places: list[str], k: int) -> str:
+def _near_hinge(structure: Topology, loop: Loop, places: list[str], k: int) -> str:
     """A hinge beside the slide spares a lever: the block's first, then the guide's, then a slide's place."""
     joint = loop.joints[k]
     assert isinstance(joint, Sliding)
@@ -133,7 +133,7 @@ def _near_hinge(structure: Structure, loop: Loop, places: list[str], k: int) -> 
     return (after or before) if block_after else (before or after)
 
 
-def _hops(structure: Structure, loop: Loop, places: list[str]) -> list[Hop]:
+def _hops(structure: Topology, loop: Loop, places: list[str]) -> list[Hop]:
     hops: list[Hop] = []
     lever_bodies = _lever_bodies(structure, loop, places)
     for k, joint in enumerate(loop.joints):
@@ -148,19 +148,19 @@ def _hops(structure: Structure, loop: Loop, places: list[str]) -> list[Hop]:
         if k < len(loop.bodies) and places[k + 1] != place:
             known = structure.base(after) not in loop.angles
             assert known or after in lever_bodies
-            hops.append(Lever(Site(place, after), Site(places[k + 1], after), known))
+            hops.append(LinkArm(Site(place, after), Site(places[k + 1], after), known))
     return hops
 
 
-def _lever_bodies(structure: Structure, loop: Loop, places: list[str]) -> set[str]:
+def _lever_bodies(structure: Topology, loop: Loop, places: list[str]) -> set[str]:
     return {body for k, body in enumerate(loop.bodies) if places[k] != places[k + 1]}
 
 
-def _same_group(structure: Structure, loop: Loop, first: str, second: str) -> bool:
+def _same_group(structure: Topology, loop: Loop, first: str, second: str) -> bool:
     return structure.base(first) == structure.base(second) and structure.base(first) in loop.angles
 
 
-def _beyond(structure: Structure, joint: Hinge | Sliding, body: str) -> str:
+def _beyond(structure: Topology, joint: Hinge | Sliding, body: str) -> str:
     """The known body on the far side of the loop's end joint."""
     if isinstance(joint, Hinge):
         return next(other for other in structure.owners[joint.point] if other != body)
@@ -168,14 +168,14 @@ def _beyond(structure: Structure, joint: Hinge | Sliding, body: str) -> str:
     return pair.guide if body != pair.guide else structure.block(pair)
 
 
-def _edge(structure: Structure, loop: Loop, places: list[str], k: int) -> Site:
+def _edge(structure: Topology, loop: Loop, places: list[str], k: int) -> Site:
     body = loop.bodies[0] if k == 0 else loop.bodies[-1]
     joint = loop.joints[k]
     beyond = _beyond(structure, joint, body)
     return Site(places[k], beyond)
 
 
-def _meeting(structure: Structure, hops: tuple[Hop, ...], unknown: list[int]) -> int:
+def _meeting(structure: Topology, hops: tuple[Hop, ...], unknown: list[int]) -> int:
     """Where the two sides meet: between the unknown hops, so that each side ends in one; a driven sliding between
     them stands on the side from which the block is seen from its guide.
     """
@@ -189,8 +189,8 @@ def _meeting(structure: Structure, hops: tuple[Hop, ...], unknown: list[int]) ->
 
 def _turned(hop: Hop) -> Hop:
     match hop:
-        case Lever(seen_from, of, known):
-            return Lever(of, seen_from, known)
+        case LinkArm(seen_from, of, known):
+            return LinkArm(of, seen_from, known)
         case Slip(seen_from, of, known, slide):
             return Slip(of, seen_from, known, slide)
         case Twist(seen_from, of, known, pivot):

@@ -14,7 +14,7 @@ from graphkin.planning.acts import Act, acts
 from graphkin.planning.special import Ternary
 from graphkin.planning.stages import Bridge, Group, Stage
 from graphkin.planning.starting_facts import facts_of
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 
 if TYPE_CHECKING:
     from graphkin.planning.redundancy import SetAside
@@ -33,7 +33,7 @@ class Method:
     """
 
     mechanism: Mechanism
-    structure: Structure
+    structure: Topology
     stages: tuple[Stage, ...]
     position: Construction
     velocity: Construction

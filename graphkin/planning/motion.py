@@ -15,16 +15,16 @@ from graphkin.planning.groups import chain, coincide, group, walk
 from graphkin.planning.images import drive, fill, reach
 from graphkin.planning.labels import Labels
 from graphkin.planning.loop_terms import halves, way_round
-from graphkin.planning.polygon import Polygon
+from graphkin.planning.polygon import PolygonPlan
 from graphkin.planning.repeating import measure_all_slides
 from graphkin.planning.rolling import mesh
 from graphkin.planning.special import Ternary
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
-from graphkin.planning.structure import Hinge, Structure
+from graphkin.planning.structure import Hinge, Topology
 
 
 def motion(
-    structure: Structure,
+    structure: Topology,
     order: tuple[Stage, ...],
     labels: Labels,
     plane: Plane,
@@ -44,18 +44,18 @@ def motion(
 
 
 def _with_pole(
-    structure: Structure, labels: Labels, plane: Plane, pole: str, velocity: Callable[[Site], str]
-) -> Polygon:
+    structure: Topology, labels: Labels, plane: Plane, pole: str, velocity: Callable[[Site], str]
+) -> PolygonPlan:
     """The polygon as it begins: the pole, with the fixed points on it."""
     prime = primes(structure.mechanism, plane)
-    polygon = Polygon(structure, labels, plane, pole + prime, velocity)
+    polygon = PolygonPlan(structure, labels, plane, pole + prime, velocity)
     polygon.new(polygon.pole, "pole")
     fixed = tuple(polygon.fixed(point) for point in structure.named(FRAME))
     polygon.parts.append(Given(polygon.pole, fixed))
     return polygon
 
 
-def _draw(polygon: Polygon, stage: Stage, ternaries: Mapping[Group, Ternary]) -> None:
+def _draw(polygon: PolygonPlan, stage: Stage, ternaries: Mapping[Group, Ternary]) -> None:
     match stage:
         case Carry():
             _carry(polygon, stage)
@@ -69,7 +69,7 @@ def _draw(polygon: Polygon, stage: Stage, ternaries: Mapping[Group, Ternary]) ->
             group(polygon, stage, ternaries.get(stage))
 
 
-def _loop(polygon: Polygon, stage: Loop) -> None:
+def _loop(polygon: PolygonPlan, stage: Loop) -> None:
     """One vector equation, where the loop has two unknown scalars; else all of it by calculation."""
     if sum(not hop.known for hop in way_round(polygon.structure, stage)[1]) > 2:
         together = (chain(polygon, stage),)
@@ -88,19 +88,19 @@ def _loop(polygon: Polygon, stage: Loop) -> None:
         fill(polygon, body)
 
 
-def _pole_to_find(polygon: Polygon) -> str:
+def _pole_to_find(polygon: PolygonPlan) -> str:
     """The pole, as long as nothing is laid off from it: an equation may then begin elsewhere and find it last."""
     free = not any(isinstance(part, Equation | LayOff) for part in polygon.parts)
     return polygon.pole if free and polygon.plane == "velocity" else ""
 
 
-def _carry(polygon: Polygon, stage: Carry) -> None:
+def _carry(polygon: PolygonPlan, stage: Carry) -> None:
     if not isinstance(stage.by, Hinge):
         drive(polygon, stage.by.slide, stage.body)
     fill(polygon, stage.body)
 
 
-def _bridge(polygon: Polygon, stage: Bridge) -> None:
+def _bridge(polygon: PolygonPlan, stage: Bridge) -> None:
     """In the acceleration plane the normal part has no moment about the tail, so the whole arrow serves."""
     tail, head = stage.points
     nodes = polygon.name(Site(tail, stage.body)), polygon.name(Site(head, stage.body))

@@ -76,7 +76,7 @@ def needed(method: Method, wanted: set[Fact]) -> dict[Plane, tuple[Part, ...]]:
     """The parts of both polygons that lead to what is wanted, in their order."""
     found: dict[Plane, tuple[Part, ...]] = {}
     for construction in (method.acceleration, method.velocity):
-        reader, kept = _Reader(method, construction), list[Part]()
+        reader, kept = _PartsReader(method, construction), list[Part]()
         for part in reversed(construction.parts):
             if isinstance(part, Given) or set(reader.gives(part)) & wanted:
                 kept.append(_without_unwanted(part, construction.plane, wanted))
@@ -126,7 +126,7 @@ def at_rest(method: Method, facts: Facts) -> frozenset[Fact]:
 def rests(method: Method, plane: Plane, part: Part, rested: frozenset[Fact]) -> bool:
     """Whether a part finds nothing but what stands still; corners between arrows do not count."""
     construction = method.velocity if plane == "velocity" else method.acceleration
-    facts = [] if isinstance(part, Given) else [*_Reader(method, construction).gives(part)]
+    facts = [] if isinstance(part, Given) else [*_PartsReader(method, construction).gives(part)]
     found = [fact for fact in facts if not _corner(construction, fact)]
     return bool(found) and all(fact in rested for fact in found)
 
@@ -152,7 +152,7 @@ def _still(facts: Facts) -> frozenset[Fact]:
 
 def _resting(method: Method, construction: Construction, rested: frozenset[Fact]) -> frozenset[Fact]:
     """The same with all that is found from nothing else by the parts of a polygon, its pole among them."""
-    reader, found = _Reader(method, construction), set(rested)
+    reader, found = _PartsReader(method, construction), set(rested)
     for step in construction.steps:
         if isinstance(step, Given) and step.also:
             found |= set(reader.gives(step))
@@ -165,7 +165,7 @@ def _resting(method: Method, construction: Construction, rested: frozenset[Fact]
 
 
 @frozen
-class _Reader:
+class _PartsReader:
     """Reads the parts of one construction."""
 
     method: Method

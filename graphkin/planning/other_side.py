@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from graphkin.errors import GraphkinError, OtherSide
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.pairs import Cam, Pair, Roll
+from graphkin.model.pairs import Cam, Pair, RollingContact
 from graphkin.planning.planner import plan
 
 
@@ -26,7 +26,7 @@ def other_side(mechanism: Mechanism) -> OtherSide | None:
 
 def _turned(pair: Pair) -> Iterator[tuple[Pair, tuple[str | int, ...], bool]]:
     """The pair with one side changed, where in its table that side stands, and what it is then."""
-    if isinstance(pair, Roll) and pair.line is not None:
+    if isinstance(pair, RollingContact) and pair.line is not None:
         yield replace(pair, left=not pair.left), (), not pair.left
     if isinstance(pair, Cam):
         for n, face in enumerate(pair.profiles):

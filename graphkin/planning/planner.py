@@ -21,7 +21,7 @@ from graphkin.planning.repeated import as_aside, repeated
 from graphkin.planning.special import Ternary, special_points, with_special_points
 from graphkin.planning.stages import Group, Loop, Mesh, Stage, stages
 from graphkin.planning.starting_facts import facts_of, refuse_contacts_apart, with_sides
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 
 if TYPE_CHECKING:
     from graphkin.planning.redundancy import SetAside
@@ -39,7 +39,7 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     """
     lower = lower_pairs(mechanism)
     ties = tuple(contacts(mechanism, lower))
-    structure = Structure(lower, ties, coincident, centres)
+    structure = Topology(lower, ties, coincident, centres)
     aside = repeated(mechanism, structure)
     drawn: dict[str, float] = {}
     if ties or mechanism.poses:
@@ -77,7 +77,7 @@ def with_other_points(method: Method, plot: Plot) -> Method:
 
 def _method(
     mechanism: Mechanism,
-    structure: Structure,
+    structure: Topology,
     order: tuple[Stage, ...],
     construction: Construction,
     ternaries: Mapping[Group, Ternary],
@@ -96,7 +96,7 @@ def _method(
     )
 
 
-def _order(structure: Structure) -> tuple[Stage, ...]:
+def _order(structure: Topology) -> tuple[Stage, ...]:
     """The order of solution; refuses a mechanism some of whose links it does not reach."""
     order, left = stages(structure)
     if left:
@@ -107,7 +107,7 @@ def _order(structure: Structure) -> tuple[Stage, ...]:
     return order
 
 
-def _refuse_held_twice(structure: Structure, order: tuple[Stage, ...]) -> None:
+def _refuse_held_twice(structure: Topology, order: tuple[Stage, ...]) -> None:
     """A wheel whose centre other pairs keep on its path leaves no equation that gives how far it is."""
     given = set(structure.slides_driven) | structure.aside.slides
     for stage in order:

@@ -35,8 +35,8 @@ from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import image_name, primes
 from graphkin.planning.closing import close, pole_is_last
 from graphkin.planning.labels import Labels
-from graphkin.planning.loop_terms import Hop, Lever, Slip, Twist
-from graphkin.planning.structure import Structure
+from graphkin.planning.loop_terms import Hop, LinkArm, Slip, Twist
+from graphkin.planning.structure import Topology
 from graphkin.planning.term_order import Ordered, known_first
 
 Piece = tuple[str, Size | None, Direction | None]
@@ -48,7 +48,7 @@ TIPS = {"n": "nmuw", "t": "tyxw", "k": "kgjx", "r": "rqsz"}
 
 
 @filled
-class Polygon:
+class PolygonPlan:
     """The steps so far, and where the sites drawn by them are.
 
     velocity  the velocity polygon's name of a site, for Coriolis terms
@@ -58,7 +58,7 @@ class Polygon:
     apart     pairs of sites of one link that are known to lie apart
     """
 
-    structure: Structure
+    structure: Topology
     labels: Labels
     plane: Plane
     pole: str
@@ -165,19 +165,19 @@ class Polygon:
     def seen_from(self, hop: Hop) -> str:
         """The second site in the name of a hop's arrows; none where the motion is an absolute one."""
         sliding_on_frame = isinstance(hop, Slip) and hop.seen_from.link == FRAME
-        about_fixed = isinstance(hop, Lever) and self.plane == "velocity" and self.name(hop.seen_from) == self.pole
+        about_fixed = isinstance(hop, LinkArm) and self.plane == "velocity" and self.name(hop.seen_from) == self.pole
         return "" if sliding_on_frame or about_fixed else self.labels.label(hop.seen_from)
 
     def pieces(self, hop: Hop) -> list[Piece]:
         match hop:
-            case Lever():
+            case LinkArm():
                 return self.lever(hop)
             case Slip():
                 return self.slip(hop)
             case Twist():
                 return self.twist(hop)
 
-    def lever(self, hop: Lever) -> list[Piece]:
+    def lever(self, hop: LinkArm) -> list[Piece]:
         link, tail, head = hop.of.link, hop.seen_from.point, hop.of.point
         across = Across(tail, head)
         if self.plane == "velocity":
@@ -261,12 +261,12 @@ class Polygon:
         """Read off the arrow that an equation has given."""
         term = self.unknown[hop]
         self.measure(hop, term.tail, term.head)
-        if isinstance(hop, Lever):
+        if isinstance(hop, LinkArm):
             self.lies_apart(hop.seen_from, hop.of)
 
     def measure(self, hop: Hop, tail: str, head: str) -> None:
         """What an arrow tells of the link that turns, or of the slide."""
-        if isinstance(hop, Lever):
+        if isinstance(hop, LinkArm):
             lever = (hop.seen_from.point, hop.of.point)
             self.parts.append(Measure(self.turning, hop.of.link, tail, head, lever))
         elif isinstance(hop, Slip):

@@ -35,7 +35,7 @@ from graphkin.planning.closing import close
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
 from graphkin.planning.stretches import (
-    Piece,
+    LoopPiece,
     closure,
     drawn_from,
     link_of,
@@ -45,12 +45,12 @@ from graphkin.planning.stretches import (
     term_of,
     turned_round,
 )
-from graphkin.planning.structure import Sliding, Structure
+from graphkin.planning.structure import Sliding, Topology
 
 
 @filled
-class _Drawing:
-    structure: Structure
+class _PositionDrawing:
+    structure: Topology
     parts: list[Step | Equation] = field(default_factory=list)
     points: set[str] = field(default_factory=set)
     angles: set[str] = field(default_factory=lambda: {FRAME})
@@ -108,7 +108,7 @@ class _Drawing:
         for body in stage.bodies:
             self.fill(body)
 
-    def meet(self, stage: Loop, runs: list[list[Piece]]) -> None:
+    def meet(self, stage: Loop, runs: list[list[LoopPiece]]) -> None:
         terms, reaches = [], {}
         for run in runs:
             term = term_of(self.structure, stage, run, self.angles)
@@ -122,7 +122,7 @@ class _Drawing:
         self.parts.append(equation)
         self.points.update(node for term in terms for node in (term.tail, term.head))
 
-    def swing(self, stage: Loop, pieces: list[Piece]) -> None:
+    def swing(self, stage: Loop, pieces: list[LoopPiece]) -> None:
         guide = self.structure.slides[stage.slides[0]].guide
         if guide != stage.bodies[0]:
             pieces = [turned_round(piece) for piece in reversed(pieces)]
@@ -172,7 +172,7 @@ class _Drawing:
 
     # --- further points -----------------------------------------------------------------------
 
-    def measure_angle(self, link: str, run: list[Piece]) -> None:
+    def measure_angle(self, link: str, run: list[LoopPiece]) -> None:
         """A swing has found its angle itself; any other group's is read off."""
         if isinstance(self.parts[-1], Swing):
             return
@@ -214,9 +214,9 @@ class _Drawing:
         return abs(shape[second] - shape[first]) > 0
 
 
-def position(structure: Structure, order: tuple[Stage, ...]) -> tuple[Construction, int]:
+def position(structure: Topology, order: tuple[Stage, ...]) -> tuple[Construction, int]:
     """The position construction, and how many crossings in it leave two possibilities."""
-    drawing = _Drawing(structure)
+    drawing = _PositionDrawing(structure)
     for point in structure.bodies[FRAME]:
         drawing.parts.append(Given(point))
         drawing.points.add(point)
@@ -256,7 +256,7 @@ def _found_otherwise(order: tuple[Stage, ...]) -> set[str]:
     return found
 
 
-def touching(structure: Structure) -> Iterator[tuple[str, Contact]]:
+def touching(structure: Topology) -> Iterator[tuple[str, Contact]]:
     """Each rolling contact with a letter of its own: K, L, .., K', L', .. or what the mechanism leaves free.
 
     Not N, whose images would be lettered as normal tips are, nor K where there may be a Coriolis tip k'.
@@ -268,7 +268,7 @@ def touching(structure: Structure) -> Iterator[tuple[str, Contact]]:
 
 
 @kept(4)
-def contact_letters(structure: Structure) -> dict[str, str]:
+def contact_letters(structure: Topology) -> dict[str, str]:
     """The letter of each rolling contact, by its name."""
     return {contact.name: letter for letter, contact in touching(structure)}
 

@@ -11,9 +11,9 @@ from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import PairName
 from graphkin.model.pairs import Pair
-from graphkin.planning.constraint_jacobian import Row, Rows
+from graphkin.planning.constraint_jacobian import ConstraintRow, ConstraintRows
 from graphkin.planning.ranks import rank
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 
 
 @frozen
@@ -29,24 +29,26 @@ class SetAside:
 
     pair: PairName
     part: str
-    rows: tuple[Row, ...]
+    rows: tuple[ConstraintRow, ...]
     held: tuple[PairName, ...] = ()
     body: str = ""
 
 
 @frozen
-class Candidates:
+class PairEquations:
     """The pairs of a mechanism, in file and structure; `labels` are the equations there are."""
 
     mechanism: Mechanism
-    structure: Structure
-    labels: frozenset[Row]
+    structure: Topology
+    labels: frozenset[ConstraintRow]
 
     def all(self) -> list[SetAside]:
         """Links on hinges, whole pairs, parts of pairs; the last in the file first, what is asked for at the end."""
         wholes, lines, slips, angles = (list[SetAside]() for _ in range(4))
         for pair in self._pairs():
-            rows = tuple(row for kind in ("line", "angle", "slip") if (row := Row(kind, pair.name)) in self.labels)
+            rows = tuple(
+                row for kind in ("line", "angle", "slip") if (row := ConstraintRow(kind, pair.name)) in self.labels
+            )
             name = self.mechanism.path(pair)
             wholes += [SetAside(name, "whole", rows)] if rows else []
             match [row.kind for row in rows]:
@@ -96,20 +98,20 @@ class Candidates:
         assert pair is not None
         return self.mechanism.path(pair)
 
-    def _hinges(self, link: str, joints: Iterable[str]) -> tuple[Row, ...]:
+    def _hinges(self, link: str, joints: Iterable[str]) -> tuple[ConstraintRow, ...]:
         rows = []
         for point in joints:
             hub, *others = [body for body in self.structure.owners[point] if not self.structure.is_pin(body)]
-            rows += [Row("hinge", point, body) for body in (others[:1] if hub == link else [link])]
+            rows += [ConstraintRow("hinge", point, body) for body in (others[:1] if hub == link else [link])]
         return tuple(rows)
 
-    def pair_of(self, row: Row) -> PairName:
+    def pair_of(self, row: ConstraintRow) -> PairName:
         m = self.mechanism
         if row.kind == "hinge":
             return ("hinge", row.name) if row.body in m.links else self._meant(row.body)
         return m.path(m.pair(row.name))
 
-    def holding(self, each: SetAside, whole: Rows, kept: Rows) -> list[PairName]:
+    def holding(self, each: SetAside, whole: ConstraintRows, kept: ConstraintRows) -> list[PairName]:
         """The pairs whose equations add up to those of one."""
         shares = np.linalg.lstsq(kept.slopes.T, whole.only(each.rows).T, rcond=RANK)[0]
         rows = [row for row, share in zip(kept.labels, shares, strict=True) if np.max(np.abs(share)) > RANK]
@@ -118,7 +120,7 @@ class Candidates:
         return higher or list(found)
 
 
-def over(rows: Rows, found: Iterable[SetAside]) -> tuple[SetAside, ...]:
+def over(rows: ConstraintRows, found: Iterable[SetAside]) -> tuple[SetAside, ...]:
     """Those of which some equations are left that say nothing more than the other rows do; one after another."""
     left: list[SetAside] = []
     for each in found:

@@ -15,25 +15,25 @@ from graphkin.base.tolerances import CLOSED
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import Driver, Mechanism
 from graphkin.planning.conflicts import Contradictions
-from graphkin.planning.constraint_jacobian import Array, Restraints, Row, Rows, settled
+from graphkin.planning.constraint_jacobian import Array, ConstraintRow, ConstraintRows, Restraints, settled
 from graphkin.planning.ranks import drawn_place, open_by, rank
-from graphkin.planning.redundancy import Candidates, SetAside, over
-from graphkin.planning.structure import Structure
+from graphkin.planning.redundancy import PairEquations, SetAside, over
+from graphkin.planning.structure import Topology
 
 _NUDGE = 0.05
 """How far bodies are moved to see the general rank [size, rad]."""
 _NUDGES = 4
 
 
-def search(mechanism: Mechanism, structure: Structure) -> tuple[SetAside, ...]:
+def search(mechanism: Mechanism, structure: Topology) -> tuple[SetAside, ...]:
     """What repeats others, in the order in which it is set aside. Raises NotRepeated."""
     restraints = Restraints(structure, tuple(_given(mechanism)))
     drawn, _ = drawn_place(restraints)
-    candidates = Candidates(mechanism, structure, frozenset(restraints.rows(drawn).labels))
-    return _Search(candidates, restraints, drawn).found()
+    candidates = PairEquations(mechanism, structure, frozenset(restraints.rows(drawn).labels))
+    return _RepeatSearch(candidates, restraints, drawn).found()
 
 
-def still_over(structure: Structure, found: Sequence[SetAside]) -> tuple[SetAside, ...]:
+def still_over(structure: Topology, found: Sequence[SetAside]) -> tuple[SetAside, ...]:
     """Those that repeat others where wheels may slip, and the drawn position's drivers and poses hold."""
     restraints = Restraints(structure, tuple(d for d in structure.mechanism.drivers if d.kind != "spin"))
     return over(restraints.rows(drawn_place(restraints)[0]), found)
@@ -49,10 +49,10 @@ def _given(mechanism: Mechanism) -> Iterator[Driver]:
 
 
 @frozen
-class _Search:
+class _RepeatSearch:
     """The search for what repeats others in one mechanism; `drawn` is its position."""
 
-    candidates: Candidates
+    candidates: PairEquations
     restraints: Restraints
     drawn: Array
 
@@ -67,9 +67,9 @@ class _Search:
         contradictions.refuse(aside, contradictions.near(rows))
         return tuple(replace(each, held=tuple(self.candidates.holding(each, whole, rows))) for each in aside)
 
-    def _general(self) -> Rows:
+    def _general(self) -> ConstraintRows:
         """The pairs' equations where they are most independent: at the drawn position, or next to it."""
-        given = [Row("given", str(k)) for k in range(len(self.restraints.given))]
+        given = [ConstraintRow("given", str(k)) for k in range(len(self.restraints.given))]
         start = self.restraints.rows(self.drawn).without(given)
         free = np.linalg.svd(start.slopes)[2][rank(start.slopes) :]
         rng, places = np.random.default_rng(3), [start]
@@ -82,7 +82,7 @@ class _Search:
         return max(places, key=lambda rows: rank(rows.slopes))
 
     @staticmethod
-    def _repeats(rows: Rows, candidate: SetAside) -> bool:
+    def _repeats(rows: ConstraintRows, candidate: SetAside) -> bool:
         """Whether nothing moves more freely without it."""
         fewer = rows.without(candidate.rows).slopes
         if candidate.part == "link":

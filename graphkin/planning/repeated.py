@@ -12,13 +12,13 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from graphkin.model.mechanism import Mechanism
-from graphkin.planning.structure import Aside, Structure
+from graphkin.planning.structure import Aside, Topology
 
 if TYPE_CHECKING:
     from graphkin.planning.redundancy import SetAside
 
 
-def repeated(mechanism: Mechanism, structure: Structure) -> tuple[SetAside, ...]:
+def repeated(mechanism: Mechanism, structure: Topology) -> tuple[SetAside, ...]:
     """What repeats others, in the order in which it is set aside.
 
     Raises NotRepeated for a constraint that comes close to repeating others, but contradicts them.
@@ -42,7 +42,7 @@ def as_aside(found: Iterable[SetAside]) -> Aside:
     )
 
 
-def still_repeated(structure: Structure, found: Sequence[SetAside]) -> tuple[SetAside, ...]:
+def still_repeated(structure: Topology, found: Sequence[SetAside]) -> tuple[SetAside, ...]:
     """Those that repeat others even where wheels may slip and the drawn position's drivers and poses hold."""
     if not found:
         return ()

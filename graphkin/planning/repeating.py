@@ -6,10 +6,10 @@ from graphkin.construction import LayOff, Measure, Roll, Simultaneous, Site
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.images import reach
 from graphkin.planning.loop_terms import Slip
-from graphkin.planning.polygon import Polygon
+from graphkin.planning.polygon import PolygonPlan
 
 
-def measure_all_slides(polygon: Polygon) -> None:
+def measure_all_slides(polygon: PolygonPlan) -> None:
     """Every sliding pair and every wheel on a line whose motion along it no step has given yet."""
     given = _given(polygon)
     for name in polygon.structure.measured:
@@ -18,13 +18,13 @@ def measure_all_slides(polygon: Polygon) -> None:
             given = _given(polygon)
 
 
-def measure_slide(polygon: Polygon, name: str) -> None:
+def measure_slide(polygon: PolygonPlan, name: str) -> None:
     """One whose motion no step has given yet."""
     if name not in _given(polygon):
         _measure(polygon, name)
 
 
-def _measure(polygon: Polygon, name: str) -> None:
+def _measure(polygon: PolygonPlan, name: str) -> None:
     """The point seen from the guide under it; of the acceleration what the Coriolis term leaves."""
     pair, owners = polygon.structure.slides[name], polygon.structure.owners
     of = Site(pair.point, next(body for body in owners[pair.point] if body != pair.guide))
@@ -39,7 +39,7 @@ def _measure(polygon: Polygon, name: str) -> None:
     polygon.parts.append(Measure(polygon.sliding, name, along.tail, along.head))
 
 
-def _given(polygon: Polygon) -> set[str]:
+def _given(polygon: PolygonPlan) -> set[str]:
     """The slides whose motion is known: driven, measured or calculated."""
     given = set(polygon.structure.slides_driven)
     for part in polygon.parts:

@@ -6,14 +6,14 @@ from graphkin.construction import AcrossGuide, Along, Direction, Measure, Roll, 
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.images import base_of, reach
-from graphkin.planning.loop_terms import Lever
-from graphkin.planning.polygon import Polygon
+from graphkin.planning.loop_terms import LinkArm
+from graphkin.planning.polygon import PolygonPlan
 from graphkin.planning.position import contact_letters, in_step
 from graphkin.planning.repeating import measure_slide
 from graphkin.planning.stages import Group, Mesh
 
 
-def mesh(polygon: Polygon, stage: Mesh) -> None:
+def mesh(polygon: PolygonPlan, stage: Mesh) -> None:
     """Pure rolling gives the contact of the one wheel the velocity of the other's; a rack follows its pinion."""
     if stage.contact.slide in polygon.structure.aside.slides and not stage.contact.way:
         measure_slide(polygon, stage.contact.slide)
@@ -33,7 +33,7 @@ def mesh(polygon: Polygon, stage: Mesh) -> None:
     polygon.lies_apart(wheel, of)
 
 
-def _turned_by(polygon: Polygon, stage: Mesh) -> Site | None:
+def _turned_by(polygon: PolygonPlan, stage: Mesh) -> Site | None:
     """The centre of the wheel whose turning alone the contact gives."""
     turned = [body for body, _ in stage.contact.angles if polygon.structure.base(body) == stage.angle]
     for wheel, centre in zip(stage.contact.wheels, stage.contact.centres, strict=True):
@@ -42,9 +42,9 @@ def _turned_by(polygon: Polygon, stage: Mesh) -> Site | None:
     return None
 
 
-def _roll_acceleration(polygon: Polygon, contact: Contact, centre: Site, of: Site, at: Site) -> None:
+def _roll_acceleration(polygon: PolygonPlan, contact: Contact, centre: Site, of: Site, at: Site) -> None:
     """The contacts of two wheels differ in acceleration along their common normal only."""
-    lever = Lever(centre, of, False)
+    lever = LinkArm(centre, of, False)
     left = polygon.side(centre, (lever,))
     normal: Direction = AcrossGuide(contact.slide) if contact.slide else Along(*contact.centres)
     label, other = polygon.labels.label(of), polygon.labels.label(at)
@@ -55,7 +55,7 @@ def _roll_acceleration(polygon: Polygon, contact: Contact, centre: Site, of: Sit
     polygon.measure_unknown(lever)
 
 
-def train(polygon: Polygon, stage: Group) -> bool:
+def train(polygon: PolygonPlan, stage: Group) -> bool:
     """A planet between two wheels of known motion, or a wheel between two plates: both contacts are known, so is it."""
     if polygon.plane != "velocity" or stage.loops or len(stage.contacts) != 2:
         return False
@@ -80,7 +80,7 @@ def train(polygon: Polygon, stage: Group) -> bool:
     return True
 
 
-def _contacts_with_known(polygon: Polygon, stage: Group, planet: str) -> list[tuple[Site, Site]]:
+def _contacts_with_known(polygon: PolygonPlan, stage: Group, planet: str) -> list[tuple[Site, Site]]:
     """Each contact as a point of the planet and of the other wheel; none unless both others move as known."""
     letters = contact_letters(polygon.structure)
     sites = []
@@ -93,7 +93,7 @@ def _contacts_with_known(polygon: Polygon, stage: Group, planet: str) -> list[tu
     return sites
 
 
-def _turn_arm(polygon: Polygon, planet: str, contact: Contact) -> None:
+def _turn_arm(polygon: PolygonPlan, planet: str, contact: Contact) -> None:
     """The arm's turning from the planet's centre."""
     arm, centre = contact.arm, contact.centres[contact.wheels.index(planet)]
     reach(polygon, Site(centre, planet))

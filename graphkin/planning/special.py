@@ -29,9 +29,9 @@ from graphkin.construction import (
     Site,
 )
 from graphkin.model.mechanism import FRAME
-from graphkin.planning.loop_terms import Hop, Lever, Slip, outward, way_round
+from graphkin.planning.loop_terms import Hop, LinkArm, Slip, outward, way_round
 from graphkin.planning.stages import Group, Stage
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 
 APART = 0.1
 """Least sine of the angle under which two legs' lines may meet, where another pair is better."""
@@ -66,7 +66,7 @@ class Ternary:
     legs: tuple[Leg, Leg, Leg]
 
 
-def ternary(structure: Structure, group: Group, plot: Plot, name: str) -> Ternary | None:
+def ternary(structure: Topology, group: Group, plot: Plot, name: str) -> Ternary | None:
     """The ternary link of a Class III group, with the best pair of legs first; None for any other group."""
     if group.contacts or len(group.loops) != 2 or group.floating:
         return None
@@ -83,12 +83,12 @@ def ternary(structure: Structure, group: Group, plot: Plot, name: str) -> Ternar
     return None
 
 
-def _legs(structure: Structure, group: Group, link: str) -> list[Leg] | None:
+def _legs(structure: Topology, group: Group, link: str) -> list[Leg] | None:
     """Three legs that start at three known places and end on this link, if it is the ternary one."""
     found: dict[tuple[Site, Hop], Leg] = {}
     for loop in group.loops:
         start, hops, end = way_round(structure, loop, link)
-        levers = [k for k, hop in enumerate(hops) if isinstance(hop, Lever) and hop.of.link == link]
+        levers = [k for k, hop in enumerate(hops) if isinstance(hop, LinkArm) and hop.of.link == link]
         if len(levers) != 1:
             return None
         at = levers[0]
@@ -108,7 +108,7 @@ def _leg(start: Site, hops: tuple[Hop, ...], end: Site) -> Leg | None:
     if len(unknown) != 1:
         return None
     hop = unknown[0]
-    if isinstance(hop, Lever):
+    if isinstance(hop, LinkArm):
         arm = hop.seen_from.point, hop.of.point
         return Leg(start, hops, end, Along(*arm), Across(*arm))
     if isinstance(hop, Slip):
@@ -134,7 +134,7 @@ def _worth(pair: tuple[Leg, Leg], legs: list[Leg], plot: Plot) -> float:
     return grounded * (1.0 if sine > APART and abs(meeting - at) < 20 * span else 0.1) + 0.05 * sine
 
 
-def special_points(structure: Structure, order: tuple[Stage, ...], plot: Plot) -> dict[Group, Ternary]:
+def special_points(structure: Topology, order: tuple[Stage, ...], plot: Plot) -> dict[Group, Ternary]:
     """The special point of each Class III group, with a letter of its own."""
     named = (letter + "'" * primes for primes in count() for letter in "STUVWXYZ")
     letters = (letter for letter in named if letter not in structure.owners)

@@ -23,7 +23,7 @@ from graphkin.planning.closed_sets import fewest_closed
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.known import Known
 from graphkin.planning.loop_search import Ways, floats
-from graphkin.planning.structure import Hinge, Joint, Structure
+from graphkin.planning.structure import Hinge, Joint, Topology
 
 MOST = 8
 """Unknown scalars of one loop of a group."""
@@ -89,18 +89,18 @@ class Group:
 Stage = Carry | Bridge | Mesh | Loop | Group
 
 
-def stages(structure: Structure) -> tuple[tuple[Stage, ...], tuple[str, ...]]:
+def stages(structure: Topology) -> tuple[tuple[Stage, ...], tuple[str, ...]]:
     """The stages in the order a textbook takes them, and the bodies that no stage reaches."""
-    search = _Search(structure)
+    search = _StageSearch(structure)
     found = list(search.found())
     return tuple(found), tuple(search.known.unknown)
 
 
-class _Search:
+class _StageSearch:
     """What comes next, looked for close to what has just become known: a link of a long chain costs no more than one of
     a short chain."""
 
-    def __init__(self, structure: Structure) -> None:
+    def __init__(self, structure: Topology) -> None:
         self.structure = structure
         self.known = Known(structure, slides=set(structure.slides_driven))
         self.bodies = tuple(structure.bodies)

@@ -14,7 +14,7 @@ from graphkin.errors import GearsApart, OffTrack, Where
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Gear, Line
 from graphkin.planning.equivalent import Contact
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 
 
 def refuse_contacts_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot: Plot) -> None:
@@ -47,7 +47,7 @@ def _beside(line: Line, point: str, plot: Plot) -> float:
     return float(cross(along, plot.arm(line.origin, point)))
 
 
-def facts_of(structure: Structure, values: Sequence[Value] | None, drawn: Mapping[str, float]) -> Facts:
+def facts_of(structure: Topology, values: Sequence[Value] | None, drawn: Mapping[str, float]) -> Facts:
     """What is known before the pencil moves; drivers at the drawn position, or at other values [rad, m]."""
     mechanism = structure.mechanism
     drivers = mechanism.drivers

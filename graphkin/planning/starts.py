@@ -15,7 +15,7 @@ from graphkin.base.value import filled
 from graphkin.construction import Arm, Fit, Plot, unknowns_of
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.branches import Branches
-from graphkin.planning.structure import Structure
+from graphkin.planning.structure import Topology
 
 STARTS = 96
 """Places where fitting starts, for each branch."""
@@ -33,7 +33,7 @@ SAME = 1e-6
 class Starts:
     """Fits the groups of a mechanism, whatever has been drawn of it."""
 
-    structure: Structure
+    structure: Topology
 
     def fitted(self, here: Branches, step: Fit, fit: Callable[[Plot], None], spare: float) -> Branches:
         """Each branch with every assembly of the group that fits; where none fits, how the last ones tried miss.

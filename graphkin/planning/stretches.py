@@ -5,11 +5,11 @@ from __future__ import annotations
 from graphkin.base.value import frozen
 from graphkin.construction import Along, AlongGuide, Arm, Closure, Drawn, Slid, Span, Term
 from graphkin.planning.stages import Loop
-from graphkin.planning.structure import Hinge, Joint, Structure
+from graphkin.planning.structure import Hinge, Joint, Topology
 
 
 @frozen
-class Piece:
+class LoopPiece:
     """One stretch of a loop: an arm of a body, or the displacement of a slide."""
 
     part: Arm | Slid
@@ -18,14 +18,14 @@ class Piece:
     base: str
 
 
-def closure(structure: Structure, loop: Loop) -> Closure:
+def closure(structure: Topology, loop: Loop) -> Closure:
     pieces = pieces_of(structure, loop)
     return Closure(pieces[0].tail, tuple(piece.part for piece in pieces), pieces[-1].head)
 
 
-def pieces_of(structure: Structure, loop: Loop) -> list[Piece]:
+def pieces_of(structure: Topology, loop: Loop) -> list[LoopPiece]:
     """The way round as arms and displacements, from a known point to a known point."""
-    pieces: list[Piece] = []
+    pieces: list[LoopPiece] = []
     for k, joint in enumerate(loop.joints):
         if not isinstance(joint, Hinge):
             pair = structure.slides[joint.slide]
@@ -35,23 +35,23 @@ def pieces_of(structure: Structure, loop: Loop) -> list[Piece]:
             ends = (pair.line.origin, pair.point)
             tail, head = ends if forward else ends[::-1]
             part = Slid(joint.slide, 1 if forward else -1)
-            pieces.append(Piece(part, tail, head, structure.base(pair.guide)))
+            pieces.append(LoopPiece(part, tail, head, structure.base(pair.guide)))
         if k < len(loop.bodies):
             body = loop.bodies[k]
             tail, head = _end(structure, joint, body), _end(structure, loop.joints[k + 1], body)
             if tail != head:
-                pieces.append(Piece(Arm(body, tail, head), tail, head, structure.base(body)))
+                pieces.append(LoopPiece(Arm(body, tail, head), tail, head, structure.base(body)))
     return pieces
 
 
-def _end(structure: Structure, joint: Joint, body: str) -> str:
+def _end(structure: Topology, joint: Joint, body: str) -> str:
     """The point at which a joint holds a body."""
     return joint.point if isinstance(joint, Hinge) else structure.slide_point(joint.slide, body)
 
 
-def runs_of(pieces: list[Piece], known: set[str]) -> list[list[Piece]]:
+def runs_of(pieces: list[LoopPiece], known: set[str]) -> list[list[LoopPiece]]:
     """Pieces of one unknown group together; pieces whose direction is known one by one."""
-    runs: list[list[Piece]] = []
+    runs: list[list[LoopPiece]] = []
     for piece in pieces:
         if runs and piece.base not in known and runs[-1][0].base == piece.base:
             runs[-1].append(piece)
@@ -60,7 +60,7 @@ def runs_of(pieces: list[Piece], known: set[str]) -> list[list[Piece]]:
     return runs
 
 
-def term_of(structure: Structure, stage: Loop, run: list[Piece], known: set[str]) -> Term:
+def term_of(structure: Topology, stage: Loop, run: list[LoopPiece], known: set[str]) -> Term:
     tail, head = run[0].tail, run[-1].head
     span = Span(tuple(piece.part for piece in run))
     part = run[0].part
@@ -72,20 +72,20 @@ def term_of(structure: Structure, stage: Loop, run: list[Piece], known: set[str]
     return Term(head, tail, "", span, Along(tail, head), tail, head)
 
 
-def turned_round(piece: Piece) -> Piece:
+def turned_round(piece: LoopPiece) -> LoopPiece:
     part: Arm | Slid
     if isinstance(piece.part, Arm):
         part = Arm(piece.part.link, piece.part.head, piece.part.tail)
     else:
         part = Slid(piece.part.slide, -piece.part.sign)
-    return Piece(part, piece.head, piece.tail, piece.base)
+    return LoopPiece(part, piece.head, piece.tail, piece.base)
 
 
 def reverse(term: Term, reaches: dict[Term, Span]) -> Term:
     """The same arrow seen from its other end."""
     size = term.size
     if isinstance(size, Span):
-        size = Span(tuple(turned_round(Piece(p, "", "", "")).part for p in reversed(size.parts)))
+        size = Span(tuple(turned_round(LoopPiece(p, "", "", "")).part for p in reversed(size.parts)))
     direction = term.direction
     if isinstance(direction, Along):
         direction = Along(direction.head, direction.tail)
@@ -100,7 +100,7 @@ def drawn_from(start: str) -> tuple[Term, ...]:
     return (Term(start, "", "", Drawn("", start), None, "", start),)
 
 
-def link_of(structure: Structure, piece: Piece) -> str:
+def link_of(structure: Topology, piece: LoopPiece) -> str:
     if isinstance(piece.part, Arm):
         return piece.part.link
     return structure.slides[piece.part.slide].guide

@@ -49,7 +49,7 @@ NOTHING = Aside()
 
 
 @frozen
-class Structure:
+class Topology:
     """The mechanism as the planner sees it.
 
     coincident  the point at which sliding pairs are looked at, where the user wants another than the planner's

@@ -28,7 +28,7 @@ from graphkin.proof.readings import readings
 from graphkin.running import replay_all
 
 if TYPE_CHECKING:
-    from graphkin.running.variants import Drawn
+    from graphkin.running.variants import DrawnVariants
 
 __all__ = ["AGREE", "PLACES", "Proved", "apart", "apart_each", "compare", "held", "hold_rows", "proved"]
 
@@ -97,7 +97,7 @@ def _known(method: Method) -> list[tuple[float, float]]:
 
 
 def hold_rows(
-    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None, found: Drawn
+    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None, found: DrawnVariants
 ) -> None:
     """Of many mechanisms drawn at once some, each by its own analysis. Raises RoadsDiffer."""
     from graphkin.running.variants import rows_of

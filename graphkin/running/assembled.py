@@ -46,19 +46,19 @@ class Lies:
 
 
 @frozen
-class Assembled:
+class DrawnSides:
     """lies: a side for each choice that can be seen; near: where points are, roughly, of links fitted by trial [m]."""
 
     lies: tuple[Lies, ...] = ()
     near: tuple[tuple[str, complex], ...] = ()
 
 
-def assembled(method: Method, plot: Plot) -> Assembled:
+def assembled(method: Method, plot: Plot) -> DrawnSides:
     """At the position of a plot."""
     steps = tuple(method.position.steps)
     found = (_seen(method, plot, step) for step in steps if isinstance(step, Meet | Swing) and step.choice is not None)
     fitted = any(isinstance(step, Fit) for step in steps)
-    return Assembled(tuple(lies for lies in found if lies is not None), tuple(_about(method, plot)) if fitted else ())
+    return DrawnSides(tuple(lies for lies in found if lies is not None), tuple(_about(method, plot)) if fitted else ())
 
 
 def _about(method: Method, plot: Plot) -> Iterator[tuple[str, complex]]:

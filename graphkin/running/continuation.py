@@ -16,7 +16,7 @@ import numpy as np
 from graphkin.construction import Meet, Roll, Swing
 from graphkin.planning.method import Method
 from graphkin.running.looking import Looking
-from graphkin.running.path import STEP_DEG, STEP_PART, Event, Path, stride
+from graphkin.running.path import STEP_DEG, STEP_PART, DriverPath, Event, stride
 from graphkin.running.path_nodes import Nodes, cubic
 from graphkin.running.singularities import choice_of, event_at, touching
 
@@ -42,23 +42,23 @@ BETWEEN = 8
 """From one position found to the next so many are foretold, from which others are found."""
 
 
-def continued(method: Method, path: Path) -> Path:
+def continued(method: Method, path: DriverPath) -> DriverPath:
     """The path continued both ways from the drawn position; it ends where no step leads on."""
     looking = Looking(method, path)
-    forth, back = _Walk(method, path, looking, 1), _Walk(method, path, looking, -1)
+    forth, back = _ContinuationWalk(method, path, looking, 1), _ContinuationWalk(method, path, looking, -1)
     forth.walk(path.high)
     back.walk(path.low)
     changes = (*back.changes, *forth.changes)
     return replace(forth.so_far(back.nodes[1:], forth.nodes), stops=(*back.stops, *forth.stops), changes=changes)
 
 
-class _Walk:
+class _ContinuationWalk:
     """One direction of a path: positions found so far, change points gone through, and what ended it.
 
     missed   where loci only came near touching
     """
 
-    def __init__(self, method: Method, path: Path, looking: Looking, side: int) -> None:
+    def __init__(self, method: Method, path: DriverPath, looking: Looking, side: int) -> None:
         self.method, self.path, self.looking, self.side = method, path, looking, side
         self.sides = dict(path.sides)
         self.stops: tuple[Event, ...] = ()
@@ -250,7 +250,7 @@ class _Walk:
 
     # --- what is found ------------------------------------------------------------------------
 
-    def so_far(self, *nodes: Nodes) -> Path:
+    def so_far(self, *nodes: Nodes) -> DriverPath:
         """The path through these positions, with what lies between them."""
         t, x = nodes[0].and_then(nodes[1]).in_order().between(BETWEEN)
         tables = dict(zip(self.looking.names, x.T))

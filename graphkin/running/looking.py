@@ -13,7 +13,7 @@ from graphkin.construction import Fit, Plot, replay
 from graphkin.construction.fitting import fit
 from graphkin.construction.pencil import COMPASS, Compass
 from graphkin.planning.method import Method
-from graphkin.running.path import Path, by_slide_key, turned
+from graphkin.running.path import DriverPath, by_slide_key, turned
 from graphkin.running.path_nodes import Nodes
 from graphkin.running.singularities import Crossing, crossings, key_of
 
@@ -30,7 +30,7 @@ class Looking:
     start      the drawn position
     """
 
-    def __init__(self, method: Method, path: Path) -> None:
+    def __init__(self, method: Method, path: DriverPath) -> None:
         self.method, self.path = method, path
         self.crossings = {key_of(step): step for step in crossings(method)}
         plot = self._replayed(np.zeros(1), dict(path.near(0.0)), path.sides)

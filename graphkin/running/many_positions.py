@@ -10,7 +10,7 @@ import numpy as np
 from graphkin.base.geometry import Value
 from graphkin.construction import Plot, replay
 from graphkin.planning.method import Method
-from graphkin.running.path import Path, along
+from graphkin.running.path import DriverPath, along
 from graphkin.running.program import TABLES, CannotRecord, Entry, ReplayProgram, recorded_program
 
 MANY = 64
@@ -76,7 +76,7 @@ def by_program(
     return None if made is None else made.run(values, sides, near, asked, compiled)
 
 
-def along_in_parts(method: Method, path: Path, t: Value) -> Plot:
+def along_in_parts(method: Method, path: DriverPath, t: Value) -> Plot:
     """The positions at t on the path by plain replay; many in parts, so that what they need stays in the cache."""
     if np.ndim(t) != 1 or t.size <= PART:
         return along(method, path, t)
@@ -94,7 +94,7 @@ def _joined(values: Sequence[Value]) -> Value:
 
 
 def replay_along(
-    method: Method, path: Path, t: np.ndarray, asked: set[Entry] | None = None, compiled: bool | None = None
+    method: Method, path: DriverPath, t: np.ndarray, asked: set[Entry] | None = None, compiled: bool | None = None
 ) -> Plot:
     """All three constructions at t (n,) on the path, each choice on the side that is right there; `asked`, `compiled`:
     as `ReplayProgram.run` has them."""

@@ -39,7 +39,7 @@ class Event:
 
 
 @frozen
-class Path:
+class DriverPath:
     """Driver values start + t pace [rad, m]; t is 0 at the drawn position.
 
     low, high   how far it was looked; beyond a stop the path does not lead
@@ -94,7 +94,7 @@ class Path:
         return Lazy(tables, lambda name: np.interp(t, at, tables[name])[()])
 
 
-def with_nodes(path: Path, t: np.ndarray, tables: Mapping[str, np.ndarray]) -> Path:
+def with_nodes(path: DriverPath, t: np.ndarray, tables: Mapping[str, np.ndarray]) -> DriverPath:
     """The path with what is found at t (m,), which goes on from the drawn position to one side; nodes there go."""
     assert path.nodes is not None
     at, before = path.nodes
@@ -104,7 +104,7 @@ def with_nodes(path: Path, t: np.ndarray, tables: Mapping[str, np.ndarray]) -> P
     return replace(path, nodes=(found[order], joined))
 
 
-def along(method: Method, path: Path, t: Value) -> Plot:
+def along(method: Method, path: DriverPath, t: Value) -> Plot:
     """The positions at t, scalar or (n,), on the path."""
     plot = Plot(method.facts(path.values(t)), dict(path.near(t)))
     return replay(method.position, plot, path.crossings(t))

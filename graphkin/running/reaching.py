@@ -13,7 +13,7 @@ from graphkin.errors import NotReached
 from graphkin.model.quantities import EDGE, driven
 from graphkin.planning.method import Method
 from graphkin.running.many_positions import along_in_parts
-from graphkin.running.path import STEP_DEG, STEP_PART, Path, along, stride, turned
+from graphkin.running.path import STEP_DEG, STEP_PART, DriverPath, along, stride, turned
 from graphkin.running.tracing import trace
 
 SURPRISE = 0.02
@@ -25,7 +25,7 @@ SHORTEST = 1 / 256
 # --- single positions -------------------------------------------------------------------------
 
 
-def reached(method: Method, values: Sequence[Value]) -> tuple[Path, float]:
+def reached(method: Method, values: Sequence[Value]) -> tuple[DriverPath, float]:
     """The path to a position, and how far on it; the other way round where only that one is free of dead points."""
     path, t = _to(method, values)
     if not path.leads_to(t):
@@ -37,7 +37,7 @@ def reached(method: Method, values: Sequence[Value]) -> tuple[Path, float]:
     return path, t
 
 
-def _to(method: Method, values: Sequence[Value]) -> tuple[Path, float]:
+def _to(method: Method, values: Sequence[Value]) -> tuple[DriverPath, float]:
     """The straight path from the drawn position: t counts the driver that goes farthest."""
     start = np.array([float(value) for value in method.facts(None).values])
     change = np.array([float(value) for value in values]) - start
@@ -54,7 +54,7 @@ def _other_way_round(method: Method, values: Sequence[Value]) -> Sequence[Value]
     ]
 
 
-def _not_reached(method: Method, path: Path, t: float) -> NotReached:
+def _not_reached(method: Method, path: DriverPath, t: float) -> NotReached:
     moving = int(np.argmax(np.abs(path.pace)))
     driver = method.drivers[moving]
     unit = EDGE[driven(driver.kind == "slide")]
@@ -78,7 +78,7 @@ def moved_to(method: Method, values: Sequence[Value]) -> Plot:
     return _fanned(method, values) if way is None else along_in_parts(method, *way)
 
 
-def on_one_way(method: Method, values: Sequence[Value]) -> tuple[Path, np.ndarray] | None:
+def on_one_way(method: Method, values: Sequence[Value]) -> tuple[DriverPath, np.ndarray] | None:
     """Many positions on one path, where each hangs on the one before; nan where it does not lead. None: on no one."""
     if not method.moves_on or not any(np.ndim(value) for value in values):
         return None

@@ -8,14 +8,14 @@ import numpy as np
 
 from graphkin.construction import Plot, replay
 from graphkin.planning.method import Method
-from graphkin.running.path import Event, Path, along, stride, turned, with_nodes
+from graphkin.running.path import DriverPath, Event, along, stride, turned, with_nodes
 from graphkin.running.singularities import LOOK_DEG, LOOK_PART, Crossing, choice_of, crossings, event_at, first_touching
 
 FAST, HALVINGS = 0.5, 6
 """Where a link turns more between two positions [rad], those between are looked at, too; so often."""
 
 
-def scanned(method: Method, path: Path, end: float) -> Path:
+def scanned(method: Method, path: DriverPath, end: float) -> DriverPath:
     """The path with what lies between the drawn position and `end` on it."""
     begin, step = 0.0, stride(method, path.pace, LOOK_DEG, LOOK_PART)
     side = 1.0 if end > 0 else -1.0
@@ -33,7 +33,7 @@ def scanned(method: Method, path: Path, end: float) -> Path:
     return path
 
 
-def _seen(method: Method, path: Path, t: np.ndarray) -> tuple[Path, np.ndarray, Plot]:
+def _seen(method: Method, path: DriverPath, t: np.ndarray) -> tuple[DriverPath, np.ndarray, Plot]:
     """The plot at t, from the drawn position on to one side; where rolling counts, each position from the one before.
 
     There the path gets what is found as its nodes, and more positions where a link turns fast.
@@ -59,7 +59,7 @@ def _filled(t: np.ndarray, table: np.ndarray) -> np.ndarray:
     return table if there.all() or not there.any() else np.interp(t, t[there][order], table[there][order])
 
 
-def _as_far_as(path: Path, end: float) -> Path:
+def _as_far_as(path: DriverPath, end: float) -> DriverPath:
     """The path without nodes beyond `end`."""
     if path.nodes is None:
         return path
@@ -68,7 +68,7 @@ def _as_far_as(path: Path, end: float) -> Path:
     return replace(path, nodes=(t[kept], {name: table[kept] for name, table in tables.items()}))
 
 
-def _next_event(method: Method, path: Path, t: np.ndarray, plot: Plot) -> Event | None:
+def _next_event(method: Method, path: DriverPath, t: np.ndarray, plot: Plot) -> Event | None:
     """The first stop or change point among positions t, in their order."""
     found: list[tuple[float, Crossing, bool]] = []
     for step in crossings(method):

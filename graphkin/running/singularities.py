@@ -17,7 +17,7 @@ from graphkin.construction import Arc, Fit, Meet, Plot, Swing
 from graphkin.model.naming import spelled
 from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
-from graphkin.running.path import Event, Path, along, stride
+from graphkin.running.path import DriverPath, Event, along, stride
 
 LOOK_DEG, LOOK_PART = 0.5, 0.002
 """How closely the path is looked at [deg, of the mechanism's size]."""
@@ -77,7 +77,9 @@ def _called(method: Method, step: Crossing) -> tuple[str, ...]:
     return tuple(spelled(method.mechanism.called(link)) for link in links_of(method.structure, step))
 
 
-def first_touching(method: Method, path: Path, t: np.ndarray, step: Crossing, plot: Plot) -> tuple[float, bool] | None:
+def first_touching(
+    method: Method, path: DriverPath, t: np.ndarray, step: Crossing, plot: Plot
+) -> tuple[float, bool] | None:
     """Where the two loci of a crossing first touch or part, and whether the mechanism goes through."""
     sine, miss = _angle(method, step, plot, t.shape)
     apart = ~np.isfinite(sine) | (miss > 0)
@@ -114,18 +116,18 @@ def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -
     return sine, miss
 
 
-def _seen(method: Method, path: Path, step: Crossing, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _seen(method: Method, path: DriverPath, step: Crossing, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """The same at t (n,) on the path."""
     return _angle(method, step, along(method, path, t), t.shape)
 
 
 @kept(8, objects=2)
-def _between(method: Method, path: Path, begin: float, end: float) -> Plot:
+def _between(method: Method, path: DriverPath, begin: float, end: float) -> Plot:
     """The positions between two places, drawn once for all crossings: where one parts, all that follow from it do."""
     return along(method, path, np.linspace(begin, end, FINE))
 
 
-def _closer(method: Method, path: Path, step: Crossing, begin: float, end: float) -> tuple[float, bool] | None:
+def _closer(method: Method, path: DriverPath, step: Crossing, begin: float, end: float) -> tuple[float, bool] | None:
     """Look closer between two positions: (where, whether it goes through), None where nothing happens."""
     parted: float | None = None
     for _ in range(ROUNDS):
@@ -146,7 +148,7 @@ def _closer(method: Method, path: Path, step: Crossing, begin: float, end: float
     return centre, _kind(step) != "parallel"
 
 
-def touching(method: Method, path: Path, step: Crossing, begin: float, end: float) -> float | None:
+def touching(method: Method, path: DriverPath, step: Crossing, begin: float, end: float) -> float | None:
     """Where the loci of a crossing touch between two places, to go on beyond; None where they do not."""
     if isinstance(step, Fit) and (place := _turned_over(method, path, step, begin, end)) is not None:
         return place
@@ -154,7 +156,7 @@ def touching(method: Method, path: Path, step: Crossing, begin: float, end: floa
     return found[0] if found is not None and found[1] else None
 
 
-def _turned_over(method: Method, path: Path, step: Fit, begin: float, end: float) -> float | None:
+def _turned_over(method: Method, path: DriverPath, step: Fit, begin: float, end: float) -> float | None:
     """Where a group that is fitted comes to its other side, its sine through 0 as straight as may be; else None."""
     for _ in range(2):
         t = np.linspace(begin, end, FEW)
@@ -179,7 +181,7 @@ def _lowest(sine: np.ndarray) -> int | None:
     return int(np.argmin(sine)) if whole else None
 
 
-def _centred(method: Method, path: Path, step: Crossing, at: float) -> float:
+def _centred(method: Method, path: DriverPath, step: Crossing, at: float) -> float:
     """Where the sine, which falls and rises in straight lines, comes to 0."""
     aside = CENTRING * stride(method, path.pace, LOOK_DEG, LOOK_PART)
     t = at + aside * np.array([-1.0, 1.0])
@@ -187,7 +189,7 @@ def _centred(method: Method, path: Path, step: Crossing, at: float) -> float:
     return at + aside * float((before - after) / (before + after))
 
 
-def _edge(method: Method, path: Path, step: Crossing, t: np.ndarray, k: int) -> float:
+def _edge(method: Method, path: DriverPath, step: Crossing, t: np.ndarray, k: int) -> float:
     """The last position at which the loci still meet, before position k."""
     if k == 0:
         return float(t[0])

@@ -7,7 +7,7 @@ import math
 from graphkin.errors import TooFar
 from graphkin.model.quantities import EDGE, driven
 from graphkin.planning.method import Method
-from graphkin.running.path import Path, stride
+from graphkin.running.path import DriverPath, stride
 
 MOST = 1e7
 """Points looked at on a path, at most: some 0.3 GB."""
@@ -15,7 +15,7 @@ FITTING = 30
 """How much more a position costs where links are fitted."""
 
 
-def refuse_far(method: Method, path: Path, look_deg: float, look_part: float) -> None:
+def refuse_far(method: Method, path: DriverPath, look_deg: float, look_part: float) -> None:
     """Raises TooFar for a path with too many positions to be looked at."""
     cost = max(len(method.mechanism.points), 4) * (FITTING if method.fits else 1)
     most = MOST / cost * stride(method, path.pace, look_deg, look_part)

@@ -10,15 +10,15 @@ from graphkin.base.cache import kept
 from graphkin.construction import Meet, Swing
 from graphkin.planning.method import Method
 from graphkin.running.continuation import continued
-from graphkin.running.path import Path
+from graphkin.running.path import DriverPath
 from graphkin.running.scanning import scanned
 from graphkin.running.singularities import LOOK_DEG, LOOK_PART
 from graphkin.running.too_far import refuse_far
 
 
 def trace(
-    method: Method, pace: Sequence[float], low: float, high: float, after: tuple[Path, float] | None = None
-) -> Path:
+    method: Method, pace: Sequence[float], low: float, high: float, after: tuple[DriverPath, float] | None = None
+) -> DriverPath:
     """Look along the path from t = low to t = high (low <= 0 <= high) for stops and change points.
 
     after   a place on another path, to start from there instead of from the drawn position
@@ -28,14 +28,14 @@ def trace(
 
 
 @kept(16)
-def _from_drawn(method: Method, pace: tuple[float, ...], ends: tuple[float, float]) -> Path:
+def _from_drawn(method: Method, pace: tuple[float, ...], ends: tuple[float, float]) -> DriverPath:
     """The same walk serves many sweeps."""
     return _traced(method, pace, ends, None)
 
 
 def _traced(
-    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[Path, float] | None
-) -> Path:
+    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[DriverPath, float] | None
+) -> DriverPath:
     path = _setting_out(method, pace, ends, after)
     refuse_far(method, path, LOOK_DEG, LOOK_PART)
     if path.low == path.high:
@@ -48,8 +48,8 @@ def _traced(
 
 
 def _setting_out(
-    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[Path, float] | None
-) -> Path:
+    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[DriverPath, float] | None
+) -> DriverPath:
     """A path of which only its start is known."""
     if after is None:
         start = tuple(float(value) for value in method.facts(None).values)
@@ -60,7 +60,7 @@ def _setting_out(
         near = dict(before.near(t))
         sides = {choice: int(side) for choice, side in before.crossings(t).items()}
     nodes = (np.zeros(1), {name: np.full(1, value) for name, value in near.items()})
-    return Path(start, pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)
+    return DriverPath(start, pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)
 
 
 def _sides(method: Method) -> dict[int, int]:

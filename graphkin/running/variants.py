@@ -36,7 +36,7 @@ CHOICES = 6
 
 
 @frozen
-class Drawn:
+class DrawnVariants:
     """Many mechanisms drawn: values (n,) or (positions, n).
 
     refused   what is wrong with some of them, by their numbers; their values are NaN
@@ -48,12 +48,12 @@ class Drawn:
 
 def replay_many(
     method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None = None
-) -> Drawn:
+) -> DrawnVariants:
     """Every mechanism of a method's topology, as `api.replay_many` has it; none is held against the analysis."""
     _refuse_others(method, [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms)
     method = _accelerated(method, [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms)
     count = count_of(mechanisms) if isinstance(mechanisms, Mechanism) else len(mechanisms)
-    found = _Drawing(method, count, _shape(count, values), {table: {} for table in TABLES})
+    found = _VariantTables(method, count, _shape(count, values), {table: {} for table in TABLES})
     left = np.arange(count)
     if count and is_simple(method):
         left = found.together(mechanisms if isinstance(mechanisms, Mechanism) else stacked(mechanisms), values)
@@ -65,7 +65,7 @@ def replay_many(
     plot = Plot(method.facts(values))
     for name, table in found.tables.items():
         setattr(plot, name, table)
-    return Drawn(plot, refused)
+    return DrawnVariants(plot, refused)
 
 
 def is_simple(method: Method) -> bool:
@@ -103,7 +103,7 @@ def _shape(count: int, values: Sequence[Value] | None) -> tuple[int, ...]:
 
 
 @filled
-class _Drawing:
+class _VariantTables:
     """Tables of arrays in the making, `count` mechanisms along the last axis."""
 
     method: Method

@@ -26,18 +26,26 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-_WHERE = dict.fromkeys(("Arrow", "Calculation", "Entry", "Heading", "Sentence", "VectorEquation"), "entry")
+_WHERE = dict.fromkeys(("TermRow", "Calculation", "Entry", "Heading", "Sentence", "VectorEquation"), "entry")
 _WHERE |= dict.fromkeys(("derivation", "explain", "vector_equations"), "explained")
 _WHERE |= {"say": "catalogue"}
 
 __all__ = [
-    "Arrow", "Calculation", "Entry", "Heading", "Sentence", "VectorEquation", "derivation", "explain", "say",
+    "Calculation",
+    "Entry",
+    "Heading",
+    "Sentence",
+    "TermRow",
+    "VectorEquation",
+    "derivation",
+    "explain",
+    "say",
     "vector_equations",
 ]  # fmt: skip
 
 if TYPE_CHECKING:
     from graphkin.say.catalogue import say
-    from graphkin.say.entry import Arrow, Calculation, Entry, Heading, Sentence, VectorEquation
+    from graphkin.say.entry import Calculation, Entry, Heading, Sentence, TermRow, VectorEquation
     from graphkin.say.explained import derivation, explain, vector_equations
 
 

@@ -26,13 +26,13 @@ from graphkin.proof.readings import readings
 from graphkin.say import names
 from graphkin.say.asked import Asked
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence
-from graphkin.say.figures import Operand, Turned
+from graphkin.say.figures import Operand, TrigFormula
 from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
 
 
 @frozen
-class Answers:
+class AnswerLines:
     """What is asked for, about to be told.
 
     told  the sizes of the vectors that the solution has calculated [SI], by their names
@@ -151,7 +151,7 @@ class Answers:
         """`v_E,x = 0.3201 × cos 36.87° = 0.2561 m/s`."""
         whole, vector = self.value(quantity.whole), self._vector(quantity.whole)
         angle = self.reading.direction(vector)
-        turned = Turned("cos" if quantity.axis == "x" else "sin", angle)
+        turned = TrigFormula("cos" if quantity.axis == "x" else "sin", angle)
         value, unit = whole * turned.value, EDGE[quantity.unit].sign
         if not self.reading.usual.cut(value, quantity.unit):
             return Calculation(name, (), "", 0.0, unit)

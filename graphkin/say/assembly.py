@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphkin.errors import Lang
-from graphkin.running.assembled import Assembled, Lies
+from graphkin.running.assembled import DrawnSides, Lies
 from graphkin.say import names
 from graphkin.say.catalogue import say
 
 
-def assembly(found: Assembled, lang: Lang) -> str:
+def assembly(found: DrawnSides, lang: Lang) -> str:
     """`C above BD`, one after another; nothing where there is no choice."""
     told = say("common.and", lang).join(dict.fromkeys(_told(found, lang)))
     return told and say("assembly.drawn", lang, told=told)
 
 
-def _told(found: Assembled, lang: Lang) -> Iterator[str]:
+def _told(found: DrawnSides, lang: Lang) -> Iterator[str]:
     for lies in found.lies:
         line = "".join(map(names.point, lies.line))
         yield say(f"assembly.side {_side(lies)}", lang, point=names.point(lies.point), line=line)

@@ -12,7 +12,7 @@ from graphkin.say import names
 from graphkin.say.catalogue import say as spoken
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Operand
-from graphkin.say.numbers import Figure, number
+from graphkin.say.numbers import SentenceNumber, number
 from graphkin.say.senses import sense, sensed
 from graphkin.studies.centres.about import About, Circle
 from graphkin.studies.centres.about_bobillier import Bobillier, Guided
@@ -21,7 +21,7 @@ from graphkin.studies.centres.two_velocities import TwoVelocities
 
 def say(key: str, lang: Lang, /, **words: object) -> str:
     """A phrase whose numbers have four figures."""
-    told = {name: Figure(word) if isinstance(word, float) else word for name, word in words.items()}
+    told = {name: SentenceNumber(word) if isinstance(word, float) else word for name, word in words.items()}
     return spoken(key, lang, **told)
 
 

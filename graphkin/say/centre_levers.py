@@ -14,7 +14,7 @@ from graphkin.say.centre_steps import CentreReader
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Formula, figures
 from graphkin.say.numbers import degrees
-from graphkin.studies.centres.lever_board import Lever, Number
+from graphkin.studies.centres.lever_board import BoardNumber, Lever
 from graphkin.studies.centres.levers import Levers
 
 FORMS: Mapping[str, tuple[str, Callable[..., Formula | str]]] = {
@@ -113,7 +113,7 @@ class LeverReader:
     def _shared(self, lever: Lever) -> str:
         return self.reader.centre(self.levers.found.name(lever.base, lever.link))
 
-    def _note(self, lever: Lever, meant: Number) -> str:
+    def _note(self, lever: Lever, meant: BoardNumber) -> str:
         """The sense of a rotation, or the direction of a motion."""
         levers, say, link = self.levers, self.reader.say, lever.link
         match lever.stage.say:
@@ -136,7 +136,7 @@ class LeverReader:
             case _:
                 return self.sense(levers.turned(meant))
 
-    def _of_point(self, lever: Lever, meant: Number) -> str:
+    def _of_point(self, lever: Lever, meant: BoardNumber) -> str:
         angle = degrees(self.levers.moved(meant, lever.link))
         if lever.stage.say == "point" and self.levers.turning[lever.link]:
             arm = self._stretch(self.levers.found.name(FRAME, lever.link), meant.of)

@@ -12,15 +12,15 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import (
     ChosenPoint,
+    DraftLayOff,
+    DraftMeet,
+    DraftTurn,
     Far,
-    LayOff,
     LineStep,
     MarkOn,
-    Meet,
     PointStep,
     Pricked,
     Stage,
-    Turned,
     drawn_through,
 )
 from graphkin.errors import Lang
@@ -122,10 +122,10 @@ class CentreReader:
             case Pricked():
                 links = self._links(self.found.centring.links[step.name])
                 return {"point": names.point(step.point), "reason": self._reason(), **links}
-            case Meet():
+            case DraftMeet():
                 first, second = (self._line(step, line) for line in stage.lines)
                 return {"first": first, "second": second, "met": self._met(stage)}
-            case Far() | ChosenPoint() | LayOff() | MarkOn() | Turned():
+            case Far() | ChosenPoint() | DraftLayOff() | MarkOn() | DraftTurn():
                 return self._links(self.found.centring.links[step.name])
             case _:
                 assert_never(step)
@@ -133,7 +133,7 @@ class CentreReader:
     def _links(self, pair: tuple[str, str]) -> dict[str, str]:
         return {"first": self.link(pair[0]), "second": self.link(pair[1])}
 
-    def _line(self, step: Meet, line: LineStep) -> str:
+    def _line(self, step: DraftMeet, line: LineStep) -> str:
         """A line on which a centre lies, and why it does."""
         if (normal := self.found.centring.normals.get(line.name)) is not None:
             return self._normal(step, normal)
@@ -151,7 +151,7 @@ class CentreReader:
         key = "centres.across guide" if by_definition else "centres.parallel"
         return self.say(key, angle=self.angle(far[0]), **words)
 
-    def _normal(self, step: Meet, normal: CommonNormal) -> str:
+    def _normal(self, step: DraftMeet, normal: CommonNormal) -> str:
         pair = self.found.centring.links[step.name]
         key = f"centres.normal of {NORMALS[type(normal.pair)]}"
         return self.say(key, point=names.point(normal.line.through), **self._links(pair))

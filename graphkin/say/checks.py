@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from graphkin.check import Measured, RulerReport
+from graphkin.check import RulerReading, RulerReport
 from graphkin.errors import Lang
 from graphkin.say import names
 from graphkin.say.catalogue import say
@@ -43,14 +43,14 @@ def check_json(report: RulerReport, tolerance_mm: float, lang: Lang) -> dict[str
     }
 
 
-def _entry(entry: Measured) -> dict[str, object]:
+def _entry(entry: RulerReading) -> dict[str, object]:
     drawn, exact = ([place.real, place.imag] for place in (entry.drawn, entry.exact))
     said = {"plane": entry.plane, "kind": entry.kind, "name": entry.name, "drawn": drawn, "exact": exact}
     off = entry.off_mm if math.isfinite(entry.off_mm) else None
     return said | {"off": off, "unit_per_mm": entry.unit_per_mm, "unit": entry.unit}
 
 
-def _measured(entry: Measured, lang: Lang) -> list[str]:
+def _measured(entry: RulerReading, lang: Lang) -> list[str]:
     in_polygon = entry.kind == "vector" and entry.plane != "centres"
     name = names.vector(entry.name) if in_polygon else names.point(entry.name)
     if entry.kind != "vector":

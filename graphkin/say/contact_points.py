@@ -11,7 +11,7 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import touching
 from graphkin.say import names
 from graphkin.say.entry import Entry, Sentence
-from graphkin.say.plane import Polygon
+from graphkin.say.plane import PolygonReading
 
 
 @frozen
@@ -26,7 +26,7 @@ class Contacted:
     contacts: tuple[Contact, ...]
 
 
-def contacted(polygon: Polygon, step: Measure) -> Contacted | None:
+def contacted(polygon: PolygonReading, step: Measure) -> Contacted | None:
     """The contacts at which the rotation of a wheel is measured in the velocity polygon."""
     if polygon.plane != "velocity":
         return None
@@ -44,7 +44,7 @@ def contacted(polygon: Polygon, step: Measure) -> Contacted | None:
     return Contacted(polygon.seen(of, seen_from), found)
 
 
-def _touching(polygon: Polygon, part: Step | Equation) -> dict[tuple[str, str], str]:
+def _touching(polygon: PolygonReading, part: Step | Equation) -> dict[tuple[str, str], str]:
     """The contacts of a wheel, by letter and wheel, that a rotation is measured at, or an equation starts from."""
     letters, found = dict(touching(polygon.reading.method.structure)), dict[tuple[str, str], str]()
     if isinstance(part, Measure):
@@ -56,7 +56,7 @@ def _touching(polygon: Polygon, part: Step | Equation) -> dict[tuple[str, str], 
     return {place: node for place, node in found.items() if place in wheels}
 
 
-def same_velocities(polygon: Polygon, part: Step | Equation) -> Iterator[Entry]:
+def same_velocities(polygon: PolygonReading, part: Step | Equation) -> Iterator[Entry]:
     """Pure rolling at the contacts that a part of the velocity polygon is the first to use."""
     letters = dict(touching(polygon.reading.method.structure))
     for (letter, wheel), node in _touching(polygon, part).items() if polygon.plane == "velocity" else ():
@@ -64,7 +64,7 @@ def same_velocities(polygon: Polygon, part: Step | Equation) -> Iterator[Entry]:
             yield Sentence(_same_velocity(polygon, wheel, letter, letters[letter], node))
 
 
-def _same_velocity(polygon: Polygon, wheel: str, letter: str, contact: Contact, node: str) -> str:
+def _same_velocity(polygon: PolygonReading, wheel: str, letter: str, contact: Contact, node: str) -> str:
     """Pure rolling: the two points at a contact move alike."""
     reading = polygon.reading
     other = next(link for link in contact.wheels if link != wheel)

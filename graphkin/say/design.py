@@ -14,7 +14,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.say.catalogue import in_both, say
 from graphkin.say.figures import figures, written
 from graphkin.say.linkages import kind_name
-from graphkin.say.numbers import Figure
+from graphkin.say.numbers import SentenceNumber
 from graphkin.studies.design import Design, Family, Reason, Solution, linkage_of, proof
 from graphkin.studies.linkages import filed
 
@@ -24,9 +24,9 @@ _DIGITS = 5
 
 def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
     """One sentence a stage, with the numbers of the board."""
-    numbers: dict[str, Any] = {name: Figure(value) for name, value in board.numbers.items()}
+    numbers: dict[str, Any] = {name: SentenceNumber(value) for name, value in board.numbers.items()}
     for name, place in board.places.items():
-        numbers |= {f"{name}_x": Figure(place.real * 1e3), f"{name}_y": Figure(place.imag * 1e3)}
+        numbers |= {f"{name}_x": SentenceNumber(place.real * 1e3), f"{name}_y": SentenceNumber(place.imag * 1e3)}
     numbers |= _figures(board.numbers)
     return [say(f"design.stage {stage.say}", lang, **numbers) for stage in construction.stages]
 
@@ -50,7 +50,7 @@ def _figures(known: Mapping[str, float]) -> Iterator[tuple[str, str]]:
 
 def said(reason: Reason, lang: Lang) -> str:
     """A reason as a sentence."""
-    data: dict[str, Any] = {k: v if isinstance(v, str) else Figure(v) for k, v in reason.data}
+    data: dict[str, Any] = {k: v if isinstance(v, str) else SentenceNumber(v) for k, v in reason.data}
     if "name" in data:
         data["name"] = say(f"design.name {data['name']}" if data["name"] else "design.name", lang)
     return say(f"design.reason {reason.key}", lang, **data)
@@ -99,7 +99,7 @@ def _lengths(one: Solution, lang: Lang) -> str:
     """l_AB = 20.773 mm, l_BC = .. of those it has; a guide bar turns about C."""
     frame = "l_AC" if one.b is None and one.c is None else "l_AD"
     sizes = {"l_AB": one.a, "l_BC": one.b, "l_CD": one.c, frame: one.d, "e": one.e}
-    told = [f"{name} = {Figure(size):mm}" for name, size in sizes.items() if size is not None]
+    told = [f"{name} = {SentenceNumber(size):mm}" for name, size in sizes.items() if size is not None]
     return say("common.and", lang).join(told)
 
 
@@ -112,9 +112,9 @@ def _judged(one: Solution, lang: Lang) -> Iterator[str]:
         return
     values = {"ψ": found.swing, "θ": found.theta, "γ_min": found.gamma_min}
     told = [kind_name(found, lang)]
-    told += [f"{name} = {Figure(value):deg}" for name, value in values.items() if value is not None]
-    told += [f"H = {Figure(found.stroke):mm}"] if found.stroke is not None else []
-    told += [f"K = {Figure(found.k):n}"] if found.k is not None else []
+    told += [f"{name} = {SentenceNumber(value):deg}" for name, value in values.items() if value is not None]
+    told += [f"H = {SentenceNumber(found.stroke):mm}"] if found.stroke is not None else []
+    told += [f"K = {SentenceNumber(found.k):n}"] if found.k is not None else []
     if one.pace is not None:
         told.append(say("design.slow ccw" if one.pace > 0 else "design.slow cw", lang))
     yield f"  {say('design.proof', lang)}{say('common.and', lang).join(told)}"
@@ -123,10 +123,10 @@ def _judged(one: Solution, lang: Lang) -> Iterator[str]:
 
 def _family(one: Family, lang: Lang) -> str:
     arcs = [
-        say("design.arcs", lang, start=Figure(arc.start % math.tau), end=Figure(arc.end % math.tau))
+        say("design.arcs", lang, start=SentenceNumber(arc.start % math.tau), end=SentenceNumber(arc.end % math.tau))
         for arc in one.arcs if arc.name == "admissible"
     ]  # fmt: skip
-    x, y, radius, best = map(Figure, (one.centre.real * 1e3, one.centre.imag * 1e3, one.radius, one.best[1]))
+    x, y, radius, best = map(SentenceNumber, (one.centre.real * 1e3, one.centre.imag * 1e3, one.radius, one.best[1]))
     return say("design.family", lang, arcs=say("common.list", lang).join(arcs), x=x, y=y, radius=radius, best=best)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from graphkin.model.quantities import Quantity
 from graphkin.say import names
-from graphkin.say.answers import Answers
+from graphkin.say.answers import AnswerLines
 from graphkin.say.asked import Asked
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.numbers import number
@@ -16,12 +16,12 @@ _NOISE = 1e-6
 """Parts below this are none [%]."""
 
 
-def deviations(read: Answers, exactly: Asked) -> Iterator[Entry]:
+def deviations(read: AnswerLines, exactly: Asked) -> Iterator[Entry]:
     """Each answer beside its exact value.
 
     exactly  the same questions of the drawing that was read
     """
-    right = Answers(exactly, {})
+    right = AnswerLines(exactly, {})
     wanted = [quantity for quantity in read.goal.wanted if quantity is not None]
     if wanted:
         yield Heading(read.reading.say("solution.exactly"))
@@ -29,7 +29,7 @@ def deviations(read: Answers, exactly: Asked) -> Iterator[Entry]:
         yield Sentence("  " + _beside(read, right, quantity))
 
 
-def _beside(read: Answers, right: Answers, quantity: Quantity) -> str:
+def _beside(read: AnswerLines, right: AnswerLines, quantity: Quantity) -> str:
     """`v_C: as drawn 1.225 m/s (at 180° to +x), exactly 1.220 m/s (at 180° to +x), off by 0.44 %.`"""
     shown = {"read": read.result(quantity), "exact": right.result(quantity)}
     name, off = right.goal.symbol(quantity), ""

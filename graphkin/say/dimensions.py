@@ -8,7 +8,7 @@ from dataclasses import replace
 from graphkin.base.geometry import cross
 from graphkin.construction import LayOff, Measure, Normal, Step, Tangential, Term, Turning
 from graphkin.model.mechanism import FRAME
-from graphkin.model.pairs import Gear, Roll, Slide
+from graphkin.model.pairs import Gear, RollingContact, Slide
 from graphkin.say import names
 from graphkin.say.given_places import driven_slides, face_offsets, fixed_points, guide_angles
 from graphkin.say.given_sizes import Size, beside, circle, driven, in_a_row, millimetres, radius, sides
@@ -78,7 +78,7 @@ def _radii(reading: Reading) -> Iterator[str]:
     for gear in reading.mechanism.of(Gear):
         for link, _, size in gear.circles:
             yield radius(reading, link, size).text
-    for roll in reading.mechanism.of(Roll):
+    for roll in reading.mechanism.of(RollingContact):
         yield radius(reading, roll.wheel, roll.radius).text
     for centre, size in reading.circles:
         yield circle(reading, centre, size).text

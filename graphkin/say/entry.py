@@ -58,7 +58,7 @@ class Calculation:
 
 
 @frozen
-class Arrow:
+class TermRow:
     """One term of a vector equation with its two rows.
 
     direction, size   as the rows print them: `⊥BD`, `B→A`, `√`, `?`; `ω1 l_AB`, `√`, `?`, `0`
@@ -87,10 +87,10 @@ class VectorEquation:
     """`front = side = side`; `front` is "" where the first side is the motion sought itself."""
 
     front: str
-    sides: tuple[tuple[Arrow, ...], ...]
+    sides: tuple[tuple[TermRow, ...], ...]
 
     @property
-    def arrows(self) -> tuple[Arrow, ...]:
+    def arrows(self) -> tuple[TermRow, ...]:
         return tuple(arrow for side in self.sides for arrow in side)
 
 

@@ -35,14 +35,14 @@ from graphkin.construction import (
 )
 from graphkin.say import names
 from graphkin.say.contact_points import same_velocities
-from graphkin.say.entry import Arrow, Calculation, Entry, Sentence, VectorEquation
+from graphkin.say.entry import Calculation, Entry, Sentence, TermRow, VectorEquation
 from graphkin.say.numbers import number
-from graphkin.say.plane import Polygon
+from graphkin.say.plane import PolygonReading
 from graphkin.say.sizes import known_size, size_row
 from graphkin.say.together import instant_centre, special_introduction
 
 
-def equation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
+def equation(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     """Everything about one vector equation, in the order of a textbook."""
     if sentence := _translation(polygon, part):
         yield polygon.told(next(step for step in part.steps if isinstance(step, LayOff)), sentence)
@@ -64,7 +64,7 @@ def equation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
         yield from _measured(polygon, part)
 
 
-def known_arrow(polygon: Polygon, step: LayOff) -> Iterator[Entry]:
+def known_arrow(polygon: PolygonReading, step: LayOff) -> Iterator[Entry]:
     """A motion that is known without an equation: that of a driven point."""
     size = step.term.size
     if isinstance(size, Normal) and not step.term.part:
@@ -78,7 +78,7 @@ def known_arrow(polygon: Polygon, step: LayOff) -> Iterator[Entry]:
 # --- the equation itself ------------------------------------------------------------------------
 
 
-def worded(polygon: Polygon, part: Equation) -> VectorEquation:
+def worded(polygon: PolygonReading, part: Equation) -> VectorEquation:
     """The equation as it is printed: a side that is the motion sought itself stands first."""
     sides = (part.left, part.right)
     if not _alone(part, part.left) and _alone(part, part.right):
@@ -94,16 +94,16 @@ def _alone(part: Equation, side: tuple[Term, ...]) -> bool:
     return len(side) == 1 and side[0].of == part.of and not side[0].seen_from
 
 
-def _arrow(polygon: Polygon, term: Term, equation: tuple[Term, ...]) -> Arrow:
+def _arrow(polygon: PolygonReading, term: Term, equation: tuple[Term, ...]) -> TermRow:
     ends = (term.tail, term.head)
     size = size_row(polygon, term)
     resting = size == "0" and isinstance(term.size, Drawn)
     direction = "—" if resting else polygon.direction_row(term, equation)
     name = names.vector(term.name(polygon.plane))
-    return Arrow(name, direction, size, polygon.size(*ends), polygon.length_mm(*ends), ends)
+    return TermRow(name, direction, size, polygon.size(*ends), polygon.length_mm(*ends), ends)
 
 
-def _introduction(polygon: Polygon, part: Equation) -> str:
+def _introduction(polygon: PolygonReading, part: Equation) -> str:
     """Which points of which link, or which coincident points, the equation is about."""
     say = polygon.reading.say
     if special := special_introduction(polygon, part):
@@ -118,7 +118,7 @@ def _introduction(polygon: Polygon, part: Equation) -> str:
     return say("derivation.plain equation", of=names.point(part.of), motion=motion)
 
 
-def _chosen(polygon: Polygon, part: Equation) -> Iterator[Entry]:
+def _chosen(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     """Why the coincident points are taken where they are: told with the velocities, where there is a choice."""
     terms = part.left + part.right
     known = {term.sites[0].point: term for term in terms if isinstance(term.size, Drawn) and term.sites}
@@ -129,7 +129,7 @@ def _chosen(polygon: Polygon, part: Equation) -> Iterator[Entry]:
         yield Sentence(polygon.reading.say("derivation.chosen", point=names.point(met), known=name))
 
 
-def _whose_rotation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
+def _whose_rotation(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     """Which link's rotation the Coriolis term of a pin has: of the one in which its path is straight."""
     reading, structure = polygon.reading, polygon.reading.method.structure
     for term in part.left + part.right:
@@ -138,7 +138,7 @@ def _whose_rotation(polygon: Polygon, part: Equation) -> Iterator[Entry]:
             yield Sentence(reading.say("derivation.path of the slot", rate=reading.rate("ω", term.size.link), **words))
 
 
-def _relation(polygon: Polygon, term: Term) -> str:
+def _relation(polygon: PolygonReading, term: Term) -> str:
     of, seen_from = names.point(term.of), names.point(term.seen_from)
     if not term.part and isinstance(term.direction, Along | AcrossGuide):
         return polygon.reading.say("contacts.contact points", of=of, seen_from=seen_from)
@@ -155,7 +155,7 @@ def _coincident(term: Term) -> bool:
     )
 
 
-def _link(polygon: Polygon, term: Term) -> str:
+def _link(polygon: PolygonReading, term: Term) -> str:
     """The link on which both points of a relative motion lie."""
     if isinstance(term.size, Turning | Normal | Tangential):
         return polygon.reading.link(term.size.link)
@@ -163,7 +163,7 @@ def _link(polygon: Polygon, term: Term) -> str:
     return polygon.reading.link(step.of) if step else ""
 
 
-def _translation(polygon: Polygon, part: Equation) -> str:
+def _translation(polygon: PolygonReading, part: Equation) -> str:
     """A link that cannot turn: all its points move alike, and there is nothing to draw."""
     last = part.right[-1]
     if len(part.right) != 2 or not isinstance(last.size, Turning | Normal):
@@ -183,7 +183,7 @@ def _translation(polygon: Polygon, part: Equation) -> str:
 # --- the pencil ---------------------------------------------------------------------------------
 
 
-def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...]) -> Iterator[Entry]:
+def _drawing(polygon: PolygonReading, steps: tuple[Step, ...], terms: tuple[Term, ...]) -> Iterator[Entry]:
     for step in steps:
         match step:
             case LayOff():
@@ -200,7 +200,7 @@ def _drawing(polygon: Polygon, steps: tuple[Step, ...], terms: tuple[Term, ...])
                 assert_never(step)
 
 
-def _lay_off(polygon: Polygon, step: LayOff) -> str:
+def _lay_off(polygon: PolygonReading, step: LayOff) -> str:
     say, term = polygon.reading.say, step.term
     start, tip = names.point(step.start), names.point(step.tip)
     name = names.vector(term.name(polygon.plane))
@@ -215,7 +215,7 @@ def _lay_off(polygon: Polygon, step: LayOff) -> str:
     return say(key, name=name, start=start, length=length)
 
 
-def _meet(polygon: Polygon, step: Meet, terms: tuple[Term, ...]) -> str:
+def _meet(polygon: PolygonReading, step: Meet, terms: tuple[Term, ...]) -> str:
     rays = [locus for locus in (step.first, step.second) if isinstance(locus, Ray)]
     directions = [polygon.line_direction(ray.direction, terms) for ray in rays]
     return polygon.reading.say(
@@ -231,7 +231,7 @@ def _meet(polygon: Polygon, step: Meet, terms: tuple[Term, ...]) -> str:
 # --- what it gives ------------------------------------------------------------------------------
 
 
-def _measured(polygon: Polygon, part: Equation) -> Iterator[Entry]:
+def _measured(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     """The unknown arrows, then the motion sought where it is none of them; first in mm, then in SI units."""
     pole, node = polygon.construction.pole, part.left[-1].head
     unknown = [term for term in part.left + part.right if term.unknowns]
@@ -247,19 +247,19 @@ def _measured(polygon: Polygon, part: Equation) -> Iterator[Entry]:
         yield _sought(polygon, node)
 
 
-def _sought(polygon: Polygon, node: str) -> Calculation:
+def _sought(polygon: PolygonReading, node: str) -> Calculation:
     """The motion sought; where it starts from a point at rest, a relative motion is all there is of it."""
     pole, absolute = polygon.construction.pole, polygon.measured_absolute(node)
     name = polygon.name(pole, node)
     return absolute if name == absolute.name else replace(absolute, formulas=(name,), numbers="")
 
 
-def _millimetres(polygon: Polygon, ends: tuple[str, str]) -> str:
+def _millimetres(polygon: PolygonReading, ends: tuple[str, str]) -> str:
     length = polygon.length_mm(*ends)
     return f"{number(length)} mm{polygon.reading.too_short(length)}" if length else "0"
 
 
-def _result(polygon: Polygon, term: Term) -> Calculation:
+def _result(polygon: PolygonReading, term: Term) -> Calculation:
     if term.over:
         return polygon.measured(term.tail, term.head, names.vector(term.name(polygon.plane)))
     tail, head = term.tail, term.head

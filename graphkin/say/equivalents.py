@@ -24,8 +24,7 @@ from graphkin.construction import (
     Touch,
 )
 from graphkin.model.mechanism import FRAME
-from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, Slot, rod_name
-from graphkin.model.pairs import Roll as RollingPair
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, RollingContact, Slot, rod_name
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import figures
@@ -83,7 +82,7 @@ def _circular_slot(reading: Reading, slot: CircularSlot) -> Iterator[Entry]:
     yield Sentence(reading.say("contacts.pin in arc", centre=centre, pin=pin, **words))
 
 
-def _rolling(reading: Reading, roll: RollingPair) -> Iterator[Entry]:
+def _rolling(reading: Reading, roll: RollingContact) -> Iterator[Entry]:
     if roll.line is not None:
         yield Sentence(_on_line(reading, roll, roll.line))
         if roll.name in reading.contact_slides:
@@ -92,7 +91,7 @@ def _rolling(reading: Reading, roll: RollingPair) -> Iterator[Entry]:
         yield Sentence(_on_circle(reading, roll))
 
 
-def _on_line(reading: Reading, roll: RollingPair, line: Line) -> str:
+def _on_line(reading: Reading, roll: RollingContact, line: Line) -> str:
     held = roll.name not in reading.contact_slides  # by a sliding pair
     return reading.say(
         "contacts.wheel held at line" if held else "contacts.wheel on line",
@@ -104,7 +103,7 @@ def _on_line(reading: Reading, roll: RollingPair, line: Line) -> str:
     )
 
 
-def _on_circle(reading: Reading, roll: RollingPair) -> str:
+def _on_circle(reading: Reading, roll: RollingContact) -> str:
     assert roll.track_centre is not None
     centres = (roll.track_centre, roll.centre)
     return reading.say(
@@ -127,7 +126,7 @@ def _line_of_centres(reading: Reading, gear: Gear) -> Iterator[Entry]:
 EQUIVALENTS: Mapping[type[Pair], Callable[[Reading, Any], Iterator[Entry]]] = {
     Cam: _cam,
     CircularSlot: _circular_slot,
-    RollingPair: _rolling,
+    RollingContact: _rolling,
     Gear: _line_of_centres,
 }
 """What is said of each kind that has a lower-pair equivalent, in this order."""

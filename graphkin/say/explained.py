@@ -11,14 +11,14 @@ from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.planning.by_pose import by_pose, shown
-from graphkin.say.answers import Answers
+from graphkin.say.answers import AnswerLines
 from graphkin.say.asked import Asked, asked
 from graphkin.say.deviation import deviations
 from graphkin.say.entry import Calculation, Entry, Sentence, VectorEquation
 from graphkin.say.equations import worded
 from graphkin.say.given import given, solving
 from graphkin.say.layout import lines
-from graphkin.say.plane import Polygon
+from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon
 from graphkin.say.position import PositionReader
 from graphkin.say.reading import Reading
@@ -67,7 +67,7 @@ def derivation(
     yield from goal.question()
     yield from solving(reading, _leaves_out(body))
     yield from body
-    answers = Answers(goal, {entry.name: entry.value for entry in body if isinstance(entry, Calculation)})
+    answers = AnswerLines(goal, {entry.name: entry.value for entry in body if isinstance(entry, Calculation)})
     yield from answers.entries()
     if ruler is not None:
         yield from deviations(answers, asked(replace(reading, plot=ruler.right, ruler=None), everything, only))
@@ -104,5 +104,5 @@ def vector_equations(
     method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang, plane: Plane
 ) -> dict[Equation, VectorEquation]:
     """The equations of one polygon as they are printed, by the equations of its construction."""
-    drawn = Polygon(Reading(method, plot, scales, lang), plane)
+    drawn = PolygonReading(Reading(method, plot, scales, lang), plane)
     return {part: worded(drawn, part) for part in drawn.construction.equations}

@@ -34,7 +34,7 @@ class Formula:
         return Joined("−", self, other)
 
     def __neg__(self) -> Formula:
-        return Negative(self)
+        return MinusFormula(self)
 
     def text(self, digits: int = DIGITS) -> str:
         """Every figure with so many digits at most."""
@@ -74,7 +74,7 @@ class Operand(Formula):
 
 
 @frozen
-class Turned(Formula):
+class TrigFormula(Formula):
     """`sin 100°`, `cos 60°`; the angle in degrees."""
 
     function: Literal["sin", "cos"]
@@ -127,7 +127,7 @@ class Joined(Formula):
 
 
 @frozen
-class Negative(Formula):
+class MinusFormula(Formula):
     """`−formula`."""
 
     of: Formula

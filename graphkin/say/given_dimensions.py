@@ -12,7 +12,7 @@ from typing import Any
 
 from graphkin.base.geometry import cross, dot
 from graphkin.model.mechanism import FRAME
-from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Roll, Slide
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
 from graphkin.say.equivalents import points_of
 from graphkin.say.given_sizes import Size, beside, circle, millimetres, radius, sides
@@ -110,7 +110,7 @@ def _gear(reading: Reading, pair: Gear) -> str:
                        radii=reading.say("common.and").join(radii))  # fmt: skip
 
 
-def _roll(reading: Reading, pair: Roll) -> str:
+def _roll(reading: Reading, pair: RollingContact) -> str:
     words = {"wheel": reading.link(pair.wheel), "centre": names.point(pair.centre), "track": reading.link(pair.track)}
     words["radius"] = radius(reading, pair.wheel, pair.radius).text
     if pair.line is None:
@@ -200,7 +200,7 @@ GIVEN: Mapping[type[Pair], Callable[[Reading, Any], str]] = {
     Slide: _slide,
     CircularSlot: _circular,
     Gear: _gear,
-    Roll: _roll,
+    RollingContact: _roll,
     Cam: _cam,
 }
 """What is given of each kind that is no hinge, in this order."""

@@ -126,7 +126,7 @@ def angle(value: float) -> str:
     return f"{'0' if text == '-0' else text}°".replace("-", "−")
 
 
-class Figure(float):
+class SentenceNumber(float):
     """A number in a sentence: `mm` a length, `deg` an angle, `n` as it is, with five figures; `read` with four."""
 
     def __format__(self, spec: str) -> str:

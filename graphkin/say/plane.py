@@ -30,7 +30,7 @@ from graphkin.say.reading import Reading
 
 
 @frozen
-class Polygon:
+class PolygonReading:
     """The velocity or the acceleration polygon of a reading.
 
     shown  those of its parts that are told, where not all are
@@ -175,7 +175,7 @@ class Polygon:
                 return "⊥" + self.reading.line(term.direction.slide)
             if term.part == "rt" and isinstance(term.direction, Across):
                 return "∥" + names.pair(term.direction.tail, term.direction.head)
-        velocity = Polygon(self.reading, "velocity")
+        velocity = PolygonReading(self.reading, "velocity")
         return "⊥" + velocity.name(quarter.tail, quarter.head)
 
     def direction_row(self, term: Term, equation: tuple[Term, ...]) -> str:

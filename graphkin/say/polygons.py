@@ -26,7 +26,7 @@ from graphkin.planning.held_still import held_points, standing
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equations import equation, known_arrow
-from graphkin.say.plane import Polygon
+from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading
 from graphkin.say.rolling import rolling
 from graphkin.say.rotation import image, rotation, sliding, ties
@@ -35,7 +35,7 @@ from graphkin.say.together import solved_together
 
 def polygon(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], number: int) -> Iterator[Entry]:
     """Pole, known motions, equations, and what is read off each, in the order of the construction."""
-    drawn = Polygon(reading, plane, standing(reading.method, plane, parts, reading.rested))
+    drawn = PolygonReading(reading, plane, standing(reading.method, plane, parts, reading.rested))
     yield Heading(reading.say(f"derivation.plane {plane}", number=number), plane)
     for part in drawn.parts:
         if isinstance(part, Equation):
@@ -44,7 +44,7 @@ def polygon(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], 
             yield from _step(drawn, part)
 
 
-def _step(drawn: Polygon, step: Step) -> Iterator[Entry]:
+def _step(drawn: PolygonReading, step: Step) -> Iterator[Entry]:
     match step:
         case Given():
             yield from _renamed(drawn)
@@ -71,7 +71,7 @@ def _step(drawn: Polygon, step: Step) -> Iterator[Entry]:
             assert_never(step)
 
 
-def _renamed(drawn: Polygon) -> Iterator[Entry]:
+def _renamed(drawn: PolygonReading) -> Iterator[Entry]:
     """Where p belongs to a point P, the pole has another letter; said once, in the first polygon."""
     pole = drawn.construction.pole
     if drawn.plane == "velocity" and pole != "p":
@@ -84,7 +84,7 @@ def _renamed(drawn: Polygon) -> Iterator[Entry]:
             yield Sentence(drawn.reading.say("derivation.renamed tips", **words))
 
 
-def _tips(drawn: Polygon) -> dict[str, str]:
+def _tips(drawn: PolygonReading) -> dict[str, str]:
     """Where normal and Coriolis components end: the first of each that ends at a corner of its own."""
     found, nodes = dict[str, str](), drawn.construction.nodes
     for part in drawn.parts:
@@ -94,7 +94,7 @@ def _tips(drawn: Polygon) -> dict[str, str]:
     return found
 
 
-def _held(drawn: Polygon) -> Iterator[Entry]:
+def _held(drawn: PolygonReading) -> Iterator[Entry]:
     """The links that drivers at rest hold still: their points are fixed points."""
     reading = drawn.reading
     links = [reading.link(link) for link in reading.mechanism.moving if reading.stands(link)]
@@ -108,7 +108,7 @@ def _held(drawn: Polygon) -> Iterator[Entry]:
         yield Sentence(reading.say(key, links=reading.listed(links), fixed=fixed))
 
 
-def _pole(drawn: Polygon, step: Given) -> str:
+def _pole(drawn: PolygonReading, step: Given) -> str:
     reading, pole = drawn.reading, names.point(step.point)
     first = next((part for part in drawn.parts if isinstance(part, Equation)), None)
     if first is not None and any(isinstance(other, Given) for other in first.steps):

@@ -25,7 +25,7 @@ from graphkin.model.quantities import (
 from graphkin.model.quantities.at_position import at_position
 from graphkin.model.quantities.reading import read
 from graphkin.model.quantities.units import EDGE
-from graphkin.running.assembled import Assembled
+from graphkin.running.assembled import DrawnSides
 from graphkin.say import names
 from graphkin.say.assembly import assembly
 from graphkin.say.catalogue import is_phrase, say
@@ -33,7 +33,7 @@ from graphkin.say.catalogue import is_phrase, say
 
 def problem(
     mechanism: Mechanism, student: str, others: Sequence[str], points: Mapping[str, float], lang: Lang,
-    drawn: Assembled | None = None, figure: str = "", there: bool = True,
+    drawn: DrawnSides | None = None, figure: str = "", there: bool = True,
 ) -> str:  # fmt: skip
     """The text of one student's problem.
 
@@ -56,7 +56,7 @@ def problem(
     return "\n".join(lines) + f"\n\n{MADE}\n"
 
 
-def statement(mechanism: Mechanism, lang: Lang, drawn: Assembled | None = None) -> Iterator[str]:
+def statement(mechanism: Mechanism, lang: Lang, drawn: DrawnSides | None = None) -> Iterator[str]:
     """The mechanism and what is given of it, in lines; with the assembly it is drawn in."""
     yield from (mechanism.headline(lang), "", say("problems.given", lang))
     yield from (f"  {line}" for line in _given(tomllib.loads(mechanism.text), lang))

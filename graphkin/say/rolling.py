@@ -10,9 +10,9 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import touching
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
-from graphkin.say.plane import Polygon
+from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading
-from graphkin.say.rolling_relation import Relation, path_name, relation_of, turned
+from graphkin.say.rolling_relation import RollingRelation, path_name, relation_of, turned
 
 # --- position -----------------------------------------------------------------------------------
 
@@ -45,7 +45,7 @@ def _unknown(reading: Reading, step: Roll) -> list[str]:
     return [link for link, _ in step.contact.angles if step.angle and turns[link].base == step.angle]
 
 
-def _rotated(relation: Relation, links: list[str], sums: list[str], unit: str) -> Iterator[Entry]:
+def _rotated(relation: RollingRelation, links: list[str], sums: list[str], unit: str) -> Iterator[Entry]:
     """The turnings of links that a driver turns against each other, from the relation and their sums."""
     reading = relation.reading
     yield Sentence(reading.say("contacts.with rotations", sums=reading.listed(sums)))
@@ -70,7 +70,7 @@ def touched(reading: Reading, step: Touch) -> str:
 # --- polygons -----------------------------------------------------------------------------------
 
 
-def rolling(polygon: Polygon, step: Roll) -> Iterator[Entry]:
+def rolling(polygon: PolygonReading, step: Roll) -> Iterator[Entry]:
     """The last unknown of a contact from the relation of its wheels."""
     reading = polygon.reading
     relation = relation_of(polygon, step.contact)
@@ -90,7 +90,7 @@ def rolling(polygon: Polygon, step: Roll) -> Iterator[Entry]:
         yield Calculation(path_name(reading, slide, step.slide), formula, numbers, value, names.UNIT[polygon.plane])
 
 
-def checked(polygon: Polygon, contact: Contact) -> str:
+def checked(polygon: PolygonReading, contact: Contact) -> str:
     """The rolling relation of two wheels with the figures found.
 
     "" of a wheel on a line, where it says nothing new, and where some rotation in it is not told.
@@ -102,7 +102,7 @@ def checked(polygon: Polygon, contact: Contact) -> str:
     return polygon.reading.say("contacts.check relation", relation=relation.text, figures=relation.figures)
 
 
-def _rate_told(polygon: Polygon, link: str) -> bool:
+def _rate_told(polygon: PolygonReading, link: str) -> bool:
     """Whether a link's rotation is told, or given."""
     turns = polygon.reading.plot.facts.turns
     if turns[link].base == FRAME:

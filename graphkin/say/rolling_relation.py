@@ -12,12 +12,12 @@ from graphkin.planning.equivalent import Contact
 from graphkin.say import names
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Formula, Operand
-from graphkin.say.plane import Polygon
+from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading
 
 
 @frozen
-class Relation:
+class RollingRelation:
     """`r1(ω1 − ω4) + r2(ω2 − ω4) = 0` of two wheels; `r3(ω3 − ω7) + ṡ_C = 0` of one on a line.
 
     symbol  how the turning of a link is written; value: its size; slid, slid_value: the same of the wheel's path
@@ -116,7 +116,7 @@ class Relation:
             return f"{self.symbol(track)} {sign} {formula}", start - turned if sign == "−" else start + turned
         return (f"−{formula}", -turned) if sign == "−" else (formula, turned)
 
-    def slid_by(self, slide: str, polygon: Polygon) -> tuple[tuple[str, ...], Formula | str]:
+    def slid_by(self, slide: str, polygon: PolygonReading) -> tuple[tuple[str, ...], Formula | str]:
         """`ṡ_A − r2(ω2 − ω1)`: one of the displacements that make up a wheel's way, by the others; r ω alone of one."""
         contact, plot, first = self.contact, self.reading.plot, polygon.plane == "velocity"
         ways = dict(contact.way or ((contact.slide, 1.0),))
@@ -154,7 +154,7 @@ def _added(terms: list[tuple[float, Formula]]) -> Formula:
     return total
 
 
-def relation_of(polygon: Polygon, contact: InStep) -> Relation:
+def relation_of(polygon: PolygonReading, contact: InStep) -> RollingRelation:
     """The relation between angular velocities, or accelerations."""
     reading, plot = polygon.reading, polygon.reading.plot
     first = polygon.plane == "velocity"
@@ -166,7 +166,7 @@ def relation_of(polygon: Polygon, contact: InStep) -> Relation:
 
     symbol = names.SLIDING[polygon.plane]
     moved = usual.motion(float(slid[contact.slide]), polygon.plane) if contact.slide else 0.0
-    return Relation(
+    return RollingRelation(
         reading, contact_of(reading, contact.name), polygon.rate, value,
         _slid(reading, symbol, contact), moved,
     )  # fmt: skip
@@ -194,7 +194,7 @@ def contact_of(reading: Reading, name: str) -> Contact:
     return next(contact for contact in reading.method.structure.contacts if contact.name == name)
 
 
-def turned(reading: Reading, contact: InStep) -> Relation:
+def turned(reading: Reading, contact: InStep) -> RollingRelation:
     """The relation between the turns since the drawn position, in degrees."""
     plot, found = reading.plot, contact_of(reading, contact.name)
     drawn = plot.facts.drawn
@@ -205,4 +205,4 @@ def turned(reading: Reading, contact: InStep) -> Relation:
     moved = float(plot.s[found.slide]) - drawn[slide_key(found.slide)] if found.slide else 0.0
     moved = float(reading.usual.cut(moved, "m"))
     slid = _slid(reading, "Δs", contact)
-    return Relation(reading, found, lambda link: reading.rate("Δθ", link), value, slid, moved, degrees(1.0))
+    return RollingRelation(reading, found, lambda link: reading.rate("Δθ", link), value, slid, moved, degrees(1.0))

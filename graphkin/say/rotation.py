@@ -12,13 +12,13 @@ from graphkin.say.contact_points import contacted, same_velocities
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Operand, figures, signed_sum
 from graphkin.say.numbers import number
-from graphkin.say.plane import Polygon
+from graphkin.say.plane import PolygonReading
 from graphkin.say.rolling import checked
 
 # --- rotations ----------------------------------------------------------------------------------
 
 
-def rotation(polygon: Polygon, step: Measure) -> Iterator[Entry]:
+def rotation(polygon: PolygonReading, step: Measure) -> Iterator[Entry]:
     """omega or alpha of a link, then of those that keep their angle to it."""
     if polygon.plane == "acceleration" and not polygon.written(step.tail, step.head):
         yield from _resolved(polygon, step)
@@ -44,7 +44,7 @@ def rotation(polygon: Polygon, step: Measure) -> Iterator[Entry]:
     yield from _group(polygon, step.of)
 
 
-def _group(polygon: Polygon, link: str) -> Iterator[Entry]:
+def _group(polygon: PolygonReading, link: str) -> Iterator[Entry]:
     """The links that keep their angle to one just measured."""
     reading, others = polygon.reading, polygon.reading.group(link)
     held = [other for other in others if not _driven_between(polygon, other, link)]
@@ -55,7 +55,7 @@ def _group(polygon: Polygon, link: str) -> Iterator[Entry]:
         yield _tie(polygon, other, link)
 
 
-def _rate(polygon: Polygon, step: Measure, name: str, length_mm: float, direct: bool = False) -> Calculation:
+def _rate(polygon: PolygonReading, step: Measure, name: str, length_mm: float, direct: bool = False) -> Calculation:
     """`ω3 = v_B3/l_BD = μ_v·pb3/(μ_l·BD) = 0.01 × 27.12/(0.001 × 69.2) = 3.919 rad/s (clockwise)`."""
     reading, line = polygon.reading, names.pair(*step.lever)
     lever, mu = reading.distance(*step.lever), names.SCALE[polygon.plane]
@@ -71,7 +71,7 @@ def _rate(polygon: Polygon, step: Measure, name: str, length_mm: float, direct: 
     )
 
 
-def _sense_note(polygon: Polygon, step: Measure) -> str:
+def _sense_note(polygon: PolygonReading, step: Measure) -> str:
     """The sense; the first time also how it is found."""
     reading = polygon.reading
     sense = _sense(polygon, _turning(polygon, step))
@@ -82,13 +82,13 @@ def _sense_note(polygon: Polygon, step: Measure) -> str:
     return reading.say("derivation.sense rule", sense=sense, head=head, tail=tail, **words)
 
 
-def _turning(polygon: Polygon, step: Measure) -> float:
+def _turning(polygon: PolygonReading, step: Measure) -> float:
     """Speed across the lever, positive where it turns it counter-clockwise."""
     arm = polygon.reading.plot.arm(*step.lever)
     return float(cross(arm, polygon.arrow(step.tail, step.head)) / abs(arm))
 
 
-def _resolved(polygon: Polygon, step: Measure) -> Iterator[Entry]:
+def _resolved(polygon: PolygonReading, step: Measure) -> Iterator[Entry]:
     """Both ends are known from elsewhere: only the part across the lever turns the link."""
     reading = polygon.reading
     across = reading.usual.motion(abs(_turning(polygon, step)), polygon.plane)
@@ -106,7 +106,7 @@ def _resolved(polygon: Polygon, step: Measure) -> Iterator[Entry]:
 # --- links that keep their angles ---------------------------------------------------------------
 
 
-def ties(polygon: Polygon) -> Iterator[Entry]:
+def ties(polygon: PolygonReading) -> Iterator[Entry]:
     """Before the first equation: links that cannot turn, and those that turn with the driven ones."""
     reading = polygon.reading
     still = [link for link in reading.mechanism.moving if reading.translates(link)]
@@ -126,7 +126,7 @@ def ties(polygon: Polygon) -> Iterator[Entry]:
             yield _tie(polygon, link, FRAME)
 
 
-def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
+def _tie(polygon: PolygonReading, link: str, other: str) -> Calculation:
     """`ω2 = ω3`, or `ω2 = ω1 + ω21` with a driven rotation between them; the frame adds nothing."""
     reading = polygon.reading
     table = reading.plot.omega if polygon.plane == "velocity" else reading.plot.alpha
@@ -145,11 +145,11 @@ def _tie(polygon: Polygon, link: str, other: str) -> Calculation:
     return Calculation(polygon.rate(link), (formula,), numbers, value, polygon.rate_unit, note)
 
 
-def _sense(polygon: Polygon, value: float) -> str:
+def _sense(polygon: PolygonReading, value: float) -> str:
     return polygon.reading.say("common.ccw" if value > 0 else "common.cw")
 
 
-def _driven_between(polygon: Polygon, link: str, other: str) -> list[tuple[int, int, float]]:
+def _driven_between(polygon: PolygonReading, link: str, other: str) -> list[tuple[int, int, float]]:
     """Drivers that turn `link` against `other`, each with its sign and its rate."""
     facts = polygon.reading.plot.facts
     given = facts.rates if polygon.plane == "velocity" else facts.accelerations
@@ -169,7 +169,7 @@ def _signed(parts: list[tuple[int, str]]) -> str:
 # --- slides -------------------------------------------------------------------------------------
 
 
-def sliding(polygon: Polygon, step: Measure) -> Iterator[Entry]:
+def sliding(polygon: PolygonReading, step: Measure) -> Iterator[Entry]:
     """The speed at which a named displacement grows; of others, which distance grows or shrinks."""
     reading = polygon.reading
     pair = reading.method.structure.slides[step.of]
@@ -189,7 +189,7 @@ def sliding(polygon: Polygon, step: Measure) -> Iterator[Entry]:
 # --- images -------------------------------------------------------------------------------------
 
 
-def image(polygon: Polygon, step: Image) -> Iterator[Entry]:
+def image(polygon: PolygonReading, step: Image) -> Iterator[Entry]:
     """A further point of a link by the figure similar to it, then its motion."""
     reading = polygon.reading
     first, second, third = step.corners
@@ -215,7 +215,7 @@ def image(polygon: Polygon, step: Image) -> Iterator[Entry]:
     yield polygon.measured_absolute(step.point)
 
 
-def _corner(polygon: Polygon, node: str, corner: str) -> str:
+def _corner(polygon: PolygonReading, node: str, corner: str) -> str:
     """A fixed point's own letter rather than the pole's."""
     if node != polygon.construction.pole:
         return node
@@ -224,7 +224,7 @@ def _corner(polygon: Polygon, node: str, corner: str) -> str:
     return next(fixed, node)
 
 
-def _ratio(polygon: Polygon, step: Image, corners: list[str]) -> str:
+def _ratio(polygon: PolygonReading, step: Image, corners: list[str]) -> str:
     """`dc = db3 · CD/BD = 27.12 × 48/69.2 = 18.81 mm`."""
     first, second, third = step.corners
     lengths = [polygon.reading.distance(first, p) for p in (third, second)]

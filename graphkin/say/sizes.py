@@ -9,7 +9,7 @@ from graphkin.construction import Coriolis, Drawn, Driven, Normal, Relative, Siz
 from graphkin.say import names
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Formula, Operand, squared
-from graphkin.say.plane import Polygon
+from graphkin.say.plane import PolygonReading
 
 
 @frozen
@@ -21,7 +21,7 @@ class Sized:
     way: str
 
 
-def size_row(polygon: Polygon, term: Term) -> str:
+def size_row(polygon: PolygonReading, term: Term) -> str:
     """What the row of sizes says of a term: `?`, `√`, `0` at rest, or the formula."""
     if term.size is None:
         return "?"
@@ -30,7 +30,7 @@ def size_row(polygon: Polygon, term: Term) -> str:
     return _sized(polygon, term, term.size, "").formula
 
 
-def known_size(polygon: Polygon, term: Term, equation: tuple[Term, ...]) -> Calculation:
+def known_size(polygon: PolygonReading, term: Term, equation: tuple[Term, ...]) -> Calculation:
     """The size of a term that is neither unknown nor drawn yet, and where it points."""
     assert term.size is not None
     sized = _sized(polygon, term, term.size, polygon.direction_row(term, equation))
@@ -43,17 +43,17 @@ def known_size(polygon: Polygon, term: Term, equation: tuple[Term, ...]) -> Calc
     return Calculation(name, formulas, sized.numbers, value, names.UNIT[polygon.plane], note)
 
 
-def _why_none(polygon: Polygon, term: Term) -> str:
+def _why_none(polygon: PolygonReading, term: Term) -> str:
     """Why there is no Coriolis acceleration; "" of other terms."""
     if not isinstance(term.size, Coriolis):
         return ""
-    reading, velocity = polygon.reading, Polygon(polygon.reading, "velocity")
+    reading, velocity = polygon.reading, PolygonReading(polygon.reading, "velocity")
     if not velocity.size(term.size.tail, term.size.head):
         return reading.say("derivation.no sliding", relative=velocity.seen(term.of, term.seen_from))
     return reading.say("derivation.no turning", rate=reading.rate("ω", term.size.link))
 
 
-def _other_names(polygon: Polygon, term: Term) -> tuple[str, ...]:
+def _other_names(polygon: PolygonReading, term: Term) -> tuple[str, ...]:
     """`v_B2 = v_B1`: the hinge is a point of the driven link too; `a_B = aⁿ_BA`: without a tangential part."""
     size = term.size
     if not isinstance(size, Turning | Normal) or term.seen_from:
@@ -68,7 +68,7 @@ def _other_names(polygon: Polygon, term: Term) -> tuple[str, ...]:
     return tuple(found)
 
 
-def _sized(polygon: Polygon, term: Term, size: Size, direction: str) -> Sized:
+def _sized(polygon: PolygonReading, term: Term, size: Size, direction: str) -> Sized:
     reading, plot = polygon.reading, polygon.reading.plot
     match size:
         case Turning(link, tail, head):
@@ -92,20 +92,20 @@ def _sized(polygon: Polygon, term: Term, size: Size, direction: str) -> Sized:
             assert_never(size)
 
 
-def _times(polygon: Polygon, rate: str, value: float, ends: tuple[str, str], direction: str) -> Sized:
+def _times(polygon: PolygonReading, rate: str, value: float, ends: tuple[str, str], direction: str) -> Sized:
     length = Operand(polygon.reading.distance(*ends))
     way = polygon.reading.say("derivation.sense of", direction=direction, rate=rate)
     return Sized(f"{rate} l_{names.pair(*ends)}", Operand(abs(value)) * length, way)
 
 
-def _squared(polygon: Polygon, rate: str, value: float, ends: tuple[str, str], direction: str) -> Sized:
+def _squared(polygon: PolygonReading, rate: str, value: float, ends: tuple[str, str], direction: str) -> Sized:
     length = Operand(polygon.reading.distance(*ends))
     return Sized(f"{rate}² l_{names.pair(*ends)}", squared(abs(value)) * length, direction)
 
 
-def _coriolis(polygon: Polygon, term: Term, size: Coriolis, direction: str) -> Sized:
+def _coriolis(polygon: PolygonReading, term: Term, size: Coriolis, direction: str) -> Sized:
     reading = polygon.reading
-    rate, velocity = reading.rate("ω", size.link), Polygon(reading, "velocity")
+    rate, velocity = reading.rate("ω", size.link), PolygonReading(reading, "velocity")
     relative = velocity.seen(term.of, term.seen_from)
     omega = Operand(abs(reading.plot.omega[size.link]))
     numbers = Operand(2) * omega * Operand(velocity.read(size.tail, size.head))
@@ -113,7 +113,7 @@ def _coriolis(polygon: Polygon, term: Term, size: Coriolis, direction: str) -> S
     return Sized(f"2 {rate} {relative}", numbers, way)
 
 
-def _driven(polygon: Polygon, term: Term, size: Driven, direction: str) -> Sized:
+def _driven(polygon: PolygonReading, term: Term, size: Driven, direction: str) -> Sized:
     """The size of the driven speed itself, and whether the arrow points the way s counts."""
     reading = polygon.reading
     arrow = polygon.arrow(term.tail, term.head)
@@ -124,7 +124,7 @@ def _driven(polygon: Polygon, term: Term, size: Driven, direction: str) -> Sized
     return Sized(f"|{names.of_slide(names.SLIDING[polygon.plane], size.slide)}|", "", way)
 
 
-def _relative(polygon: Polygon, size: Relative, direction: str) -> Sized:
+def _relative(polygon: PolygonReading, size: Relative, direction: str) -> Sized:
     """A driven rotation of one link against another: ω21 l, ω21² l, α21 l."""
     reading, facts = polygon.reading, polygon.reading.plot.facts
     order, symbol = (2, "α") if size.part == "t" else (1, "ω")

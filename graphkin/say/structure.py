@@ -8,7 +8,7 @@ from typing import Any
 from graphkin.errors import Lang, called_pair
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.naming import named
-from graphkin.model.pairs import Cam, CircularSlot, Gear, Pair, Revolute, Roll, Slide
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Pair, Revolute, RollingContact, Slide
 from graphkin.planning import Method
 from graphkin.say.catalogue import say, say_close
 from graphkin.say.redundancy import redundant_constraints
@@ -40,7 +40,7 @@ KINDS: Mapping[type[Pair], Callable[[Any], tuple[str, str]]] = {
     Slide: lambda slide: ("pin" if slide.block is None else "slide", slide.point),
     CircularSlot: lambda slot: ("circular slot", slot.point),
     Gear: lambda gear: ("gear", ""),
-    Roll: lambda roll: ("roll", ""),
+    RollingContact: lambda roll: ("roll", ""),
     Cam: lambda cam: ("cam", ""),
 }
 """The line of each kind, and the point it is about."""

@@ -12,7 +12,7 @@ from graphkin.construction import Arm, LayOff, Span, Swing
 from graphkin.model.pairs import Slide, Slot
 from graphkin.say import names
 from graphkin.say.entry import Calculation
-from graphkin.say.figures import Formula, Operand, Turned
+from graphkin.say.figures import Formula, Operand, TrigFormula
 from graphkin.say.guide_angle import guide_angle
 from graphkin.say.numbers import degrees, number
 from graphkin.say.paper_lengths import PaperLengths
@@ -77,7 +77,7 @@ class Tangents(PaperLengths):
         turned, aside = abs(in_degrees(np.angle(slot.line.direction / arm))), abs(cross(slot.line.direction, arm))
         angle = guide_angle(reading, pair)
         known = angle is not None and angle.corner == step.pivot and bool(angle.symbol)
-        sine = Turned("sin", turned if known else min(turned, 180 - turned))
+        sine = TrigFormula("sin", turned if known else min(turned, 180 - turned))
         length, rim = Operand(abs(arm)), Operand(radius)
         turn = f"sin {angle.symbol}" if angle is not None and known else sine.text()
         name = f"l_{names.pair(step.pivot, slot.line.origin)} {turn}"

@@ -29,7 +29,7 @@ from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Operand
 from graphkin.say.given_sizes import driven
 from graphkin.say.numbers import degrees, number
-from graphkin.say.plane import Polygon
+from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading
 from graphkin.say.rolling_relation import relation_of, turned
 
@@ -169,7 +169,7 @@ def _line(reading: Reading, ray: Ray) -> str:
 # --- polygons: special points -------------------------------------------------------------------
 
 
-def special_introduction(polygon: Polygon, part: Equation) -> str:
+def special_introduction(polygon: PolygonReading, part: Equation) -> str:
     """What an equation of two legs is about; "" for any other."""
     legs = [term for term in part.left + part.right if term.over]
     node = polygon.construction.nodes[part.left[-1].head]
@@ -180,7 +180,7 @@ def special_introduction(polygon: Polygon, part: Equation) -> str:
     return polygon.reading.say("contacts.special", of=names.point(part.of), link=link, first=first, second=second)
 
 
-def _leg(polygon: Polygon, term: Term) -> str:
+def _leg(polygon: PolygonReading, term: Term) -> str:
     direction: Direction | None = term.direction
     match direction:
         case Across(tail, head) | Along(tail, head):
@@ -193,7 +193,7 @@ def _leg(polygon: Polygon, term: Term) -> str:
             assert_never(direction)
 
 
-def instant_centre(polygon: Polygon, part: Equation) -> str:
+def instant_centre(polygon: PolygonReading, part: Equation) -> str:
     """Both legs on the fixed link: nothing to measure; "" otherwise."""
     legs = [term for term in part.left + part.right if term.over]
     head = part.left[-1].head
@@ -213,7 +213,7 @@ def instant_centre(polygon: Polygon, part: Equation) -> str:
 # --- polygons: together -------------------------------------------------------------------------
 
 
-def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
+def solved_together(polygon: PolygonReading, step: Simultaneous) -> Iterator[Entry]:
     """Which equations, which unknowns, and what they come to."""
     reading, plot = polygon.reading, polygon.reading.plot
     members = [link for base in step.angles for link in _members(reading, base)]
@@ -249,7 +249,7 @@ def solved_together(polygon: Polygon, step: Simultaneous) -> Iterator[Entry]:
         yield Calculation(symbol, (), "", value, names.UNIT[polygon.plane])
 
 
-def _constant_ratio(polygon: Polygon, step: Simultaneous, members: list[str]) -> list[Entry]:
+def _constant_ratio(polygon: PolygonReading, step: Simultaneous, members: list[str]) -> list[Entry]:
     """A gear train that turns as one driven link does: its accelerations have the ratios of its velocities (Willis)."""
     reading, plot = polygon.reading, polygon.reading.plot
     known = {link for contact in step.contacts for link, _ in contact.angles} - {*members, FRAME}
@@ -273,13 +273,13 @@ def _constant_ratio(polygon: Polygon, step: Simultaneous, members: list[str]) ->
     return said
 
 
-def _symbol(polygon: Polygon, slide: str) -> str:
+def _symbol(polygon: PolygonReading, slide: str) -> str:
     pair = polygon.reading.method.structure.slides[slide]
     name = pair.name if pair.named else names.point(pair.point)
     return names.of_slide(names.SLIDING[polygon.plane], name)
 
 
-def _loop(polygon: Polygon, chain: Chain) -> str:
+def _loop(polygon: PolygonReading, chain: Chain) -> str:
     """`ABCD`: the joints that a chain of arrows passes."""
     reading = polygon.reading
     slides = reading.method.structure.slides

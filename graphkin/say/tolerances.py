@@ -8,7 +8,7 @@ import numpy as np
 
 from graphkin.errors import Lang
 from graphkin.marking.key import Marking
-from graphkin.marking.power import Found, Power
+from graphkin.marking.power import MistakePower, Power
 from graphkin.marking.tellable import WELL
 from graphkin.marking.tolerances import Cost, Tolerances
 from graphkin.model.quantities import EDGE
@@ -110,11 +110,11 @@ def _told(power: Power, lang: Lang) -> Iterator[str]:
         )  # fmt: skip
 
 
-def _well(found: Sequence[Found]) -> int:
+def _well(found: Sequence[MistakePower]) -> int:
     return sum(one.named >= WELL for one in found)
 
 
-def _power_row(name: str, found: Sequence[Found]) -> list[str]:
+def _power_row(name: str, found: Sequence[MistakePower]) -> list[str]:
     """Parts and the least of those that paper can tell."""
     some, told = [one for one in found if one.applicable], [one for one in found if one.tellable]
     counts = [str(len(one)) for one in (found, some, told)]

@@ -9,7 +9,7 @@ from graphkin.marking.marked import Verdict
 from graphkin.say.catalogue import say
 
 
-class Judged(Protocol):
+class VerdictData(Protocol):
     """What a verdict is told by."""
 
     @property
@@ -24,7 +24,7 @@ class Judged(Protocol):
     def credit(self) -> float: ...
 
 
-def verdict(one: Judged, lang: Lang) -> str:
+def verdict(one: VerdictData, lang: Lang) -> str:
     """With what is wrong, where that is the unit or the sense alone."""
     if one.verdict != "wrong":
         return say(f"verdicts.verdict {one.verdict}", lang)

@@ -17,7 +17,7 @@ from graphkin.sheet.marks import Disc, Mark, Place
 from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.plain_mechanism import shown_places
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Entry, Figure
 from graphkin.studies.centres.about import About
 from graphkin.studies.centres.about_bobillier import Bobillier
@@ -38,7 +38,7 @@ def bobillier_sheet(seen: About, drawn: Bobillier, *, paper: str | None = None, 
     """The whole construction over the mechanism. Raises UnknownPaper."""
     method, plot = seen.found.method, seen.plot
     on = place_for(method, [plot], _places(seen, drawn), paper, told=bobillier_words(drawn, lang))
-    drawing = _Drawing(drawn, on, drawn.point not in method.mechanism.points)
+    drawing = _BobillierDrawing(drawn, on, drawn.point not in method.mechanism.points)
     figure = Figure.of(drawing.lines()) + on.mechanism(plot) + Figure.of(drawing.points())
     return on.sheet(plot, HEADING[lang].format(point=drawn.point, link=seen.called), figure, lang)
 
@@ -58,7 +58,7 @@ def _places(seen: About, drawn: Bobillier) -> list[complex]:
 
 
 @frozen
-class _Drawing:
+class _BobillierDrawing:
     """The construction on a page. new: its point is a place of the plane, no point of the mechanism."""
 
     drawn: Bobillier
@@ -96,7 +96,7 @@ class _Drawing:
             place = self.drawn.board.at(name)
             if cmath.isfinite(place) and self.on.room.holds(at := self.on.window(place)):
                 yield Disc(at, 0.6, "vector", "ink", step=number)
-                yield Wanted(self._label(name), at, gap=0.9, step=number)
+                yield LabelRequest(self._label(name), at, gap=0.9, step=number)
 
     def _label(self, name: str) -> Label:
         if name == self.drawn.answer:

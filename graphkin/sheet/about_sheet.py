@@ -25,7 +25,7 @@ from graphkin.sheet.paper import PenName, Room
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import arrow_head
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Entry, Figure
 from graphkin.studies.centres.about import About, Circle, InflectionLine
 
@@ -56,7 +56,7 @@ def about_sheet(seen: About, *, paper: str | None = None, lang: Lang = "en") -> 
     method, plot = seen.found.method, seen.plot
     places = enlarged(enlarged(shown_places(method, plot), [seen.pole], _POLE), _wanted_places(seen), _MOST)
     on = place_for(method, [plot], places, paper, point_tables(seen, lang), [*link_words(seen, lang)])
-    drawing = _Drawing(seen, on, lang)
+    drawing = _LinkDrawing(seen, on, lang)
     under = chain(drawing.circles(), drawing.axes(), drawing.rays(), drawing.field())
     over = chain(drawing.velocities(), drawing.poles(), drawing.centres())
     figure = Figure.of(under) + on.mechanism(plot) + Figure.of(over)
@@ -75,7 +75,7 @@ def _wanted_places(seen: About) -> Iterator[complex]:
 
 
 @frozen
-class _Drawing:
+class _LinkDrawing:
     """A link on a page: its parts, marks and labels in the order of painting."""
 
     seen: About
@@ -116,7 +116,9 @@ class _Drawing:
             longest = max(strokes, key=lambda stroke: len(stroke.places))
             count = len(longest.places)
             start, end = longest.places[max(count // 3 - 1, 0)], longest.places[max(count // 3, 1)]
-            yield Wanted(plain(words[self.lang]), start, end if abs(end - start) > 8 else None, gap=0.6, spare=False)
+            yield LabelRequest(
+                plain(words[self.lang]), start, end if abs(end - start) > 8 else None, gap=0.6, spare=False
+            )
 
     def axes(self) -> Iterator[Entry]:
         """Pole tangent t and normal n."""
@@ -127,7 +129,7 @@ class _Drawing:
             start, way = self.on.window(pole), self.on.window.turned(direction)
             for stroke in clipped([start - _AXIS * way, start + _AXIS * way], self.on.room, "centre"):
                 yield stroke
-                yield Wanted(plain(letter, italic=True), stroke.places[-1], gap=0.6, away=way)
+                yield LabelRequest(plain(letter, italic=True), stroke.places[-1], gap=0.6, away=way)
 
     def rays(self) -> Iterator[Entry]:
         """From each point to the pole; towards a pole that is not on the paper, with an arrow."""
@@ -149,7 +151,7 @@ class _Drawing:
                     yield arrow_head(*last, None)
         if last is not None:
             label = (*self.name, *plain(" → ∞" if cmath.isinf(seen.pole) else self._far(seen.pole)))
-            yield Wanted(label, last[0], gap=1.0, away=last[1])
+            yield LabelRequest(label, last[0], gap=1.0, away=last[1])
 
     @staticmethod
     def _far(place: complex) -> str:
@@ -180,7 +182,7 @@ class _Drawing:
             along = arrow / abs(arrow)
             yield Stroke((start, start + arrow - 0.5 * along), "vector")
             yield arrow_head(start + arrow, along, None)
-            yield Wanted(quantity_label("v", name), start, start + arrow, gap=0.7)
+            yield LabelRequest(quantity_label("v", name), start, start + arrow, gap=0.7)
 
     def poles(self) -> Iterator[Entry]:
         """P and J; at one place they share a label."""
@@ -211,7 +213,7 @@ class _Drawing:
         at = self.on.window(place)
         if self.on.room.holds(at):
             yield Disc(at, radius, "vector", fill)
-            yield Wanted(label, at, gap=radius + 0.2)
+            yield LabelRequest(label, at, gap=radius + 0.2)
 
 
 def _back(on: Alone, at: Place) -> complex:

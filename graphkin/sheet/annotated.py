@@ -22,13 +22,13 @@ from graphkin.say.dimensions import dimensions, length, measured_lengths
 from graphkin.say.reading import Reading
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.formula import formula
-from graphkin.sheet.free_room import Added, FreeRoom
+from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.lettering import quantity_label
-from graphkin.sheet.marks import Arc, Form, Mark, Shows, Stroke, Text
+from graphkin.sheet.marks import ArcMark, Form, Mark, Shows, Stroke, Text
 from graphkin.sheet.paper import LEAST
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.written_lines import WrittenLines
 
 _RADII = (7.0, 9.5, 12.0, 15.0)
@@ -62,9 +62,9 @@ class Annotated:
     def lines(self) -> list[Mark]:
         return []
 
-    def __call__(self, free: FreeRoom) -> Added:
+    def __call__(self, free: FreeRoom) -> Annotations:
         """All of it among what stands there."""
-        added = Added()
+        added = Annotations()
         for one, other in measured_lengths(self.reading) if self.planes else ():
             self._length(one, other, free, added)
         for rotation in self._asked():
@@ -75,13 +75,13 @@ class Annotated:
 
     # --- lengths ----------------------------------------------------------------------------------
 
-    def _length(self, one: str, other: str, free: FreeRoom, added: Added) -> None:
+    def _length(self, one: str, other: str, free: FreeRoom, added: Annotations) -> None:
         """A thin line between two points with the length it has, where there is room for its letters."""
         start, end = self.skeleton.at(one), self.skeleton.at(other)
         if abs(end - start) < _SHORT or not (pieces := free.pieces(start, end)):
             return
         step = self.skeleton.step(one, other)
-        want = Wanted(formula(length(self.reading, one, other)), start, end, gap=0.5, size=LEAST, step=step)
+        want = LabelRequest(formula(length(self.reading, one, other)), start, end, gap=0.5, size=LEAST, step=step)
         if letters := next(free.letters([want])):
             added.over.extend(letters)
             lines = [Stroke(piece, "measured", step=step) for piece in pieces]
@@ -112,7 +112,7 @@ class Annotated:
         for point, radius, start in islice(self._places(link, sense, free), _TRIED):
             at, shows = self.skeleton.at(point), Shows(link, form, (point,))
             middle = start * cmath.rect(1, -sense * SWEEP / 2)
-            want = Wanted(label, at + middle * radius, gap=0.9, away=middle, step=step)
+            want = LabelRequest(label, at + middle * radius, gap=0.9, away=middle, step=step)
             arc = [_accented(mark, plane) for mark in spin(at, start, sense, radius, step, shows)]
             if letters := free.letters_with(arc, want):
                 found = [*arc, *(_accented(mark, plane) for mark in letters)]
@@ -135,7 +135,7 @@ class Annotated:
 
 def _accented(mark: Mark, plane: Plane) -> Mark:
     """In the colour of a polygon."""
-    return replace(mark, accent=plane) if isinstance(mark, Arc | Stroke | Text) else mark
+    return replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
 
 
 def _written(texts: Sequence[str], free: FreeRoom) -> list[Mark]:

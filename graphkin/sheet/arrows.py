@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from graphkin.sheet.marks import Half, Mark, PointMark, VectorMark
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
 ASIDE = 1.2
@@ -52,7 +52,7 @@ def side_by_side(figure: Figure) -> Figure:
     return Figure([moved(mark) for mark in figure.marks], [_with_arrow(want, by_name) for want in figure.wanted])
 
 
-def _with_arrow(want: Wanted, asides: dict[str, complex]) -> Wanted:
+def _with_arrow(want: LabelRequest, asides: dict[str, complex]) -> LabelRequest:
     """On the side to which its arrow was moved."""
     aside = asides.get(want.of)
     if aside is None or want.end is None:

@@ -8,13 +8,13 @@ import numpy as np
 
 from graphkin.construction.drafting import Far
 from graphkin.sheet.centre_lines import reach_of
-from graphkin.sheet.centre_places import Line as PaperLine
+from graphkin.sheet.centre_places import CentreLine as PaperLine
 from graphkin.sheet.centre_places import OnPaper, Spot, centre_label, clipped
 from graphkin.sheet.lettering import Label, Run, number, plain
 from graphkin.sheet.marks import Mark, Place, VectorMark
 from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.symbols import BLOCK
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 from graphkin.studies.centres import Centres
 
@@ -41,7 +41,7 @@ def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
         arrow = VectorMark("centres", spot.name, "", head, start, start + length * way, spot.number)
         figure.marks.append(arrow)
         label = (*centre_label(spot.name), *(INFINITY if spot.place is None else _off(paper.found, spot)))
-        figure.wanted.append(Wanted(label, arrow.end, gap=0.7, away=way, step=spot.number))
+        figure.wanted.append(LabelRequest(label, arrow.end, gap=0.7, away=way, step=spot.number))
     return figure
 
 

@@ -10,7 +10,7 @@ from graphkin.sheet.marks import Disc, Mark, PointMark
 from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.centres import Centres
 
@@ -61,13 +61,13 @@ def _groups(paper: OnPaper) -> list[list[Spot]]:
     return groups
 
 
-def _names(paper: OnPaper) -> list[Wanted]:
+def _names(paper: OnPaper) -> list[LabelRequest]:
     """A label for each place, in which each name comes with its own step."""
-    wanted: list[Wanted] = []
+    wanted: list[LabelRequest] = []
     for group in _groups(paper):
         label = joined([centre_label(spot.name) for spot in group], _BETWEEN)
         parts = tuple((_part(spot, k), spot.number) for k, spot in enumerate(group))
-        wanted.append(Wanted(label, paper.at(group[0]), gap=HINGE, step=group[0].number, parts=parts))
+        wanted.append(LabelRequest(label, paper.at(group[0]), gap=HINGE, step=group[0].number, parts=parts))
     return wanted
 
 

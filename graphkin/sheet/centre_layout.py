@@ -37,7 +37,7 @@ _TITLE, _BAR = 70.0, 10.0
 
 
 @frozen
-class Measures:
+class CentreExtent:
     """What does not depend on the paper: places, and how far signs reach beyond them."""
 
     found: Centres
@@ -104,12 +104,12 @@ class CentreLayout:
 
 def layouts(found: Centres, paper: str | None, lang: Lang, fit: bool) -> list[CentreLayout]:
     """Every way to lay the sheet out, the best first."""
-    measures = Measures(found)
+    measures = CentreExtent(found)
     every = [way for one in papers_for(paper) for way in _on(measures, one, lang, fit)]
     return sorted(every, key=lambda way: -way.worth)
 
 
-def _on(measures: Measures, paper: Paper, lang: Lang, fit: bool) -> Iterator[CentreLayout]:
+def _on(measures: CentreExtent, paper: Paper, lang: Lang, fit: bool) -> Iterator[CentreLayout]:
     """On one paper, with more or less room for centres outside the mechanism."""
     field, circle, strip, table = _divided(measures.found, paper, lang)
     room = field.inset(0, HEAD, 0)
@@ -124,14 +124,14 @@ def _on(measures: Measures, paper: Paper, lang: Lang, fit: bool) -> Iterator[Cen
         yield CentreLayout(paper, field, circle, strip, table, window, len(shown), measures.longest / scale, wanted)
 
 
-def _scale(measures: Measures, box: Extent, room: Room, fit: bool) -> float:
+def _scale(measures: CentreExtent, box: Extent, room: Room, fit: bool) -> float:
     """The finest at which all fits; the file's own, where the mechanism (to fit: all of it) fits at that."""
     given = measures.extent.given
     kept = given is not None and (box if fit else measures.extent).fits(given, room)
     return given if given is not None and kept else box.finest(room)
 
 
-def _held(measures: Measures, room: complex) -> list[complex]:
+def _held(measures: CentreExtent, room: complex) -> list[complex]:
     """As many centres as a room holds beside the mechanism [m], the nearest first."""
     held: list[complex] = []
     for place in measures.finite:

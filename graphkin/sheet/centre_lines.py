@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from graphkin.sheet.centre_places import SAME, Laid, Line, OnPaper, Spot, clipped
+from graphkin.sheet.centre_places import SAME, CentreLine, Laid, OnPaper, Spot, clipped
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Stroke
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
 _BEYOND = 4.0
@@ -24,7 +24,7 @@ _SHORT = 0.8
 
 def centre_lines(paper: OnPaper) -> Figure:
     """The lines of all steps, the later ones where no earlier one lies."""
-    figure, drawn = Figure(), _Drawn()
+    figure, drawn = Figure(), _DrawnStretches()
     for spot in paper.spots:
         for line in paper.lines(spot):
             laid = reach_of(paper, spot, line, line.normal)
@@ -38,14 +38,14 @@ def centre_lines(paper: OnPaper) -> Figure:
     return figure
 
 
-def _normal_letters(laid: Laid, step: int) -> Iterator[Wanted]:
+def _normal_letters(laid: Laid, step: int) -> Iterator[LabelRequest]:
     """n .. n at the ends of a common normal."""
     start, end = laid.ends
-    yield Wanted(plain("n", italic=True), start, gap=0.2, away=start - end, step=step)
-    yield Wanted(plain("n", italic=True), end, gap=0.2, away=end - start, step=step)
+    yield LabelRequest(plain("n", italic=True), start, gap=0.2, away=start - end, step=step)
+    yield LabelRequest(plain("n", italic=True), end, gap=0.2, away=end - start, step=step)
 
 
-def reach_of(paper: OnPaper, spot: Spot, line: Line, normal: bool = False) -> Laid | None:
+def reach_of(paper: OnPaper, spot: Spot, line: CentreLine, normal: bool = False) -> Laid | None:
     """How much of a line is drawn: past the centres on it, or to the room's edge towards those beyond."""
     span = clipped(line, paper.room)
     if span is None:
@@ -60,7 +60,7 @@ def reach_of(paper: OnPaper, spot: Spot, line: Line, normal: bool = False) -> La
 
 
 @dataclass
-class _Drawn:
+class _DrawnStretches:
     """Stretches that are drawn already."""
 
     pieces: list[Laid] = field(default_factory=list)
@@ -77,7 +77,7 @@ class _Drawn:
         return fresh
 
 
-def _one_line(one: Line, other: Line) -> bool:
+def _one_line(one: CentreLine, other: CentreLine) -> bool:
     """Whether two lines are the same on paper."""
     if abs((one.way * other.way.conjugate()).imag) > 2e-4:
         return False

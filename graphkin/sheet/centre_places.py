@@ -58,7 +58,7 @@ def centre_label(name: str) -> Label:
 
 
 @frozen
-class Line:
+class CentreLine:
     """A line on paper: a place on it and its unit direction, and the places of centres on it.
 
     normal  it is the common normal of two profiles, and no join of centres
@@ -102,7 +102,7 @@ class OnPaper:
         """Whether a centre lies in the room."""
         return spot.place is not None and self.room.holds(self.at(spot))
 
-    def lines(self, spot: Spot) -> Iterator[Line]:
+    def lines(self, spot: Spot) -> Iterator[CentreLine]:
         """The lines that give a centre, but for the line at infinity."""
         for line in spot.stage.lines if spot.stage.say == "two lines" else ():
             normal = self.found.centring.normals.get(line.name)
@@ -113,13 +113,13 @@ class OnPaper:
     def _own(self, spot: Spot) -> tuple[Place, ...]:
         return () if spot.place is None else (self.at(spot),)
 
-    def _normal(self, normal: CommonNormal, spot: Spot) -> Line:
+    def _normal(self, normal: CommonNormal, spot: Spot) -> CentreLine:
         line = normal.line
         start = self.window(complex(self.found.plot.position[line.through]))
         way = self.window.turned(complex(self.found.plot.direction(line.direction)))
-        return Line(start, way / abs(way), (start, *self._contact(normal.pair), *self._own(spot)), normal=True)
+        return CentreLine(start, way / abs(way), (start, *self._contact(normal.pair), *self._own(spot)), normal=True)
 
-    def _join(self, line: LineStep, spot: Spot) -> Line | None:
+    def _join(self, line: LineStep, spot: Spot) -> CentreLine | None:
         ends = [self.by_name[end] for end in drawn_through(line)]
         places = [self.at(end) for end in ends if end.place is not None]
         if not places:
@@ -129,7 +129,7 @@ class OnPaper:
         else:
             way = self.window.turned(next(end.direction for end in ends if end.place is None))
         near = min(places, key=lambda place: abs(place - self.room.middle))
-        return Line(near, way / abs(way), (*places, *self._own(spot)))
+        return CentreLine(near, way / abs(way), (*places, *self._own(spot)))
 
     def _contact(self, pair: Pair) -> Iterator[Place]:
         """Where the links of a pair touch, unless the normal is drawn from there."""
@@ -160,7 +160,7 @@ def _far_end(pair: Pair) -> tuple[str, ...]:
 class Laid:
     """A stretch of a line that is drawn, from start to end [mm along it]."""
 
-    line: Line
+    line: CentreLine
     start: float
     end: float
 
@@ -169,7 +169,7 @@ class Laid:
         return self.line.point(self.start), self.line.point(self.end)
 
 
-def clipped(line: Line, room: Room) -> tuple[float, float] | None:
+def clipped(line: CentreLine, room: Room) -> tuple[float, float] | None:
     """From where to where a line runs in a room [mm along it]; None where it does not cross it."""
     low, high = -np.inf, np.inf
     sides = ((line.at.real, line.way.real, room.left, room.right), (line.at.imag, line.way.imag, room.top, room.bottom))

@@ -19,7 +19,7 @@ from graphkin.sheet.marks import Disc, Mark, Place, Stroke
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.plain_mechanism import shown_places
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 from graphkin.studies.centres.centrodes import Centrodes
 
@@ -56,7 +56,7 @@ def centrode_sheet(curves: Centrodes, *, t: float = 0.0, paper: str | None = Non
     centre = centre_at(curves, t)
     if centre is not None and on.room.holds(on.window(centre)):
         figure.marks.append(Disc(on.window(centre), 1.0, "vector", "paper"))
-        figure.wanted.append(Wanted(quantity_label("P", curves.name[1:]), on.window(centre), gap=1.2))
+        figure.wanted.append(LabelRequest(quantity_label("P", curves.name[1:]), on.window(centre), gap=1.2))
     return on.sheet(plot, heading(curves, lang), figure, lang)
 
 
@@ -145,13 +145,13 @@ def centre_at(curves: Centrodes, t: float) -> complex | None:
 # --- names ------------------------------------------------------------------------------------
 
 
-def _names(curves: Centrodes, t: float, on: Alone, marks: Sequence[Mark], lang: Lang) -> Iterator[Wanted]:
+def _names(curves: Centrodes, t: float, on: Alone, marks: Sequence[Mark], lang: Lang) -> Iterator[LabelRequest]:
     """Each curve's name at the longest part that is on the paper."""
     for k, (pen, label) in enumerate(zip((_FIXED, _MOVING), _labels(curves, lang), strict=False)):
         strokes = [mark for mark in marks if isinstance(mark, Stroke) and mark.pen == pen]
         if strokes:
             places = max(strokes, key=_length).places
-            yield Wanted(label, _at(places, (0.25, 0.75)[k]), gap=1.2)
+            yield LabelRequest(label, _at(places, (0.25, 0.75)[k]), gap=1.2)
 
 
 def _labels(curves: Centrodes, lang: Lang) -> list[Label]:

@@ -10,7 +10,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Fit, Plane, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning.step_numbers import pages
-from graphkin.say.plane import Polygon as Spoken
+from graphkin.say.plane import PolygonReading as Spoken
 from graphkin.sheet.annotated import Annotated
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.drafted import Drafted
@@ -51,7 +51,7 @@ class Composed:
     homeless  equations for which there is no room, seen before anything was lettered
     """
 
-    work: Work
+    work: Composition
     layout: Layout
     stages: bool = False
     details: bool = False
@@ -104,7 +104,7 @@ class Composed:
 
 
 @frozen
-class Work:
+class Composition:
     """What does not depend on the paper.
 
     apart     equations that go into the strip
@@ -139,7 +139,7 @@ class Work:
         every = self.drawing.equations.items()
         return {plane: [block for block in blocks if block not in self.apart] for plane, blocks in every}
 
-    def without(self, out: Sequence[EquationBlock]) -> Work:
+    def without(self, out: Sequence[EquationBlock]) -> Composition:
         """With some more equations in the strip."""
         apart, every = [*self.apart, *out], self.drawing.equations.values()
         return replace(self, apart=[block for blocks in every for block in blocks if block in apart])

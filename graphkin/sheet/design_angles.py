@@ -10,9 +10,9 @@ from graphkin.base.value import frozen
 from graphkin.construction.drafting import Board
 from graphkin.sheet.alone import Alone
 from graphkin.sheet.lettering import Label, Run, number, plain
-from graphkin.sheet.marks import Arc, Stroke
+from graphkin.sheet.marks import ArcMark, Stroke
 from graphkin.sheet.paper import BODY
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Entry
 from graphkin.studies.design import Solution
 
@@ -47,7 +47,7 @@ class DesignAngles:
         if one.stroke is not None:
             ends = self.on.window(at["C1"]), self.on.window(at["C2"])
             label = self._valued("H", 1e3 * one.stroke, " mm")
-            yield Wanted(label, ends[0], ends[1], gap=3.4, step=2, spare=True)
+            yield LabelRequest(label, ends[0], ends[1], gap=3.4, step=2, spare=True)
 
     def _seen_under(self) -> Iterator[Entry]:
         """The triangle on C1C2 that gives the circle: 90° at C2, 90° − θ at C1."""
@@ -60,10 +60,10 @@ class DesignAngles:
         back, stage = first - second, self.solution.construction.born("P")
         start, sweep = cmath.phase(-back), cmath.phase((third - first) / -back)
         radius = min(_ARC, 0.5 * abs(back))
-        yield Arc(first, radius, start, sweep, "thin", step=stage)
+        yield ArcMark(first, radius, start, sweep, "thin", step=stage)
         middle = cmath.rect(radius, start + sweep / 2)
         label = (*plain("90° − "), Run("θ", True))
-        yield Wanted(label, first + middle, gap=0.6, away=middle, size=BODY, step=stage, spare=True)
+        yield LabelRequest(label, first + middle, gap=0.6, away=middle, size=BODY, step=stage, spare=True)
 
     def _right_angle(self, corner: str, one: str, other: str, said: str) -> Iterator[Entry]:
         """A square in a corner, with what is said of it; nothing where the angle is another, or the sides are short."""
@@ -75,7 +75,7 @@ class DesignAngles:
         a, b = a / abs(a) * _SQUARE, b / abs(b) * _SQUARE
         yield Stroke((at + a, at + a + b, at + b), "construction", step=stage)
         if said:
-            yield Wanted(plain(said), at + a + b, gap=0.5, away=a + b, size=BODY, step=stage, spare=True)
+            yield LabelRequest(plain(said), at + a + b, gap=0.5, away=a + b, size=BODY, step=stage, spare=True)
 
     def _angle(
         self, centre: complex, first: complex, second: complex, letter: str, value: float, stage: int
@@ -84,9 +84,11 @@ class DesignAngles:
         radius = min(_ARC, 0.6 * min(abs(one - at), abs(other - at)))
         start = cmath.phase(one - at)
         sweep = cmath.phase((other - at) / (one - at))
-        yield Arc(at, radius, start, sweep, "thin", step=stage)
+        yield ArcMark(at, radius, start, sweep, "thin", step=stage)
         middle = at + cmath.rect(radius, start + sweep / 2)
-        yield Wanted(self._valued(letter, math.degrees(value), "°"), middle, gap=0.8, away=middle - at, step=stage)
+        yield LabelRequest(
+            self._valued(letter, math.degrees(value), "°"), middle, gap=0.8, away=middle - at, step=stage
+        )
 
     @staticmethod
     def _valued(letter: str, value: float, unit: str) -> Label:

@@ -20,26 +20,26 @@ from graphkin.construction.drafting import (
     CircleAbout,
     CircleThrough,
     Drafting,
+    DraftLayOff,
+    DraftMeasure,
+    DraftMeet,
+    DraftTurn,
     Far,
-    LayOff,
     LineStep,
     MarkOn,
-    Measure,
     MeasureAngle,
-    Meet,
     Pricked,
     Reckon,
     Step,
-    Turned,
     drawn_through,
 )
 from graphkin.sheet.alone import Alone
 from graphkin.sheet.curves import clipped
 from graphkin.sheet.design_angles import DesignAngles
 from graphkin.sheet.lettering import joined, point_label
-from graphkin.sheet.marks import Arc, Disc, Stroke
+from graphkin.sheet.marks import ArcMark, Disc, Stroke
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Entry, Figure
 from graphkin.studies.design import Family, Solution
 
@@ -93,17 +93,17 @@ class DesignFigure:
             yield from self._ruled(step, stage)
             return
         match step:
-            case LayOff(point, about):
+            case DraftLayOff(point, about):
                 yield from self._line([about, point], "construction", stage)
             case CircleThrough():
                 yield from self._locus(stage) if step.name == "locus" else self._spanned(step, stage)
             case CircleAbout():
                 yield from self._compass(step, stage)
-            case Turned(point, of, about):
+            case DraftTurn(point, of, about):
                 yield from self._turned(point, of, about, stage)
-            case Measure(_, first, second):
+            case DraftMeasure(_, first, second):
                 yield from self._line([first, second], "construction", stage)
-            case ChosenPoint() | Pricked() | Far() | Reckon() | MarkOn() | Meet() | MeasureAngle():
+            case ChosenPoint() | Pricked() | Far() | Reckon() | MarkOn() | DraftMeet() | MeasureAngle():
                 pass
             case _:
                 assert_never(step)
@@ -159,7 +159,7 @@ class DesignFigure:
         if not taken and self.on.room.holds(place):
             yield Disc(place, _DOT, "thin", "ink", step=stage)
             letter = "F" if abs(off) < 1e-6 * abs(at - first) else "G"
-            yield Wanted(point_label(letter), place, gap=0.9, step=stage, spare=True)
+            yield LabelRequest(point_label(letter), place, gap=0.9, step=stage, spare=True)
 
     def _spanned(self, step: CircleThrough, stage: int) -> Iterator[Entry]:
         """A circle through three points, from the first to the last and a little beyond."""
@@ -192,7 +192,7 @@ class DesignFigure:
         centre, old, new = (self.on.window(self.places[name]) for name in (about, of, point))
         start = cmath.phase(old - centre)
         sweep = cmath.phase((new - centre) / (old - centre))
-        yield Arc(centre, abs(old - centre), start, sweep, "dashed", step=stage)
+        yield ArcMark(centre, abs(old - centre), start, sweep, "dashed", step=stage)
         yield Stroke((centre, new), "construction", step=stage)
 
     # --- positions, points -------------------------------------------------------------------------
@@ -230,7 +230,9 @@ class DesignFigure:
             same = [other for other, z in shown.items() if abs(z - at) < _NEAR]
             if all(abs(at - other) > _NEAR for other in hinges):
                 yield Disc(at, _DOT, "thin", "ink", step=self.construction.born(name))
-            yield Wanted(joined([point_label(one) for one in same]), at, gap=0.9, step=self.construction.born(name))
+            yield LabelRequest(
+                joined([point_label(one) for one in same]), at, gap=0.9, step=self.construction.born(name)
+            )
 
     def also(self, name: str) -> list[str]:
         """Points of the construction where a point of the linkage lies: B is at B3."""

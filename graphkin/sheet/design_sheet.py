@@ -24,7 +24,7 @@ from graphkin.sheet.marks import Text
 from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import LABEL
 from graphkin.sheet.plain_mechanism import shown_places
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.studies.design import Design, Solution
 
 _COLUMN, _LINE = 42.0, 6.2
@@ -35,7 +35,7 @@ _HEADING: dict[Lang, str] = {"en": "Design by construction", "zh": "图解设计
 
 
 @frozen
-class _Drawn:
+class _DrawnSolution:
     """The mechanism of a solution, planned and placed."""
 
     solution: Solution
@@ -43,7 +43,7 @@ class _Drawn:
     plot: Plot
 
     @classmethod
-    def of(cls, design: Design, solution: Solution) -> _Drawn:
+    def of(cls, design: Design, solution: Solution) -> _DrawnSolution:
         method = planning.plan(mechanism_of(solution, design.kind))
         return cls(solution, method, proved(method).plot)
 
@@ -55,7 +55,7 @@ def design_sheet(
     chosen = solution or design.best
     if chosen is None:
         raise error(design) or AssertionError("a design without a best solution has none")
-    drawn = _Drawn.of(design, chosen)
+    drawn = _DrawnSolution.of(design, chosen)
     on = _page(drawn, paper)
     construction = DesignFigure(chosen, on, design.families)
     last = len(chosen.construction.stages) + 1
@@ -65,7 +65,7 @@ def design_sheet(
     return on.sheet(drawn.plot, _HEADING[lang], figure, lang, after=_result(chosen, on, last))
 
 
-def _named(want: Wanted, construction: DesignFigure) -> Wanted:
+def _named(want: LabelRequest, construction: DesignFigure) -> LabelRequest:
     """The label of a point of the linkage, with the construction's letters for that place; pivots from the start."""
     for name in "ABCD":
         if want.label == point_label(name) and name in construction.places:
@@ -83,7 +83,7 @@ def design_step_sheets(
     yield from step_sheets(whole, sorted({mark.step for mark in whole.marks if mark.step is not None}))
 
 
-def _page(drawn: _Drawn, paper: str | None) -> Alone:
+def _page(drawn: _DrawnSolution, paper: str | None) -> Alone:
     """Room for the linkage at all positions, the construction's points, and its circle if that is not too large."""
     one = drawn.solution
     board = one.board()

@@ -19,11 +19,11 @@ from graphkin.construction import Plane
 from graphkin.sheet.fit import magnified
 from graphkin.sheet.free_room import FreeRoom
 from graphkin.sheet.lettering import Label, plain, width
-from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import BODY, Room
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 
 _RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)
@@ -62,7 +62,7 @@ class _Circle:
     def holds(self, *places: Place) -> bool:
         return all(abs(place - self.centre) <= self.radius + _ON for place in places)
 
-    def names(self, want: Wanted) -> bool:
+    def names(self, want: LabelRequest) -> bool:
         """Whether what a label names lies in it wholly."""
         return self.holds(want.start, want.start if want.end is None else want.end)
 
@@ -102,14 +102,14 @@ def detailed(panel: Panel, draw: Callable[[Window], Figure], plane: Plane) -> Pa
 
     Raises nothing: a panel without a knot, or without room for a detail, is handed back as it is.
     """
-    drawing = _Drawing(panel, draw, _PRIMES[plane])
+    drawing = _DetailDrawing(panel, draw, _PRIMES[plane])
     while len(drawing.views) < len(_NUMERALS) and (more := drawing.relieved()) is not None:
         drawing = more
     return drawing.panel
 
 
 @frozen
-class _Drawing:
+class _DetailDrawing:
     """A panel with the details it has so far.
 
     prime  after their numerals
@@ -122,7 +122,7 @@ class _Drawing:
     views: tuple[_View, ...] = ()
     known: Sequence[float] | None = None
 
-    def relieved(self) -> _Drawing | None:
+    def relieved(self) -> _DetailDrawing | None:
         """With the one more detail that relieves it most, None where none does."""
         if not (views := self._possible()) or sum(self.burdens) < _SAVED:
             return None
@@ -168,7 +168,7 @@ class _Drawing:
                 return _View(knot, shown, times * before, magnified(window, knot.centre, shown.centre, times))
         return None
 
-    def _with(self, view: _View) -> _Drawing:
+    def _with(self, view: _View) -> _DetailDrawing:
         """The letters of one circle left to the other, where that part is drawn once more.
 
         What is left out is a trouble less, what the detail has to letter for itself a trouble more; that all else has
@@ -181,7 +181,7 @@ class _Drawing:
         stay = [not (want.of in told if want.of else view.part.names(want)) for want in figure.wanted]
         step = min((mark.step for mark in marks if mark.step is not None), default=None)
         numeral = _NUMERALS[len(self.views)] + self.prime
-        sign = Wanted(plain(numeral), view.part.centre, gap=view.part.radius, size=BODY, step=step)
+        sign = LabelRequest(plain(numeral), view.part.centre, gap=view.part.radius, size=BODY, step=step)
         marks += [Disc(circle.centre, circle.radius, "thin", step=step) for circle in (view.part, view.shown)]
         marks.append(_heading(plain(f"{numeral}  ({view.times:g} : 1)"), view.shown, step))
         alone = Panel(Figure(marks, named), view.window, view.shown.room)
@@ -200,7 +200,7 @@ def _burdens(panel: Panel, led: float) -> list[float]:
     return found
 
 
-def _knots(wanted: list[Wanted]) -> Iterator[_Circle]:
+def _knots(wanted: list[LabelRequest]) -> Iterator[_Circle]:
     """For each radius the circle that holds most labels, where they are too many."""
     if not 0 < len(wanted) <= _MANY:
         return
@@ -253,7 +253,7 @@ def _clipped(mark: Mark, circle: _Circle) -> Iterator[Mark]:
         case Disc(centre, radius):
             around = tuple(centre + cmath.rect(radius, k * cmath.pi / 60) for k in range(121))
             yield from _pieces(around, Stroke((), mark.pen, step=mark.step, accent=mark.accent), circle)
-        case Arc():
+        case ArcMark():
             yield from _pieces(arc_places(mark), Stroke((), mark.pen, step=mark.step, accent=mark.accent), circle)
         case _:
             pass

@@ -15,15 +15,15 @@ from itertools import pairwise
 from graphkin.base.value import frozen
 from graphkin.construction import Drawn, Image, LayOff, Meet, Ray, Term
 from graphkin.planning.acts import Act
-from graphkin.say.plane import Polygon as Spoken
+from graphkin.say.plane import PolygonReading
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.formula import formula
-from graphkin.sheet.free_room import Added, FreeRoom
+from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.lettering import box, plain
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import LEAST
-from graphkin.sheet.polygons import Polygon, arrows
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.polygons import PolygonFigure, arrows
+from graphkin.sheet.wanted import LabelRequest
 
 _BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
 """How far a direction line goes on past where it meets the other; where labels keep off it if they can; shorter than
@@ -64,8 +64,8 @@ class Drafted:
     loose   equations that have no place of their own over the figure
     """
 
-    polygon: Polygon
-    spoken: Spoken
+    polygon: PolygonFigure
+    spoken: PolygonReading
     acts: Sequence[Act]
     loose: Sequence[EquationBlock] = ()
 
@@ -75,9 +75,9 @@ class Drafted:
         on = [Stroke((line.foot, line.meeting, line.meeting + side * _LIKED), "construction") for line, side in sides]
         return [*on, *(Stroke((start, end), "measured") for start, end, _ in self._carried())]
 
-    def __call__(self, free: FreeRoom) -> Added:
+    def __call__(self, free: FreeRoom) -> Annotations:
         """All of it among what stands there."""
-        added = Added()
+        added = Annotations()
         marked: list[tuple[_Line, Place]] = []
         for line in self._lines():
             tip = _drawn(line, free, added)
@@ -88,7 +88,7 @@ class Drafted:
         free.add(added.under)
         added.over.extend(self._numbers(free))
         named = [
-            Wanted(formula(line.text), tip, gap=-0.2, away=(tip - line.meeting), size=LEAST, step=line.page)
+            LabelRequest(formula(line.text), tip, gap=-0.2, away=(tip - line.meeting), size=LEAST, step=line.page)
             for line, tip in marked
         ]
         for letters in free.letters(named):
@@ -175,19 +175,19 @@ class Drafted:
                 elif wanted[1:]:
                     left.append(wanted[1:])
 
-    def _beside(self, act: Act) -> Iterator[Wanted]:
+    def _beside(self, act: Act) -> Iterator[LabelRequest]:
         """Where its number may stand: at what it finds first, then at each arrow that comes with it."""
         points, label = self.polygon.points, plain(str(act.number))
         match act.done:
             case LayOff(term, _, tip) if tip in (term.head, term.tail) and {term.tail, term.head} <= points.keys():
                 start, end = points[term.tail], points[term.head]
                 if abs(end - start) > _NOTHING:
-                    yield Wanted(label, start, end, gap=0.6, size=LEAST, step=act.page)
-                yield Wanted(label, end, gap=0.8, size=LEAST, step=act.page)
+                    yield LabelRequest(label, start, end, gap=0.6, size=LEAST, step=act.page)
+                yield LabelRequest(label, end, gap=0.8, size=LEAST, step=act.page)
             case Meet(point=point) | Image(point=point) if point in points:
-                yield Wanted(label, points[point], gap=0.8, size=LEAST, step=act.page)
+                yield LabelRequest(label, points[point], gap=0.8, size=LEAST, step=act.page)
                 for start, end in self._found[act.page]:
-                    yield Wanted(label, start, end, gap=0.6, size=LEAST, step=act.page)
+                    yield LabelRequest(label, start, end, gap=0.6, size=LEAST, step=act.page)
 
     @cached_property
     def _found(self) -> Mapping[int | None, list[tuple[Place, Place]]]:
@@ -199,14 +199,14 @@ class Drafted:
         return found
 
 
-def _numbered(want: Wanted, middle: Place) -> list[Mark]:
+def _numbered(want: LabelRequest, middle: Place) -> list[Mark]:
     """A number in its circle."""
     wide, up, down = box(want.label, want.size)
     at = middle + complex(-wide / 2, (up - down) / 2)
     return [Disc(middle, _RING, "construction", step=want.step), Text(want.label, at, want.size, want.step)]
 
 
-def _drawn(line: _Line, free: FreeRoom, added: Added) -> Place | None:
+def _drawn(line: _Line, free: FreeRoom, added: Annotations) -> Place | None:
     """The line from its foot past the meeting point; where it ends if it goes on far enough to bear its mark."""
     reach, on = max(((free.reach(line.meeting, side, _BEYOND), side) for side in line.ways), key=lambda found: found[0])
     tip = line.meeting + on * reach if reach >= _SHORT else line.meeting

@@ -13,7 +13,7 @@ from graphkin.sheet.fixed_link import ground_way
 from graphkin.sheet.lettering import Label, between, joined, quantity_label
 from graphkin.sheet.marks import Place, Shows
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.wheels import circles, wheels_of
 from graphkin.sheet.window import Figure
 
@@ -74,7 +74,7 @@ def _arcs(
         figure.marks += marks
         middle = start * _half(sense)
         label, place = _turn_label(skeleton, driver, letters), at + middle * radius
-        figure.wanted.append(Wanted(label, place, gap=0.3, away=middle, step=marks[0].step))
+        figure.wanted.append(LabelRequest(label, place, gap=0.3, away=middle, step=marks[0].step))
         radius += _APART
 
 
@@ -137,7 +137,7 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     figure.marks += marks
     names = [skeleton.mechanism.called(link) for link in reversed(pair)]
     label = quantity_label("v", point if line.link == FRAME else between(names))
-    figure.wanted.append(Wanted(label, start, start + 11 * along, away=across, step=marks[0].step))
+    figure.wanted.append(LabelRequest(label, start, start + 11 * along, away=across, step=marks[0].step))
 
 
 def _path(skeleton: Skeleton, driver: Driver) -> tuple[str, Line, tuple[str, ...]]:

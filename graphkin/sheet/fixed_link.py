@@ -13,7 +13,7 @@ from graphkin.sheet.cams import follower
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
 _REACH, _AWAY, _STUB = 13.0, 18.0, 6.5
@@ -41,7 +41,7 @@ def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:
             spots.insert(0, skeleton.at(point) + (symbols.PIVOT_DEPTH + 1) * down)
     if spots:
         label = link_label(skeleton.mechanism.frame)
-        figure.wanted.append(Wanted(label, spots[0], gap=2.0, away=1 + 0.3j, step=1))
+        figure.wanted.append(LabelRequest(label, spots[0], gap=2.0, away=1 + 0.3j, step=1))
     return figure
 
 

@@ -14,11 +14,11 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.held import Held
-from graphkin.sheet.label_candidates import Scene
+from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
-from graphkin.sheet.wanted import Candidates, Wanted
+from graphkin.sheet.wanted import LabelCandidates, LabelRequest
 
 _CLEAR = 0.6
 """What is added keeps this from everything there [mm]."""
@@ -31,7 +31,7 @@ _STEPS = 0.5
 
 
 @frozen
-class Added:
+class Annotations:
     """What is drawn beneath a figure, and what over it; equations for which there is no room."""
 
     under: list[Mark] = field(default_factory=list)
@@ -39,7 +39,7 @@ class Added:
     left_out: list[EquationBlock] = field(default_factory=list)
 
 
-class Spots(NamedTuple):
+class FreeSpots(NamedTuple):
     """Places of a label at what it names that were free when they were looked for.
 
     half           of the width and height of its box [mm]
@@ -61,7 +61,7 @@ class Spots(NamedTuple):
 class FreeRoom:
     """A figure with its labels, and what has been added since."""
 
-    def __init__(self, scene: Scene, labels: Sequence[Mark] = ()) -> None:
+    def __init__(self, scene: LabelScene, labels: Sequence[Mark] = ()) -> None:
         self.room, self.marks = scene.room, [*scene.drawn, *labels]
         self._first, self._standing = len(self.marks), [scene.known, *([obstacles(labels)] if labels else [])]
         self._late: dict[int, Obstacles] = {}
@@ -124,22 +124,22 @@ class FreeRoom:
         """What rectangles surely lie on."""
         return Held(places(self.marks), _GRID)
 
-    def spots(self, wanted: Sequence[Wanted], halves: Sequence[complex]) -> list[Spots]:
+    def spots(self, wanted: Sequence[LabelRequest], halves: Sequence[complex]) -> list[FreeSpots]:
         """Where many labels may stand at what they name, all looked at at once; half: of the size of each box [mm]."""
         if not wanted:
             return []
         near = [want.near(half) for want, half in zip(wanted, halves, strict=True)]
         ends = [0, *accumulate(len(each.cost) for each in near)]
-        every, half = Candidates.joined(near), np.repeat(halves, np.diff(ends))
+        every, half = LabelCandidates.joined(near), np.repeat(halves, np.diff(ends))
         low, high = _corners(every.middle, half)
         free = self.free(low, high)
         free[free] = ~_beside(low[free], high[free], self._letters)
         return [
-            Spots(each.middle[free[a:b]], each.cost[free[a:b]], half, len(self.marks), len(self._letters))
+            FreeSpots(each.middle[free[a:b]], each.cost[free[a:b]], half, len(self.marks), len(self._letters))
             for each, half, a, b in zip(near, halves, ends, ends[1:])
         ]
 
-    def place(self, spots: Spots) -> Place | None:
+    def place(self, spots: FreeSpots) -> Place | None:
         """The middle of the best one that is still free; None where there is none without a leader."""
         low, high = spots.boxes
         free = _clear(~_beside(low, high, self._letters[spots.letters :]), low, high, self._added(spots.marks))
@@ -162,26 +162,26 @@ class FreeRoom:
         best = found[np.argmax(low[found, 1])] if from_below else found[0]
         return complex(*low[best])
 
-    def letters(self, wanted: Sequence[Wanted]) -> Iterator[list[Mark]]:
+    def letters(self, wanted: Sequence[LabelRequest]) -> Iterator[list[Mark]]:
         """Each label where there is room for it, one after the other, else nothing."""
         for want, spots in zip(wanted, self.spots(wanted, [_half(want) for want in wanted]), strict=True):
             found = _lettered(want, self.place(spots))
             self.add(found)
             yield found
 
-    def letters_with(self, marks: Sequence[Mark], want: Wanted) -> list[Mark]:
+    def letters_with(self, marks: Sequence[Mark], want: LabelRequest) -> list[Mark]:
         """A label where there would be room for it with some more marks, else nothing; nothing is added here."""
         (spots,) = self.spots([want], [_half(want)])
         return _lettered(want, self._with(marks).place(spots))
 
 
-def _half(want: Wanted) -> complex:
+def _half(want: LabelRequest) -> complex:
     """Of the width and height of a label's box [mm]."""
     wide, up, down = box(want.label, want.size)
     return complex(wide, up + down) / 2
 
 
-def _lettered(want: Wanted, middle: Place | None) -> list[Mark]:
+def _lettered(want: LabelRequest, middle: Place | None) -> list[Mark]:
     """A label about a place; nothing without one."""
     wide, up, down = box(want.label, want.size)
     return [] if middle is None else [*want.texts(middle + complex(-wide / 2, (up - down) / 2))]

@@ -13,7 +13,7 @@ from graphkin.planning import Method
 from graphkin.planning.step_numbers import rate_found
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window
 
@@ -81,7 +81,7 @@ def circles(
         ways = [cmath.rect(1, math.radians(15 + 30 * k)) for k in range(12)]
         others = [entry for entry in drawn if entry != (at, radius)]
         way = max(ways, key=lambda w, at=at, radius=radius, o=others: _room(at + radius * w, arrows, places, o))  # type: ignore[misc]
-        figure.wanted.append(Wanted(image.label, at + radius * way, gap=0.4, away=way, step=image.step))
+        figure.wanted.append(LabelRequest(image.label, at + radius * way, gap=0.4, away=way, step=image.step))
     return figure
 
 

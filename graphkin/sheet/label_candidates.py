@@ -20,7 +20,7 @@ from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.nearness import Arrows
 from graphkin.sheet.obstacles import Obstacles, obstacles, places
 from graphkin.sheet.paper import Room
-from graphkin.sheet.wanted import CRAMMED, Candidates, Wanted, lettering
+from graphkin.sheet.wanted import CRAMMED, LabelCandidates, LabelRequest, lettering
 
 NEAR, LED, FAR, FARTHEST = range(4)
 """Places at what a label names, on a leader about that, and farther off."""
@@ -44,7 +44,7 @@ class Boxes(NamedTuple):
     led: Any
 
     @classmethod
-    def of(cls, spots: Candidates, half: Any) -> Boxes:
+    def of(cls, spots: LabelCandidates, half: Any) -> Boxes:
         middle, half = _xy(spots.middle), _xy(half)
         low, high, anchor = middle - half, middle + half, _xy(np.where(spots.led, spots.anchor, spots.middle))
         return cls(np.array([low, high, np.clip(anchor, low, high), anchor]), spots.led)
@@ -129,19 +129,19 @@ class Rated(NamedTuple):
 
 
 @filled
-class Scene:
+class LabelScene:
     """Labels that want a place, and all that is drawn where they want it."""
 
-    wanted: Sequence[Wanted]
+    wanted: Sequence[LabelRequest]
     drawn: Sequence[Mark]
     room: Room
-    beneath: Scene | None = None
+    beneath: LabelScene | None = None
     _seen: dict[tuple[int, int], Rated] = field(default_factory=dict)
     _crossing: set[tuple[int, int]] = field(default_factory=set)
 
-    def under(self, marks: Sequence[Mark]) -> Scene:
+    def under(self, marks: Sequence[Mark]) -> LabelScene:
         """The same under some more lines."""
-        return Scene(self.wanted, marks, self.room, self)
+        return LabelScene(self.wanted, marks, self.room, self)
 
     @property
     def crammed(self) -> bool:
@@ -235,7 +235,7 @@ class Scene:
         """How many each label has in the room, or anywhere where it has none there; and all of them. Farther off, none
         that surely lies on something, where it has others."""
         spots = [self._spots(label, tier) for label in labels]
-        owner, every = np.repeat(labels, [len(each.cost) for each in spots]), Candidates.joined(spots)
+        owner, every = np.repeat(labels, [len(each.cost) for each in spots]), LabelCandidates.joined(spots)
         boxes = Boxes.of(every, self.halves[owner])
         inside = self.inside(boxes)
         clear = inside if tier == NEAR else inside & ~self.held.within(boxes.low, boxes.high)
@@ -258,14 +258,14 @@ class Scene:
         found = (low[0] >= room.left) & (low[1] >= room.top)
         return found & (high[0] <= room.right) & (high[1] <= room.bottom)
 
-    def _spots(self, label: int, tier: int) -> Candidates:
+    def _spots(self, label: int, tier: int) -> LabelCandidates:
         want, half = self.wanted[label], complex(self.halves[label])
-        ways: tuple[Callable[[], Candidates], ...] = (
+        ways: tuple[Callable[[], LabelCandidates], ...] = (
             lambda: want.near(half), lambda: want.led(half),
             lambda: want.far(half, self.crowd), lambda: want.far(half, self.crowd, farthest=True),
         )  # fmt: skip
         found = ways[tier]()
-        return Candidates(*(each[::_FEWER] for each in found)) if self.hopeless else found
+        return LabelCandidates(*(each[::_FEWER] for each in found)) if self.hopeless else found
 
     def _touching(self, boxes: Boxes) -> tuple[Any, Any]:
         """How much of what is drawn is too near to each box, and on how much it lies."""

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from graphkin.sheet.crossings import overlap
-from graphkin.sheet.label_candidates import FARTHEST, NEAR, Boxes, Scene
+from graphkin.sheet.label_candidates import FARTHEST, NEAR, Boxes, LabelScene
 from graphkin.sheet.label_prices import CROWDED, NEARBY, under
-from graphkin.sheet.label_table import Choice, LabelTable
+from graphkin.sheet.label_table import LabelChoice, LabelTable
 from graphkin.sheet.wanted import LEAST
 
 _TOUCH = 0.05
@@ -38,7 +38,7 @@ class Places:
     _liked  what each would choose from up to a tier were it alone
     """
 
-    def __init__(self, scene: Scene, last: int) -> None:
+    def __init__(self, scene: LabelScene, last: int) -> None:
         """last: the farthest tier in which labels look for places."""
         count = len(scene.wanted)
         self.scene, self.prices, self._last = scene, CROWDED if last == FARTHEST else NEARBY, last
@@ -47,12 +47,12 @@ class Places:
         self._spot, self._tier = np.zeros(count, dtype=np.intp), np.full(count, NEAR)
         self._patience = min(_PATIENCE, _WORK // count)
         self._many = max(_LEAST, min(_MOST, _ALL // count))
-        self._liked: dict[tuple[int, int], Choice] = {}
+        self._liked: dict[tuple[int, int], LabelChoice] = {}
         self._table = LabelTable(self._offered(range(count), NEAR), self._many)
         self._look_on(self._greedy(range(count)))
         self._mend()
 
-    def _offered(self, labels: Sequence[int], tier: int) -> list[Choice]:
+    def _offered(self, labels: Sequence[int], tier: int) -> list[LabelChoice]:
         """The candidates of labels up to a tier that cost least as the others stand."""
         choices = self._alone(labels, tier)
         if not self.stands.any():
@@ -63,11 +63,11 @@ class Places:
             for choice, (more, clash) in zip(choices, beside, strict=True)
         ]
 
-    def _alone(self, labels: Sequence[int], tier: int) -> list[Choice]:
+    def _alone(self, labels: Sequence[int], tier: int) -> list[LabelChoice]:
         """The candidates of labels up to a tier that cost least were they alone; each is asked for once."""
         new = [label for label in labels if (label, tier) not in self._liked]
         for label, rated in zip(new, self.scene.rated(new, tier, lines=self.prices.through > 0), strict=True):
-            choice = Choice(rated.boxes, self.prices.alone(rated), rated.free)
+            choice = LabelChoice(rated.boxes, self.prices.alone(rated), rated.free)
             self._liked[label, tier] = choice.cheapest(3 * self._many)
         return [self._liked[label, tier] for label in labels]
 

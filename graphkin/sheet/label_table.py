@@ -11,17 +11,17 @@ from graphkin.sheet.crossings import overlap
 from graphkin.sheet.label_candidates import Boxes
 
 
-class Choice(NamedTuple):
+class LabelChoice(NamedTuple):
     """What a label chooses from: boxes, what each costs as others stand now, whether it touches nothing."""
 
     boxes: Boxes
     cost: Any
     free: Any
 
-    def taken(self, rows: Any) -> Choice:
-        return Choice(self.boxes.taken(rows), self.cost[rows], self.free[rows])
+    def taken(self, rows: Any) -> LabelChoice:
+        return LabelChoice(self.boxes.taken(rows), self.cost[rows], self.free[rows])
 
-    def cheapest(self, count: int) -> Choice:
+    def cheapest(self, count: int) -> LabelChoice:
         """At most so many of them."""
         many = len(self.cost) > count
         return self.taken(np.sort(np.argpartition(self.cost, count)[:count])) if many else self
@@ -35,7 +35,7 @@ class LabelTable:
     _low, _high    corners of what each reaches (2, n)
     """
 
-    def __init__(self, choices: Sequence[Choice], width: int) -> None:
+    def __init__(self, choices: Sequence[LabelChoice], width: int) -> None:
         shape = len(choices), max(width, *(len(choice.cost) for choice in choices))
         count = shape[0] * shape[1]
         self.cost, self.free = np.empty(shape), np.empty(shape, dtype=bool)
@@ -44,7 +44,7 @@ class LabelTable:
         for label, choice in enumerate(choices):
             self.write(label, choice)
 
-    def write(self, label: int, choice: Choice) -> None:
+    def write(self, label: int, choice: LabelChoice) -> None:
         """What a label has to choose from now."""
         count, width = len(choice.cost), self.cost.shape[1]
         first, end, after = label * width, label * width + count, label * width + width

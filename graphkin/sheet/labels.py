@@ -14,11 +14,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphkin.sheet.label_candidates import FARTHEST, LED, MANY, NEAR, Scene
+from graphkin.sheet.label_candidates import FARTHEST, LED, MANY, NEAR, LabelScene
 from graphkin.sheet.label_places import Places
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 
 _DOT = 0.3
 """Where a leader meets an arrow is a dot of this radius, so that it is plain which of two it means [mm]."""
@@ -46,7 +46,7 @@ class Settled(NamedTuple):
         return len(self.clashing)
 
 
-def settle(scene: Scene, far: bool = False) -> Settled:
+def settle(scene: LabelScene, far: bool = False) -> Settled:
     """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
     if not scene.wanted:
         return Settled([], ())
@@ -61,7 +61,7 @@ def settle(scene: Scene, far: bool = False) -> Settled:
     return Settled([*_lettered(scene.wanted, places)], clashing, far, [*map(int, led)])
 
 
-def _lettered(wanted: Sequence[Wanted], places: Places) -> Iterator[Mark]:
+def _lettered(wanted: Sequence[LabelRequest], places: Places) -> Iterator[Mark]:
     """Letters where they stand, with their leaders."""
     for label in map(int, np.flatnonzero(places.stands)):
         want, (low, high, _, anchor) = wanted[label], places.boxes.places[..., label]
@@ -74,7 +74,7 @@ def _lettered(wanted: Sequence[Wanted], places: Places) -> Iterator[Mark]:
                 yield Disc(at, _DOT, "leader", "ink", step=want.step)
 
 
-def _left_out(wanted: Sequence[Wanted], stands: Any, clashing: Sequence[int]) -> list[int]:
+def _left_out(wanted: Sequence[LabelRequest], stands: Any, clashing: Sequence[int]) -> list[int]:
     """The spare ones of labels without a place, else the spare ones next to them; not two that are close together, of
     which one may find a place without the other, unless very many have none."""
     places = [want.place for want in wanted]
@@ -92,7 +92,7 @@ def _left_out(wanted: Sequence[Wanted], stands: Any, clashing: Sequence[int]) ->
     return found
 
 
-def _leader(middle: Place, anchor: Place, half: complex, want: Wanted) -> Mark:
+def _leader(middle: Place, anchor: Place, half: complex, want: LabelRequest) -> Mark:
     """A thin line from the near side of a label's box to what it names."""
     off = anchor - middle
     edge = complex(max(-half.real, min(half.real, off.real)), max(-half.imag, min(half.imag, off.imag)))

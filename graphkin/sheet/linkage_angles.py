@@ -10,9 +10,9 @@ from graphkin.sheet import symbols
 from graphkin.sheet.fixed_link import away_from
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.linkage_figure import on_paper
-from graphkin.sheet.marks import Arc, Mark, Place, Stroke
+from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke
 from graphkin.sheet.paper import BODY
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.linkages import Report
 from graphkin.studies.linkages.linkage import LinkagePosition
@@ -44,14 +44,14 @@ def _swept(centre: Place, radius: float, begin: float, sweep: float, label: Labe
     figure = Figure()
     if abs(sweep) < 1e-6:
         return figure
-    figure.marks.append(Arc(centre, radius, begin, sweep, "thin"))
+    figure.marks.append(ArcMark(centre, radius, begin, sweep, "thin"))
     if abs(sweep) * radius > _NO_HEADS:
         for angle, way in ((begin, -1), (begin + sweep, 1)):
             turn = way * (1 if sweep > 0 else -1) * (math.pi / 2 - 1.5 / radius)
             tip = centre + cmath.rect(radius, angle)
             figure.marks.append(symbols.arrow_head(tip, cmath.rect(1, angle + turn), None))
     middle = cmath.rect(1, begin + sweep / 2)
-    figure.wanted.append(Wanted(label, centre + radius * middle, gap=0.6, away=middle, size=BODY + 0.3))
+    figure.wanted.append(LabelRequest(label, centre + radius * middle, gap=0.6, away=middle, size=BODY + 0.3))
     return figure
 
 
@@ -126,7 +126,7 @@ def _stroke(report: Report, length: float, window: Window) -> Figure:
     way = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
     marks += [symbols.arrow_head(ends[0], -way, None), symbols.arrow_head(ends[1], way, None)]
     label: Label = (Run("H", True), Run(f" = {length * 1e3:.2f} mm"))
-    return Figure(marks, [Wanted(label, ends[0], ends[1], gap=0.4, away=side, size=BODY + 0.3)])
+    return Figure(marks, [LabelRequest(label, ends[0], ends[1], gap=0.4, away=side, size=BODY + 0.3)])
 
 
 # --- transmission -------------------------------------------------------------------------------

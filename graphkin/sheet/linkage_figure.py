@@ -20,7 +20,7 @@ from graphkin.sheet.mechanism_figure import moving_links
 from graphkin.sheet.paper import BODY
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.linkages import Linkage
 from graphkin.studies.linkages.linkage import LinkagePosition
@@ -61,13 +61,13 @@ def drawn_over(linkage: Linkage, positions: Row, window: Window, primes: bool = 
     return Figure([*marks, *_links(linkage, first)], wanted)
 
 
-def _bars(linkage: Linkage, position: LinkagePosition, window: Window) -> Iterator[Wanted]:
+def _bars(linkage: Linkage, position: LinkagePosition, window: Window) -> Iterator[LabelRequest]:
     """The links by their ends, as their lengths are called, where there is room for it."""
     named = zip(linkage.names, on_paper(position, window), strict=True)
     for (one, start), (other, end) in combinations(named, 2):
         name = next((name for name in (one + other, other + one) if name in linkage.sizes), "")
         if name and abs(end - start) > _SHORT:
-            yield Wanted(points_label(name), start, end, gap=1.2, size=BODY, spare=True)
+            yield LabelRequest(points_label(name), start, end, gap=1.2, size=BODY, spare=True)
 
 
 def _links(linkage: Linkage, skeleton: Skeleton) -> Iterator[Mark]:
@@ -83,7 +83,7 @@ def _thin(mark: Mark) -> Mark:
     return replace(mark, pen="thin") if isinstance(mark, Stroke | Disc) else mark
 
 
-def _names(linkage: Linkage, positions: Row, first: Skeleton, primes: bool) -> Iterator[Wanted]:
+def _names(linkage: Linkage, positions: Row, first: Skeleton, primes: bool) -> Iterator[LabelRequest]:
     """Pivots once, moving points at every position."""
     window = first.window
     centre = sum(places := _places(positions)) / len(places)
@@ -92,7 +92,7 @@ def _names(linkage: Linkage, positions: Row, first: Skeleton, primes: bool) -> I
         for number, position in enumerate(positions[:1] if fixed else positions, start=1):
             at = window(position.places[k])
             label = _numbered(name, None if fixed or len(positions) == 1 else number, primes)
-            yield Wanted(label, at, gap=symbols.HINGE + 0.4, away=at - window(centre))
+            yield LabelRequest(label, at, gap=symbols.HINGE + 0.4, away=at - window(centre))
 
 
 def _numbered(name: str, number: int | None, primes: bool) -> Label:

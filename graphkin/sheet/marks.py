@@ -76,7 +76,7 @@ class Disc:
 
 
 @frozen
-class Arc:
+class ArcMark:
     """A part of a circle from angle `start` over `sweep` [rad, clockwise on paper]."""
 
     centre: Place
@@ -156,4 +156,4 @@ class PointMark:
     site: str = ""
 
 
-Mark = Stroke | Disc | Arc | Text | VectorMark | PointMark
+Mark = Stroke | Disc | ArcMark | Text | VectorMark | PointMark

@@ -19,7 +19,7 @@ from graphkin.sheet.lettering import link_label, point_label
 from graphkin.sheet.marks import Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton, hull, in_line
 from graphkin.sheet.specials import contacts, specials
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.wheels import wheels, wheels_of
 from graphkin.sheet.window import Figure
 
@@ -218,41 +218,41 @@ def _is_pin(skeleton: Skeleton, point: str) -> bool:
     return any(pair.pin == point for pair in skeleton.mechanism.pairs)
 
 
-def _names(skeleton: Skeleton) -> list[Wanted]:
+def _names(skeleton: Skeleton) -> list[LabelRequest]:
     """The letters of the points; those at one place share a label."""
-    wanted: list[Wanted] = []
+    wanted: list[LabelRequest] = []
     for point in skeleton.points:
         away = -sum(skeleton.directions(point), 0j)
         step = skeleton.step(point)
-        wanted.append(Wanted(point_label(point), skeleton.at(point), gap=symbols.HINGE, away=away, step=step))
+        wanted.append(LabelRequest(point_label(point), skeleton.at(point), gap=symbols.HINGE, away=away, step=step))
     return wanted
 
 
-def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int | None) -> Iterator[Wanted]:
+def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int | None) -> Iterator[LabelRequest]:
     """A link's number beside its longest bar, inside its outline, or beside its block."""
     label = link_label(skeleton.mechanism.called(link))
     slide = skeleton.blocks.get(link)
     if slide is not None and len(places) < 2:
         if skeleton.is_cylinder(slide):
-            yield Wanted(label, _tube(skeleton, slide)[1], skeleton.at(slide.point), gap=1.2, step=step)
+            yield LabelRequest(label, _tube(skeleton, slide)[1], skeleton.at(slide.point), gap=1.2, step=step)
             return
         if (rod := follower(skeleton, slide)) is not None and isinstance(rod[0], Stroke):
-            yield Wanted(label, rod[0].places[0], rod[0].places[1], gap=1.2, step=step)
+            yield LabelRequest(label, rod[0].places[0], rod[0].places[1], gap=1.2, step=step)
             return
         across = skeleton.along(slide) * 1j
-        yield Wanted(label, skeleton.at(slide.point), gap=math.hypot(2.4, 2.8), away=across, step=step)
+        yield LabelRequest(label, skeleton.at(slide.point), gap=math.hypot(2.4, 2.8), away=across, step=step)
     elif len(places) > 2 and in_line(places) is None:
         corners = [places[k] for k in hull(places)]
-        yield Wanted(label, sum(corners) / len(corners), gap=-2.6, step=step)
+        yield LabelRequest(label, sum(corners) / len(corners), gap=-2.6, step=step)
     elif len(places) > 1:
         ends = _widest_gap(places)
-        yield Wanted(label, ends[0], ends[1], gap=1.2, step=step)
+        yield LabelRequest(label, ends[0], ends[1], gap=1.2, step=step)
     else:
         for guide in skeleton.guides(link):
-            yield Wanted(label, *_tube(skeleton, guide), gap=3.4, step=step)
+            yield LabelRequest(label, *_tube(skeleton, guide), gap=3.4, step=step)
             return
         if places and not any(wheel.link == link for wheel in wheels_of(skeleton.mechanism)):
-            yield Wanted(label, places[0], gap=4.0, step=step)
+            yield LabelRequest(label, places[0], gap=4.0, step=step)
 
 
 def _tube(skeleton: Skeleton, slide: Slide) -> tuple[Place, Place]:

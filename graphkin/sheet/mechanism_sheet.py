@@ -13,7 +13,7 @@ from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.planning.by_pose import shown
-from graphkin.sheet.composed import Composed, Work
+from graphkin.sheet.composed import Composed, Composition
 from graphkin.sheet.layout import Layout, cut_to, papers_for
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import LARGE
@@ -58,7 +58,7 @@ def mechanism_sheet(
         return _given(Planes(method, plot, ("position",), style, lang), paper, tight)
     method, plot = shown(method, plot)
     drawing = Planes(method, plot, _planes(only), style, lang, paths)
-    work = Work(drawing, [] if tight else tables(method, plot, lang), tight)
+    work = Composition(drawing, [] if tight else tables(method, plot, lang), tight)
     if upto is not None:
         return next(_staged(work, paper, [upto]))
     return _whole(work, paper).lettered.sheet
@@ -68,11 +68,11 @@ def _given(drawing: Planes, paper: str | None, tight: bool) -> Sheet:
     """The mechanism alone, with what the problem gives and asks."""
     from graphkin.sheet.given_tables import given_tables
 
-    work = Work(drawing, [] if tight else given_tables(drawing.reading({})), tight)
+    work = Composition(drawing, [] if tight else given_tables(drawing.reading({})), tight)
     return replace(_whole(work, paper).lettered.sheet, given=True)
 
 
-def _whole(work: Work, paper: str | None) -> Composed:
+def _whole(work: Composition, paper: str | None) -> Composed:
     """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip.
 
     Those that only a small paper had no room for come back where it turns out too small for the letters as well.
@@ -103,7 +103,7 @@ def mechanism_step_sheets(
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
     method, plot = shown(method, plot)
     drawing = Planes(method, plot, _planes(only), "construction", lang)
-    yield from _staged(Work(drawing, [] if tight else tables(method, plot, lang), tight), paper)
+    yield from _staged(Composition(drawing, [] if tight else tables(method, plot, lang), tight), paper)
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
@@ -113,11 +113,11 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 
 def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
     """The scales of the sheet."""
-    work = Work(Planes(method, plot, PLANES, "construction", lang), tables(method, plot, lang))
+    work = Composition(Planes(method, plot, PLANES, "construction", lang), tables(method, plot, lang))
     return _whole(work, None).layout.scales
 
 
-def _staged(work: Work, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
+def _staged(work: Composition, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
     from graphkin.sheet.captions import Captions  # all the words of a solution
 
@@ -132,7 +132,7 @@ def _staged(work: Work, paper: str | None, numbers: Sequence[int] = ()) -> Itera
 # --- which paper, how divided -----------------------------------------------------------------
 
 
-def _cut(work: Work, paper: str | None, large: bool | None, trial: bool) -> Composed:
+def _cut(work: Composition, paper: str | None, large: bool | None, trial: bool) -> Composed:
     """On the paper divided; cut to a single figure, where the paper was not asked for."""
     best = _divided(work, paper, large, trial)
     if len(work.planes) > 1 or not (work.tight or paper is None):
@@ -140,7 +140,7 @@ def _cut(work: Work, paper: str | None, large: bool | None, trial: bool) -> Comp
     return replace(best, layout=cut_to(best.layout, work.planes[0], work.extent(best.layout, work.planes[0])))
 
 
-def _divided(work: Work, paper: str | None, large: bool | None, trial: bool) -> Composed:
+def _divided(work: Composition, paper: str | None, large: bool | None, trial: bool) -> Composed:
     """On the paper divided best: the smallest that holds all and leaves its letters room.
 
     large  whether a larger one was taken when this was tried before

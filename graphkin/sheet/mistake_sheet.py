@@ -27,8 +27,8 @@ from graphkin.sheet.page import Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.plain_mechanism import plain_mechanism, shown_places
-from graphkin.sheet.polygons import Polygon, polygon_figure
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.polygons import PolygonFigure, polygon_figure
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import PLANES, Figure, Window, constructions
 
 Own = Mapping[Plane, Mapping[str, complex]]
@@ -125,8 +125,8 @@ class Version:
             wanted = [label for label in wanted if not label.spare]
         return Figure([self._penned(mark) for mark in drawn.marks], wanted) + self._over(window)
 
-    def _polygon(self, plot: Plot, window: Window) -> Polygon:
-        return Polygon(self.method.mechanism, self.construction, plot, window, {})
+    def _polygon(self, plot: Plot, window: Window) -> PolygonFigure:
+        return PolygonFigure(self.method.mechanism, self.construction, plot, window, {})
 
     def _penned(self, mark: Mark) -> Mark:
         """Thick where it is drawn otherwise; thin where it is only compared with."""
@@ -174,7 +174,7 @@ class Version:
             figure.marks.append(Disc(at, _RING, "thin"))
             if abs(at - window(self._there[name])) > _OFF:
                 label = joined([plain("("), point_label(name), plain(")")], "")
-                figure.wanted.append(Wanted(label, at, gap=_RING))
+                figure.wanted.append(LabelRequest(label, at, gap=_RING))
         return figure
 
 

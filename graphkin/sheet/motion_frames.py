@@ -30,12 +30,12 @@ from graphkin.sheet.mechanism_figure import moving_figure
 from graphkin.sheet.page import Page, Panel, Sheet, heading
 from graphkin.sheet.paper import LABEL
 from graphkin.sheet.plain_mechanism import mechanism_places
-from graphkin.sheet.polygons import Polygon, polygon_figure
+from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.quiet_letters import lettered
 from graphkin.sheet.scales import KEYS, TooLargeForPaper
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, strip_height
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import PLANES, Figure, Window, constructions
 from graphkin.studies.sweeps import Course, course, prove
 
@@ -186,7 +186,9 @@ class _Frames:
     def _figure(self, plane: Plane, window: Window, k: int) -> Figure:
         born = births(self.method, plane)
         if plane != "position":
-            polygon = Polygon(self.method.mechanism, constructions(self.method)[plane], self.plots[k], window, born)
+            polygon = PolygonFigure(
+                self.method.mechanism, constructions(self.method)[plane], self.plots[k], window, born
+            )
             return Figure(polygon_figure(polygon).marks, self._letters(polygon, self._as_one[plane]))
         first, here, *others = (
             Skeleton(self.method.mechanism, plot, window, born)
@@ -212,14 +214,14 @@ class _Frames:
         return found
 
     @staticmethod
-    def _letters(polygon: Polygon, groups: Sequence[tuple[str, ...]]) -> list[Wanted]:
+    def _letters(polygon: PolygonFigure, groups: Sequence[tuple[str, ...]]) -> list[LabelRequest]:
         """A label for each point that bears a letter."""
         places = polygon.named
         middle = sum(polygon.points.values()) / max(1, len(polygon.points))
         named = [[name for name in group if name in places] for group in groups]
         at = {tuple(group): places[group[0]] for group in named if group}
         return [
-            Wanted(joined([point_label(name) for name in group]), place, gap=0.5, away=place - middle)
+            LabelRequest(joined([point_label(name) for name in group]), place, gap=0.5, away=place - middle)
             for group, place in at.items()
         ]
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from graphkin.sheet.marks import Mark, VectorMark
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -29,7 +29,11 @@ class Arrows:
         self.end = np.array([vector.end for vector in vectors], dtype=complex)
 
     def strange(
-        self, wanted: Sequence[Wanted], owner: NDArray[np.intp], low: NDArray[np.float64], high: NDArray[np.float64]
+        self,
+        wanted: Sequence[LabelRequest],
+        owner: NDArray[np.intp],
+        low: NDArray[np.float64],
+        high: NDArray[np.float64],
     ) -> NDArray[np.bool_]:
         """Boxes low..high of labels that stand nearer to an arrow that is not their owner's."""
         found = np.zeros(len(owner), dtype=bool)

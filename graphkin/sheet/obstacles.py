@@ -13,7 +13,7 @@ from graphkin.sheet.areas import Areas
 from graphkin.sheet.blocks import Blocks
 from graphkin.sheet.edges import Edges
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Arc, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -107,7 +107,7 @@ def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:
             yield (*places, places[0]) if closed else places, closed and fill not in ("none", "tint")
         case Disc(centre, radius, fill=fill):
             yield tuple(centre + radius * turn for turn in _CIRCLE), fill not in ("none", "tint")
-        case Arc():
+        case ArcMark():
             yield arc_places(mark), False
         case Text(label, at, size):
             yield _frame(label, at, size), True
@@ -119,7 +119,7 @@ def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:
             yield tuple(at + radius * turn for turn in _CIRCLE[::3]), True
 
 
-def arc_places(arc: Arc) -> tuple[Place, ...]:
+def arc_places(arc: ArcMark) -> tuple[Place, ...]:
     """A polyline close to an arc."""
     count = max(4, int(abs(arc.sweep) * 8))
     return tuple(arc.centre + cmath.rect(arc.radius, arc.start + arc.sweep * k / count) for k in range(count + 1))

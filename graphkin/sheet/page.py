@@ -19,8 +19,8 @@ from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 from graphkin.sheet.equation_rows import EquationBlock
-from graphkin.sheet.free_room import Added, FreeRoom
-from graphkin.sheet.label_candidates import Scene
+from graphkin.sheet.free_room import Annotations, FreeRoom
+from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
@@ -107,7 +107,7 @@ class Last(Protocol):
     def lines(self) -> list[Mark]:
         """What labels should keep off, where that costs nothing."""
 
-    def __call__(self, free: FreeRoom) -> Added:
+    def __call__(self, free: FreeRoom) -> Annotations:
         """What there is room for, among figure and labels."""
 
 
@@ -136,9 +136,9 @@ class Panel:
         return [*self.before, *self.figure.marks]
 
     @cached_property
-    def scene(self) -> Scene:
+    def scene(self) -> LabelScene:
         """What wants letters, and what they keep off."""
-        return Scene(self.figure.wanted, self.drawn, self.room)
+        return LabelScene(self.figure.wanted, self.drawn, self.room)
 
     @cached_property
     def near(self) -> Settled:
@@ -158,16 +158,16 @@ class Panel:
         lines = self.more.lines() if self.more is not None else ()
         return self._settled(self.scene.under(lines)) if lines else None
 
-    def finished(self, settled: Settled) -> tuple[Settled, Added]:
+    def finished(self, settled: Settled) -> tuple[Settled, Annotations]:
         """Its labels, and what is drawn last where they have left room."""
         if self.more is None:
-            return settled, Added()
+            return settled, Annotations()
         if not settled.crowd and self.off is not None:
             settled = self.off if _worth(self.off) <= _worth(settled) else settled
         return settled, self.more(FreeRoom(self.scene, [*settled.marks, *self.after]))
 
     @staticmethod
-    def _settled(scene: Scene, far: bool = False) -> Settled:
+    def _settled(scene: LabelScene, far: bool = False) -> Settled:
         return settle(scene, far)
 
 
@@ -233,7 +233,7 @@ class Lettered:
         return sum(map(_leaders, self.labels))
 
     @property
-    def finished(self) -> list[tuple[Settled, Added]]:
+    def finished(self) -> list[tuple[Settled, Annotations]]:
         """Each panel's labels, and what is drawn last where they have left room."""
         return [self._finished(number) for number in range(len(self.labels))]
 
@@ -243,14 +243,14 @@ class Lettered:
         open_ = [number for number, panel in enumerate(self.page.panels) if panel.more is not None and panel.more.loose]
         return [block for number in open_ for block in self._finished(number)[1].left_out]
 
-    def _finished(self, number: int) -> tuple[Settled, Added]:
+    def _finished(self, number: int) -> tuple[Settled, Annotations]:
         """One panel, once."""
         if number not in self._done:
             self._done[number] = self.page.panels[number].finished(self.labels[number])
         return self._done[number]
 
     @cached_property
-    def _done(self) -> dict[int, tuple[Settled, Added]]:
+    def _done(self) -> dict[int, tuple[Settled, Annotations]]:
         return {}
 
     @property

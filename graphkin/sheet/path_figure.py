@@ -16,7 +16,7 @@ from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.paper import LEAST
 from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import arrow
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 
 if TYPE_CHECKING:
@@ -65,20 +65,22 @@ class Paths:
             figure += Figure.of(self._drawn(curve, window))
         return figure
 
-    def _drawn(self, curve: PointPath, window: Window) -> Iterator[Mark | Wanted]:
+    def _drawn(self, curve: PointPath, window: Window) -> Iterator[Mark | LabelRequest]:
         places = _on_paper(curve, window)
         owner = curve.course.method.mechanism.owners[curve.point][0]
         shows = Shows(owner, "path", (curve.point,), curve.course.driver.name)
         yield Stroke(places, "outline", closed=curve.closed, shows=shows)
         middle = complex(np.mean(places))
         named = places[len(places) // 8]
-        yield Wanted(_named(curve, self.lang), named, gap=1.2, away=named - middle, size=LEAST)
+        yield LabelRequest(_named(curve, self.lang), named, gap=1.2, away=named - middle, size=LEAST)
         for tick in curve.ticks:
             at, across = window(tick.place), window.turned(tick.way) * 1j
             half = _NUMBERED if tick.numbered else _TICK
             yield Stroke((at - half * across, at + half * across), "thin") if across else Disc(at, half / 2, "thin")
             if tick.numbered:
-                yield Wanted(plain(curve.shown(tick.value)), at, gap=1.6, away=at - middle, size=LEAST, spare=True)
+                yield LabelRequest(
+                    plain(curve.shown(tick.value)), at, gap=1.6, away=at - middle, size=LEAST, spare=True
+                )
             if self.arrows:
                 yield from arrow(at, at + window.turned(tick.velocity) / self.scale, "velocity")
 

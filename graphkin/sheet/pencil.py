@@ -7,8 +7,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from graphkin.construction import Arc, Construction, Meet, Plane, Plot, Ray, Step
-from graphkin.sheet.marks import Arc as ArcMark
-from graphkin.sheet.marks import Mark, Place, Stroke
+from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke
 from graphkin.sheet.window import Window
 
 Pages = Mapping[tuple[Plane, Step], int]

@@ -24,7 +24,7 @@ from graphkin.sheet.gear_images import GearImage, gear_images
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places, shown_places
-from graphkin.sheet.polygons import Polygon, polygon_figure
+from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.scales import KEYS
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure, Window, constructions
@@ -81,11 +81,13 @@ class Planes:
     def skeleton(self, window: Window) -> Skeleton:
         return Skeleton(self.method.mechanism, self.plot, window, births(self.method, "position"))
 
-    def polygon(self, plane: Plane, window: Window) -> Polygon:
+    def polygon(self, plane: Plane, window: Window) -> PolygonFigure:
         born, gears = births(self.method, plane), self.gears(plane)
         drafted = self.style == "construction"
         held = held_labels(self.method, plane, self.rested)
-        return Polygon(self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted, held)
+        return PolygonFigure(
+            self.method.mechanism, self.construction(plane), self.plot, window, born, gears, drafted, held
+        )
 
     @cached_property
     def rested(self) -> frozenset[Fact]:

@@ -21,7 +21,7 @@ from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import SWEEP, arrow_head, spin
 from graphkin.sheet.table import Table
 from graphkin.sheet.titleblock import Strip, strip_height
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Entry, Figure, Window
 from graphkin.studies.centres.two_velocities import TwoVelocities
 
@@ -75,20 +75,20 @@ def _drawn(found: TwoVelocities, window: Window, speed: float) -> Iterator[Entry
     yield Stroke((ends[0], ends[1]), "visible")
     for name, end, tip in zip(found.names, ends, tips, strict=True):
         yield Disc(end, 0.6, "outline", "ink")
-        yield Wanted(point_label(name), end, gap=0.9, away=end - tip)
+        yield LabelRequest(point_label(name), end, gap=0.9, away=end - tip)
         if abs(tip - end) > 1:
             along = (tip - end) / abs(tip - end)
             yield Stroke((end, tip - 2 * along), "vector", accent="velocity")
             yield replace(arrow_head(tip, along, None), accent="velocity")
-            yield Wanted(quantity_label("v", name), end, tip)
+            yield LabelRequest(quantity_label("v", name), end, tip)
     if pole is not None:
         yield Disc(pole, 0.9, "outline", "paper")
-        yield Wanted(quantity_label("P", ""), pole, gap=1.2, away=pole - ends[0])
+        yield LabelRequest(quantity_label("P", ""), pole, gap=1.2, away=pole - ends[0])
         if found.omega:
             start, sense = cmath.rect(1, math.radians(30)), math.copysign(1, found.omega)
             yield from spin(pole, start, sense, _RADIUS)
             middle = start * cmath.rect(1, -sense * SWEEP / 2)
-            yield Wanted(quantity_label("ω", ""), pole + middle * _RADIUS, gap=0.9, away=middle)
+            yield LabelRequest(quantity_label("ω", ""), pole + middle * _RADIUS, gap=0.9, away=middle)
 
 
 def _line(places: list[Place]) -> Stroke:

@@ -17,7 +17,7 @@ from graphkin.sheet.gear_images import GearImage
 from graphkin.sheet.lettering import Label, Run, joined, plain, point_label, vector_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke, VectorMark
 from graphkin.sheet.skeleton import hull, in_line
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 
 _SAME = 0.15
@@ -71,7 +71,7 @@ def fixed(construction: Construction) -> set[str]:
 
 
 @frozen
-class Polygon:
+class PolygonFigure:
     """One plane's polygon through a window.
 
     born    the act in which each of its points is found; gears: images
@@ -194,7 +194,7 @@ def named_site(site: Site) -> str:
     return f"{site.point}@{site.link}"
 
 
-def polygon_figure(polygon: Polygon) -> Figure:
+def polygon_figure(polygon: PolygonFigure) -> Figure:
     """Images as thin lines, then arrows, then points."""
     figure = Figure()
     vectors = list(polygon.vectors())
@@ -210,7 +210,7 @@ def polygon_figure(polygon: Polygon) -> Figure:
     return figure
 
 
-def _image_lines(polygon: Polygon, vectors: list[VectorMark]) -> list[Mark]:
+def _image_lines(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[Mark]:
     """Sides of the images along which no arrow lies."""
     drawn = {frozenset((v.tail, v.head)) for v in vectors}
     marks: list[Mark] = []
@@ -234,7 +234,7 @@ def _sides(places: list[Place]) -> list[tuple[int, int]]:
     return list(zip(around, (*around[1:], around[0]), strict=True))
 
 
-def _point_names(polygon: Polygon) -> list[Wanted]:
+def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
     """A label for each place: points that lie on one another share it, the pole first."""
     places: list[tuple[Place, list[str]]] = []
     for name, at in polygon.named.items():
@@ -246,33 +246,33 @@ def _point_names(polygon: Polygon) -> list[Wanted]:
             places.append((at, [name]))
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
     fixed = gear_images.points(polygon.gears, polygon.window)
-    wanted: list[Wanted] = []
+    wanted: list[LabelRequest] = []
     for at, names in places:
         shown = dict.fromkeys(polygon.letters(name) for name in names)
         labels = [point_label(name) for name in shown] + [label for name in names for label in fixed.get(name, ())]
         written = labels if len(labels) <= _LETTERS else [*labels[: _LETTERS - 1], plain("…")]
-        wanted.append(Wanted(joined(written), at, gap=0.5, away=at - middle, step=polygon.step(names[0])))
+        wanted.append(LabelRequest(joined(written), at, gap=0.5, away=at - middle, step=polygon.step(names[0])))
     return wanted
 
 
-def _vector_names(polygon: Polygon, vectors: list[VectorMark]) -> list[Wanted]:
+def _vector_names(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[LabelRequest]:
     """A label for each arrow that has a length."""
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
     told = {vector.name: polygon.told(vector.name) for vector in vectors}
     twice = {name for name, shown in told.items() if shown != name and shown in told}
-    wanted: list[Wanted] = []
+    wanted: list[LabelRequest] = []
     for vector in vectors:
         if vector.length >= _NOTHING and vector.name not in twice:
             away, spare = (vector.start + vector.end) / 2 - middle, _told(polygon, vector)
             names, ends = polygon.names(vector), (vector.start, vector.end)
             label, parts = tuple(chain.from_iterable(name for name, _ in names)), tuple(names) if names[1:] else ()
             wanted.append(
-                Wanted(label, *ends, away=away, step=vector.step, spare=spare, of=vector.name, parts=parts)
+                LabelRequest(label, *ends, away=away, step=vector.step, spare=spare, of=vector.name, parts=parts)
             )
     return wanted
 
 
-def _told(polygon: Polygon, vector: VectorMark) -> bool:
+def _told(polygon: PolygonFigure, vector: VectorMark) -> bool:
     """Whether an arrow is an absolute motion: its head bears the letter of the point, and says as much."""
     at_pole = vector.tail == polygon.construction.pole and vector.head in polygon.named
     return at_pole and vector.name == f"{LETTER[polygon.construction.plane]}_{polygon.of(vector.head)}"

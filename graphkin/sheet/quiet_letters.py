@@ -17,7 +17,7 @@ from graphkin.sheet.lettering import Label, box
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import Obstacles, obstacles
 from graphkin.sheet.paper import Room
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
 _SIDES = tuple(cmath.rect(1, math.tau * k / 12) for k in range(12))
@@ -58,9 +58,9 @@ def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list
     return found
 
 
-def _by_label(figures: Sequence[Figure]) -> dict[tuple[Label, bool], dict[int, Wanted]]:
+def _by_label(figures: Sequence[Figure]) -> dict[tuple[Label, bool], dict[int, LabelRequest]]:
     """Letters by what they say, and by figure; what is named so most often comes first, what seldom is not at all."""
-    found: dict[tuple[Label, bool], dict[int, Wanted]] = {}
+    found: dict[tuple[Label, bool], dict[int, LabelRequest]] = {}
     for k, figure in enumerate(figures):
         for want in figure.wanted:
             if not want.of:
@@ -69,7 +69,7 @@ def _by_label(figures: Sequence[Figure]) -> dict[tuple[Label, bool], dict[int, W
     return dict(sorted(often.items(), key=lambda entry: -len(entry[1])))
 
 
-def _middles(want: Wanted) -> list[Place]:
+def _middles(want: LabelRequest) -> list[Place]:
     """Where its middle may be: around its point, the side it likes among them; or beside its line."""
     half = _half(want.label, want.size)
     if want.end is None or abs(want.end - want.start) < 1e-6:
@@ -126,6 +126,6 @@ def _costs(middles: np.ndarray, half: complex, drawn: Obstacles, taken: Sequence
     return cost + _OUTSIDE * outside
 
 
-def _text(want: Wanted, middle: Place) -> Text:
+def _text(want: LabelRequest, middle: Place) -> Text:
     wide, up, down = box(want.label, want.size)
     return Text(want.label, complex(middle) + complex(-wide, up - down) / 2, want.size, want.step)

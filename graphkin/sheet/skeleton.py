@@ -18,7 +18,7 @@ OVERRUN = 9.0
 """How far a bar goes on beyond its block [mm]."""
 
 
-class Posed(Protocol):
+class PlacedMechanism(Protocol):
     """Where a mechanism's points [m] and links [rad] are: a replayed plot, or a position known otherwise."""
 
     @property
@@ -36,7 +36,7 @@ class Skeleton:
     """
 
     mechanism: Mechanism
-    plot: Posed
+    plot: PlacedMechanism
     window: Window
     born: Mapping[str, int]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphkin.sheet.lettering import Run
 from graphkin.sheet.marks import Disc, Mark, Stroke
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.finding.answers import SlowPoint
 
@@ -35,4 +35,4 @@ def marked(slow: SlowPoint, ends: tuple[complex, complex], window: Window) -> Fi
         marks.append(Stroke((window(ends[slow.along > 0]), at), "dashed"))
     marks += [Disc(at, _RING, "construction"), Disc(at, _DOT, "construction", "ink")]
     label = (Run("v", True), Run("min", False, "sub"))
-    return Figure(marks, [Wanted(label, at, gap=_RING)])
+    return Figure(marks, [LabelRequest(label, at, gap=_RING)])

@@ -15,7 +15,7 @@ from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
 from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import arrow_head
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
 _BEYOND = 6.0
@@ -77,14 +77,14 @@ def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure
                 figure.marks += _line(skeleton, ray, at, special.step)
             dot = PointMark("position", special.name, special.of, at, 0.6, step=special.step, site=special.site)
             figure.marks.append(dot)
-            figure.wanted.append(Wanted(point_label(special.name), at, gap=0.8, step=special.step))
+            figure.wanted.append(LabelRequest(point_label(special.name), at, gap=0.8, step=special.step))
         else:
             for ray in special.rays:
                 towards = _towards(skeleton, ray, at, special.step)
                 figure.marks += towards
                 label = (*plain("→ "), *point_label(special.name))
                 tips = [mark.places[-1] for mark in towards if isinstance(mark, Stroke)]
-                figure.wanted += [Wanted(label, tip, gap=0.6, step=special.step) for tip in tips]
+                figure.wanted += [LabelRequest(label, tip, gap=0.6, step=special.step) for tip in tips]
     return figure
 
 
@@ -126,5 +126,5 @@ def contacts(method: Method, skeleton: Skeleton) -> Figure:
             at, number = skeleton.at(step.point), page["position", step]
             site = named_site(Site(step.point, FRAME))
             figure.marks.append(PointMark("position", step.point, step.point, at, 0.6, step=number, site=site))
-            figure.wanted.append(Wanted(point_label(step.point), at, gap=0.8, away=1 - 1j, step=number))
+            figure.wanted.append(LabelRequest(point_label(step.point), at, gap=0.8, away=1 - 1j, step=number))
     return figure

@@ -12,7 +12,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from graphkin.construction import Plane
-from graphkin.sheet.marks import Arc, Disc, Mark, Place, Shows, Stroke
+from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName
 
 HINGE = 1.3
@@ -182,7 +182,7 @@ def spin(
     shaft = turn + sense * 0.8 * _HEAD / radius
     back = at + cmath.rect(radius, start + turn + sense * _HEAD / radius)
     head = arrow_head(tip, (tip - back) / abs(tip - back), step)
-    return [Arc(at, radius, start, shaft, "vector", step=step), replace(head, shows=shows)]
+    return [ArcMark(at, radius, start, shaft, "vector", step=step), replace(head, shows=shows)]
 
 
 def push(start: Place, along: complex, shows: Shows, step: int | None = None) -> list[Mark]:

@@ -52,7 +52,7 @@ _POINT = 1.5
 """A shorter line is a point [mm]."""
 
 
-class Candidates(NamedTuple):
+class LabelCandidates(NamedTuple):
     """Where a label may stand, all as arrays (n,).
 
     middle  of the label's box, complex [mm]
@@ -69,17 +69,17 @@ class Candidates(NamedTuple):
         """Which of them have a leader."""
         return ~np.isnan(self.anchor)
 
-    def taken(self, rows: Any) -> Candidates:
+    def taken(self, rows: Any) -> LabelCandidates:
         """Some of them."""
-        return Candidates(self.middle[rows], self.cost[rows], self.anchor[rows])
+        return LabelCandidates(self.middle[rows], self.cost[rows], self.anchor[rows])
 
     @classmethod
-    def joined(cls, parts: Iterable[Candidates]) -> Candidates:
+    def joined(cls, parts: Iterable[LabelCandidates]) -> LabelCandidates:
         return cls(*map(np.concatenate, zip(*parts, strict=True)))
 
 
 @frozen
-class Wanted:
+class LabelRequest:
     """A label and what it names: a point (`start` only) or a line from start to end.
 
     gap   how far the symbol at the point, or the line's width, reaches [mm]
@@ -111,51 +111,51 @@ class Wanted:
         """What it names, as one point."""
         return self.start if self.end is None else (self.start + self.end) / 2
 
-    def near(self, half: complex) -> Candidates:
+    def near(self, half: complex) -> LabelCandidates:
         """Where it may stand at what it names; half: of the width and height of its box [mm]."""
         if self.end is None or abs(self.end - self.start) <= _POINT:
             return _around(self.start, half, self, _RINGS)
         return _beside(self.start, self.end, half, self)
 
-    def led(self, half: complex) -> Candidates:
+    def led(self, half: complex) -> LabelCandidates:
         """Where a leader may keep it to what it names."""
         start, end = self.start, self.end
         if end is None or abs(end - start) <= _POINT:
             return _around(start, half, self, _LED)
         places = [(start + end) / 2, *(start + (end - start) * t for t in (_LED_ALONG if self.of else ()))]
         led = [_around(place, half, self, _LED) for place in places]
-        return Candidates.joined([led[0], *(part._replace(cost=part.cost + _OFF_MIDDLE) for part in led[1:])])
+        return LabelCandidates.joined([led[0], *(part._replace(cost=part.cost + _OFF_MIDDLE) for part in led[1:])])
 
-    def far(self, half: complex, crowd: Place, farthest: bool = False) -> Candidates:
+    def far(self, half: complex, crowd: Place, farthest: bool = False) -> LabelCandidates:
         """Wide rings, away from the middle of the crowd first."""
         ends, rings = (self.start, self.start if self.end is None else self.end), _FARTHEST if farthest else _FAR
         anchors = dict.fromkeys(ends[0] + (ends[1] - ends[0]) * t for t in _ANCHORS)
         sides = _sides(_FAR_LEANING, half)[:, None]
-        return Candidates.joined(_far(anchor, crowd, sides, self.gap + 0.6, rings) for anchor in anchors)
+        return LabelCandidates.joined(_far(anchor, crowd, sides, self.gap + 0.6, rings) for anchor in anchors)
 
 
-def lettering(wanted: Iterable[Wanted]) -> float:
+def lettering(wanted: Iterable[LabelRequest]) -> float:
     """How much room labels take, with what is usually free about them [mm^2]."""
     boxes = (box(want.label, want.size) for want in wanted)
     return sum((wide + _SPACE) * (up + down + _SPACE) for wide, up, down in boxes)
 
 
-def _around(point: Place, half: complex, want: Wanted, rings: Any) -> Candidates:
+def _around(point: Place, half: complex, want: LabelRequest, rings: Any) -> LabelCandidates:
     """Rings about a point; a box touches the ring with its near side or corner."""
     away = want.away.conjugate() / abs(want.away) if want.away else 0j
     liking = 0.8 * (1 - (_TURNS * away).real) if away else _LITTLE
     middle = point + (want.gap + 0.6 + rings[:, None]) * _TURNS + _sides(_LEANING, half)
     cost = _FARTHER * rings[:, None] + (_LEADER if rings is _LED else 0.0) + liking
-    return Candidates(middle.ravel(), cost.ravel(), np.full(middle.size, point if rings is _LED else _NOWHERE))
+    return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, point if rings is _LED else _NOWHERE))
 
 
-def _far(anchor: Place, crowd: Place, sides: Any, gap: float, rings: Any) -> Candidates:
+def _far(anchor: Place, crowd: Place, sides: Any, gap: float, rings: Any) -> LabelCandidates:
     """Wide rings about a point; sides: from what a box touches to its middle, in each direction."""
     away = (anchor - crowd).conjugate() / max(abs(anchor - crowd), 1e-9)
     liking = 5.0 * (1 - (_FAR_TURNS * away).real)
     middle = anchor + (gap + rings) * _FAR_TURNS[:, None] + sides
     cost = _FARTHER * rings + _LEADER + liking[:, None]
-    return Candidates(middle.ravel(), cost.ravel(), np.full(middle.size, anchor))
+    return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, anchor))
 
 
 def _sides(leaning: Any, half: complex) -> Any:
@@ -163,7 +163,7 @@ def _sides(leaning: Any, half: complex) -> Any:
     return leaning.real * half.real + 1j * (leaning.imag * half.imag)
 
 
-def _beside(start: Place, end: Place, half: complex, want: Wanted) -> Candidates:
+def _beside(start: Place, end: Place, half: complex, want: LabelRequest) -> LabelCandidates:
     """Both sides of a line, at several places along it."""
     along = (end - start) / abs(end - start)
     away = want.away / abs(want.away) if want.away else 0j
@@ -172,4 +172,4 @@ def _beside(start: Place, end: Place, half: complex, want: Wanted) -> Candidates
     liking = 0.6 * (1 - (normal * away.conjugate()).real) if away else np.where(normal.imag <= 0, 0.0, 0.1)
     middle = start + (end - start) * _ALONG + normal * (support + want.gap + _OFF)
     cost = 1.2 * _OFF + 2.5 * np.abs(_ALONG - 0.5) + liking
-    return Candidates(middle.ravel(), cost.ravel(), np.full(middle.size, _NOWHERE))
+    return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, _NOWHERE))

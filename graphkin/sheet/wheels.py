@@ -9,12 +9,12 @@ from typing import Any
 
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.model.pairs import Gear, Line, Pair, Roll
+from graphkin.model.pairs import Gear, Line, Pair, RollingContact
 from graphkin.sheet import symbols
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
 _RIM = 3.0
@@ -54,7 +54,7 @@ def _gears(gear: Gear) -> Iterator[Wheel]:
         yield Wheel(link, centre, radius, gear=True, ring=gear.internal and radius == max(gear.radii))
 
 
-def _rolling(roll: Roll) -> Iterator[Wheel]:
+def _rolling(roll: RollingContact) -> Iterator[Wheel]:
     turning_inside = roll.internal and roll.track_radius < roll.radius
     yield Wheel(roll.wheel, roll.centre, roll.radius, gear=False, ring=turning_inside)
     if roll.track_centre is not None:
@@ -62,7 +62,7 @@ def _rolling(roll: Roll) -> Iterator[Wheel]:
         yield Wheel(roll.track, roll.track_centre, roll.track_radius, gear=False, ring=ring)
 
 
-UNDER_LINKS: Mapping[type[Pair], Callable[[Any], Iterator[Wheel]]] = {Gear: _gears, Roll: _rolling}
+UNDER_LINKS: Mapping[type[Pair], Callable[[Any], Iterator[Wheel]]] = {Gear: _gears, RollingContact: _rolling}
 """The wheels of the pairs whose signs stand under the links; see `mechanism_figure.OVER_LINKS`."""
 
 
@@ -81,7 +81,7 @@ def wheels(skeleton: Skeleton) -> Figure:
         if wheel.link not in numbered and len(skeleton.named(wheel.link)) < 2 and wheel.link != FRAME:
             numbered.add(wheel.link)
             figure.wanted.append(_number(skeleton, wheel))
-    for roll in skeleton.mechanism.of(Roll):
+    for roll in skeleton.mechanism.of(RollingContact):
         if roll.line is not None:
             figure.marks += _track(skeleton, roll, roll.line)
     return figure
@@ -108,16 +108,16 @@ def _wheel(skeleton: Skeleton, wheel: Wheel) -> Iterator[Mark]:
         yield from symbols.rim_hatch(at, rim, -1.0, step)
 
 
-def _number(skeleton: Skeleton, wheel: Wheel) -> Wanted:
+def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
     """The number of a link that is a wheel alone, beside its rim."""
     at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale
     label, step = link_label(skeleton.mechanism.called(wheel.link)), skeleton.step(wheel.centre)
     way = _free_way(skeleton, wheel.centre)
     if wheel.ring:
-        return Wanted(label, at + way * (radius + _RIM), gap=0.6, away=way, step=step)
+        return LabelRequest(label, at + way * (radius + _RIM), gap=0.6, away=way, step=step)
     if radius < _SMALL:
-        return Wanted(label, at + way * radius, gap=0.4, away=way, step=step)
-    return Wanted(label, at + way * (radius - 4.2), gap=-2.6, away=way, step=step)
+        return LabelRequest(label, at + way * radius, gap=0.4, away=way, step=step)
+    return LabelRequest(label, at + way * (radius - 4.2), gap=-2.6, away=way, step=step)
 
 
 def _free_way(skeleton: Skeleton, centre: str) -> complex:
@@ -133,7 +133,7 @@ def _free_way(skeleton: Skeleton, centre: str) -> complex:
     return max(ways, key=lambda way: -max(((t * way.conjugate()).real for t in taken), default=-1.0))
 
 
-def _track(skeleton: Skeleton, roll: Roll, line: Line) -> list[Mark]:
+def _track(skeleton: Skeleton, roll: RollingContact, line: Line) -> list[Mark]:
     """The line a wheel rolls on: hatched ground, or a bar of its link."""
     step = skeleton.step(roll.centre)
     track = straight(skeleton, line, roll.name, roll.centre, roll.radius / skeleton.window.scale + 12, step)

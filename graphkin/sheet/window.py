@@ -9,9 +9,9 @@ from graphkin.base.value import filled, frozen
 from graphkin.construction import Construction, Plane
 from graphkin.planning import Method
 from graphkin.sheet.marks import Mark, Place
-from graphkin.sheet.wanted import Wanted
+from graphkin.sheet.wanted import LabelRequest
 
-Entry = Mark | Wanted
+Entry = Mark | LabelRequest
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
 
@@ -36,14 +36,14 @@ class Figure:
     """What one plane puts on paper: marks in the order of painting, and labels that want a place."""
 
     marks: list[Mark] = field(default_factory=list)
-    wanted: list[Wanted] = field(default_factory=list)
+    wanted: list[LabelRequest] = field(default_factory=list)
 
     @classmethod
     def of(cls, entries: Iterable[Entry]) -> Figure:
         """Marks and labels in any order."""
         figure = cls()
         for entry in entries:
-            if isinstance(entry, Wanted):
+            if isinstance(entry, LabelRequest):
                 figure.wanted.append(entry)
             else:
                 figure.marks.append(entry)

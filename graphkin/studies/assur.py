@@ -13,7 +13,7 @@ from graphkin.analytic import Mobility, mobility
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import PairName
-from graphkin.model.pairs import Pair, Roll, pin_name, rod_name
+from graphkin.model.pairs import Pair, RollingContact, pin_name, rod_name
 from graphkin.planning import Method
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh
 from graphkin.planning.structure import Hinge, Joint
@@ -39,12 +39,12 @@ class Together:
     letters: str = ""
     point: str = ""
     ternary: str = ""
-    added: tuple[Added, ...] = ()
+    added: tuple[SupposedLink, ...] = ()
     merged: tuple[tuple[str, ...], ...] = ()
 
 
 @frozen
-class Added:
+class SupposedLink:
     """A link of a group that the file does not have. kind: "block" at a point, or "rod" between two centres."""
 
     kind: str
@@ -96,7 +96,7 @@ class Structure:
 def structure(method: Method) -> Structure:
     """A pin in a slot, a cam pair and a gear pair take one freedom; rolling contact one, or two."""
     mechanism = method.mechanism
-    others = [pair for pair in mechanism.pairs if not isinstance(pair, Roll)]
+    others = [pair for pair in mechanism.pairs if not isinstance(pair, RollingContact)]
     low = sum(len(hinge.links) - 1 for hinge in mechanism.hinges) + sum(pair.lower for pair in others)
     high = sum(not pair.lower for pair in others)
     return Structure(
@@ -110,13 +110,13 @@ def _rolls(method: Method) -> Iterator[tuple[tuple[str, ...], int]]:
     mechanism, structure = method.mechanism, method.structure
     kept = {slide.name for slide in structure.joining if slide.stands_for is not None}
     for pair in mechanism.pairs:
-        if isinstance(pair, Roll):
+        if isinstance(pair, RollingContact):
             alone = pair.name in kept or rod_name(pair) in structure.bodies
             yield tuple(mechanism.called(link) for link in pair.joins), 2 if alone else 1
 
 
 def _uncounted(method: Method) -> int:
-    return sum(each.part == "line" and each.pair[0] == Roll.table for each in method.aside)
+    return sum(each.part == "line" and each.pair[0] == RollingContact.table for each in method.aside)
 
 
 def groups(method: Method) -> tuple[Together, ...]:
@@ -184,13 +184,15 @@ def _named(method: Method, bodies: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(body for body in bodies if body in method.mechanism.links and body != FRAME)
 
 
-def _added(method: Method, bodies: tuple[str, ...]) -> tuple[Added, ...]:
+def _added(method: Method, bodies: tuple[str, ...]) -> tuple[SupposedLink, ...]:
     """Pins in slots, and links that stand for a cam pair or hold a rolling wheel."""
-    structure, found = method.structure, list[Added]()
+    structure, found = method.structure, list[SupposedLink]()
     made = {name(pair): pair for name in (pin_name, rod_name) for pair in method.mechanism.pairs}
     for body in bodies:
         if not structure.is_link(body) and body in made:
-            found.append(Added("block" if structure.is_pin(body) else "rod", _number(method.mechanism, made[body])))
+            found.append(
+                SupposedLink("block" if structure.is_pin(body) else "rod", _number(method.mechanism, made[body]))
+            )
     return tuple(found)
 
 

@@ -17,10 +17,23 @@ from graphkin.submissions.deadline import limited
 from graphkin.submissions.handed import Handed, handed_in
 from graphkin.submissions.pool import guarded
 from graphkin.submissions.reading import read, read_one
-from graphkin.submissions.submission import Asked, Drawn, Given, Limits, Sense, Submission
+from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing, ReadableProblem, Sense, Submission
 from graphkin.submissions.twice import FirstOnes, called
 
 __all__ = [
-    "Asked", "Drawn", "FirstOnes", "Given", "Handed", "Limits", "Sense", "Submission", "called", "guarded", "handed_in",
-    "limited", "read", "read_one", "safe_name",
+    "FirstOnes",
+    "Handed",
+    "HandedValue",
+    "Limits",
+    "MeasuredDrawing",
+    "ReadableProblem",
+    "Sense",
+    "Submission",
+    "called",
+    "guarded",
+    "handed_in",
+    "limited",
+    "read",
+    "read_one",
+    "safe_name",
 ]  # fmt: skip

@@ -25,7 +25,7 @@ from graphkin.submissions import scales
 from graphkin.submissions.numbers import given
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.spelling import plain, short
-from graphkin.submissions.submission import Given, Limits
+from graphkin.submissions.submission import HandedValue, Limits
 
 Entry = tuple[str, object, Where]
 """What an answer is called, what is given, and where it stands."""
@@ -37,14 +37,14 @@ _NOTHING = {"", "-", "--", "---", "/", "\\", "?", "n/a", "na", "none", "null", "
 class Answers:
     """The values by question, the scales stated beside them, and what was passed over."""
 
-    values: Mapping[str, Given]
+    values: Mapping[str, HandedValue]
     scales: Mapping[Plane, float]
     notes: tuple[GraphkinError, ...]
 
 
 def answers(entries: Iterable[Entry], questions: Questions, limits: Limits) -> Answers:
     """Raises TooMuch; whatever is wrong with one answer is in that answer or in the notes."""
-    found: dict[str, Given] = {}
+    found: dict[str, HandedValue] = {}
     notes: list[GraphkinError] = []
     stated: dict[Plane, float] = {}
     rest: list[Entry] = []
@@ -81,11 +81,11 @@ def _nothing(raw: object) -> bool:
     return raw is None or (isinstance(raw, str) and plain(raw).lower() in _NOTHING)
 
 
-def _placed(value: Given, where: Where) -> Given:
+def _placed(value: HandedValue, where: Where) -> HandedValue:
     return replace(value, where=where, fault=value.fault and value.fault.at(where))
 
 
-def _joined(first: Given, second: Given, question: str) -> Given:
+def _joined(first: HandedValue, second: HandedValue, question: str) -> HandedValue:
     """Two answers to one question: one where they say the same, else none."""
     if first.value is None or second.value is None:
         return first if second.value is None else second
@@ -98,10 +98,10 @@ def _joined(first: Given, second: Given, question: str) -> Given:
 # --- one value --------------------------------------------------------------------------------
 
 
-def _value(raw: object, quantity: Quantity, unit: str, stated: Mapping[Plane, float]) -> Given:
+def _value(raw: object, quantity: Quantity, unit: str, stated: Mapping[Plane, float]) -> HandedValue:
     match raw:
         case bool():
-            return Given(str(raw).lower(), None, fault=NotAnAnswer(NOWHERE, str(raw).lower()))
+            return HandedValue(str(raw).lower(), None, fault=NotAnAnswer(NOWHERE, str(raw).lower()))
         case int() | float():
             return _number(raw, quantity, unit)
         case str():
@@ -112,21 +112,21 @@ def _value(raw: object, quantity: Quantity, unit: str, stated: Mapping[Plane, fl
         case [x, y]:
             return _pair(x, y, quantity, unit)
         case _:
-            return Given("", None, fault=WrongType(NOWHERE, "quantity", type(raw).__name__))
+            return HandedValue("", None, fault=WrongType(NOWHERE, "quantity", type(raw).__name__))
 
 
-def _number(raw: float, quantity: Quantity, unit: str) -> Given:
+def _number(raw: float, quantity: Quantity, unit: str) -> HandedValue:
     """A bare number; one too long to be printed is none."""
     try:
         shown = repr(float(raw)) if isinstance(raw, float) else str(raw) if abs(raw) < 10**30 else "1e999"
     except OverflowError:
         shown = "1e999"
     if not math.isfinite(float(shown)):
-        return Given(shown, None, fault=OutOfRange(NOWHERE, shown))
+        return HandedValue(shown, None, fault=OutOfRange(NOWHERE, shown))
     return replace(given(shown, quantity.unit, unit), text=shown)
 
 
-def _text(raw: str, quantity: Quantity, unit: str, stated: Mapping[Plane, float]) -> Given:
+def _text(raw: str, quantity: Quantity, unit: str, stated: Mapping[Plane, float]) -> HandedValue:
     text = raw.strip()[:400]
     if isinstance(quantity, Centre | Moving) and (pair := _two(text)) is not None:
         return replace(_pair(*pair, quantity, unit), text=text)
@@ -137,8 +137,8 @@ def _text(raw: str, quantity: Quantity, unit: str, stated: Mapping[Plane, float]
     mm = found.value * scales.PAPER[found.unit]
     if plane not in stated:
         fault = NoPaperScale(NOWHERE, text[:60], plane)
-        return Given(text, None, None, found.unit, fault, paper_mm=mm)
-    return Given(text, mm * stated[plane], None, found.unit, paper_mm=mm)
+        return HandedValue(text, None, None, found.unit, fault, paper_mm=mm)
+    return HandedValue(text, mm * stated[plane], None, found.unit, paper_mm=mm)
 
 
 def _two(text: str) -> tuple[str, str] | None:
@@ -151,13 +151,13 @@ def _two(text: str) -> tuple[str, str] | None:
     return (f"{parts[0]} {unit}", f"{parts[1]} {unit}") if close and len(parts) == 2 else None
 
 
-def _pair(x: object, y: object, quantity: Quantity, unit: str) -> Given:
+def _pair(x: object, y: object, quantity: Quantity, unit: str) -> HandedValue:
     """A place or a vector by its components."""
     if not isinstance(quantity, Centre | Moving):
-        return Given(f"{x}, {y}"[:60], None, fault=WrongType(NOWHERE, "quantity", "[ .. ]"))
+        return HandedValue(f"{x}, {y}"[:60], None, fault=WrongType(NOWHERE, "quantity", "[ .. ]"))
     halves = [given(str(half), quantity.unit, unit) for half in (x, y)]
     text = ", ".join(half.text[:60] for half in halves)
     if (fault := next((half.fault for half in halves if half.value is None), None)) is not None:
-        return Given(text, None, fault=fault)
+        return HandedValue(text, None, fault=fault)
     vector = complex(*(half.value or 0.0 for half in halves))
-    return Given(text, abs(vector), None, halves[0].unit, halves[0].fault, vector=vector)
+    return HandedValue(text, abs(vector), None, halves[0].unit, halves[0].fault, vector=vector)

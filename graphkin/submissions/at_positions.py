@@ -19,7 +19,7 @@ from graphkin.submissions import scales
 from graphkin.submissions.answers import Answers, Entry, answers
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.spelling import plain, short
-from graphkin.submissions.submission import Asked, Given, Limits
+from graphkin.submissions.submission import HandedValue, Limits, ReadableProblem
 
 _VALUE = re.compile(r"(?<=\s)@\s*(-?[0-9]+(?:[.,][0-9]+)?) ?(?:deg|°|mm)?(?![\w.])")
 _NEAR = 0.05
@@ -27,7 +27,7 @@ _NEAR = 0.05
 
 
 def answers_at(
-    entries: Iterable[Entry], asked: Asked, questions: Callable[[Asked], Questions], limits: Limits
+    entries: Iterable[Entry], asked: ReadableProblem, questions: Callable[[ReadableProblem], Questions], limits: Limits
 ) -> Answers:
     """The values of every position under its names; scales hold at all of them. Raises TooMuch."""
     if not asked.further:
@@ -41,18 +41,18 @@ def answers_at(
     return Answers(values, parts[0].scales, (*notes.values(), *lost))
 
 
-def named_at(values: Mapping[str, Given], at: int) -> dict[str, Given]:
+def named_at(values: Mapping[str, HandedValue], at: int) -> dict[str, HandedValue]:
     """Under the names that they have among those of all positions."""
     return {at_position(name, at): given for name, given in values.items()}
 
 
-def of_file(name: str, asked: Asked) -> tuple[Asked, int]:
+def of_file(name: str, asked: ReadableProblem) -> tuple[ReadableProblem, int]:
     """What a drawing shows, and the number of the position, by the name of its file."""
     at = position_of(PurePosixPath(name).stem)[1]
     return (asked.positions[at - 1], at) if at <= len(asked.positions) else (asked, 1)
 
 
-def _sorted(entries: Iterable[Entry], asked: Asked) -> tuple[list[Entry], list[list[Entry]], list[Entry]]:
+def _sorted(entries: Iterable[Entry], asked: ReadableProblem) -> tuple[list[Entry], list[list[Entry]], list[Entry]]:
     """Scales, the answers of each position under their bare names, and those of no position."""
     shared: list[Entry] = []
     found: list[list[Entry]] = [[] for _ in asked.positions]
@@ -69,7 +69,7 @@ def _sorted(entries: Iterable[Entry], asked: Asked) -> tuple[list[Entry], list[l
     return shared, found, strange
 
 
-def _position(name: str, asked: Asked) -> tuple[str, int]:
+def _position(name: str, asked: ReadableProblem) -> tuple[str, int]:
     """The bare name and the number of the position; 0 for one that there is not."""
     text = plain(name[:200])
     if (value := _VALUE.search(text)) is None:
@@ -78,7 +78,7 @@ def _position(name: str, asked: Asked) -> tuple[str, int]:
     return bare, _at_value(float(value[1].replace(",", ".")), asked)
 
 
-def _at_value(typed: float, asked: Asked) -> int:
+def _at_value(typed: float, asked: ReadableProblem) -> int:
     """The position at which a driver that is moved on stands so; 0 where none does."""
     for driver in asked.mechanism.drivers:
         if driver.also:

@@ -16,10 +16,10 @@ from graphkin.errors import Where
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import Rotation
 from graphkin.submissions.letters import find_letters
-from graphkin.submissions.picture import Picture
-from graphkin.submissions.polygons import Polygon, Vector
+from graphkin.submissions.picture import PagePicture
+from graphkin.submissions.polygons import PaperPolygon, PolygonVector
 from graphkin.submissions.questions import Questions
-from graphkin.submissions.submission import Given, Limits
+from graphkin.submissions.submission import HandedValue, Limits
 
 _OFF = 0.03
 """A drawn length that is off by a larger part is of other points."""
@@ -29,7 +29,7 @@ _LENGTHS, _AGREE = 3, 2 / 3
 Pair = tuple[str, str]
 
 
-def directions(picture: Picture, questions: Questions, where: Where, limits: Limits) -> dict[str, Given]:
+def directions(picture: PagePicture, questions: Questions, where: Where, limits: Limits) -> dict[str, HandedValue]:
     """theta of the links whose direction the problem asks for, as drawn [rad]."""
     mechanism = questions.mechanism
     wanted = dict(_wanted(mechanism, questions))
@@ -47,7 +47,7 @@ def directions(picture: Picture, questions: Questions, where: Where, limits: Lim
         return {}
     turned = _turned(mechanism, places, good) if limits.turned else 0.0
     return {
-        question: Given("", cmath.phase(places[head] - places[tail]) - turned, where=where,
+        question: HandedValue("", cmath.phase(places[head] - places[tail]) - turned, where=where,
                         ends=(places[tail], places[head]))
         for question, (tail, head) in wanted.items() if good & {(tail, head), (head, tail)}
     }  # fmt: skip
@@ -63,10 +63,10 @@ def _wanted(mechanism: Mechanism, questions: Questions) -> Iterator[tuple[str, P
                 yield read[0], axis
 
 
-def _figure(mechanism: Mechanism) -> Polygon:
+def _figure(mechanism: Mechanism) -> PaperPolygon:
     """The mechanism as a figure with letters; fixed points first, for what hangs together with them is meant."""
     letters = {name: (name,) for name in mechanism.points}
-    return Polygon("position", letters, tuple(Vector("", *pair) for pair, _ in _lengths(mechanism)), ())
+    return PaperPolygon("position", letters, tuple(PolygonVector("", *pair) for pair, _ in _lengths(mechanism)), ())
 
 
 def _lengths(mechanism: Mechanism) -> Iterator[tuple[Pair, float]]:

@@ -24,14 +24,14 @@ _SCALES = ("scales", "scale", "比例尺")
 
 
 @frozen
-class Document:
+class StudentDocument:
     """A student's id as stated ("" where none is) and what is answered."""
 
     student: str
     entries: tuple[Entry, ...]
 
 
-def read_toml(text: str, where: Where, limits: Limits) -> Document:
+def read_toml(text: str, where: Where, limits: Limits) -> StudentDocument:
     """Raises BrokenSubmission, TooMuch, NoAnswers."""
     text = text.removeprefix("\ufeff")
     if _DEEP.search(text) is not None:
@@ -53,12 +53,12 @@ def _is_filled_form(text: str) -> bool:
     return bool(lines) and all(_HEADER.fullmatch(line[:60]) or _KEY.match(line[:400]) for line in lines)
 
 
-def read_json(text: str, where: Where, limits: Limits) -> Document:
+def read_json(text: str, where: Where, limits: Limits) -> StudentDocument:
     """Raises BrokenSubmission, TooMuch, NoAnswers."""
     return _document(_json(text, where, limits), where, {})
 
 
-def listed(text: str, where: Where, limits: Limits) -> list[Document] | None:
+def listed(text: str, where: Where, limits: Limits) -> list[StudentDocument] | None:
     """The students of a class in one JSON file; None for a file of one student's."""
     document = _json(text, where, limits)
     if not isinstance(document, list) or not all(isinstance(entry, dict) for entry in document):
@@ -70,11 +70,11 @@ def listed(text: str, where: Where, limits: Limits) -> list[Document] | None:
         try:
             found.append(_document(entry, where, {}))
         except GraphkinError:
-            found.append(Document("", ()))
+            found.append(StudentDocument("", ()))
     return found
 
 
-def read_lines(text: str, where: Where, limits: Limits) -> Document:
+def read_lines(text: str, where: Where, limits: Limits) -> StudentDocument:
     """`omega 3 = 3.92` line by line, as in a message. Raises NoAnswers, TooMuch."""
     student, entries, table = "", list[Entry](), ""
     for number, line in enumerate(text.splitlines(), 1):
@@ -90,7 +90,7 @@ def read_lines(text: str, where: Where, limits: Limits) -> Document:
             entries.append((table + name, value, Where(where.file, number, short(name))))
         if len(entries) > limits.answers:
             raise TooMuch(where, "answers", limits.answers)
-    return _filled(Document(student, tuple(entries)), where)
+    return _filled(StudentDocument(student, tuple(entries)), where)
 
 
 def _json(text: str, where: Where, limits: Limits) -> Any:
@@ -102,7 +102,7 @@ def _json(text: str, where: Where, limits: Limits) -> Any:
         raise BrokenSubmission(where, "JSON", str(problem)[:120]) from None
 
 
-def _document(document: object, where: Where, lines: Mapping[str, int]) -> Document:
+def _document(document: object, where: Where, lines: Mapping[str, int]) -> StudentDocument:
     if not isinstance(document, dict):
         raise NoAnswers(where)
     student = next((value for key, value in document.items() if student_of(key)), "")
@@ -111,7 +111,7 @@ def _document(document: object, where: Where, lines: Mapping[str, int]) -> Docum
         for table, name, value in _named(document)
     )
     named = str(student) if isinstance(student, str | int) and not isinstance(student, bool) else ""
-    return _filled(Document(named[:200], entries), where)
+    return _filled(StudentDocument(named[:200], entries), where)
 
 
 def _named(document: Mapping[str, Any]) -> Iterator[tuple[str, str, object]]:
@@ -125,7 +125,7 @@ def _named(document: Mapping[str, Any]) -> Iterator[tuple[str, str, object]]:
             yield "", key, value
 
 
-def _filled(document: Document, where: Where) -> Document:
+def _filled(document: StudentDocument, where: Where) -> StudentDocument:
     if not document.entries:
         raise NoAnswers(where)
     return document

@@ -15,10 +15,10 @@ from graphkin.submissions.answers import answers
 from graphkin.submissions.directions import directions
 from graphkin.submissions.documents import read_lines
 from graphkin.submissions.letters import find_letters
-from graphkin.submissions.picture import Picture
-from graphkin.submissions.polygons import Polygon, polygons
+from graphkin.submissions.picture import PagePicture
+from graphkin.submissions.polygons import PaperPolygon, polygons
 from graphkin.submissions.questions import Questions
-from graphkin.submissions.submission import Asked, Drawn, Given, Limits
+from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing, ReadableProblem
 
 _SHORTEST = 1.0
 """A known vector shorter than this gives no scale [mm]."""
@@ -28,14 +28,14 @@ _SEVERAL = re.compile(r"[,;，；]\s+(?=[^,;=，；]+=)")
 """Between `ω3 = 3.92 rad/s, α3 = 62 rad/s²`."""
 
 Points = Mapping[tuple[Plane, str], complex]
-Measured = tuple[dict[str, Given], Drawn, list[GraphkinError]]
+Measured = tuple[dict[str, HandedValue], MeasuredDrawing, list[GraphkinError]]
 
 
-def picture_of(name: str, content: bytes, where: Where, limits: Limits) -> Picture:
+def picture_of(name: str, content: bytes, where: Where, limits: Limits) -> PagePicture:
     """What is drawn in a file, by its suffix. Raises BrokenSubmission, TooMuch, WantsExtra."""
     from graphkin.submissions import dxf, geogebra, svg
 
-    readers: Mapping[str, Callable[[bytes, Where, Limits], Picture]]
+    readers: Mapping[str, Callable[[bytes, Where, Limits], PagePicture]]
     readers = {".svg": svg.read_svg, ".ggb": geogebra.read_ggb, ".dxf": dxf.read_dxf}
     return readers[PurePosixPath(name).suffix.lower()](content, where, limits)
 
@@ -44,7 +44,7 @@ def measured(
     name: str,
     content: bytes,
     where: Where,
-    asked: Asked,
+    asked: ReadableProblem,
     stated: Mapping[Plane, float],
     questions: Questions,
     limits: Limits,
@@ -67,10 +67,10 @@ def measured(
     notes += [NoScaleDrawn(where, plane, _KEYS[plane]) for plane in sorted(drawn) if plane not in known]
     own = {plane for plane in known if plane not in {**picture.scales, **written, **stated}}
     calibrated = tuple(sorted(own & set(_calibrated(found.points, shapes))))
-    return _with_told(values, told), Drawn(found.points, known, calibrated, turned, where), notes
+    return _with_told(values, told), MeasuredDrawing(found.points, known, calibrated, turned, where), notes
 
 
-def _with_told(values: dict[str, Given], told: Mapping[str, Given]) -> dict[str, Given]:
+def _with_told(values: dict[str, HandedValue], told: Mapping[str, HandedValue]) -> dict[str, HandedValue]:
     """What is written beside what is measured: the written value, with the drawn direction."""
     for question, given in told.items():
         drawn = values.get(question)
@@ -79,8 +79,8 @@ def _with_told(values: dict[str, Given], told: Mapping[str, Given]) -> dict[str,
 
 
 def _told(
-    picture: Picture, where: Where, questions: Questions, limits: Limits
-) -> tuple[dict[str, Given], Mapping[Plane, float]]:
+    picture: PagePicture, where: Where, questions: Questions, limits: Limits
+) -> tuple[dict[str, HandedValue], Mapping[Plane, float]]:
     """Answers and scales that are written on a drawing, as `ω3 = 3.92 rad/s`; its other texts are none, and what is
     given is no answer."""
     texts = (text.text.replace("\n", " ") for text in picture.texts if "=" in text.text)
@@ -101,7 +101,7 @@ def _told(
 # --- scale and turn ---------------------------------------------------------------------------
 
 
-def _calibrated(points: Points, shapes: Sequence[Polygon]) -> dict[Plane, float]:
+def _calibrated(points: Points, shapes: Sequence[PaperPolygon]) -> dict[Plane, float]:
     """SI per mm by the first known vector that is drawn long enough."""
     found: dict[Plane, float] = {}
     for shape in shapes:
@@ -110,14 +110,14 @@ def _calibrated(points: Points, shapes: Sequence[Polygon]) -> dict[Plane, float]
     return found
 
 
-def _turned(points: Points, shapes: Sequence[Polygon]) -> dict[Plane, float]:
+def _turned(points: Points, shapes: Sequence[PaperPolygon]) -> dict[Plane, float]:
     """By how much a polygon stands turned, by the same vector [rad]."""
     return {
         shape.plane: cmath.phase(drawn / value) for shape in shapes for drawn, value in _first_known(points, shape)[:1]
     }
 
 
-def _first_known(points: Points, shape: Polygon) -> list[tuple[complex, complex]]:
+def _first_known(points: Points, shape: PaperPolygon) -> list[tuple[complex, complex]]:
     """As drawn [mm] and as it is [SI]."""
     found = []
     for vector, value in shape.known:
@@ -131,10 +131,14 @@ def _first_known(points: Points, shape: Polygon) -> list[tuple[complex, complex]
 
 
 def _vectors(
-    points: Points, shapes: Sequence[Polygon], known: Mapping[Plane, float], turned: Mapping[Plane, float], where: Where
-) -> dict[str, Given]:
+    points: Points,
+    shapes: Sequence[PaperPolygon],
+    known: Mapping[Plane, float],
+    turned: Mapping[Plane, float],
+    where: Where,
+) -> dict[str, HandedValue]:
     """Every vector between two letters that are found, where its plane has a scale."""
-    found: dict[str, Given] = {}
+    found: dict[str, HandedValue] = {}
     for shape in shapes:
         for vector in shape.vectors:
             tail, head = (points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
@@ -150,16 +154,20 @@ def _given(
     known: Mapping[Plane, float],
     turned: Mapping[Plane, float],
     where: Where,
-) -> Given:
+) -> HandedValue:
     vector = (head - tail) * known[plane] * cmath.rect(1, -turned.get(plane, 0.0))
-    return Given("", abs(vector), where=where, vector=vector, paper_mm=abs(head - tail), ends=(tail, head))
+    return HandedValue("", abs(vector), where=where, vector=vector, paper_mm=abs(head - tail), ends=(tail, head))
 
 
 def _named(
-    picture: Picture, known: Mapping[Plane, float], turned: Mapping[Plane, float], questions: Questions, where: Where
-) -> dict[str, Given]:
+    picture: PagePicture,
+    known: Mapping[Plane, float],
+    turned: Mapping[Plane, float],
+    questions: Questions,
+    where: Where,
+) -> dict[str, HandedValue]:
     """Arrows that the file itself names after a quantity: `v_B3B2`."""
-    found: dict[str, Given] = {}
+    found: dict[str, HandedValue] = {}
     for arrow in picture.arrows:
         read = questions.read(arrow.name) if arrow.name else None
         plane = scales.plane_of(read[1].unit) if read is not None else None

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from graphkin.errors import BrokenSubmission, GraphkinError, TooMuch, WantsExtra, Where
-from graphkin.submissions.picture import Dot, Picture, Text
+from graphkin.submissions.picture import Dot, PagePicture, PictureText
 from graphkin.submissions.submission import Limits
 
 _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
@@ -19,7 +19,7 @@ _WIDE = 0.8
 """A letter's width in parts of its height."""
 
 
-def read_dxf(content: bytes, where: Where, limits: Limits) -> Picture:
+def read_dxf(content: bytes, where: Where, limits: Limits) -> PagePicture:
     """Raises WantsExtra, BrokenSubmission, TooMuch."""
     try:
         from ezdxf import recover
@@ -29,7 +29,7 @@ def read_dxf(content: bytes, where: Where, limits: Limits) -> Picture:
         raise TooMuch(where, "elements", limits.elements)
     try:
         document, _ = recover.read(io.BytesIO(content))
-        found = list(_Reader(document, where, limits).marks())
+        found = list(_DxfReader(document, where, limits).marks())
     except (GraphkinError, MemoryError):
         raise
     except Exception as problem:  # ezdxf raises whatever it meets in a file that is none
@@ -37,8 +37,8 @@ def read_dxf(content: bytes, where: Where, limits: Limits) -> Picture:
     if not found:
         raise BrokenSubmission(where, "DXF")
     lines = tuple(mark for mark in found if isinstance(mark, tuple))
-    return Picture(
-        lines, tuple(m for m in found if isinstance(m, Dot)), tuple(m for m in found if isinstance(m, Text))
+    return PagePicture(
+        lines, tuple(m for m in found if isinstance(m, Dot)), tuple(m for m in found if isinstance(m, PictureText))
     )  # fmt: skip
 
 
@@ -52,10 +52,10 @@ def _one_line(stack: re.Match[str]) -> str:
     return (f"^ {raised}" if raised else "") + (f"_{lowered}" if lowered else "")
 
 
-_Mark = tuple[complex, complex] | Dot | Text
+_Mark = tuple[complex, complex] | Dot | PictureText
 
 
-class _Reader:
+class _DxfReader:
     """Walks the entities once; blocks are followed as often as the limits allow."""
 
     def __init__(self, document: Any, where: Where, limits: Limits) -> None:
@@ -115,7 +115,7 @@ class _Reader:
             if piece.dxftype() == "LINE":
                 yield from self._marks(piece, 0)
 
-    def _text(self, entity: Any) -> Iterator[Text]:
+    def _text(self, entity: Any) -> Iterator[PictureText]:
         """From where it is aligned to its left end, along its own line."""
         letters = entity.plain_text().strip()
         placement = entity.get_placement()
@@ -127,7 +127,7 @@ class _Reader:
         left = 0.0 if name.endswith("LEFT") or name == "LEFT" else width if name.endswith("RIGHT") else width / 2
         low = tall if name.startswith("TOP") else tall / 2 if name.startswith("MIDDLE") else 0.0
         if letters:
-            yield Text(letters[:400], anchor - left * right - low * up, right, up, width, tall, 0.25 * tall)
+            yield PictureText(letters[:400], anchor - left * right - low * up, right, up, width, tall, 0.25 * tall)
 
     def _axes(self, entity: Any, degrees: float) -> tuple[complex, complex]:
         """The directions of a text's line and across it, as they come to lie."""
@@ -137,7 +137,7 @@ class _Reader:
         one, other = complex(right[0], right[1]), complex(up[0], up[1])
         return one / (abs(one) or 1.0), other / (abs(other) or 1.0)
 
-    def _mtext(self, entity: Any) -> Iterator[Text]:
+    def _mtext(self, entity: Any) -> Iterator[PictureText]:
         from ezdxf.tools.text import fast_plain_mtext
 
         letters = " ".join(str(fast_plain_mtext(_STACK.sub(_one_line, entity.text))).split())
@@ -149,4 +149,4 @@ class _Reader:
         row, column = divmod(int(entity.dxf.attachment_point) - 1, 3)
         corner = self._place(entity.dxf.insert) - right * width * column / 2 - 1j * right * tall * (1, 0.5, 0)[row]
         if letters:
-            yield Text(letters[:400], corner, right, 1j * right, width, tall, 0.25 * tall)
+            yield PictureText(letters[:400], corner, right, 1j * right, width, tall, 0.25 * tall)

@@ -13,7 +13,7 @@ from xml.etree.ElementTree import Element
 
 from graphkin.errors import BrokenSubmission, Where
 from graphkin.submissions import archives
-from graphkin.submissions.picture import Arrow, Dot, Picture, Text
+from graphkin.submissions.picture import Dot, PagePicture, PictureArrow, PictureText
 from graphkin.submissions.submission import Limits
 from graphkin.submissions.svg import xml_root
 
@@ -22,7 +22,7 @@ _UNIT = re.compile(r"(?:unit|单位)\s*=\s*([0-9]+(?:\.[0-9]+)?)\s*mm", re.I)
 _VECTOR = re.compile(r"(?:Vector|Vektor|Vecteur)\[\s*(.+)\s*\]", re.I)
 
 
-def read_ggb(content: bytes, where: Where, limits: Limits) -> Picture:
+def read_ggb(content: bytes, where: Where, limits: Limits) -> PagePicture:
     """Raises BrokenSubmission, TooMuch."""
     archives.checked_zip(content, where, limits)
     with archives.opened(content, where) as archive:
@@ -38,7 +38,7 @@ def read_ggb(content: bytes, where: Where, limits: Limits) -> Picture:
     return _picture(construction)
 
 
-def _picture(construction: Element) -> Picture:
+def _picture(construction: Element) -> PagePicture:
     elements = [element for element in construction if element.tag == "element"]
     placed = ((element, element.get("label", ""), _place(element)) for element in elements)
     points = {label: (element, place) for element, label, place in placed if place is not None}
@@ -48,26 +48,26 @@ def _picture(construction: Element) -> Picture:
     ends = dict(_ends(construction, places, written))
     vectors = [element for element in elements if element.get("type") == "vector"]
     drawn = ((element, ends.get(element.get("label", "")) or _free(element)) for element in vectors)
-    arrows = [Arrow(_called(element), *pair) for element, pair in drawn if pair is not None]
+    arrows = [PictureArrow(_called(element), *pair) for element, pair in drawn if pair is not None]
     texts = [
-        Text(text, places.get("", 0j), 1 + 0j, 1j, 0.0, 0.0)
+        PictureText(text, places.get("", 0j), 1 + 0j, 1j, 0.0, 0.0)
         for element in elements
         if element.get("type") == "text" and "=" in (text := written.get(element.get("label", ""), "").strip('"'))
     ]
-    return _in_mm(Picture(tuple(ends.values()), tuple(dots), tuple(texts), tuple(arrows)))
+    return _in_mm(PagePicture(tuple(ends.values()), tuple(dots), tuple(texts), tuple(arrows)))
 
 
-def _in_mm(picture: Picture) -> Picture:
+def _in_mm(picture: PagePicture) -> PagePicture:
     """By `unit = 10 mm`, where a text of the file says so."""
     told = (_UNIT.search(text.text) for text in picture.texts)
     mm = next((float(found[1]) for found in told if found is not None), 1.0)
     if not 1e-6 < mm < 1e6 or mm == 1.0:
         return picture
-    return Picture(
+    return PagePicture(
         tuple((mm * one, mm * other) for one, other in picture.lines),
         tuple(Dot(mm * dot.place, dot.name) for dot in picture.dots),
         picture.texts,
-        tuple(Arrow(arrow.name, mm * arrow.tail, mm * arrow.head) for arrow in picture.arrows),
+        tuple(PictureArrow(arrow.name, mm * arrow.tail, mm * arrow.head) for arrow in picture.arrows),
     )
 
 

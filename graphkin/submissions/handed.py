@@ -23,7 +23,7 @@ from graphkin.submissions.class_names import Owner, owner, tidy_id
 from graphkin.submissions.deadline import limited
 from graphkin.submissions.documents import listed
 from graphkin.submissions.submission import Limits
-from graphkin.submissions.tables import Row, csv_cells, rows_of, xlsx_cells
+from graphkin.submissions.tables import TableRow, csv_cells, rows_of, xlsx_cells
 from graphkin.submissions.texts import decoded
 
 LIMITS = Limits()
@@ -46,7 +46,7 @@ class Handed:
     file: str
     place: str = ""
     files: tuple[tuple[str, bytes], ...] = ()
-    row: Row | None = None
+    row: TableRow | None = None
     reason: GraphkinError | None = None
 
     @property
@@ -116,14 +116,14 @@ def _of_file(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
     if path.suffix.lower() == ".json" and content.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"[":
         students = listed(decoded(content, where), where, limits)
         for number, student in enumerate(students or (), 1):
-            row = Row(student.student, number, tuple((name, value, number) for name, value, _ in student.entries))
+            row = TableRow(student.student, number, tuple((name, value, number) for name, value, _ in student.entries))
             yield _of_row(row, owner(path.name), str(path))
         if students:
             return
     yield Handed(owner(path.name), str(path), files=((path.name, content),))
 
 
-def _of_table(rows: Iterator[Row], by_file: Owner, where: Where, limits: Limits) -> Iterator[Handed]:
+def _of_table(rows: Iterator[TableRow], by_file: Owner, where: Where, limits: Limits) -> Iterator[Handed]:
     """What breaks off in the middle keeps the rows before it."""
     file, line, named = str(where.file), 0, False
     try:
@@ -136,7 +136,7 @@ def _of_table(rows: Iterator[Row], by_file: Owner, where: Where, limits: Limits)
         yield Handed(by_file, file, place=str(line + 1) if line else "", reason=reason.at(where))
 
 
-def _timed(rows: Iterator[Row], where: Where, limits: Limits) -> Iterator[Row]:
+def _timed(rows: Iterator[TableRow], where: Where, limits: Limits) -> Iterator[TableRow]:
     """Each row within the time of a submission."""
     while True:
         with limited(limits.seconds, where):
@@ -146,7 +146,7 @@ def _timed(rows: Iterator[Row], where: Where, limits: Limits) -> Iterator[Row]:
         yield row
 
 
-def _of_row(row: Row, by_file: Owner, file: str) -> Handed:
+def _of_row(row: TableRow, by_file: Owner, file: str) -> Handed:
     student = Owner(tidy_id(row.student), (), str(row.line)) if row.student.strip() else by_file
     return Handed(student, file, str(row.line), row=row)
 
@@ -208,7 +208,7 @@ def _of_archive(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
             yield Handed(who, f"{path}!{first}", first, tuple(files), reason=None if files else reason)
 
 
-def _rows(name: str, content: bytes, where: Where, limits: Limits) -> Iterator[Row]:
+def _rows(name: str, content: bytes, where: Where, limits: Limits) -> Iterator[TableRow]:
     sheet = PurePosixPath(name).suffix.lower() in _SHEETS
     cells = xlsx_cells(content, where, limits) if sheet else csv_cells(io.BytesIO(content), where)
     return rows_of(cells, where, limits)

@@ -6,17 +6,17 @@ import re
 from collections.abc import Mapping, Sequence
 
 from graphkin.construction import Plane
-from graphkin.submissions.picture import Dot, Text
-from graphkin.submissions.polygons import Polygon
+from graphkin.submissions.picture import Dot, PictureText
+from graphkin.submissions.polygons import PaperPolygon
 from graphkin.submissions.spelling import plain
 
 
 def texts_of(
-    texts: Sequence[Text], spelled: Mapping[str, tuple[Plane, str]]
-) -> dict[tuple[Plane, str], list[Text]]:
+    texts: Sequence[PictureText], spelled: Mapping[str, tuple[Plane, str]]
+) -> dict[tuple[Plane, str], list[PictureText]]:
     """The texts of each letter; those with the letter itself where there are any, else those spelled otherwise."""
-    exact: dict[tuple[Plane, str], list[Text]] = {}
-    other: dict[tuple[Plane, str], list[Text]] = {}
+    exact: dict[tuple[Plane, str], list[PictureText]] = {}
+    other: dict[tuple[Plane, str], list[PictureText]] = {}
     for text in texts:
         pieces = pieces_of(text.text)
         for key in _keys(text.text, spelled):
@@ -24,7 +24,7 @@ def texts_of(
     return other | exact
 
 
-def spellings(polygons: Sequence[Polygon]) -> dict[str, tuple[Plane, str]]:
+def spellings(polygons: Sequence[PaperPolygon]) -> dict[str, tuple[Plane, str]]:
     """By every spelling the point it means.
 
     One without its prime is the acceleration's where no other is so called. One with a capital letter is a polygon's
@@ -50,7 +50,7 @@ def spellings(polygons: Sequence[Polygon]) -> dict[str, tuple[Plane, str]]:
     return {re.sub(r"_(?=[^\W\d])", "", name): key for name, key in every.items()} | every
 
 
-def _without_numbers(polygon: Polygon) -> dict[str, str]:
+def _without_numbers(polygon: PaperPolygon) -> dict[str, str]:
     """`n'` for `n3'` and for `n_rod'`, where there is one n in this polygon."""
     short: dict[str, list[str]] = {}
     for letter in polygon.letters:

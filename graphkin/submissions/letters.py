@@ -19,8 +19,8 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.submissions.figures import Figures, distances
 from graphkin.submissions.letter_names import by_name, loosely, pieces_of, spellings, texts_of
-from graphkin.submissions.picture import Picture, Text
-from graphkin.submissions.polygons import Polygon
+from graphkin.submissions.picture import PagePicture, PictureText
+from graphkin.submissions.polygons import PaperPolygon
 
 _REACH = 6.0
 """A letter belongs to no dot farther from it [mm]."""
@@ -47,7 +47,7 @@ Place = tuple[float, complex]
 
 
 @frozen
-class Found:
+class PlacedLetters:
     """Where the letters are, by plane and the construction's letter; and those of which it is not clear."""
 
     points: Mapping[tuple[Plane, str], complex]
@@ -55,8 +55,8 @@ class Found:
 
 
 def find_letters(
-    picture: Picture, polygons: Sequence[Polygon], others: Collection[str] = (), names: Sequence[str] = ()
-) -> Found:
+    picture: PagePicture, polygons: Sequence[PaperPolygon], others: Collection[str] = (), names: Sequence[str] = ()
+) -> PlacedLetters:
     """Where each letter of each polygon is.
 
     others  what letters something else: the points of the mechanism
@@ -78,11 +78,15 @@ def find_letters(
                 doubtful.append(letter)
             else:
                 points[polygon.plane, letter] = place
-    return Found(points, tuple(doubtful))
+    return PlacedLetters(points, tuple(doubtful))
 
 
 def _own_figure(
-    choices: dict[str, list[Place]], fixed: Mapping[str, complex], polygon: Polygon, picture: Picture, figures: Figures
+    choices: dict[str, list[Place]],
+    fixed: Mapping[str, complex],
+    polygon: PaperPolygon,
+    picture: PagePicture,
+    figures: Figures,
 ) -> dict[str, list[Place]]:
     """The choices that hang together with the pole, for letters that have such; further letters by looser spellings."""
     pole = next(iter(polygon.letters))
@@ -108,7 +112,7 @@ def _own_figure(
 # --- where they belong ------------------------------------------------------------------------
 
 
-def _candidates(picture: Picture, texts: Sequence[Text]) -> list[Place]:
+def _candidates(picture: PagePicture, texts: Sequence[PictureText]) -> list[Place]:
     """Points near any of a letter's texts, the nearest first."""
     found: list[Place] = []
     for text in texts[:8]:
@@ -124,13 +128,13 @@ def _candidates(picture: Picture, texts: Sequence[Text]) -> list[Place]:
     return sorted(found, key=lambda pair: pair[0])
 
 
-def _far(text: Text, place: complex, reach: float) -> float:
+def _far(text: PictureText, place: complex, reach: float) -> float:
     """How unlikely it is that a text letters a place, in mm of a letter that stands close by."""
     distance = text.distance(place)
     return distance + distance**2 * _FARTHER if distance <= reach else math.inf
 
 
-def _led(picture: Picture, text: Text) -> Iterator[Place]:
+def _led(picture: PagePicture, text: PictureText) -> Iterator[Place]:
     """The far ends of lines that begin at a text and at nothing else."""
     for line in picture.lines:
         for end, far in (line, line[::-1]):
@@ -139,13 +143,13 @@ def _led(picture: Picture, text: Text) -> Iterator[Place]:
                 yield distance, far
 
 
-def _free(end: complex, own: tuple[complex, complex], picture: Picture) -> bool:
+def _free(end: complex, own: tuple[complex, complex], picture: PagePicture) -> bool:
     marks = (dot.place for dot in picture.dots)
     ends = (place for line in picture.lines if line is not own for place in line)
     return all(abs(end - mark) > _SAME for mark in marks) and all(abs(end - other) > _SAME for other in ends)
 
 
-def _crossings(picture: Picture, text: Text) -> Iterator[complex]:
+def _crossings(picture: PagePicture, text: PictureText) -> Iterator[complex]:
     """Where lines cross near a text: direction lines are drawn beyond their points."""
     middle = text.corner + text.right * text.width / 2
     reach = _REACH + text.width / 2 + text.above
@@ -178,7 +182,11 @@ class _Layout:
     """Letters on points: what an arrangement of them costs [mm]."""
 
     def __init__(
-        self, choices: Mapping[str, list[Place]], fixed: Mapping[str, complex], polygon: Polygon, picture: Picture
+        self,
+        choices: Mapping[str, list[Place]],
+        fixed: Mapping[str, complex],
+        polygon: PaperPolygon,
+        picture: PagePicture,
     ) -> None:
         self.choices, self.picture = choices, picture
         self.far = {(letter, place): distance for letter, places in choices.items() for distance, place in places}
@@ -235,7 +243,7 @@ def _cell(place: complex) -> tuple[float, float]:
 
 
 def _settled(
-    choices: Mapping[str, list[Place]], fixed: Mapping[str, complex], polygon: Polygon, picture: Picture
+    choices: Mapping[str, list[Place]], fixed: Mapping[str, complex], polygon: PaperPolygon, picture: PagePicture
 ) -> dict[str, complex | None]:
     """The best arrangement; None for letters that could as well be elsewhere."""
     layout = _Layout(choices, fixed, polygon, picture)

@@ -14,7 +14,7 @@ from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OtherDimension, SenseDisputed
 from graphkin.files.units import UNITS, Dimension, read_quantity
 from graphkin.submissions.spelling import plain
-from graphkin.submissions.submission import Given, Sense
+from graphkin.submissions.submission import HandedValue, Sense
 
 DIMENSIONS: Mapping[str, Dimension | None] = {
     "rad": "angle", "rad/s": "angular velocity", "rad/s^2": "angular acceleration", "m": "length", "m/s": "velocity",
@@ -40,7 +40,7 @@ _GROUPS = re.compile(r"[0-9]{1,3}(?:[ ',.][0-9]{3})+")
 
 
 @frozen
-class Written:
+class WrittenNumber:
     """A value taken apart: `number` as written, its unit in the house's spelling or as typed, the sense in words."""
 
     number: float
@@ -49,7 +49,7 @@ class Written:
     signed: bool
 
 
-def given(text: str, si: str, unit: str = "") -> Given:
+def given(text: str, si: str, unit: str = "") -> HandedValue:
     """What a text gives for a quantity of this SI unit; `unit` is that of its column. Faults come with `NOWHERE`."""
     size, *direction = _ANGLE.split(plain(text), maxsplit=1)
     try:
@@ -60,16 +60,16 @@ def given(text: str, si: str, unit: str = "") -> Given:
             return _replaced(found, vector=complex(found.value * math.cos(turned), found.value * math.sin(turned)))
         return found
     except GraphkinError as fault:
-        return Given(text, None, fault=fault)
+        return HandedValue(text, None, fault=fault)
 
 
-def _replaced(found: Given, **changes: object) -> Given:
+def _replaced(found: HandedValue, **changes: object) -> HandedValue:
     from dataclasses import replace
 
     return replace(found, **changes)  # type: ignore[arg-type]
 
 
-def _in_si(text: str, value: Written, dimension: Dimension | None, unit: str) -> Given:
+def _in_si(text: str, value: WrittenNumber, dimension: Dimension | None, unit: str) -> HandedValue:
     sense = value.sense if dimension in _TURNING else None
     sized = abs(value.number) * (-1 if sense == "cw" else 1) if sense else value.number
     if sense == "ccw" and value.number < 0:
@@ -78,11 +78,11 @@ def _in_si(text: str, value: Written, dimension: Dimension | None, unit: str) ->
     if dimension is None:
         if name:
             raise NotAnAnswer(NOWHERE, text[:LONGEST])
-        return Given(text, read_quantity(sized, "velocity"), sense)
+        return HandedValue(text, read_quantity(sized, "velocity"), sense)
     try:
-        return Given(text, read_quantity(_joined(sized, name) if name else sized, dimension), sense, _shown(name))
+        return HandedValue(text, read_quantity(_joined(sized, name) if name else sized, dimension), sense, _shown(name))
     except OtherDimension as fault:
-        return Given(text, read_quantity(sized, dimension), sense, _shown(name), fault)
+        return HandedValue(text, read_quantity(sized, dimension), sense, _shown(name), fault)
 
 
 def _joined(number: float, unit: str) -> str:
@@ -96,7 +96,7 @@ def _shown(unit: str) -> str:
 # --- number, unit and sense -------------------------------------------------------------------
 
 
-def written(text: str, whole: str) -> Written:
+def written(text: str, whole: str) -> WrittenNumber:
     """A plain text taken apart. Raises NotAnAnswer with `whole`, SenseDisputed where both senses are named."""
     if len(text) > LONGEST:
         raise NotAnAnswer(NOWHERE, whole[:40] + "..")
@@ -114,7 +114,7 @@ def written(text: str, whole: str) -> Written:
     sign, body, power = found.groups()
     value = float(f"{_digits(body, whole)}e{_exponent(power)}")
     unit = text[found.end() :].strip(" ,;")
-    return Written(-value if sign == "-" else value, unit, next(iter(senses), None), bool(sign))
+    return WrittenNumber(-value if sign == "-" else value, unit, next(iter(senses), None), bool(sign))
 
 
 def _exponent(power: str | None) -> int:

@@ -10,7 +10,7 @@ from graphkin.construction import Plane
 
 
 @frozen
-class Text:
+class PictureText:
     """Letters on the page: they fill a box from `corner` along `right`, `width` long, `below` to `above` of its line.
 
     right   unit vector in which it is read; `up` is the one across it, towards the letters' tops
@@ -44,7 +44,7 @@ class Dot:
 
 
 @frozen
-class Arrow:
+class PictureArrow:
     """A vector that bears a name in the file."""
 
     name: str
@@ -53,7 +53,7 @@ class Arrow:
 
 
 @frozen
-class Picture:
+class PagePicture:
     """What is on the page.
 
     lines   straight pieces; scales: those the file states as data, SI per mm
@@ -61,6 +61,6 @@ class Picture:
 
     lines: tuple[tuple[complex, complex], ...] = ()
     dots: tuple[Dot, ...] = ()
-    texts: tuple[Text, ...] = ()
-    arrows: tuple[Arrow, ...] = ()
+    texts: tuple[PictureText, ...] = ()
+    arrows: tuple[PictureArrow, ...] = ()
     scales: Mapping[Plane, float] = field(default_factory=dict)

@@ -23,7 +23,7 @@ from graphkin.submissions.questions import Questions
 
 
 @frozen
-class Vector:
+class PolygonVector:
     """An arrow of a polygon: the question that its size answers ("" for none), tail and head by their letters."""
 
     question: str
@@ -32,7 +32,7 @@ class Vector:
 
 
 @frozen
-class Polygon:
+class PaperPolygon:
     """One plane as it is drawn on paper.
 
     letters  by letter those that mean the same point: of the pole also the fixed points', that sit on it
@@ -42,11 +42,11 @@ class Polygon:
 
     plane: Plane
     letters: Mapping[str, tuple[str, ...]]
-    vectors: tuple[Vector, ...]
-    known: tuple[tuple[Vector, complex], ...]
+    vectors: tuple[PolygonVector, ...]
+    known: tuple[tuple[PolygonVector, complex], ...]
 
 
-def polygons(mechanism: Mechanism, questions: Questions) -> tuple[Polygon, ...]:
+def polygons(mechanism: Mechanism, questions: Questions) -> tuple[PaperPolygon, ...]:
     """Of velocities and of accelerations. Raises what planning raises."""
     method = planning.plan(mechanism)
     plot = running.replay_all(method)
@@ -59,7 +59,7 @@ def polygons(mechanism: Mechanism, questions: Questions) -> tuple[Polygon, ...]:
             for vector in _known(construction, mechanism, vectors)
             if vector.tail in values and vector.head in values
         )
-        found.append(Polygon(construction.plane, _letters(construction), vectors, known))
+        found.append(PaperPolygon(construction.plane, _letters(construction), vectors, known))
     return tuple(found)
 
 
@@ -78,7 +78,7 @@ def _on_pole(construction: Construction) -> dict[str, None]:
     return dict.fromkeys([construction.pole, *(name for step in given for name in step.also)])
 
 
-def _vectors(construction: Construction, questions: Questions) -> Iterator[Vector]:
+def _vectors(construction: Construction, questions: Questions) -> Iterator[PolygonVector]:
     """Those of the equations, then the absolute motions that are not among them."""
     letter, drawn = LETTER[construction.plane], set[tuple[str, str]]()
     on_pole = _on_pole(construction)
@@ -88,10 +88,10 @@ def _vectors(construction: Construction, questions: Questions) -> Iterator[Vecto
         comma = "," if "@" in term.of + term.seen_from and term.seen_from else ""
         word = f"{letter}_{term.part}" if term.part else letter
         asked = "" if term.over else _question(questions, f"{word} {term.of}{comma}{term.seen_from}")
-        yield Vector(asked, tail, term.head)
+        yield PolygonVector(asked, tail, term.head)
     for name, node in construction.nodes.items():
         if node.site is not None and name not in on_pole and (construction.pole, name) not in drawn:
-            yield Vector(_question(questions, f"{letter} {node.of}"), construction.pole, name)
+            yield PolygonVector(_question(questions, f"{letter} {node.of}"), construction.pole, name)
 
 
 def _question(questions: Questions, text: str) -> str:
@@ -99,7 +99,9 @@ def _question(questions: Questions, text: str) -> str:
     return found[0] if found is not None else ""
 
 
-def _known(construction: Construction, mechanism: Mechanism, vectors: Sequence[Vector]) -> Iterator[Vector]:
+def _known(
+    construction: Construction, mechanism: Mechanism, vectors: Sequence[PolygonVector]
+) -> Iterator[PolygonVector]:
     """What is laid off from the givens alone: motions of driven links, and driven sliding."""
     driven = {driver.link for driver in mechanism.drivers if driver.from_link == FRAME and driver.kind != "slide"}
     by_ends = {(vector.tail, vector.head): vector for vector in vectors}
@@ -108,8 +110,8 @@ def _known(construction: Construction, mechanism: Mechanism, vectors: Sequence[V
             continue
         match step.term.size:
             case Turning(link, _, _) | Normal(link, _, _) | Tangential(link, _, _) if link in driven:
-                yield by_ends.get((step.start, step.tip), Vector("", step.start, step.tip))
+                yield by_ends.get((step.start, step.tip), PolygonVector("", step.start, step.tip))
             case Driven() | Relative():
-                yield by_ends.get((step.start, step.tip), Vector("", step.start, step.tip))
+                yield by_ends.get((step.start, step.tip), PolygonVector("", step.start, step.tip))
             case _:
                 pass

@@ -24,16 +24,16 @@ from graphkin.submissions.answers import Answers
 from graphkin.submissions.at_positions import answers_at, named_at, of_file
 from graphkin.submissions.class_names import DRAWINGS, tidy_id
 from graphkin.submissions.deadline import limited
-from graphkin.submissions.documents import Document, read_json, read_lines, read_toml
+from graphkin.submissions.documents import StudentDocument, read_json, read_lines, read_toml
 from graphkin.submissions.handed import Handed, handed_in
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.spelling import short
-from graphkin.submissions.submission import Asked, Drawn, Given, Limits, Submission
-from graphkin.submissions.tables import Row, csv_cells, rows_of, xlsx_cells
+from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing, ReadableProblem, Submission
+from graphkin.submissions.tables import TableRow, csv_cells, rows_of, xlsx_cells
 from graphkin.submissions.texts import decoded
 from graphkin.submissions.twice import FirstOnes, called
 
-Key = Asked | Callable[[str], Asked | None]
+Key = ReadableProblem | Callable[[str], ReadableProblem | None]
 """One problem for all, or each student's own by id; None for a student there is not."""
 
 USUAL = Limits()
@@ -75,12 +75,12 @@ def _refused(handed: Handed, student: str, reason: GraphkinError) -> Submission:
     return Submission(called(student, reason), handed.file, reason=reason, place=handed.place)
 
 
-def _key(handed: Handed, stated: str, asked: Key, where: Where) -> tuple[str, Asked]:
+def _key(handed: Handed, stated: str, asked: Key, where: Where) -> tuple[str, ReadableProblem]:
     """The problem of a student: by what the platform calls them, which no file can claim; else by the id it states,
     unless the file is named after another student."""
     owner, own = handed.owner, [tidy_id(stated)] if tidy_id(stated) else []
     names = [owner.student, *owner.others, *own] if owner.others else own or [owner.student]
-    if isinstance(asked, Asked):
+    if isinstance(asked, ReadableProblem):
         return names[0], asked
     if names == own != [owner.student] and asked(owner.student) is not None and asked(own[0]) is not None:
         raise TwoNames(where, owner.student, own[0])
@@ -92,14 +92,14 @@ def _key(handed: Handed, stated: str, asked: Key, where: Where) -> tuple[str, As
 
 # --- what kind of file it is ------------------------------------------------------------------
 
-_Sorted = tuple[list[Document], list[tuple[str, bytes]], list[GraphkinError]]
+_Sorted = tuple[list[StudentDocument], list[tuple[str, bytes]], list[GraphkinError]]
 
 
 def _sorted_out(handed: Handed, limits: Limits) -> _Sorted:
     """The documents in a hand-in, its drawings, and why the rest is passed over; where that is all, it is raised."""
     if handed.row is not None:
         return [_of_row(handed.row, Where(handed.file))], [], []
-    documents: list[Document] = []
+    documents: list[StudentDocument] = []
     drawings: list[tuple[str, bytes]] = []
     notes: list[GraphkinError] = []
     for name, content in _unpacked(handed, limits, notes):
@@ -137,7 +137,7 @@ def _unpacked(handed: Handed, limits: Limits, notes: list[GraphkinError]) -> Ite
             notes.append(problem)
 
 
-def _document(name: str, content: bytes, where: Where, limits: Limits) -> Document:
+def _document(name: str, content: bytes, where: Where, limits: Limits) -> StudentDocument:
     suffix = PurePosixPath(name).suffix.lower()
     if not content.strip(b"\0 \r\n\t"):
         raise NoAnswers(where)
@@ -154,7 +154,7 @@ def _document(name: str, content: bytes, where: Where, limits: Limits) -> Docume
     raise NotMarkable(where, suffix or name[:40])
 
 
-def _table(rows: Iterator[Row], where: Where) -> Document:
+def _table(rows: Iterator[TableRow], where: Where) -> StudentDocument:
     row = next(rows, None)
     if row is None:
         raise NoAnswers(where)
@@ -164,9 +164,9 @@ def _table(rows: Iterator[Row], where: Where) -> Document:
     return _of_row(row, where)
 
 
-def _of_row(row: Row, where: Where) -> Document:
+def _of_row(row: TableRow, where: Where) -> StudentDocument:
     places = ((name, value, Where(where.file, line, short(name))) for name, value, line in row.entries)
-    return Document(row.student, tuple(places))
+    return StudentDocument(row.student, tuple(places))
 
 
 # --- reading it -------------------------------------------------------------------------------
@@ -175,14 +175,14 @@ def _of_row(row: Row, where: Where) -> Document:
 def _read(
     handed: Handed,
     student: str,
-    key: Asked,
-    documents: list[Document],
+    key: ReadableProblem,
+    documents: list[StudentDocument],
     drawings: list[tuple[str, bytes]],
     notes: list[GraphkinError],
     limits: Limits,
 ) -> Submission:
     told = answers_at((entry for document in documents for entry in document.entries), key, _questions, limits)
-    values, drawn, more = dict(told.values), dict[int, Drawn](), [*notes, *told.notes]
+    values, drawn, more = dict(told.values), dict[int, MeasuredDrawing](), [*notes, *told.notes]
     for name, content in drawings:
         try:
             asked, at = of_file(name, key)
@@ -205,18 +205,18 @@ def _worst(notes: list[GraphkinError], handed: Handed) -> GraphkinError:
 
 
 def _measured(
-    name: str, content: bytes, where: Where, asked: Asked, told: Answers, limits: Limits
-) -> tuple[dict[str, Given], Drawn, list[GraphkinError]]:
+    name: str, content: bytes, where: Where, asked: ReadableProblem, told: Answers, limits: Limits
+) -> tuple[dict[str, HandedValue], MeasuredDrawing, list[GraphkinError]]:
     from graphkin.submissions.drawings import measured
 
     return measured(name, content, where, asked, told.scales, _questions(asked), limits)
 
 
-_REMEMBERED: list[tuple[Asked, Questions]] = []
+_REMEMBERED: list[tuple[ReadableProblem, Questions]] = []
 """The last few problems' readers of questions: a class asks the same over and over."""
 
 
-def _questions(key: Asked) -> Questions:
+def _questions(key: ReadableProblem) -> Questions:
     for asked, questions in _REMEMBERED:
         if asked is key or (asked.questions == key.questions and _same(asked.mechanism, key.mechanism)):
             return questions

@@ -16,7 +16,7 @@ Sense = Literal["ccw", "cw"]
 
 
 @frozen
-class Asked:
+class ReadableProblem:
     """One problem, as far as reading an answer to it goes.
 
     questions  as the key writes them (`omega 3`, `a_k B3B2`): what a student calls one of them comes out in these
@@ -26,16 +26,16 @@ class Asked:
 
     mechanism: Mechanism
     questions: tuple[str, ...] = ()
-    further: tuple[Asked, ...] = ()
+    further: tuple[ReadableProblem, ...] = ()
 
     @property
-    def positions(self) -> tuple[Asked, ...]:
+    def positions(self) -> tuple[ReadableProblem, ...]:
         """What is asked at each position, the drawn one first."""
         return self, *self.further
 
 
 @frozen
-class Given:
+class HandedValue:
     """One quantity that was handed in.
 
     text      as the student wrote it; "" for one measured on a drawing
@@ -62,7 +62,7 @@ class Given:
 
 
 @frozen
-class Drawn:
+class MeasuredDrawing:
     """What was measured on a drawing.
 
     points      by plane and the construction's letter (`b3'`): where on the page [mm, y up]
@@ -106,14 +106,14 @@ class Submission:
 
     student: str
     file: str
-    values: Mapping[str, Given] = field(default_factory=dict)
+    values: Mapping[str, HandedValue] = field(default_factory=dict)
     reason: GraphkinError | None = None
     notes: tuple[GraphkinError, ...] = ()
     place: str = ""
-    drawings: Mapping[int, Drawn] = field(default_factory=dict)
+    drawings: Mapping[int, MeasuredDrawing] = field(default_factory=dict)
 
     @property
-    def drawn(self) -> Drawn | None:
+    def drawn(self) -> MeasuredDrawing | None:
         """Of the first position."""
         return self.drawings.get(1)
 

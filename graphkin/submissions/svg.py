@@ -14,7 +14,7 @@ from graphkin.check.outlines import is_plain, outline
 from graphkin.check.transforms import Affine, Unread, length, numbers_in, transform
 from graphkin.construction import Plane
 from graphkin.errors import BrokenSubmission, TooMuch, Where
-from graphkin.submissions.picture import Arrow, Dot, Picture, Text
+from graphkin.submissions.picture import Dot, PagePicture, PictureArrow, PictureText
 from graphkin.submissions.submission import Limits
 
 _PX = 25.4 / 96
@@ -51,12 +51,12 @@ def xml_root(content: bytes, where: Where, kind: str, limits: Limits, forbid_dtd
     return root
 
 
-def read_svg(content: bytes, where: Where, limits: Limits) -> Picture:
+def read_svg(content: bytes, where: Where, limits: Limits) -> PagePicture:
     """Raises BrokenSubmission, TooMuch."""
     root = xml_root(content, where, "SVG", limits)
     if _name(root) != "svg":
         raise BrokenSubmission(where, "SVG")
-    reader = _Reader(root, where, limits)
+    reader = _SvgReader(root, where, limits)
     try:
         found = list(reader.walk(root, _page(root.attrib), _Type()))
     except Unread as problem:
@@ -65,11 +65,11 @@ def read_svg(content: bytes, where: Where, limits: Limits) -> Picture:
         raise BrokenSubmission(where, "SVG", "numbers") from None
     lines = tuple(line for mark in found if isinstance(mark, list) for line in mark)
     dots = tuple(mark for mark in found if isinstance(mark, Dot))
-    texts = tuple(mark for mark in found if isinstance(mark, Text))
+    texts = tuple(mark for mark in found if isinstance(mark, PictureText))
     places = [*(end for line in lines for end in line), *(dot.place for dot in dots), *(text.corner for text in texts)]
     if not all(abs(place.real) + abs(place.imag) < _FAR for place in places):  # NaN is no place either
         raise BrokenSubmission(where, "SVG", "numbers")
-    return Picture(lines, dots, texts, tuple(reader.arrows), _stated(root))
+    return PagePicture(lines, dots, texts, tuple(reader.arrows), _stated(root))
 
 
 _FAR = 1e9
@@ -85,17 +85,17 @@ class _Type:
     shown: bool = True
 
 
-_Mark = list[tuple[complex, complex]] | Dot | Text
+_Mark = list[tuple[complex, complex]] | Dot | PictureText
 
 
-class _Reader:
+class _SvgReader:
     """Walks the tree once; copies are followed as often as the limits allow."""
 
     def __init__(self, root: Element, where: Where, limits: Limits) -> None:
         self.where, self.limits = where, limits
         self.by_id = {element.attrib["id"]: element for element in root.iter() if "id" in element.attrib}
         self.copies = self.walked = self.pieces = 0
-        self.arrows: list[Arrow] = []
+        self.arrows: list[PictureArrow] = []
 
     def walk(self, element: Element, affine: Affine, kind: _Type, depth: int = 0) -> Iterator[_Mark]:
         """The marks of an element's children."""
@@ -151,7 +151,7 @@ class _Reader:
         if self.pieces > self.limits.elements:
             raise TooMuch(self.where, "elements", self.limits.elements)
         if len(pieces) == 1:
-            self.arrows.append(Arrow(_named(element)[0], *pieces[0]))
+            self.arrows.append(PictureArrow(_named(element)[0], *pieces[0]))
         return pieces
 
 
@@ -226,7 +226,7 @@ def _size(text: str, above: float) -> float:
 # --- texts ------------------------------------------------------------------------------------
 
 
-def _texts(element: Element, affine: Affine, kind: _Type) -> Iterator[Text]:
+def _texts(element: Element, affine: Affine, kind: _Type) -> Iterator[PictureText]:
     """A text; of several lines each for itself."""
     lines = [child for child in element if _name(child) == "tspan" and child.get(_ROLE) == "line"]
     if len(lines) > 1:
@@ -236,7 +236,7 @@ def _texts(element: Element, affine: Affine, kind: _Type) -> Iterator[Text]:
         yield from _text(element, affine, kind, element)
 
 
-def _text(element: Element, affine: Affine, kind: _Type, whole: Element) -> Iterator[Text]:
+def _text(element: Element, affine: Affine, kind: _Type, whole: Element) -> Iterator[PictureText]:
     letters = "".join(_letters(element)).strip()
     if not letters:
         return
@@ -251,7 +251,7 @@ def _text(element: Element, affine: Affine, kind: _Type, whole: Element) -> Iter
     anchored = _typed(element, kind).anchor
     width = _WIDE * size * scale * len(letters)
     start = {"middle": width / 2, "end": width}.get(anchored, 0.0)
-    yield Text(
+    yield PictureText(
         letters[:400], corner - start * right / scale, right / scale, up / tall, width,
         _ABOVE * size * tall, _BELOW * size * tall,
     )  # fmt: skip

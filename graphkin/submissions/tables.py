@@ -36,7 +36,7 @@ _LONGEST_CELL = 1 << 16
 
 
 @frozen
-class Row:
+class TableRow:
     """One student's row, or one student's whole table. `student` is empty where none is named."""
 
     student: str
@@ -44,7 +44,7 @@ class Row:
     entries: tuple[tuple[str, object, int], ...]
 
 
-def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[Row]:
+def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[TableRow]:
     """A row a student where the header says so; else one, with all answers of the table. Raises NoAnswers, TooMuch."""
     filled: Cells = ((line, row) for line, row in cells if any(_shown(cell) for cell in row))
     first = next(filled, None)
@@ -64,7 +64,7 @@ def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[Row]:
             raise TooMuch(where, "rows", limits.rows)
         pairs = enumerate(zip(header, row))
         answers = tuple((name, cell, line) for k, (name, cell) in pairs if name and k != at and not student_of(name))
-        yield Row(_shown(row[at]) if at < len(row) else "", line, answers)
+        yield TableRow(_shown(row[at]) if at < len(row) else "", line, answers)
 
 
 def student_of(name: str) -> bool:
@@ -87,7 +87,7 @@ def _is_one(header: Sequence[str], row: Sequence[object]) -> bool:
     return len(header) == 2 and bool(row) and begins_like_one(_shown(row[0])) and not begins_like_one(header[1])
 
 
-def _one(cells: Iterable[tuple[int, Sequence[object]]], limits: Limits) -> Row:
+def _one(cells: Iterable[tuple[int, Sequence[object]]], limits: Limits) -> TableRow:
     """A student's own table: question and value beside each other, unit and sense after them."""
     student, entries, names = "", [], None
     for line, row in islice(cells, limits.answers + 2):
@@ -99,7 +99,7 @@ def _one(cells: Iterable[tuple[int, Sequence[object]]], limits: Limits) -> Row:
             student = shown[1]
         elif len(shown) > 1 and shown[0]:
             entries.append((shown[0], _value(row, shown, names), line))
-    return Row(student, 1, tuple(entries))
+    return TableRow(student, 1, tuple(entries))
 
 
 def _value(row: Sequence[object], shown: Sequence[str], names: Sequence[str] | None) -> object:

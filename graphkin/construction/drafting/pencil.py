@@ -17,13 +17,14 @@ from graphkin.construction.drafting.steps import (
     CircleAbout,
     CircleThrough,
     Drafting,
+    DraftLayOff,
+    DraftMeasure,
+    DraftMeet,
+    DraftTurn,
     Far,
-    LayOff,
     LineStep,
     MarkOn,
-    Measure,
     MeasureAngle,
-    Meet,
     Parallel,
     Perpendicular,
     Pricked,
@@ -33,14 +34,13 @@ from graphkin.construction.drafting.steps import (
     Step,
     Through,
     Traced,
-    Turned,
 )
 
 
 def replay(construction: Drafting, board: Board | None = None) -> Board:
     """Do all steps, on a new board or on one that lies over a drawing.
 
-    >>> board = replay(Drafting({"r": 1.0}, (Stage("", (ChosenPoint("A", 0j), LayOff("B", "A", "r"))),)))
+    >>> board = replay(Drafting({"r": 1.0}, (Stage("", (ChosenPoint("A", 0j), DraftLayOff("B", "A", "r"))),)))
     >>> board.at("B")
     (1+0j)
     """
@@ -65,15 +65,15 @@ def _do(step: Step, board: Board) -> None:
         board.lines[step.name] = ruled(step, board)
         return
     match step:
-        case ChosenPoint() | Pricked() | Far() | LayOff() | MarkOn() | Turned():
+        case ChosenPoint() | Pricked() | Far() | DraftLayOff() | MarkOn() | DraftTurn():
             board.points[step.name] = _point(step, board)
-        case Meet():
+        case DraftMeet():
             _meet(step, board)
         case CircleThrough() | CircleAbout():
             _circle(step, board)
         case Reckon(name, rule, of):
             numbers[name] = RULES[rule](*(numbers[one] for one in of))
-        case Measure(name, first, second):
+        case DraftMeasure(name, first, second):
             numbers[name] = board.read(abs(board.at(second) - board.at(first)))
         case MeasureAngle(name, at, toward, to):
             numbers[name] = scalar(np.angle(board.toward(at, to) / board.toward(at, toward)))
@@ -81,7 +81,7 @@ def _do(step: Step, board: Board) -> None:
             assert_never(step)
 
 
-def _point(step: ChosenPoint | Pricked | Far | LayOff | MarkOn | Turned, board: Board) -> Homogeneous:
+def _point(step: ChosenPoint | Pricked | Far | DraftLayOff | MarkOn | DraftTurn, board: Board) -> Homogeneous:
     match step:
         case ChosenPoint(_, at):
             return board.seen(at)
@@ -89,14 +89,14 @@ def _point(step: ChosenPoint | Pricked | Far | LayOff | MarkOn | Turned, board: 
             return board.underlay.points[point]
         case Far(_, line):
             return improper(1j * along(board.lines[line]))
-        case LayOff(_, about, length, toward, angle, sense):
+        case DraftLayOff(_, about, length, toward, angle, sense):
             turn = sense * board.numbers[angle] if angle else 0.0
             way = board.toward(about, toward) * np.exp(1j * turn)
             return board.seen(board.at(about) + board.numbers[length] * way)
         case MarkOn(_, circle, turn):
             centre, radius = board.circles[circle]
             return board.seen(centre + radius * np.exp(1j * turn))
-        case Turned(_, of, about, angle):
+        case DraftTurn(_, of, about, angle):
             arm = board.at(of) - board.at(about)
             return board.seen(board.at(about) + arm * np.exp(1j * board.numbers[angle]))
         case _:
@@ -151,7 +151,7 @@ def _circumcentre(p: Value, q: Value, r: Value) -> Value:
 # --- where two things meet --------------------------------------------------------------------
 
 
-def _meet(step: Meet, board: Board) -> None:
+def _meet(step: DraftMeet, board: Board) -> None:
     if step.first in board.lines and step.second in board.lines:
         found = product(board.lines[step.first], board.lines[step.second])
         board.lean[step.name] = np.linalg.norm(found, axis=0)
@@ -160,7 +160,7 @@ def _meet(step: Meet, board: Board) -> None:
         board.points[step.name] = board.seen(_meant(step, board))
 
 
-def _meant(step: Meet, board: Board) -> Value:
+def _meant(step: DraftMeet, board: Board) -> Value:
     """Of two crossings of which one is a circle's, the one that is meant."""
     one, other = _crossings(step, board)
     if not step.near and not step.far:
@@ -170,7 +170,7 @@ def _meant(step: Meet, board: Board) -> Value:
     return scalar(np.where(far <= farther if step.near else far >= farther, one, other))
 
 
-def _crossings(step: Meet, board: Board) -> tuple[Value, Value]:
+def _crossings(step: DraftMeet, board: Board) -> tuple[Value, Value]:
     first, *others = [board.circles[name] for name in (step.first, step.second) if name in board.circles]
     if others:
         left, right = (meet_circles(*first, *others[0], side)[0] for side in (1.0, -1.0))

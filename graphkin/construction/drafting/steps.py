@@ -42,7 +42,7 @@ class Far:
 
 
 @frozen
-class LayOff:
+class DraftLayOff:
     """A point at a length from `about`, at an angle from the direction to `toward` (+x where that is "").
 
     angle   "": straight toward
@@ -66,7 +66,7 @@ class MarkOn:
 
 
 @frozen
-class Turned:
+class DraftTurn:
     """A point turned about another by an angle (the method of inversion)."""
 
     name: str
@@ -76,7 +76,7 @@ class Turned:
 
 
 @frozen
-class Meet:
+class DraftMeet:
     """Where two lines or circles meet: of two crossings the one nearest to, or farthest from, a point."""
 
     name: str
@@ -191,7 +191,7 @@ class Reckon:
 
 
 @frozen
-class Measure:
+class DraftMeasure:
     """The ruler: the distance of two points."""
 
     name: str
@@ -209,10 +209,10 @@ class MeasureAngle:
     to: str
 
 
-PointStep = ChosenPoint | Pricked | Far | LayOff | MarkOn | Turned | Meet
+PointStep = ChosenPoint | Pricked | Far | DraftLayOff | MarkOn | DraftTurn | DraftMeet
 LineStep = Traced | Through | Slanted | Perpendicular | Parallel | Bisector | CarriedAngle
 CircleStep = CircleThrough | CircleAbout
-NumberStep = Reckon | Measure | MeasureAngle
+NumberStep = Reckon | DraftMeasure | MeasureAngle
 Step = PointStep | LineStep | CircleStep | NumberStep
 
 
@@ -271,7 +271,7 @@ class Drafting:
 
     def met_on(self, name: str) -> list[str]:
         """Points found on a line or a circle."""
-        return [step.name for step in self.steps if isinstance(step, Meet) and name in (step.first, step.second)]
+        return [step.name for step in self.steps if isinstance(step, DraftMeet) and name in (step.first, step.second)]
 
     def born(self, point: str) -> int:
         """The number of the stage, from 1, that makes a point; that of the last where none does."""

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from graphkin.errors import Lang, UnknownMechanism, Where
 
 if TYPE_CHECKING:
-    from graphkin.files import Mechanism
+    from graphkin.files import MechanismFile
 
 __all__ = ["KINDS", "chosen", "groups", "has", "load", "names", "text", "titles"]
 
@@ -49,7 +49,7 @@ def has(name: str) -> bool:
     return _file(name) is not None
 
 
-def load(name: str) -> Mechanism:
+def load(name: str) -> MechanismFile:
     """The mechanism of this name."""
     from graphkin.files import loads
 
@@ -76,15 +76,15 @@ def chosen(kind: str = "", group: str = "", source: str = "") -> tuple[str, ...]
     return tuple(name for name in found if not (kind or source) or _is(load(name), kind, source))
 
 
-def _is(mechanism: Mechanism, kind: str, source: str) -> bool:
+def _is(mechanism: MechanismFile, kind: str, source: str) -> bool:
     return _has(mechanism, kind) and _from(mechanism, source)
 
 
-def _from(mechanism: Mechanism, source: str) -> bool:
+def _from(mechanism: MechanismFile, source: str) -> bool:
     return source.casefold() in " ".join(mechanism.source.values()).casefold()
 
 
-def _has(mechanism: Mechanism, kind: str) -> bool:
+def _has(mechanism: MechanismFile, kind: str) -> bool:
     tables = {pair.table for pair in mechanism.pairs}
     return not tables if kind == "hinge" else not kind or kind in tables
 

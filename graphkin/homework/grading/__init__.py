@@ -15,10 +15,27 @@ from graphkin.homework.grading.keys import USUAL, Pencils, key_drawn, key_for, k
 from graphkin.homework.grading.problems import Problem, problems_of
 from graphkin.homework.grading.resuming import Journal, resumed
 from graphkin.homework.grading.running import Way, grade
-from graphkin.homework.grading.sets import Judge, KeySet, OneKey, set_text
+from graphkin.homework.grading.sets import KeySet, OneKey, SetMarker, set_text
 from graphkin.marking.graded import Graded
 
 __all__ = [
-    "USUAL", "Graded", "Journal", "Judge", "KeySet", "OneKey", "Pencils", "Problem", "Way", "grade",
-    "is_marks", "judge_from", "key_drawn", "key_for", "key_from", "marking_of", "problems_of", "resumed", "set_text",
+    "USUAL",
+    "Graded",
+    "Journal",
+    "KeySet",
+    "OneKey",
+    "Pencils",
+    "Problem",
+    "SetMarker",
+    "Way",
+    "grade",
+    "is_marks",
+    "judge_from",
+    "key_drawn",
+    "key_for",
+    "key_from",
+    "marking_of",
+    "problems_of",
+    "resumed",
+    "set_text",
 ]  # fmt: skip

@@ -12,7 +12,7 @@ from typing import Any
 from graphkin.base.value import frozen
 from graphkin.errors import NoFile, NoMarks, SaidBefore, Unreadable, Where
 from graphkin.marking.graded import Drawn
-from graphkin.marking.marked import Number, Work
+from graphkin.marking.marked import HandedNumber, StudentWork
 from graphkin.outputs.marks_file import KIND, records_in
 from graphkin.outputs.marks_json import FORMAT, drawn_of
 
@@ -41,7 +41,7 @@ class Again:
     student: str
     file: str
     place: str
-    work: Work
+    work: StudentWork
     reason: SaidBefore | None
     notes: tuple[SaidBefore, ...]
     prints: tuple[str, ...]
@@ -75,9 +75,9 @@ def records_of(path: Path) -> Iterator[Again]:
         raise Unreadable(Where(str(path)), getattr(problem, "strerror", None) or "UTF-8") from None
 
 
-def _work(student: str, quantities: Mapping[str, Mapping[str, Any]]) -> Work:
+def _work(student: str, quantities: Mapping[str, Mapping[str, Any]]) -> StudentWork:
     """The numbers that were read then."""
-    return Work(
+    return StudentWork(
         student,
         {
             text: _number(each)
@@ -87,6 +87,6 @@ def _work(student: str, quantities: Mapping[str, Mapping[str, Any]]) -> Work:
     )
 
 
-def _number(each: Mapping[str, Any]) -> Number:
+def _number(each: Mapping[str, Any]) -> HandedNumber:
     points, measured = _POINTS.get(each["sense"]), bool(each.get("measured"))
-    return Number(float(each["given"]), bool(each["unit_right"]), points, measured)
+    return HandedNumber(float(each["given"]), bool(each["unit_right"]), points, measured)

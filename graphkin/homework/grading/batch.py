@@ -10,9 +10,9 @@ from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, OwnFault, TookTooLong, UnknownStudent, Unreadable, WantsExtra, Where
 from graphkin.homework.grading.again import Again
 from graphkin.homework.grading.drawn import with_drawings
-from graphkin.homework.grading.sets import Judge, OneKey, fingerprint
+from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
 from graphkin.marking.graded import Drawn, Graded
-from graphkin.marking.marked import Marked, Number, Work
+from graphkin.marking.marked import HandedNumber, Marked, StudentWork
 from graphkin.marking.marker import Marker
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
 
@@ -23,7 +23,7 @@ _ONCE_MORE = (OwnFault, TookTooLong, Unreadable, WantsExtra)
 
 
 @frozen
-class Kept:
+class StoredRecord:
     """A submission whose record there is and holds: whose it is, whether it was marked, and its fingerprint."""
 
     student: str
@@ -33,21 +33,21 @@ class Kept:
     handed: str
 
 
-Item = Handed | Again | Kept
+Item = Handed | Again | StoredRecord
 
 
-def marked(some: list[Item], judge: Judge, limits: Limits, reading: str) -> list[Graded | Kept]:
+def marked(some: list[Item], judge: SetMarker, limits: Limits, reading: str) -> list[Graded | StoredRecord]:
     """What becomes of each, in order."""
-    read = [one if isinstance(one, Kept) else _read(one, judge, limits, reading) for one in some]
+    read = [one if isinstance(one, StoredRecord) else _read(one, judge, limits, reading) for one in some]
     marks = _marked(judge, [one for one in read if isinstance(one, Read) and one.reason is None], limits.seconds)
-    return [one if isinstance(one, Kept) else _graded(one, one.reason or next(marks)) for one in read]
+    return [one if isinstance(one, StoredRecord) else _graded(one, one.reason or next(marks)) for one in read]
 
 
 @frozen
 class Read:
     """A submission that is ready to be marked, or why it is not."""
 
-    work: Work
+    work: StudentWork
     file: str
     place: str
     reason: GraphkinError | None
@@ -56,7 +56,7 @@ class Read:
     drawn: Drawn
 
 
-def _read(item: Handed | Again, judge: Judge, limits: Limits, reading: str) -> Read:
+def _read(item: Handed | Again, judge: SetMarker, limits: Limits, reading: str) -> Read:
     if isinstance(item, Again):
         return _again(item, judge)
     asked = judge.asked if isinstance(judge, OneKey) else judge
@@ -76,7 +76,7 @@ def _read(item: Handed | Again, judge: Judge, limits: Limits, reading: str) -> R
     return Read(work, one.file, one.place, reason, (*notes, *more), () if again else prints, drawn)
 
 
-def _again(item: Again, judge: Judge) -> Read:
+def _again(item: Again, judge: SetMarker) -> Read:
     """As it was read then."""
     reason: GraphkinError | None = item.reason
     try:
@@ -88,7 +88,7 @@ def _again(item: Again, judge: Judge) -> Read:
     return Read(item.work, item.file, item.place, reason, item.notes, prints, item.drawn)
 
 
-def asked_print(judge: Judge, student: str) -> str:
+def asked_print(judge: SetMarker, student: str) -> str:
     """A fingerprint of what a student is asked: by the same, work is read alike. Empty where there is no key."""
     try:
         marker = judge.marker(student)
@@ -99,12 +99,12 @@ def asked_print(judge: Judge, student: str) -> str:
     return fingerprint(*(text for key in marker.key.positions for text in (key.text, *(e.text for e in key.entries))))
 
 
-def _work(submission: Submission) -> Work:
+def _work(submission: Submission) -> StudentWork:
     """The numbers of a submission; what is no number was said by the reader."""
-    return Work(
+    return StudentWork(
         submission.student,
         {
-            text: Number(given.value, given.fault is None, measured=given.ends is not None and not given.text)
+            text: HandedNumber(given.value, given.fault is None, measured=given.ends is not None and not given.text)
             for text, given in submission.values.items()
             if given.value is not None and math.isfinite(given.value)
         },
@@ -122,7 +122,7 @@ def _graded(one: Read, marks: Marked | GraphkinError) -> Graded:
 # --- marking ----------------------------------------------------------------------------------
 
 
-def _marked(judge: Judge, batch: Sequence[Read], seconds: float) -> Iterator[Marked | GraphkinError]:
+def _marked(judge: SetMarker, batch: Sequence[Read], seconds: float) -> Iterator[Marked | GraphkinError]:
     """In their order; those in a row who have one key are marked at once."""
     for marker, some in groupby(batch, lambda one: judge.marker(one.work.student)):
         assert marker is not None, "who is not of the class was refused before"

@@ -6,16 +6,16 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from graphkin.errors import GraphkinError, NoSenseDrawn, OffTheDrawing
-from graphkin.homework.grading.sets import Judge
-from graphkin.marking.marked import Number, Work
+from graphkin.homework.grading.sets import SetMarker
+from graphkin.marking.marked import HandedNumber, StudentWork
 from graphkin.marking.marker import Marker
 from graphkin.model.quantities import at_position, position_of
 from graphkin.submissions import Submission
 
-Found = tuple[Work, list[GraphkinError]]
+Found = tuple[StudentWork, list[GraphkinError]]
 
 
-def with_drawings(work: Work, one: Submission, judge: Judge) -> Found:
+def with_drawings(work: StudentWork, one: Submission, judge: SetMarker) -> Found:
     """With rotations and the like that are asked for and stand nowhere in numbers, and which way known arrows point;
     with notes that say so."""
     marker = judge.marker(one.student) if one.drawings else None
@@ -27,7 +27,7 @@ def with_drawings(work: Work, one: Submission, judge: Judge) -> Found:
     return work, notes
 
 
-def _at(work: Work, one: Submission, at: int, marker: Marker) -> Found:
+def _at(work: StudentWork, one: Submission, at: int, marker: Marker) -> Found:
     """By the drawing of one position."""
     vectors = {
         position_of(text)[0]: given.vector
@@ -37,7 +37,7 @@ def _at(work: Work, one: Submission, at: int, marker: Marker) -> Found:
     numbers = {position_of(text)[0]: n.value for text, n in work.numbers.items() if position_of(text)[1] == at}
     found, points = marker.positions[at - 1].off_drawing(one.drawings[at].in_si(), vectors, numbers)
     named = {at_position(text, at): value for text, value in found.values.items()}
-    new = {text: Number(value, measured=True) for text, value in named.items() if text not in work.numbers}
+    new = {text: HandedNumber(value, measured=True) for text, value in named.items() if text not in work.numbers}
     told = {text: replace(work.numbers[text], points=good) for text, good in _named(points, at).items()
             if text in work.numbers}  # fmt: skip
     lost = tuple(text for bare in found.no_sense if (text := at_position(bare, at)) not in work.numbers)

@@ -6,11 +6,11 @@ import json
 from pathlib import Path
 
 from graphkin.homework.grading.keys import USUAL, Pencils, key_from, text_of
-from graphkin.homework.grading.sets import KIND, Judge, KeySet, OneKey
+from graphkin.homework.grading.sets import KIND, KeySet, OneKey, SetMarker
 from graphkin.marking.marker import Marker
 
 
-def judge_from(source: str, pencils: Pencils = USUAL) -> Judge:
+def judge_from(source: str, pencils: Pencils = USUAL) -> SetMarker:
     """Of a key.json, a mechanism file, a library mechanism, or a folder with a set of problems.
 
     Raises what loading and planning raise, BadKey, NothingToMark.

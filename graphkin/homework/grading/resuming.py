@@ -14,9 +14,9 @@ from typing import Any
 
 from graphkin.errors import CannotWrite, NoMarks, Where
 from graphkin.homework.grading.again import Again, again
-from graphkin.homework.grading.batch import Item, Kept, asked_print
+from graphkin.homework.grading.batch import Item, StoredRecord, asked_print
 from graphkin.homework.grading.running import Way, items, run
-from graphkin.homework.grading.sets import Judge
+from graphkin.homework.grading.sets import SetMarker
 from graphkin.marking.graded import Graded
 from graphkin.outputs.files import refuse
 from graphkin.outputs.marks_file import MARKS, records_in, text
@@ -81,7 +81,7 @@ def _by_fingerprint(path: Path) -> dict[str, Mapping[str, Any]]:
 
 
 def resumed(
-    judge: Judge, paths: Iterable[str | Path], journal: Journal, way: Way,
+    judge: SetMarker, paths: Iterable[str | Path], journal: Journal, way: Way,
     written: Callable[[Graded], Mapping[str, Any]],
 ) -> Iterator[Mapping[str, Any]]:  # fmt: skip
     """The record of every submission, in order; what is new is in the journal before it is given out.
@@ -91,7 +91,7 @@ def resumed(
     paths = [*paths]
     known = (_known(item, judge, journal, way) for item in items(paths, way))
     for one in run(judge, known, way, paths):
-        if isinstance(one, Kept):
+        if isinstance(one, StoredRecord):
             yield journal.records[one.handed]
             continue
         new = written(one)
@@ -100,7 +100,7 @@ def resumed(
         yield new
 
 
-def _known(item: Handed | Again, judge: Judge, journal: Journal, way: Way) -> Item:
+def _known(item: Handed | Again, judge: SetMarker, journal: Journal, way: Way) -> Item:
     """What is still to be done for a submission."""
     handed, reading = (item.digest[:16], way.reading) if isinstance(item, Handed) else item.prints[:2] or ("", "")
     there = journal.records.get(handed) if handed else None
@@ -114,6 +114,6 @@ def _known(item: Handed | Again, judge: Judge, journal: Journal, way: Way) -> It
         return item
     student = before.student
     if before.prints[3] == judge.key_print(student):
-        return Kept(student, before.file, before.place, before.reason is None, handed)
+        return StoredRecord(student, before.file, before.place, before.reason is None, handed)
     same = isinstance(item, Handed) and before.reason is None and before.prints[2] == asked_print(judge, student)
     return before if same else item

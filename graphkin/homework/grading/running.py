@@ -13,8 +13,8 @@ from graphkin.base.parallel import ahead
 from graphkin.base.value import frozen
 from graphkin.errors import OwnFault, Where
 from graphkin.homework.grading.again import Again, is_marks, records_of
-from graphkin.homework.grading.batch import Item, Kept, marked
-from graphkin.homework.grading.sets import Judge, OneKey, fingerprint
+from graphkin.homework.grading.batch import Item, StoredRecord, marked
+from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
 from graphkin.marking.graded import Graded
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
@@ -48,7 +48,7 @@ class Way:
 
 
 def grade(
-    judge: Key | Judge, paths: Iterable[str | Path], limits: Limits | None = None, *, workers: int = 0,
+    judge: Key | SetMarker, paths: Iterable[str | Path], limits: Limits | None = None, *, workers: int = 0,
     executor: Executor | None = None,
 ) -> Iterator[Graded]:  # fmt: skip
     """A record for every submission in these files, in order.
@@ -78,8 +78,8 @@ def items(paths: Iterable[str | Path], way: Way) -> Iterator[Handed | Again]:
 
 
 def run(
-    judge: Judge, some: Iterable[Item], way: Way, paths: Iterable[str | Path]
-) -> Iterator[Graded | Kept]:
+    judge: SetMarker, some: Iterable[Item], way: Way, paths: Iterable[str | Path]
+) -> Iterator[Graded | StoredRecord]:
     """The result of each, in order; what is kept goes through as it is. `paths`: of all that was handed in."""
     work = partial(marked, judge=judge, limits=way.limits, reading=way.reading)
     if way.executor is not None:
@@ -90,7 +90,7 @@ def run(
     return firsts(chain.from_iterable(map(work, _batches(some, _BATCH))), paths)
 
 
-def firsts(found: Iterable[Graded | Kept], paths: Iterable[str | Path]) -> Iterator[Graded | Kept]:
+def firsts(found: Iterable[Graded | StoredRecord], paths: Iterable[str | Path]) -> Iterator[Graded | StoredRecord]:
     """Of each student the first that was marked; a further one says so."""
     seen = FirstOnes(paths)
     for one in found:
@@ -101,8 +101,8 @@ def firsts(found: Iterable[Graded | Kept], paths: Iterable[str | Path]) -> Itera
         yield one if reason is None else Graded(called(one.student, reason), one.file, one.place, None, reason)
 
 
-def _failed(item: Item, problem: str) -> Graded | Kept:
-    if isinstance(item, Kept):
+def _failed(item: Item, problem: str) -> Graded | StoredRecord:
+    if isinstance(item, StoredRecord):
         return item
     student = item.student if isinstance(item, Again) else item.owner.student
     return Graded(student, item.file, item.place, None, OwnFault(Where(item.file), problem))

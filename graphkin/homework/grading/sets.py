@@ -18,7 +18,7 @@ from typing import Any
 from graphkin.errors import BadKey, Where
 from graphkin.homework.grading.keys import key_file, text_of
 from graphkin.marking.marker import Marker
-from graphkin.submissions import Asked
+from graphkin.submissions import ReadableProblem
 
 KIND = "graphkin keys"
 FORMAT = 1
@@ -26,13 +26,13 @@ _KEPT = 32
 """Keys that are held ready."""
 
 
-class Judge:
+class SetMarker:
     """Who marks a student's work: whichever key is theirs."""
 
     def marker(self, student: str) -> Marker | None:
         raise NotImplementedError
 
-    def __call__(self, student: str) -> Asked | None:
+    def __call__(self, student: str) -> ReadableProblem | None:
         """What the student is asked; None for one who is not of this class."""
         marker = self.marker(student)
         if marker is None:
@@ -44,10 +44,11 @@ class Judge:
         raise NotImplementedError
 
 
-def asked_by(marker: Marker) -> Asked:
+def asked_by(marker: Marker) -> ReadableProblem:
     """What a key asks, at all its positions."""
     first, *further = (
-        Asked(each.method.mechanism, tuple(entry.text for entry in each.key.entries)) for each in marker.positions
+        ReadableProblem(each.method.mechanism, tuple(entry.text for entry in each.key.entries))
+        for each in marker.positions
     )
     return replace(first, further=tuple(further))
 
@@ -65,10 +66,10 @@ def fingerprint(*parts: bytes | str) -> str:
     return whole.hexdigest()[:16]
 
 
-_READY: dict[tuple[str, ...], Judge] = {}
+_READY: dict[tuple[str, ...], SetMarker] = {}
 
 
-def _ready(name: tuple[str, ...], made: Callable[[], Judge]) -> Judge:
+def _ready(name: tuple[str, ...], made: Callable[[], SetMarker]) -> SetMarker:
     """The judge that was made ready here, or made now; the last few are kept."""
     found = _READY.get(name)
     if found is None:
@@ -79,7 +80,7 @@ def _ready(name: tuple[str, ...], made: Callable[[], Judge]) -> Judge:
 
 
 
-class OneKey(Judge):
+class OneKey(SetMarker):
     """One key for all."""
 
     def __init__(self, marker: Marker) -> None:
@@ -89,11 +90,11 @@ class OneKey(Judge):
         return self._marker
 
     @cached_property
-    def asked(self) -> Asked:
+    def asked(self) -> ReadableProblem:
         """What all are asked."""
         return asked_by(self._marker)
 
-    def __call__(self, student: str) -> Asked:
+    def __call__(self, student: str) -> ReadableProblem:
         return self.asked
 
     @cached_property
@@ -109,15 +110,15 @@ class OneKey(Judge):
     def _packed(self) -> bytes:
         return pickle.dumps(self._marker.key)
 
-    def __reduce__(self) -> tuple[Callable[..., Judge], tuple[object, ...]]:
+    def __reduce__(self) -> tuple[Callable[..., SetMarker], tuple[object, ...]]:
         return _one_key, (self._print, self._packed)
 
 
-def _one_key(name: str, packed: bytes) -> Judge:
+def _one_key(name: str, packed: bytes) -> SetMarker:
     return _ready((name,), lambda: OneKey(Marker(pickle.loads(packed))))
 
 
-class KeySet(Judge):
+class KeySet(SetMarker):
     """The keys of a set, by student; `files` are beside the set's own file, `path`."""
 
     def __init__(self, path: Path, files: Mapping[str, str]) -> None:
@@ -150,7 +151,7 @@ class KeySet(Judge):
         except (KeyError, OSError):
             return self._print
 
-    def __reduce__(self) -> tuple[Callable[..., Judge], tuple[object, ...]]:
+    def __reduce__(self) -> tuple[Callable[..., SetMarker], tuple[object, ...]]:
         return _key_set, (str(self.path), self._print)
 
     @classmethod
@@ -165,7 +166,7 @@ class KeySet(Judge):
         return cls(path, students)
 
 
-def _key_set(path: str, name: str) -> Judge:
+def _key_set(path: str, name: str) -> SetMarker:
     return _ready((path, name), lambda: KeySet.read(Path(path), json.loads(text_of(Path(path)))))
 
 

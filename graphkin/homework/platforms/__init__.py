@@ -26,15 +26,47 @@ from graphkin.homework.platforms.overrides import Overrides, overridden, read_ov
 from graphkin.homework.platforms.polygon_pictures import PolygonPictures
 from graphkin.homework.platforms.problem_folder import is_set, students_of, told_of, write_problems
 from graphkin.homework.platforms.question import Part, ProblemSet, Question, Wrong
-from graphkin.homework.platforms.result import Line, Picture, Result, Suspicion, from_record
-from graphkin.homework.platforms.result_formats import RESULTS, Written, prepared, write_results
+from graphkin.homework.platforms.result import Result, ResultLine, ResultPicture, Suspicion, from_record
+from graphkin.homework.platforms.result_formats import RESULTS, WrittenResults, prepared, write_results
 from graphkin.homework.platforms.set_formats import SETS, write_set
 from graphkin.homework.platforms.stored import read_results, read_traces
 
 __all__ = [
-    "RESULTS", "SETS", "Alternative", "ClassReport", "Feedback", "Line", "Overrides", "Part", "Picture",
-    "PolygonPictures", "ProblemSet", "Question", "Result", "Reveal", "Suspicion", "Written", "Wrong", "alternatives",
-    "class_report", "file_of", "from_record", "is_set", "overridden", "prepared", "problem_set", "question_of",
-    "read_overrides", "read_results", "read_traces", "report_record", "report_text", "students_of", "told_of",
-    "write_class_figure", "write_problems", "write_results", "write_set",
+    "RESULTS",
+    "SETS",
+    "Alternative",
+    "ClassReport",
+    "Feedback",
+    "Overrides",
+    "Part",
+    "PolygonPictures",
+    "ProblemSet",
+    "Question",
+    "Result",
+    "ResultLine",
+    "ResultPicture",
+    "Reveal",
+    "Suspicion",
+    "WrittenResults",
+    "Wrong",
+    "alternatives",
+    "class_report",
+    "file_of",
+    "from_record",
+    "is_set",
+    "overridden",
+    "prepared",
+    "problem_set",
+    "question_of",
+    "read_overrides",
+    "read_results",
+    "read_traces",
+    "report_record",
+    "report_text",
+    "students_of",
+    "told_of",
+    "write_class_figure",
+    "write_problems",
+    "write_results",
+    "write_set",
 ]  # fmt: skip

@@ -12,7 +12,7 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.feedback import habit, suspected
 from graphkin.homework.platforms.numbers import exponentless
-from graphkin.homework.platforms.result import Line, Result, Suspicion
+from graphkin.homework.platforms.result import Result, ResultLine, Suspicion
 from graphkin.marking.habits import Habit
 from graphkin.marking.marked import Verdict
 from graphkin.say.catalogue import say
@@ -25,7 +25,7 @@ _ALWAYS: tuple[Verdict, ...] = ("right", "carried", *_FAILED)
 
 
 @frozen
-class Step:
+class ReportStep:
     """One quantity in the whole class, in the order of the problem.
 
     verdicts  how often each; first  for how many it is the first that is wrong, or missing where nothing is wrong
@@ -53,7 +53,7 @@ class ClassReport:
     marked: int
     unmarked: int
     overridden: int
-    steps: tuple[Step, ...]
+    steps: tuple[ReportStep, ...]
     mistakes: tuple[tuple[Suspicion, int], ...]
     unexplained: int
     ranges: tuple[int, ...]
@@ -94,7 +94,7 @@ class _Count:
             self._suspicions(result)
             self.habits.update(replace(one, weight=0.0) for one in result.habits)
 
-    def _lines(self, lines: tuple[Line, ...]) -> None:
+    def _lines(self, lines: tuple[ResultLine, ...]) -> None:
         for line in lines:
             self.verdicts.setdefault(line.name, Counter())[line.verdict] += 1
             earned, most = self.points.get(line.name, (Decimal(0), Decimal(0)))
@@ -113,7 +113,7 @@ class _Count:
 
     def report(self) -> ClassReport:
         counts = self.verdicts.items()
-        every = (Step(name, dict(each), self.first[name], *self.points[name]) for name, each in counts)
+        every = (ReportStep(name, dict(each), self.first[name], *self.points[name]) for name, each in counts)
         steps = tuple(step for step in every if step.most or any(step.verdicts.get(verdict) for verdict in _FAILED))
         mistakes = sorted(self.mistakes.values(), key=lambda pair: (-pair[1], pair[0].ids))
         told = self.status

@@ -9,7 +9,7 @@ from graphkin.errors import Lang
 from graphkin.homework.platforms.cells import Cell
 from graphkin.homework.platforms.feedback import habit, suspected
 from graphkin.homework.platforms.overrides import Overrides
-from graphkin.homework.platforms.result import Line, Result, texts_in
+from graphkin.homework.platforms.result import Result, ResultLine, texts_in
 from graphkin.say.catalogue import say
 from graphkin.say.verdicts import verdict
 
@@ -61,7 +61,7 @@ def _percent(score: Decimal | None) -> Decimal | None:
     return None if score is None else (score * 100).quantize(Decimal("0.01"))
 
 
-def _cells(line: Line | None, lang: Lang) -> tuple[Cell, Cell]:
+def _cells(line: ResultLine | None, lang: Lang) -> tuple[Cell, Cell]:
     return ("", None) if line is None else (verdict(line, lang), line.points)
 
 

@@ -9,7 +9,7 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.marked_up import one_line
 from graphkin.homework.platforms.numbers import exponentless
-from graphkin.homework.platforms.result import Line, Picture, Result, Suspicion, texts_in
+from graphkin.homework.platforms.result import Result, ResultLine, ResultPicture, Suspicion, texts_in
 from graphkin.marking.habits import Habit
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
@@ -33,7 +33,7 @@ class Feedback:
     result: Result
     lang: Lang
     reveal: Reveal
-    pictures: Sequence[Picture] = ()
+    pictures: Sequence[ResultPicture] = ()
 
 
 def title(told: Feedback) -> str:
@@ -59,7 +59,7 @@ def _in_signs(result: Result, text: str) -> str:
     return rewritten(text, lambda typed: asked(typed) if typed in known or typed.startswith(turning) else typed)
 
 
-def _points(line: Line, lang: Lang) -> str:
+def _points(line: ResultLine, lang: Lang) -> str:
     if not line.most:
         return ""
     return say("feedback.of", lang, points=exponentless(line.points), most=exponentless(line.most))
@@ -109,7 +109,7 @@ def reason(result: Result, lang: Lang) -> str:
     return say("feedback.not marked why", lang, reason=told)
 
 
-def quantity(result: Result, line: Line, lang: Lang, reveal: Reveal) -> str:
+def quantity(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> str:
     """One quantity: verdict, what was handed in, what it should be where that is told, points."""
     told = [say("feedback.line", lang, name=_in_signs(result, line.name), verdict=verdict(line, lang))]
     told += _numbers(result, line, lang, reveal)
@@ -118,7 +118,7 @@ def quantity(result: Result, line: Line, lang: Lang, reveal: Reveal) -> str:
     return say("common.semicolon", lang).join(told)
 
 
-def _numbers(result: Result, line: Line, lang: Lang, reveal: Reveal) -> Iterator[str]:
+def _numbers(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> Iterator[str]:
     if line.given is not None:
         yield say("feedback.given", lang, value=shown(line.given, line.unit))
     yield from arithmetic(result, line, lang, reveal)
@@ -127,13 +127,13 @@ def _numbers(result: Result, line: Line, lang: Lang, reveal: Reveal) -> Iterator
         yield say("feedback.answer", lang, value=right, tolerance=tolerance)
 
 
-def arithmetic(result: Result, line: Line, lang: Lang, reveal: Reveal) -> Iterator[str]:
+def arithmetic(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> Iterator[str]:
     """What follows from the student's own values, where it is judged by these and that may be told."""
     if line.carried is not None and (reveal == "answer" or (reveal == "mistake" and line.verdict == "carried")):
         yield _carried(result, line, line.carried, lang)
 
 
-def _carried(result: Result, line: Line, value: float, lang: Lang) -> str:
+def _carried(result: Result, line: ResultLine, value: float, lang: Lang) -> str:
     """`judged with your omega 3 = 5.65 rad/s: it should be 3.63 m/s^2: yes`."""
     units = {other.name: other.unit for other in result.lines}
     given = (f"{_in_signs(result, name)} = {shown(x, units.get(name, ''))}" for name, x in line.own.items())

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.homework.platforms.question import Part, Question, Text, Wrong
-from graphkin.marking.key import Entry, Key
+from graphkin.marking.key import Key, KeyEntry
 from graphkin.model.quantities import EDGE, at_position
 from graphkin.say.catalogue import LANGUAGES
 from graphkin.say.mistakes import mistake
@@ -32,14 +32,14 @@ def _part(key: Key, at: int, column: int) -> Part:
     )  # fmt: skip
 
 
-def _also(entry: Entry) -> tuple[float, ...]:
+def _also(entry: KeyEntry) -> tuple[float, ...]:
     """An angle is as right with a turn more or less."""
     if entry.sort != "angle":
         return ()
     return (entry.right - math.copysign(_TURN, entry.right),)
 
 
-def _wrongs(key: Key, column: int, entry: Entry) -> Iterator[Wrong]:
+def _wrongs(key: Key, column: int, entry: KeyEntry) -> Iterator[Wrong]:
     """What each mistake gives for this quantity, as far as it says anything of it."""
     factor, mistakes = EDGE[entry.unit].factor, key.singles
     for names, value, scatter in zip(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from graphkin.homework.grading import Judge
+from graphkin.homework.grading import SetMarker
 from graphkin.homework.platforms.from_key import question_of
 from graphkin.homework.platforms.question import ProblemSet, Question
 from graphkin.homework.platforms.set_formats import SETS
@@ -14,12 +14,12 @@ from graphkin.say.catalogue import LANGUAGES
 from graphkin.say.problems import statement
 
 
-def problem_set(template: Template, found: Iterable[Variant], judge: Judge) -> ProblemSet:
+def problem_set(template: Template, found: Iterable[Variant], judge: SetMarker) -> ProblemSet:
     """What a platform asks of each student, by the keys of the set. Raises what reading a key raises."""
     return ProblemSet(template.name, [_question(variant, judge) for variant in found])
 
 
-def _question(variant: Variant, judge: Judge) -> Question:
+def _question(variant: Variant, judge: SetMarker) -> Question:
     marker = judge.marker(variant.student.id)
     assert marker is not None, "the set has a key for each of its students"
     text = {lang: "\n".join(statement(variant.mechanism, lang, variant.drawn)) for lang in LANGUAGES}

@@ -11,7 +11,7 @@ from typing import Any
 from graphkin.errors import Lang
 from graphkin.homework.platforms.feedback import Reveal, diagnosis, override, quantity, reason, total
 from graphkin.homework.platforms.marked_up import clean
-from graphkin.homework.platforms.result import FORMAT, Line, Result
+from graphkin.homework.platforms.result import FORMAT, Result, ResultLine
 from graphkin.say.catalogue import say
 
 
@@ -38,7 +38,7 @@ def _output(result: Result, lang: Lang) -> str:
     return "\n".join(text for text in (override(result, lang), total(result, lang)) if text)
 
 
-def _test(result: Result, line: Line, lang: Lang, reveal: Reveal) -> dict[str, Any]:
+def _test(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> dict[str, Any]:
     good = line.verdict not in ("wrong", "missing") and line.points >= line.most
     told = _told(line.name, quantity(result, line, lang, reveal), "passed" if good else "failed")
     return {**told, "score": float(line.points), "max_score": float(line.most)} if line.most else told

@@ -18,7 +18,7 @@ _LARGEST = Decimal(10**6)
 
 
 @frozen
-class Kept:
+class Override:
     """One override."""
 
     student: str
@@ -29,12 +29,12 @@ class Kept:
 class Overrides:
     """Overrides by student and file. A spreadsheet may have spoilt an id (`007`): then by the file alone."""
 
-    def __init__(self, kept: Sequence[Kept] = ()) -> None:
+    def __init__(self, kept: Sequence[Override] = ()) -> None:
         self.kept = tuple(kept)
         self._exact = {(each.student, each.file): each for each in kept}
         self._by_file = _alone((each.file, each) for each in kept)
         self._by_student = _alone((each.student, each) for each in kept)
-        self._met: set[Kept] = set()
+        self._met: set[Override] = set()
 
     def of(self, result: Result) -> Decimal | None:
         """The points that a teacher has given."""
@@ -45,7 +45,7 @@ class Overrides:
         self._met.add(found)
         return found.points
 
-    def rest(self) -> tuple[Kept, ...]:
+    def rest(self) -> tuple[Override, ...]:
         """Those that were asked for by no result so far."""
         return tuple(each for each in self.kept if each not in self._met)
 
@@ -68,7 +68,7 @@ def read_overrides(path: Path) -> Overrides:
         raise Unreadable(Where(str(path)), error.strerror or str(error)) from None
 
 
-def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Kept]:
+def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Override]:
     columns = columns_of(next(table, []))
     student, file, override = (_column(columns, key) for key in ("student", "file", "override"))
     if override is None or (student is None and file is None):
@@ -77,7 +77,7 @@ def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Kept]:
         given = _cell(row, override)
         if given:
             found = _points(given, Where(str(path), number))
-            yield Kept(one_line(_cell(row, student)), one_line(_cell(row, file)), found)
+            yield Override(one_line(_cell(row, student)), one_line(_cell(row, file)), found)
 
 
 def _column(columns: dict[str, int], key: str) -> int | None:
@@ -99,9 +99,9 @@ def _points(given: str, where: Where) -> Decimal:
     raise NotAnOverride(where, given)
 
 
-def _alone(pairs: Iterable[tuple[str, Kept]]) -> dict[str, Kept]:
+def _alone(pairs: Iterable[tuple[str, Override]]) -> dict[str, Override]:
     """By name, those whose name no other has."""
-    found: dict[str, Kept | None] = {}
+    found: dict[str, Override | None] = {}
     for name, each in pairs:
         found[name] = None if name in found else each
     return {name: each for name, each in found.items() if each is not None and name}

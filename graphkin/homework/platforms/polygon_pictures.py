@@ -12,9 +12,9 @@ from functools import cached_property
 
 from graphkin.construction import Plot
 from graphkin.errors import Lang, OwnFault, Where
-from graphkin.homework.grading import Judge
+from graphkin.homework.grading import SetMarker
 from graphkin.homework.platforms.feedback import Reveal
-from graphkin.homework.platforms.result import Picture, Result, Suspicion
+from graphkin.homework.platforms.result import Result, ResultPicture, Suspicion
 from graphkin.marking import Rewrite, rewrites
 from graphkin.marking.comparison import Beside, beside
 from graphkin.marking.key import Name
@@ -35,12 +35,12 @@ _SAME = 8
 class PolygonPictures:
     """Makes the pictures of each result, by whoever's key it was marked."""
 
-    def __init__(self, judge: Judge) -> None:
+    def __init__(self, judge: SetMarker) -> None:
         self._judge = judge
         self._marker: Marker | None = None
-        self._ready: dict[tuple[object, ...], list[Picture]] = {}
+        self._ready: dict[tuple[object, ...], list[ResultPicture]] = {}
 
-    def __call__(self, result: Result, lang: Lang, reveal: Reveal) -> Sequence[Picture]:
+    def __call__(self, result: Result, lang: Lang, reveal: Reveal) -> Sequence[ResultPicture]:
         if reveal == "hint" or result.status != "marked" or not (result.suspicions or result.drawn):
             return ()
         marker = self._judge.marker(result.student)
@@ -58,13 +58,13 @@ class PolygonPictures:
             self._ready[asked] = self._drawn(result, lang, reveal)
         return self._ready[asked]
 
-    def _drawn(self, result: Result, lang: Lang, reveal: Reveal) -> list[Picture]:
+    def _drawn(self, result: Result, lang: Lang, reveal: Reveal) -> list[ResultPicture]:
         """An error of ours costs the picture, not the page, and is said there."""
         try:
             return self._problem.pictures(result, lang, reveal)
         except Exception as problem:
             reason = OwnFault(Where(result.file), type(problem).__name__).message(lang)
-            return [Picture(say("pictures.none", lang, reason=reason), "", b"")]
+            return [ResultPicture(say("pictures.none", lang, reason=reason), "", b"")]
 
 
 def _position(one: Suspicion) -> int:
@@ -78,7 +78,7 @@ class _Problem:
     def __init__(self, positions: Sequence[_Position]) -> None:
         self.positions = positions
 
-    def pictures(self, result: Result, lang: Lang, reveal: Reveal) -> list[Picture]:
+    def pictures(self, result: Result, lang: Lang, reveal: Reveal) -> list[ResultPicture]:
         """One for each explanation; where there is none, the student's drawing over the right one."""
         told = [(one.names, _position(one)) for one in result.suspicions] or [((), 1)]
         found = (self.positions[at - 1].picture(names, result, lang, reveal) for names, at in told)
@@ -107,16 +107,16 @@ class _Position:
 
     def picture(
         self, names: Sequence[tuple[Name, ...]], result: Result, lang: Lang, reveal: Reveal
-    ) -> Picture | None:
+    ) -> ResultPicture | None:
         made, found = self._otherwise(names)
         answer, own = reveal == "answer", result.drawn if self.at == 1 else {}
         sheet = mistake_sheet(self.method, self.plot, found=found, own=own, answer=answer, lang=lang)
         if sheet is None:
-            return Picture(say("pictures.nothing", lang), "", b"") if made else None
+            return ResultPicture(say("pictures.nothing", lang), "", b"") if made else None
         told = [say("pictures.position", lang, at=self.at)] if self.at > 1 else []
         told += [] if found is None else _of_mistake(made, found, answer, lang)
         told += [say("pictures.dashed", lang)] if own else []
-        return Picture(say("pictures.between", lang).join(told), "image/svg+xml", inline(sheet).encode())
+        return ResultPicture(say("pictures.between", lang).join(told), "image/svg+xml", inline(sheet).encode())
 
     def _otherwise(self, names: Sequence[tuple[Name, ...]]) -> tuple[tuple[Name, ...], Beside | None]:
         """The first of the mistakes that draws something otherwise, and what; where none does, the first known."""

@@ -14,7 +14,7 @@ from typing import Any
 from graphkin.errors import Lang
 from graphkin.homework.platforms.feedback import Reveal, diagnosis, override, quantity, reason, total
 from graphkin.homework.platforms.marked_up import clean
-from graphkin.homework.platforms.result import FORMAT, Line, Picture, Result
+from graphkin.homework.platforms.result import FORMAT, Result, ResultLine, ResultPicture
 from graphkin.say.catalogue import say
 
 LARGEST = 1_000_000
@@ -22,7 +22,7 @@ LARGEST = 1_000_000
 _SHORTER = (20_000, 2_000, 200, 20)
 
 
-def results_json(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[Picture] = ()) -> bytes:
+def results_json(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[ResultPicture] = ()) -> bytes:
     """The file; where it would be too large, without its last pictures, then with shorter texts."""
     for count in range(len(pictures), -1, -1):
         if len(made := _bytes(_file(result, lang, reveal, pictures[:count]))) < LARGEST:
@@ -33,7 +33,7 @@ def results_json(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[
     return _bytes({**_shortened(_file(result, lang, reveal, ()), _SHORTER[-1]), "tests": []})
 
 
-def _file(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[Picture]) -> dict[str, Any]:
+def _file(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[ResultPicture]) -> dict[str, Any]:
     mark = {"graphkin": {"platform": "prairielearn", "format": FORMAT, "status": result.status}}
     if result.score is None:
         return {"gradable": False, "format_errors": [clean(reason(result, lang))], **mark}
@@ -52,7 +52,7 @@ def _tests(result: Result, lang: Lang, reveal: Reveal) -> Iterator[dict[str, Any
         yield _shown(say("feedback.diagnosis", lang), 0.0, 0.0, told)
 
 
-def _test(result: Result, line: Line, lang: Lang, reveal: Reveal) -> dict[str, Any]:
+def _test(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> dict[str, Any]:
     return _shown(line.name, float(line.points), float(line.most), quantity(result, line, lang, reveal))
 
 
@@ -60,7 +60,7 @@ def _shown(name: str, earned: float, most: float, message: str) -> dict[str, Any
     return {"name": clean(name), "points": earned, "max_points": most, "message": clean(message), "images": []}
 
 
-def _image(picture: Picture) -> dict[str, str]:
+def _image(picture: ResultPicture) -> dict[str, str]:
     data = base64.b64encode(picture.data).decode()
     return {"label": clean(picture.label), "url": f"data:{picture.kind};base64,{data}"}
 

@@ -23,7 +23,7 @@ Status = Literal["marked", "not marked"]
 
 
 @frozen
-class Line:
+class ResultLine:
     """One quantity of a submission; numbers in SI, `unit` the SI unit.
 
     carried     what follows from the student's own earlier values (`own`, by quantity), where it was judged by these
@@ -59,7 +59,7 @@ class Suspicion:
 
 
 @frozen
-class Picture:
+class ResultPicture:
     """A picture on a page or a platform: what is said of it, its kind ("image/svg+xml"), its bytes.
 
     Without bytes there is nothing to be seen, and `label` says why.
@@ -85,7 +85,7 @@ class Result:
     file: str
     status: Status
     reason: Text = field(default_factory=dict)
-    lines: tuple[Line, ...] = ()
+    lines: tuple[ResultLine, ...] = ()
     suspicions: tuple[Suspicion, ...] = ()
     most: Decimal = Decimal(0)
     notes: tuple[str, ...] = ()
@@ -141,14 +141,14 @@ def _read(record: Mapping[str, Any]) -> Result:
     )  # fmt: skip
 
 
-def _line(name: str, each: Mapping[str, Any]) -> Line:
+def _line(name: str, each: Mapping[str, Any]) -> ResultLine:
     if each["verdict"] not in get_args(Verdict) or each["sense"] not in (None, "right", "wrong"):
         raise ValueError(f"{name}: verdict {each['verdict']!r}, sense {each['sense']!r}")
     worth, credit = _finite(each["points"]), _finite(each["credit"])
     if worth < 0 or not 0 <= credit <= 1:
         raise ValueError(f"{name}: points {worth}, credit {credit}")
     own = {str(text): _finite(value) for text, value in each["own"].items()}
-    return Line(
+    return ResultLine(
         name, _number(each["given"]), _finite(each["right"]), _number(each["carried"]), _finite(each["tolerance"]),
         each["verdict"], each["sense"], _string(each["unit"]), bool(each["unit_right"]), credit, own,
         points(worth * credit), points(worth),

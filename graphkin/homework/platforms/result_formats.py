@@ -21,7 +21,7 @@ from graphkin.homework.platforms.feedback import Feedback, Reveal
 from graphkin.homework.platforms.marked_up import clean
 from graphkin.homework.platforms.overrides import Overrides, overridden, read_overrides
 from graphkin.homework.platforms.platform_names import Named, canvas, moodle
-from graphkin.homework.platforms.result import Picture, Result
+from graphkin.homework.platforms.result import Result, ResultPicture
 from graphkin.homework.platforms.web_page import PAGE, html
 from graphkin.marking.habits import Trace, habits
 from graphkin.outputs.files import beside
@@ -35,14 +35,14 @@ _REPORT = tuple(title.encode() for title in in_both("class_report.title").values
 
 
 @frozen
-class Written:
+class WrittenResults:
     """What was written, and what could not be, in words."""
 
     paths: tuple[Path, ...]
     left_out: tuple[str, ...] = ()
 
 
-Pictures = Callable[[Result, Lang, Reveal], Sequence[Picture]]
+Pictures = Callable[[Result, Lang, Reveal], Sequence[ResultPicture]]
 
 
 @frozen
@@ -94,7 +94,7 @@ def write_results(
     folder: Path, results: Sequence[Result], kind: str, lang: Lang = "en", reveal: Reveal = "answer", *,
     assignment: str = "graphkin", pictures: Pictures = lambda result, lang, reveal: (), force: bool = False,
     several: Sequence[Mapping[str, Trace]] = (),
-) -> Written:  # fmt: skip
+) -> WrittenResults:  # fmt: skip
     """Results into a folder, which is made where it is not there.
 
     results   as `read_results` gives them
@@ -135,14 +135,14 @@ def _table(order: Order) -> Iterator[Sequence[Cell]]:
     return chain(class_table.rows(order, names, order.lang, several), class_table.absent(order.overrides, names))
 
 
-def _csv(order: Order) -> Written:
+def _csv(order: Order) -> WrittenResults:
     path = order.lines(CLASS_TABLE, chain([BOM], map(line, _table(order))), _TABLE)
-    return Written((path,), _kept(order))
+    return WrittenResults((path,), _kept(order))
 
 
-def _xlsx(order: Order) -> Written:
+def _xlsx(order: Order) -> WrittenResults:
     members = xlsx.members(_table(order), say("class_report.title", order.lang))
-    return Written((order.packed("class.xlsx", members),), _kept(order))
+    return WrittenResults((order.packed("class.xlsx", members),), _kept(order))
 
 
 def _kept(order: Order) -> tuple[str, ...]:
@@ -150,21 +150,21 @@ def _kept(order: Order) -> tuple[str, ...]:
     return tuple(say("platforms.override kept", order.lang, student=name) for name in names)
 
 
-def _moodle(order: Order) -> Written:
+def _moodle(order: Order) -> WrittenResults:
     grades = order.lines(
         "moodle-grades.csv", moodle_results.grades(order, order.lang, order.reveal), (b"Identifier,Full name,",),
     )  # fmt: skip
     members = moodle_results.feedback(order, order.told)
     out = tuple(_unnamed(order, moodle, "Moodle"))
-    return Written((grades, order.packed("moodle-feedback.zip", members)), out)
+    return WrittenResults((grades, order.packed("moodle-feedback.zip", members)), out)
 
 
-def _canvas(order: Order) -> Written:
+def _canvas(order: Order) -> WrittenResults:
     grades = order.lines(
         "canvas-grades.csv", canvas_results.grades(order, order.assignment, order.most), (b"Points Possible,",),
     )  # fmt: skip
     members = canvas_results.feedback(order, order.told)
-    return Written((grades, order.packed("canvas-feedback.zip", members)), tuple(_without_canvas(order)))
+    return WrittenResults((grades, order.packed("canvas-feedback.zip", members)), tuple(_without_canvas(order)))
 
 
 def _without_canvas(order: Order) -> Iterator[str]:
@@ -189,11 +189,11 @@ def _unnamed(order: Order, named: Callable[[str], Named | None], platform: str) 
         yield say("platforms.no platform name", order.lang, count=count, file=first, platform=platform)
 
 
-def _gradescope(order: Order) -> Written:
+def _gradescope(order: Order) -> WrittenResults:
     return _each(order, "gradescope", lambda result: gradescope.results_json(result, order.lang, order.reveal))
 
 
-def _prairielearn(order: Order) -> Written:
+def _prairielearn(order: Order) -> WrittenResults:
     def made(result: Result) -> bytes:
         return prairielearn.results_json(result, order.lang, order.reveal, order.told(result).pictures)
 
@@ -210,16 +210,16 @@ def _named(order: Order) -> Iterator[tuple[str, Result]]:
         yield name, result
 
 
-def _pages(order: Order) -> Written:
+def _pages(order: Order) -> WrittenResults:
     """A page of feedback each."""
     folder = _made(order.folder / "pages")
     for name, result in _named(order):
         with beside(folder / f"{name}.html", order.force, [PAGE]) as draft:
             draft.write_bytes(html(order.told(result)))
-    return Written((folder,))
+    return WrittenResults((folder,))
 
 
-def _each(order: Order, platform: str, made: Callable[[Result], bytes]) -> Written:
+def _each(order: Order, platform: str, made: Callable[[Result], bytes]) -> WrittenResults:
     """`results.json` in the folder where there is one submission; else in a folder each, within the platform's."""
     alone = len([*islice(order.results, 2)]) == 1
     any_there = False
@@ -228,17 +228,19 @@ def _each(order: Order, platform: str, made: Callable[[Result], bytes]) -> Writt
         folder = order.folder if alone else _made(order.folder / platform / name)
         with beside(folder / "results.json", order.force, [f'"platform": "{platform}"'.encode()]) as draft:
             draft.write_bytes(made(result))
-    return Written((order.folder / "results.json",) if alone else (order.folder / platform,) if any_there else ())
+    return WrittenResults(
+        (order.folder / "results.json",) if alone else (order.folder / platform,) if any_there else ()
+    )
 
 
-def _report(order: Order) -> Written:
+def _report(order: Order) -> WrittenResults:
     """The class in words, as data and as a figure."""
     report = class_report(order)
     words = order.lines("class-report.txt", (f"{line}\n" for line in _report_lines(report, order.lang)), _REPORT)
     data = order.lines("class-report.json", [json.dumps(report_record(report), ensure_ascii=True) + "\n"], _JSON)
     figure = order.folder / "class-report.svg"
     remark = write_class_figure(figure, report, order.lang, order.force)
-    return Written((words, data, figure), () if remark is None else (remark.message(order.lang),))
+    return WrittenResults((words, data, figure), () if remark is None else (remark.message(order.lang),))
 
 
 def _report_lines(report: ClassReport, lang: Lang) -> Iterator[str]:
@@ -246,7 +248,7 @@ def _report_lines(report: ClassReport, lang: Lang) -> Iterator[str]:
     yield from map(clean, report_text(report, lang))
 
 
-RESULTS: Mapping[str, Callable[[Order], Written]] = {
+RESULTS: Mapping[str, Callable[[Order], WrittenResults]] = {
     "csv": _csv, "xlsx": _xlsx, "moodle": _moodle, "gradescope": _gradescope,
     "prairielearn": _prairielearn, "canvas": _canvas, "pages": _pages, "report": _report,
 }  # fmt: skip

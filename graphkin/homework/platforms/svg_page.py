@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from graphkin.homework.platforms.feedback import Feedback, at_the_end, table, title, under_table
 from graphkin.homework.platforms.marked_up import element, one_line
-from graphkin.homework.platforms.result import Picture
+from graphkin.homework.platforms.result import ResultPicture
 
 _SIZE, _STEP, _BETWEEN = 4.0, 6.0, 5.0
 """Of letters, of rows, between columns [mm]."""
@@ -21,7 +21,7 @@ _PIECE = re.compile("[\u2e80-\uffef]|[^\\s\u2e80-\uffef]+\\s*|\\s+")
 
 def drawing(told: Feedback) -> bytes:
     """A drawing as wide as A4, as long as it needs."""
-    page = _Page()
+    page = _SvgPage()
     page.write(title(told))
     if told.result.lines:
         page.tabulate([*table(told)])
@@ -35,7 +35,7 @@ def drawing(told: Feedback) -> bytes:
 
 
 @dataclass
-class _Page:
+class _SvgPage:
     """What is on it, and how far down it goes [mm]."""
 
     parts: list[str] = field(default_factory=list)
@@ -73,7 +73,7 @@ class _Page:
                 start += width + _BETWEEN
         self.top += _STEP / 2
 
-    def show(self, picture: Picture) -> None:
+    def show(self, picture: ResultPicture) -> None:
         """What is said of a drawing of graphkin's own, and the drawing; of another picture the words alone."""
         self.write(picture.label)
         if found := _START.match(drawn := picture.data.decode("utf-8", "replace")):

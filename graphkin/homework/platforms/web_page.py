@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from graphkin.homework.platforms.feedback import Feedback, at_the_end, table, title, under_table
 from graphkin.homework.platforms.marked_up import in_html
-from graphkin.homework.platforms.result import Picture
+from graphkin.homework.platforms.result import ResultPicture
 
 PAGE = b'<meta name="generator" content="graphkin">'
 """By this a page is known as graphkin's own."""
@@ -61,13 +61,13 @@ def _row(row: tuple[str, ...], verdict: str) -> str:
 # --- pictures ---------------------------------------------------------------------------------
 
 
-def _figure(picture: Picture) -> str:
+def _figure(picture: ResultPicture) -> str:
     if not picture.data:
         return _paragraph(picture.label)
     return f"<figure>{_drawn(picture)}\n<figcaption>{in_html(picture.label)}</figcaption></figure>"
 
 
-def _drawn(picture: Picture) -> str:
+def _drawn(picture: ResultPicture) -> str:
     """A drawing of graphkin's own within the page; any other picture as its data."""
     if picture.kind == _SVG:
         return picture.data.decode()

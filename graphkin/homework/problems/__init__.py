@@ -8,8 +8,18 @@ say.problems words a problem; platforms writes the set, for graphkin and for oth
 """
 
 from graphkin.homework.problems.draws import Variant, variants
-from graphkin.homework.problems.posed import Posed, well_posed
+from graphkin.homework.problems.posed import PosedProblem, well_posed
 from graphkin.homework.problems.roster import Student, roster
-from graphkin.homework.problems.template import Range, Template, read_template
+from graphkin.homework.problems.template import Template, TemplateRange, read_template
 
-__all__ = ["Posed", "Range", "Student", "Template", "Variant", "read_template", "roster", "variants", "well_posed"]
+__all__ = [
+    "PosedProblem",
+    "Student",
+    "Template",
+    "TemplateRange",
+    "Variant",
+    "read_template",
+    "roster",
+    "variants",
+    "well_posed",
+]

@@ -14,14 +14,14 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, NoVariant, Where
-from graphkin.homework.problems.paper import Paper
-from graphkin.homework.problems.posed import Posed, Refused, answers, well_posed
+from graphkin.homework.problems.paper import DrawingSizes
+from graphkin.homework.problems.posed import PosedProblem, Refused, answers, well_posed
 from graphkin.homework.problems.roster import Student
 from graphkin.homework.problems.template import Template
 from graphkin.marking.telling import Telling, telling
-from graphkin.marking.told import LOOKED_AT, Always, Told
+from graphkin.marking.told import LOOKED_AT, Always, Discriminability
 from graphkin.model.mechanism import Mechanism
-from graphkin.running.assembled import Assembled, assembled
+from graphkin.running.assembled import DrawnSides, assembled
 
 _TRIES = 200
 _HOPELESS = 20
@@ -49,8 +49,8 @@ class Variant:
     student: Student
     numbers: tuple[int, ...]
     mechanism: Mechanism
-    drawn: Assembled
-    told: Told
+    drawn: DrawnSides
+    told: Discriminability
     shared: bool = False
 
 
@@ -105,7 +105,7 @@ def _drawn(template: Template, student: Student, seed: str, taken: _Taken, goal:
 class _Goal:
     """What a template can do: its paper, mistakes that are always the same, how many its better problems lose."""
 
-    paper: Paper
+    paper: DrawingSizes
     always: Always
     lost: int
 
@@ -113,18 +113,18 @@ class _Goal:
     def of(cls, template: Template, seed: str) -> _Goal:
         """By problems that are nobody's."""
         some = list(islice(_sample(template, seed), _SAMPLE))
-        paper = Paper.of(some)
+        paper = DrawingSizes.of(some)
         found = [telling(one.method, one.drawn, paper.marking(one)) for one in some]
         always = Always(found)
         lost = sorted(always.told(one).lost for one in found)
         return cls(paper, always, lost[(len(lost) - 1) // 3] if lost else 0)
 
-    def telling(self, posed: Posed) -> Telling:
+    def telling(self, posed: PosedProblem) -> Telling:
         """What the answers at the drawn position tell."""
         return telling(posed.method, posed.drawn, self.paper.marking(posed))
 
 
-def _sample(template: Template, seed: str) -> Iterator[Posed]:
+def _sample(template: Template, seed: str) -> Iterator[PosedProblem]:
     for attempt in range(_SAMPLE_TRIES):
         try:
             posed = well_posed(template.mechanism(_numbers(template, "", seed, attempt)))

@@ -30,7 +30,7 @@ _FAR = 1e12
 
 
 @frozen
-class Posed:
+class PosedProblem:
     """A mechanism that is solved at the positions its problem asks for."""
 
     method: Method
@@ -42,7 +42,7 @@ class Posed:
         return self.plots[0]
 
 
-def well_posed(mechanism: Mechanism) -> Posed | Refused:
+def well_posed(mechanism: Mechanism) -> PosedProblem | Refused:
     """Solved at every position asked for, or what is against it. Raises what solving raises: it does not assemble."""
     method = plan(mechanism)
     plots = tuple(proved(method, values).plot for values in driver_values(method))
@@ -50,10 +50,10 @@ def well_posed(mechanism: Mechanism) -> Posed | Refused:
         return "dead point"
     if any(_short(method, plot) for plot in plots):
         return "short"
-    return Posed(method, plots)
+    return PosedProblem(method, plots)
 
 
-def answers(posed: Posed) -> np.ndarray:
+def answers(posed: PosedProblem) -> np.ndarray:
     """The right values of what is asked, at all positions [SI]; one at infinity is as large as can be told."""
     quantities = [read(posed.method.mechanism, question) for question in posed.method.mechanism.ask]
     motions = [readings(posed.method, plot) for plot in posed.plots]

@@ -32,7 +32,7 @@ MOST = 100_000
 
 
 @frozen
-class Range:
+class TemplateRange:
     """Evenly spaced values of one number of the file.
 
     path   its place in the file: ("links", "1", "AB")
@@ -66,7 +66,7 @@ class Template:
     name: str
     file: str
     pieces: tuple[str, ...]
-    ranges: tuple[Range, ...]
+    ranges: tuple[TemplateRange, ...]
     points: Mapping[str, float]
 
     def text(self, numbers: Sequence[int]) -> str:
@@ -138,7 +138,7 @@ def _numbers(value: Any, path: tuple[str | int, ...]) -> Iterator[tuple[int, tup
         yield value - _MARK, path
 
 
-def _range(table: Mapping[str, Any], path: tuple[str | int, ...], where: Where) -> Range:
+def _range(table: Mapping[str, Any], path: tuple[str | int, ...], where: Where) -> TemplateRange:
     try:
         (first, unit), (last, other), (step, third) = (_sized(table.get(key, 1)) for key in ("from", "to", "step"))
     except (InvalidOperation, ValueError):
@@ -146,7 +146,7 @@ def _range(table: Mapping[str, Any], path: tuple[str | int, ...], where: Where) 
     units = {name for name in (unit, other, third) if name}
     if len(units) > 1 or not (step > 0 and last > first and (last - first) / step < MOST):
         raise NoRange(where)
-    return Range(path, first, step, int((last - first) / step) + 1, next(iter(units), ""))
+    return TemplateRange(path, first, step, int((last - first) / step) + 1, next(iter(units), ""))
 
 
 def _sized(value: object) -> tuple[Decimal, str]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from graphkin.base.geometry import Value, cross
 from graphkin.construction import Meet
-from graphkin.marking.rewrite import Edit, Rewrite, Written, times
+from graphkin.marking.rewrite import Edit, Rewrite, RewrittenValue, times
 from graphkin.marking.scene import Scene, mistake
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
@@ -30,8 +30,8 @@ def centre_ratio(scene: Scene) -> Iterator[Rewrite]:
         elif isinstance(quantity, Quotient) and _of_rotations(quantity):
             value = complex(quantity.answer(scene.motions).value)
             if value and np.isfinite(value):
-                yield _ratio(quantity.text, "", Written(quantity.text, instead=1 / value))
-                yield _ratio(quantity.text, "", Written(quantity.text, -1.0), "sense")
+                yield _ratio(quantity.text, "", RewrittenValue(quantity.text, instead=1 / value))
+                yield _ratio(quantity.text, "", RewrittenValue(quantity.text, -1.0), "sense")
         elif isinstance(quantity, Rotation) and quantity.word == "omega":
             value = float(scene.motions.omega[quantity.link])
             fastest = max(abs(float(omega)) for omega in scene.motions.omega.values())
@@ -40,15 +40,15 @@ def centre_ratio(scene: Scene) -> Iterator[Rewrite]:
             for crank in (link for link in scene.cranks if link != quantity.link):
                 driven = float(scene.motions.omega[crank])
                 text = f"ω{scene.method.mechanism.called(crank)}"
-                yield _ratio(quantity.text, text, Written(quantity.text, instead=driven**2 / value))
-            yield _ratio(quantity.text, "", Written(quantity.text, -1.0), "sense")
+                yield _ratio(quantity.text, text, RewrittenValue(quantity.text, instead=driven**2 / value))
+            yield _ratio(quantity.text, "", RewrittenValue(quantity.text, -1.0), "sense")
 
 
 def _of_rotations(quantity: Quotient) -> bool:
     return all(isinstance(half, Rotation) and half.word == "omega" for half in quantity.halves)
 
 
-def _ratio(of: str, form: str, written: Written, way: str = "") -> Rewrite:
+def _ratio(of: str, form: str, written: RewrittenValue, way: str = "") -> Rewrite:
     return Rewrite("centre-ratio", of, form, asked=(written,), way=way)
 
 
@@ -62,7 +62,7 @@ def _wrong_pairs(scene: Scene, quantity: Centre) -> Iterator[Rewrite]:
             place = _crossing(*(_place(scene, pair) for pair in (*first, *second)))
             if np.isfinite(place):
                 form = " × ".join("".join(f"P{called(a)}{called(b)}" for a, b in lines) for lines in (first, second))
-                yield _ratio(quantity.text, form, Written(quantity.text, instead=place), "lines")
+                yield _ratio(quantity.text, form, RewrittenValue(quantity.text, instead=place), "lines")
 
 
 def _place(scene: Scene, links: tuple[str, str]) -> complex:
@@ -88,7 +88,7 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
                 vector = _about(scene.motions, quantity.site.point, link, place)
                 if np.isfinite(vector):
                     form = f"P{scene.method.mechanism.frame}{scene.method.mechanism.called(link)}"
-                    instead = (Written(quantity.text, instead=vector),)
+                    instead = (RewrittenValue(quantity.text, instead=vector),)
                     yield Rewrite("centre-acceleration-zero", quantity.text, form, asked=instead)
     for _, step in scene.steps("acceleration"):
         if isinstance(step, Meet) and _stands(scene, step.point):

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from math import pi
 
 from graphkin.marking.mistakes.rotations import measured, reading
-from graphkin.marking.rewrite import Edit, Rewrite, Written, times
+from graphkin.marking.rewrite import Edit, Rewrite, RewrittenValue, times
 from graphkin.marking.scene import Scene, mistake
 from graphkin.model.quantities import Moving, Quantity, Rotation
 
@@ -57,13 +57,13 @@ def _written(scene: Scene, asked: list[Quantity]) -> Iterator[Rewrite]:
         kind = [quantity.text for quantity in asked if quantity.unit == unit]
         for form, factor in factors(unit, scene.scales).items():
             if len(kind) > 1:
-                values = tuple(Written(text, factor) for text in kind)
+                values = tuple(RewrittenValue(text, factor) for text in kind)
                 yield Rewrite("conversion", unit, form, asked=values, way="kind")
             for text in kind:
-                yield Rewrite("conversion", text, form, asked=(Written(text, factor),))
+                yield Rewrite("conversion", text, form, asked=(RewrittenValue(text, factor),))
     for quantity in asked:
         if isinstance(quantity, Rotation) and quantity.word == "alpha":
-            yield Rewrite("conversion", quantity.text, asked=(Written(quantity.text, -1.0),), way="sense")
+            yield Rewrite("conversion", quantity.text, asked=(RewrittenValue(quantity.text, -1.0),), way="sense")
 
 
 def _throughout(scene: Scene) -> Iterator[Rewrite]:
@@ -76,7 +76,9 @@ def _throughout(scene: Scene) -> Iterator[Rewrite]:
     if velocity and acceleration:
         ways["paper", "1/μ_v, 1/μ_a"] = 1 / velocity, 1 / acceleration
     for (way, form), each in ways.items():
-        values = (Written(text, factor) for texts, factor in zip(kinds.values(), each, strict=True) for text in texts)
+        values = (
+            RewrittenValue(text, factor) for texts, factor in zip(kinds.values(), each, strict=True) for text in texts
+        )
         yield Rewrite("conversion", ", ".join(kinds), form, asked=tuple(values), way=way)
 
 

@@ -29,13 +29,28 @@ from graphkin.model.pairs.gear import Gear
 from graphkin.model.pairs.line import Line
 from graphkin.model.pairs.pair import Circle, Pair, Rod, Rolling, Slot, pin_name, rod_name, start_name
 from graphkin.model.pairs.revolute import Revolute
-from graphkin.model.pairs.roll import Roll
+from graphkin.model.pairs.roll import RollingContact
 from graphkin.model.pairs.slide import Slide
 
 __all__ = [
-    "PAIRS", "Cam", "Circle", "CircularSlot", "Gear", "Line", "Pair", "Profile", "Revolute", "Rod", "Roll", "Rolling",
-    "Slide", "Slot", "pin_name", "rod_name", "start_name",
+    "PAIRS",
+    "Cam",
+    "Circle",
+    "CircularSlot",
+    "Gear",
+    "Line",
+    "Pair",
+    "Profile",
+    "Revolute",
+    "Rod",
+    "Rolling",
+    "RollingContact",
+    "Slide",
+    "Slot",
+    "pin_name",
+    "rod_name",
+    "start_name",
 ]  # fmt: skip
 
-PAIRS: tuple[type[Pair], ...] = (Revolute, Slide, CircularSlot, Gear, Roll, Cam)
+PAIRS: tuple[type[Pair], ...] = (Revolute, Slide, CircularSlot, Gear, RollingContact, Cam)
 """The kinds, in the order in which a mechanism lists its pairs. Every table that depends on kinds has exactly these."""

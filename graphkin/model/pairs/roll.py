@@ -10,7 +10,7 @@ from graphkin.model.pairs.pair import Circle, Pair, Rod, Rolling, Slot, centre_d
 
 
 @frozen
-class Roll(Pair):
+class RollingContact(Pair):
     """One `[[roll]]`; lengths in metres.
 
     line                            the track, for a wheel on a line (`left`: its centre lies left of it), else None

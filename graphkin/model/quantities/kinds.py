@@ -29,7 +29,7 @@ class Answer:
 
 
 @frozen
-class Kind:
+class QuantityBase:
     """The base of all quantities: each can be asked of any motions.
 
     word, of   as they are written: `a_k` and `B3B2`
@@ -90,7 +90,7 @@ class Kind:
 
 
 @frozen
-class Rotation(Kind):
+class Rotation(QuantityBase):
     """`theta 3`, `omega 3`, `alpha 3`."""
 
     link: str
@@ -108,7 +108,7 @@ class Rotation(Kind):
 
 
 @frozen
-class Displacement(Kind):
+class Displacement(QuantityBase):
     """`s ram`: of a sliding pair, or of the centre of a wheel that rolls on a line."""
 
     slide: str
@@ -122,7 +122,7 @@ class Displacement(Kind):
 
 
 @frozen
-class Place(Kind):
+class Place(QuantityBase):
     """`x E`, `y E`: where a point is, in the frame's axes."""
 
     axis: Axis
@@ -141,7 +141,7 @@ class Place(Kind):
 
 
 @frozen
-class Track(Kind):
+class Track(QuantityBase):
     """`path E`: where a point is, in the frame's axes; over a motion, its path."""
 
     site: Seen
@@ -168,7 +168,7 @@ class Track(Kind):
 
 
 @frozen
-class Moving(Kind):
+class Moving(QuantityBase):
     """`v E`, `a CB`, `a_k B3B2`: a vector; of a point, or of one seen from another, or a part of that.
 
     seen_from  the other point
@@ -213,7 +213,7 @@ class Moving(Kind):
 
 
 @frozen
-class Component(Kind):
+class Component(QuantityBase):
     """`v_x E`, `a_y CB`: of a vector along one of the frame's axes."""
 
     axis: Axis
@@ -240,7 +240,7 @@ class Component(Kind):
 
 
 @frozen
-class Centre(Kind):
+class Centre(QuantityBase):
     """`P13`: where the instant centre of two links is; at infinity that is infinite."""
 
     links: tuple[str, str]
@@ -273,7 +273,7 @@ class Centre(Kind):
 
 
 @frozen
-class Quotient(Kind):
+class Quotient(QuantityBase):
     """`omega 3/omega 1`: of two quantities of one unit; `word` and `of` are their texts."""
 
     top: Quantity

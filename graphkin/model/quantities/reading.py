@@ -20,7 +20,7 @@ from graphkin.errors import (
 )
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import Seen, pair, seen
-from graphkin.model.pairs import Roll, Slide
+from graphkin.model.pairs import RollingContact, Slide
 from graphkin.model.quantities.kinds import (
     Centre,
     Component,
@@ -164,7 +164,7 @@ def _rotation(mechanism: Mechanism, where: Where, word: str, of: str) -> Rotatio
 
 def _displacement(mechanism: Mechanism, where: Where, of: str) -> Displacement | None:
     """Of a sliding pair, or of a wheel on a line; that of a wheel on a circle is only shown."""
-    way = {pair.name: pair.path for pair in mechanism.pairs if isinstance(pair, Slide | Roll)}
+    way = {pair.name: pair.path for pair in mechanism.pairs if isinstance(pair, Slide | RollingContact)}
     if of not in way:
         raise UnknownSlide(where, of, tuple(way))
     return Displacement("s", of, of) if way[of] is not None else None

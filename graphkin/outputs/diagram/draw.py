@@ -13,8 +13,8 @@ from graphkin.model.quantities import EDGE, IN_GRAVITY
 from graphkin.outputs.diagram import words
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import has_chinese, typeset, writable
-from graphkin.outputs.diagram.notes import Drawn, note_peaks
-from graphkin.outputs.diagram.panels import Axis, Panel, division, labels_of, limits, panels
+from graphkin.outputs.diagram.notes import DrawnPanel, note_peaks
+from graphkin.outputs.diagram.panels import Axis, CurvePanel, division, labels_of, limits, panels
 from graphkin.say.catalogue import say
 from graphkin.sheet.lettering import Label, width
 
@@ -75,7 +75,7 @@ def draw(found: Curves, lang: Lang) -> Figure:
     return page
 
 
-def _legend_rows(found: Curves, panel: Panel) -> int:
+def _legend_rows(found: Curves, panel: CurvePanel) -> int:
     """Rows of a legend: as wide as its labels, with their samples of a line, are."""
     size = sum(width(_label(found, k), 9 * POINT) + 15.0 for axis in panel.axes for k in axis.curves)
     return max(1, math.ceil(size / (WIDTH - LEFT - 2 * SIDE - 30.0)))
@@ -110,8 +110,8 @@ def _head(page: Figure, found: Curves, lang: Lang, total: float) -> None:
 
 
 def _panel(
-    page: Figure, found: Curves, panel: Panel, lang: Lang, place: tuple[float, float], rows: int, last: bool
-) -> Drawn:
+    page: Figure, found: Curves, panel: CurvePanel, lang: Lang, place: tuple[float, float], rows: int, last: bool
+) -> DrawnPanel:
     """Axes, curves and legend of one panel; `place`: where its lower edge is and how high it is, of the page."""
     low, high = place
     first = page.add_axes((LEFT / WIDTH, low, 1 - (LEFT + PLAIN_RIGHT) / WIDTH, high), label=panel.kind)
@@ -127,7 +127,7 @@ def _panel(
             k += 1
     _legend(first, panel, lang, [lines[k] for k in lines], rows)
     _thin_lines(first, found, panel)
-    return Drawn(panel, tuple(sides), lines)
+    return DrawnPanel(panel, tuple(sides), lines)
 
 
 def _curve(side: Axes, found: Curves, k: int, style: tuple[str, Any]) -> Any:
@@ -176,7 +176,7 @@ def _plain_spines(side: Any) -> None:
         spine.set_linewidth(THIN / POINT)
 
 
-def _acceleration_in_g(sides: Sequence[Axes], panel: Panel, lang: Lang) -> None:
+def _acceleration_in_g(sides: Sequence[Axes], panel: CurvePanel, lang: Lang) -> None:
     """A second scale for accelerations of points, in multiples of the standard gravity."""
     if panel.axes[-1].unit != "m/s^2":
         return
@@ -206,7 +206,7 @@ def _across(first: Axes, found: Curves, lang: Lang, last: bool) -> None:
         first.set_xlabel(words.across(course, lang), labelpad=3)
 
 
-def _thin_lines(first: Axes, found: Curves, panel: Panel) -> None:
+def _thin_lines(first: Axes, found: Curves, panel: CurvePanel) -> None:
     """The zero line, and upright lines where the driver stops and at change points."""
     low, high = first.get_ylim()
     if low < 0 < high and (panel.kind != "position" or len(panel.axes) == 1):
@@ -217,7 +217,7 @@ def _thin_lines(first: Axes, found: Curves, panel: Panel) -> None:
         first.axvline(place, color="black", linewidth=THIN / POINT, zorder=1.5, linestyle=(0, (12, 3, 2, 3)))
 
 
-def _legend(first: Axes, panel: Panel, lang: Lang, lines: Sequence[Any], rows: int) -> None:
+def _legend(first: Axes, panel: CurvePanel, lang: Lang, lines: Sequence[Any], rows: int) -> None:
     """What is shown, and which line is which; above the panel, so that it never hides a curve."""
     first.set_title(say(f"diagrams.panel {panel.kind}", lang), loc="left", fontsize=9, pad=4, y=1.0)
     first.legend(
@@ -227,7 +227,7 @@ def _legend(first: Axes, panel: Panel, lang: Lang, lines: Sequence[Any], rows: i
     )  # fmt: skip
 
 
-def _fit_sides(page: Figure, drawn: Sequence[Drawn]) -> None:
+def _fit_sides(page: Figure, drawn: Sequence[DrawnPanel]) -> None:
     """All panels equally wide, with room for what is written beside them."""
     for _ in range(2):
         page.draw_without_rendering()

@@ -12,7 +12,7 @@ from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE
 from graphkin.outputs.diagram import words
 from graphkin.outputs.diagram.curves import Curves, Peak
-from graphkin.outputs.diagram.panels import Panel
+from graphkin.outputs.diagram.panels import CurvePanel
 from graphkin.outputs.diagram.place import Note, arrange, paths_of
 from graphkin.running.path import Event
 
@@ -26,15 +26,15 @@ THIN_PT = 0.18 * 72 / 25.4
 
 
 @frozen
-class Drawn:
+class DrawnPanel:
     """A panel that is drawn: its axes, and the line of each curve by its number."""
 
-    panel: Panel
+    panel: CurvePanel
     sides: tuple[Axes, ...]
     lines: Mapping[int, Any]
 
 
-def note_peaks(page: Figure, found: Curves, drawn: Sequence[Drawn], lang: Lang) -> None:
+def note_peaks(page: Figure, found: Curves, drawn: Sequence[DrawnPanel], lang: Lang) -> None:
     """Write at every panel, once all is where it stays."""
     page.draw_without_rendering()
     for panel in drawn:
@@ -51,7 +51,7 @@ def _pixels(line: Any) -> np.ndarray:
     return np.asarray(line.get_transform().transform(np.column_stack(line.get_data())))
 
 
-def _straight(drawn: Drawn) -> list[Any]:
+def _straight(drawn: DrawnPanel) -> list[Any]:
     """The zero line and the upright lines [pixels]."""
     lines = [line for line in drawn.sides[0].lines if line not in drawn.lines.values()]
     return [path for line in lines for path in paths_of(_pixels(line))]
@@ -60,7 +60,7 @@ def _straight(drawn: Drawn) -> list[Any]:
 # --- greatest and least values ----------------------------------------------------------------
 
 
-def _write_peaks(page: Figure, found: Curves, drawn: Drawn, paths: Sequence[Any], taken: Sequence[Bbox]) -> None:
+def _write_peaks(page: Figure, found: Curves, drawn: DrawnPanel, paths: Sequence[Any], taken: Sequence[Bbox]) -> None:
     top, frame, point = drawn.sides[-1], drawn.sides[0].bbox, page.dpi / 72
     texts, notes = [], []
     for k, place, peak, text in _peaks(found, drawn):
@@ -76,7 +76,7 @@ def _write_peaks(page: Figure, found: Curves, drawn: Drawn, paths: Sequence[Any]
         _put(top, written, note, box, led)
 
 
-def _peaks(found: Curves, drawn: Drawn) -> Iterator[tuple[int, tuple[float, float], Peak, str]]:
+def _peaks(found: Curves, drawn: DrawnPanel) -> Iterator[tuple[int, tuple[float, float], Peak, str]]:
     """(curve, place in its axes, peak, text) of all extremes in a panel."""
     across = EDGE[found.course.unit].factor
     for k in drawn.lines:
@@ -102,7 +102,13 @@ def _put(top: Axes, text: Any, note: Note, box: Bbox, led: bool) -> None:
 
 
 def _name_event(
-    page: Figure, drawn: Drawn, found: Curves, event: Event, paths: Sequence[Any], taken: Sequence[Bbox], lang: Lang
+    page: Figure,
+    drawn: DrawnPanel,
+    found: Curves,
+    event: Event,
+    paths: Sequence[Any],
+    taken: Sequence[Bbox],
+    lang: Lang,
 ) -> Bbox:
     """The word along an upright line, at the height and on the side where it hides least of the curves."""
     from matplotlib.transforms import Bbox

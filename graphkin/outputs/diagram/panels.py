@@ -32,14 +32,14 @@ class Axis:
 
 
 @frozen
-class Panel:
+class CurvePanel:
     """Curves that stand together: one axis, or one on each side."""
 
     kind: str
     axes: tuple[Axis, ...]
 
 
-def panels(units: Mapping[int, str]) -> tuple[Panel, ...]:
+def panels(units: Mapping[int, str]) -> tuple[CurvePanel, ...]:
     """Position above velocity above acceleration, quotients last; too many curves are shared out evenly.
 
     units  of the curves, by their numbers
@@ -47,25 +47,25 @@ def panels(units: Mapping[int, str]) -> tuple[Panel, ...]:
     return tuple(panel for number, kind in enumerate(KINDS) for panel in _of_kind(kind, number, units))
 
 
-def _of_kind(kind: str, number: int, units: Mapping[int, str]) -> Iterator[Panel]:
+def _of_kind(kind: str, number: int, units: Mapping[int, str]) -> Iterator[CurvePanel]:
     groups: dict[str, list[int]] = {}
     for k, unit in sorted(units.items(), key=lambda entry: (_PLACE.get(entry[1], (3, 1))[1], entry[0])):
         if _PLACE.get(unit, (3, 1))[0] == number:
             groups.setdefault(unit, []).append(k)
     if len(groups) <= 2 and sum(map(len, groups.values())) <= MOST:
         if groups:
-            yield Panel(kind, tuple(Axis(unit, tuple(group)) for unit, group in groups.items()))
+            yield CurvePanel(kind, tuple(Axis(unit, tuple(group)) for unit, group in groups.items()))
         return
     for unit, group in groups.items():
         size = math.ceil(len(group) / math.ceil(len(group) / MOST))
         for begin in range(0, len(group), size):
-            yield Panel(kind, (Axis(unit, tuple(group[begin : begin + size])),))
+            yield CurvePanel(kind, (Axis(unit, tuple(group[begin : begin + size])),))
 
 
 # --- scales -----------------------------------------------------------------------------------
 
 
-def limits(found: Curves, panel: Panel) -> list[tuple[float, float]]:
+def limits(found: Curves, panel: CurvePanel) -> list[tuple[float, float]]:
     """Least and greatest value of each axis, as shown; the zeros of two axes of a panel lie on one line."""
     ends = [_ends(found, axis, with_zero=panel.kind != "position") for axis in panel.axes]
     if panel.kind != "position":

@@ -14,7 +14,7 @@ from graphkin.model.mechanism import FRAME, Driver
 from graphkin.outputs.geogebra.fitted import Nearly
 from graphkin.outputs.geogebra.formulas import grouped
 from graphkin.outputs.geogebra.protocol import BLACK, Colour, Protocol
-from graphkin.outputs.geogebra.state import Drives, State
+from graphkin.outputs.geogebra.state import Drives, GeogebraState
 from graphkin.outputs.geogebra.steps import Draughtsman
 from graphkin.planning import Method
 from graphkin.sheet.lettering import Label, point_label, vector_label
@@ -54,7 +54,9 @@ def ggb(method: Method, plot: Plot, scales: Mapping[Plane, float], lang: Lang) -
     protocol = Protocol()
     origins = _origins(method, plot, scales)
     drives = _drives(method, protocol, _below(method, plot, scales))
-    state = State(protocol, plot.facts, drives, scales, {link: float(angle) for link, angle in plot.theta.items()})
+    state = GeogebraState(
+        protocol, plot.facts, drives, scales, {link: float(angle) for link, angle in plot.theta.items()}
+    )
     nearly = Nearly.of(method, protocol, drives.values[0]) if fitted else None
     for construction in method.constructions:
         plane = construction.plane
@@ -137,7 +139,7 @@ def _captions(method: Method, construction: Construction) -> Iterator[tuple[str,
             yield name, written(point_label(name))
 
 
-def _links(method: Method, state: State, plot: Plot) -> None:
+def _links(method: Method, state: GeogebraState, plot: Plot) -> None:
     """The sides of every moving link between its named points, and the lines of its guides."""
     points, machine = state.points["position"], method.mechanism
     for link in machine.moving:
@@ -161,7 +163,7 @@ def _sides(places: list[complex]) -> list[tuple[int, int]]:
     return list(zip(around, (*around[1:], around[0]), strict=True))
 
 
-def _vectors(method: Method, construction: Construction, plot: Plot, state: State) -> None:
+def _vectors(method: Method, construction: Construction, plot: Plot, state: GeogebraState) -> None:
     """The arrows of the sheet's polygon."""
     points, plane = state.points[construction.plane], construction.plane
     for arrow in arrows(method.mechanism, construction, plot.points(plane)):
@@ -170,7 +172,7 @@ def _vectors(method: Method, construction: Construction, plot: Plot, state: Stat
             state.protocol.vector(caption, points[arrow.tail], points[arrow.head], _COLOURS[plane])
 
 
-def _notes(method: Method, plot: Plot, state: State, origins: Mapping[Plane, complex]) -> None:
+def _notes(method: Method, plot: Plot, state: GeogebraState, origins: Mapping[Plane, complex]) -> None:
     """The scales, and how every link turns, over the polygons."""
     for plane in PLANES:
         top = max(complex(at).imag / state.scales[plane] for at in plot.points(plane).values())

@@ -13,9 +13,9 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.construction import Arm, Closure, Fit, slide_key
-from graphkin.outputs.geogebra.formulas import Pair, between, known, value
+from graphkin.outputs.geogebra.formulas import FormulaPair, between, known, value
 from graphkin.outputs.geogebra.protocol import Protocol
-from graphkin.outputs.geogebra.state import State
+from graphkin.outputs.geogebra.state import GeogebraState
 from graphkin.planning import Method
 from graphkin.running.path import along, turned
 from graphkin.studies.sweeps import course
@@ -73,7 +73,7 @@ def unknowns_of(step: Fit) -> tuple[str, ...]:
     return (*step.angles, *map(slide_key, step.slides))
 
 
-def settle(step: Fit, state: State, trial: Mapping[str, str]) -> None:
+def settle(step: Fit, state: GeogebraState, trial: Mapping[str, str]) -> None:
     """Take the links as they lie at a trial, by label."""
     for base in step.angles:
         state.settle(0, base, trial[base], counted=True)
@@ -81,13 +81,13 @@ def settle(step: Fit, state: State, trial: Mapping[str, str]) -> None:
         state.displace(0, slide, trial[slide_key(slide)])
 
 
-def closure_rows(closure: Closure, state: State) -> Iterator[Row]:
+def closure_rows(closure: Closure, state: GeogebraState) -> Iterator[Row]:
     """What is left open of a way round, along x and along y, and what each unknown does to it [m]."""
     points = state.points["position"]
     gap = known(0j)
     if not closure.floats:
         gap = between(points[closure.end], points[closure.start]).times(value(state.scales["position"]))
-    slopes: dict[str, Pair] = {}
+    slopes: dict[str, FormulaPair] = {}
     for part in closure.parts:
         if isinstance(part, Arm):
             shape, link = state.facts.shapes[part.link], part.link

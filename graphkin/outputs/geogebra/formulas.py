@@ -51,38 +51,38 @@ def product(one: str, other: str) -> str:
 
 
 @frozen
-class Pair:
+class FormulaPair:
     """A vector of the plane: two formulas, x and y."""
 
     x: str
     y: str
 
-    def __add__(self, other: Pair) -> Pair:
-        return Pair(plus(self.x, other.x), plus(self.y, other.y))
+    def __add__(self, other: FormulaPair) -> FormulaPair:
+        return FormulaPair(plus(self.x, other.x), plus(self.y, other.y))
 
-    def times(self, factor: str) -> Pair:
+    def times(self, factor: str) -> FormulaPair:
         """Longer by a factor."""
-        return Pair(product(factor, self.x), product(factor, self.y))
+        return FormulaPair(product(factor, self.x), product(factor, self.y))
 
     @property
-    def turned(self) -> Pair:
+    def turned(self) -> FormulaPair:
         """By 90 deg, counter-clockwise."""
-        return Pair(minus("0", self.y), self.x)
+        return FormulaPair(minus("0", self.y), self.x)
 
-    def by(self, other: Pair) -> Pair:
+    def by(self, other: FormulaPair) -> FormulaPair:
         """The product of complex numbers."""
         across, along = product(self.y, other.y), product(self.x, other.x)
-        return Pair(minus(along, across), plus(product(self.x, other.y), product(self.y, other.x)))
+        return FormulaPair(minus(along, across), plus(product(self.x, other.y), product(self.y, other.x)))
 
     @property
     def square(self) -> str:
         """The square of its length."""
         return self.dot(self)
 
-    def dot(self, other: Pair) -> str:
+    def dot(self, other: FormulaPair) -> str:
         return plus(product(self.x, other.x), product(self.y, other.y))
 
-    def cross(self, other: Pair) -> str:
+    def cross(self, other: FormulaPair) -> str:
         """Positive where the other is counter-clockwise of it."""
         return minus(product(self.x, other.y), product(self.y, other.x))
 
@@ -96,20 +96,20 @@ class Pair:
         return f"({self.x}, {self.y})"
 
 
-NOTHING = Pair("0", "0")
+NOTHING = FormulaPair("0", "0")
 
 
-def known(number: complex) -> Pair:
-    return Pair(value(number.real), value(number.imag))
+def known(number: complex) -> FormulaPair:
+    return FormulaPair(value(number.real), value(number.imag))
 
 
-def along(angle: str) -> Pair:
+def along(angle: str) -> FormulaPair:
     """The unit vector at an angle [rad]."""
     if _NUMBER.fullmatch(angle):
         return known(cmath.rect(1.0, float(angle)))
-    return Pair(f"cos({angle})", f"sin({angle})")
+    return FormulaPair(f"cos({angle})", f"sin({angle})")
 
 
-def between(tail: str, head: str) -> Pair:
+def between(tail: str, head: str) -> FormulaPair:
     """From a point to a point, both by label."""
-    return Pair(minus(f"x({head})", f"x({tail})"), minus(f"y({head})", f"y({tail})"))
+    return FormulaPair(minus(f"x({head})", f"x({tail})"), minus(f"y({head})", f"y({tail})"))

@@ -31,7 +31,7 @@ from graphkin.construction import (
 )
 from graphkin.outputs.geogebra.formulas import (
     NOTHING,
-    Pair,
+    FormulaPair,
     along,
     between,
     grouped,
@@ -55,7 +55,7 @@ class Drives:
     accelerations: tuple[str, ...]
 
 
-class State:
+class GeogebraState:
     """Labels of points by plane, formulas of turns by base link and of displacements by slide.
 
     scales  SI units to a unit of the drawing [1/mm]; near  angles by base link [rad] at the drawn position
@@ -100,26 +100,26 @@ class State:
 
     # --- arrows ---
 
-    def arm(self, tail: str, head: str) -> Pair:
+    def arm(self, tail: str, head: str) -> FormulaPair:
         """Between two points of the mechanism [m]."""
         points = self.points["position"]
         return between(points[tail], points[head]).times(value(self.scales["position"]))
 
-    def direction_of(self, link: str) -> Pair:
+    def direction_of(self, link: str) -> FormulaPair:
         """The unit vector along a link's own x axis."""
         return self.bound(along(self.turn(link, 0)))
 
-    def guide(self, slide: str) -> Pair:
+    def guide(self, slide: str) -> FormulaPair:
         """Unit vector of a slide's line."""
         link, _, direction = self.facts.lines[slide]
         return along(self.turn(link, 0, cmath.phase(direction)))
 
-    def slide_line(self, slide: str) -> Pair:
+    def slide_line(self, slide: str) -> FormulaPair:
         """Unit vector of a slide's line, in the axes of its guide's base link."""
         link, _, direction = self.facts.lines[slide]
         return along(self.relative(link, 0, cmath.phase(direction)))
 
-    def span(self, span: Span, without: str = "") -> Pair:
+    def span(self, span: Span, without: str = "") -> FormulaPair:
         """Arms and displacements end to end, in the axes of their base link [m]; `without` one slide's."""
         total = NOTHING
         for part in span.parts:
@@ -135,7 +135,7 @@ class State:
         link = part.link if isinstance(part, Arm) else self.facts.lines[part.slide][0]
         return self.facts.turns[link].base
 
-    def arrow(self, size: Size, plane: Plane) -> Pair:
+    def arrow(self, size: Size, plane: Plane) -> FormulaPair:
         """A known term [SI]."""
         order = ORDERS[plane]
         match size:
@@ -165,7 +165,7 @@ class State:
             case _:
                 assert_never(size)
 
-    def direction(self, direction: Direction) -> tuple[Pair, bool]:
+    def direction(self, direction: Direction) -> tuple[FormulaPair, bool]:
         """A direction, and whether it is at right angles to what is given."""
         match direction:
             case Along(tail, head):
@@ -182,7 +182,7 @@ class State:
             case _:
                 assert_never(direction)
 
-    def swing(self, span: Span, slide: str, way: Pair, side: int) -> str:
+    def swing(self, span: Span, slide: str, way: FormulaPair, side: int) -> str:
         """The displacement at which a link's line passes where it must, settled; and the angle's formula."""
         line = self.slide_line(slide)
         if Slid(slide) not in span.parts:
@@ -193,9 +193,9 @@ class State:
         self.displace(0, slide, minus(product(str(side), half), line.dot(fixed)))
         return minus(way.angle, self.bound(self.span(span)).angle)
 
-    def bound(self, pair: Pair) -> Pair:
+    def bound(self, pair: FormulaPair) -> FormulaPair:
         """The same by the labels of two numbers, so that formulas stay short."""
-        return Pair(self.protocol.number(pair.x), self.protocol.number(pair.y))
+        return FormulaPair(self.protocol.number(pair.x), self.protocol.number(pair.y))
 
 
 def _rounded(angle: float) -> float:

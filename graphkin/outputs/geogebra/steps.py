@@ -27,9 +27,9 @@ from graphkin.construction import (
     slide_key,
 )
 from graphkin.outputs.geogebra.fitted import ROUNDS, Nearly, Row, closure_rows, settle, unknowns_of
-from graphkin.outputs.geogebra.formulas import NOTHING, Pair, between, grouped, minus, plus, product, value
+from graphkin.outputs.geogebra.formulas import NOTHING, FormulaPair, between, grouped, minus, plus, product, value
 from graphkin.outputs.geogebra.protocol import Colour, Protocol
-from graphkin.outputs.geogebra.state import ORDERS, State
+from graphkin.outputs.geogebra.state import ORDERS, GeogebraState
 
 
 @frozen
@@ -42,7 +42,7 @@ class Draughtsman:
 
     construction: Construction
     plot: Plot
-    state: State
+    state: GeogebraState
     captions: Mapping[str, str]
     colour: Colour
     origin: complex
@@ -161,10 +161,10 @@ class Draughtsman:
         shape = self.state.facts.shapes[step.link]
         if all(corner in shape for corner in step.corners):
             ratio = (shape[third] - shape[first]) / (shape[second] - shape[first])
-            new = between(start, end).by(Pair(value(ratio.real), value(ratio.imag)))
+            new = between(start, end).by(FormulaPair(value(ratio.real), value(ratio.imag)))
         else:
             side, arm = (self.state.bound(self.state.arm(first, other)) for other in (second, third))
-            turned = Pair(side.dot(arm), side.cross(arm)).times(f"1 / {grouped(side.square)}")
+            turned = FormulaPair(side.dot(arm), side.cross(arm)).times(f"1 / {grouped(side.square)}")
             new = between(start, end).by(self.state.bound(turned))
         self._point(step.point, f"{start} + {new.point}")
 
@@ -262,7 +262,7 @@ class Draughtsman:
 
     def _chain(self, chain: Chain) -> Iterator[Row]:
         """A closed chain of arrows along x and along y."""
-        known, arrows = NOTHING, dict[str, Pair]()
+        known, arrows = NOTHING, dict[str, FormulaPair]()
         for size, sign in chain.known:
             known += self.state.arrow(size, self.plane).times(str(sign))
         for unknown in chain.unknown:

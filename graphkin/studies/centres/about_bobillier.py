@@ -22,8 +22,8 @@ from graphkin.construction.drafting import (
     Board,
     CarriedAngle,
     Drafting,
+    DraftMeet,
     Far,
-    Meet,
     Pricked,
     Stage,
     Through,
@@ -217,10 +217,10 @@ def _stages(
 ) -> Iterator[Stage]:
     a, b, a0, b0 = first.point, second.point, first.written, second.written
     q, qc = crossings
-    yield Stage("P", (Through("ray a", a, a0), Through("ray b", b, b0), Meet(pole, "ray a", "ray b")))
-    yield Stage("Q", (Through("line ab", a, b), Through("line a0b0", a0, b0), Meet(q, "line ab", "line a0b0")))
+    yield Stage("P", (Through("ray a", a, a0), Through("ray b", b, b0), DraftMeet(pole, "ray a", "ray b")))
+    yield Stage("Q", (Through("line ab", a, b), Through("line a0b0", a0, b0), DraftMeet(q, "line ab", "line a0b0")))
     yield Stage("axis", (Through("axis", pole, q),))
     yield Stage("ray c", (Through("ray c", pole, c),))
     yield Stage("axis c", (CarriedAngle("axis c", pole, "axis", "ray b", "ray c"),))
-    yield Stage("Qc", (Through("line ac", a, c), Meet(qc, "line ac", "axis c")))
-    yield Stage("K", (Through("line a0qc", a0, qc), Meet(answer, "line a0qc", "ray c")))
+    yield Stage("Qc", (Through("line ac", a, c), DraftMeet(qc, "line ac", "axis c")))
+    yield Stage("K", (Through("line a0qc", a0, qc), DraftMeet(answer, "line a0qc", "ray c")))

@@ -16,7 +16,7 @@ from graphkin.construction.drafting import Board, draw
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
 from graphkin.proof.readings import readings
-from graphkin.running.path import Path, along, stride
+from graphkin.running.path import DriverPath, along, stride
 from graphkin.studies.centres.instant_centres import Centres
 from graphkin.studies.centres.underlay import board_over, from_velocities, pole_name
 
@@ -27,7 +27,7 @@ ASIDE_DEG, ASIDE_PART = 0.05, 0.001
 """Neighbours of a change point, and how far apart they stand [deg, of the mechanism's size]."""
 
 
-def over(found: Centres, path: Path, t: np.ndarray) -> Centres:
+def over(found: Centres, path: DriverPath, t: np.ndarray) -> Centres:
     """The same centres at other positions t (n,) on a way.
 
     Drivers move as the way goes, whatever their speeds are: with several of them the centres hang on that. At a change
@@ -45,7 +45,7 @@ def over(found: Centres, path: Path, t: np.ndarray) -> Centres:
     return there
 
 
-def _aside(found: Centres, path: Path, centre: float) -> float:
+def _aside(found: Centres, path: DriverPath, centre: float) -> float:
     """How far from a change point the neighbours stand, which no other change point or stop is near."""
     others = [abs(event.at - centre) for event in (*path.changes, *path.stops) if event.at != centre]
     return min(stride(found.method, path.pace, ASIDE_DEG, ASIDE_PART), min(others, default=np.inf) / 10)
@@ -62,7 +62,7 @@ def _led_to(board: Board, beside: Board, name: str, rows: np.ndarray, x: np.ndar
     board.points[name] = seen
 
 
-def _drawn(found: Centres, path: Path, t: np.ndarray) -> Centres:
+def _drawn(found: Centres, path: DriverPath, t: np.ndarray) -> Centres:
     method, centring = found.method, found.centring
     plot = along(method, path, t)
     plot = replace(plot, facts=replace(plot.facts, rates=path.pace))

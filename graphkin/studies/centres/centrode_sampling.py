@@ -32,7 +32,7 @@ class Sample:
 
 
 @frozen
-class Piece:
+class CentrodePiece:
     """An unbroken part of the curves: t (n,) and the places in each axes (k, n) [m]; each second t is a middle."""
 
     t: np.ndarray
@@ -40,7 +40,7 @@ class Piece:
     closed: bool = False
 
 
-def pieces(at: Callable[[np.ndarray], Sample], low: float, high: float, size: float, far: float) -> list[Piece]:
+def pieces(at: Callable[[np.ndarray], Sample], low: float, high: float, size: float, far: float) -> list[CentrodePiece]:
     """The curves from t = low to high, as far as the centre lies within `far` [m] of the fixed point."""
     sample = at(np.linspace(low, high, 2 * FIRST + 1))
     for _ in range(DEEPEST):
@@ -90,14 +90,14 @@ def _halved(at: Callable[[np.ndarray], Sample], sample: Sample, coarse: np.ndarr
     )  # fmt: skip
 
 
-def _cut(sample: Sample, far: float) -> list[Piece]:
+def _cut(sample: Sample, far: float) -> list[CentrodePiece]:
     """Runs of cells that lie inside, cut between positions on two sides of infinity."""
     first, mid, last = _cells(_inside(sample, far))
     through = _through_infinity(sample.homogeneous)
     good = first & mid & last & ~through[::2] & ~through[1::2]
     edges = np.flatnonzero(np.diff(np.concatenate([[0], good.astype(int), [0]])))
     return [
-        Piece(sample.t[2 * a : 2 * b + 1], sample.places[:, 2 * a : 2 * b + 1])
+        CentrodePiece(sample.t[2 * a : 2 * b + 1], sample.places[:, 2 * a : 2 * b + 1])
         for a, b in zip(edges[::2], edges[1::2], strict=True)
     ]
 
@@ -110,14 +110,14 @@ def _through_infinity(homogeneous: np.ndarray) -> Marked:
         return before[2] * after[2] * way < 0
 
 
-def arc_length(piece: Piece, axes: int = 0) -> np.ndarray:
+def arc_length(piece: CentrodePiece, axes: int = 0) -> np.ndarray:
     """The length from the piece's first place to the end of each cell [m]: (cells + 1,), to the fourth order."""
     begin, middle, end = _cells(piece.places[axes])
     halves, chord = np.abs(middle - begin) + np.abs(end - middle), np.abs(end - begin)
     return np.concatenate([[0.0], np.cumsum((4 * halves - chord) / 3)])
 
 
-def joined(found: Sequence[Piece], turn: float, near: float) -> list[Piece]:
+def joined(found: Sequence[CentrodePiece], turn: float, near: float) -> list[CentrodePiece]:
     """Where the motion comes back to its beginning, the last piece goes on into the first.
 
     A single piece that meets itself is closed.
@@ -129,7 +129,7 @@ def joined(found: Sequence[Piece], turn: float, near: float) -> list[Piece]:
     if np.abs(first.places[:, 0] - last.places[:, -1]).max() > near:
         return list(found)
     if len(found) == 1:
-        return [Piece(first.t, first.places, closed=True)]
+        return [CentrodePiece(first.t, first.places, closed=True)]
     t = np.concatenate([last.t, first.t[1:] + turn])
     places = np.concatenate([last.places, first.places[:, 1:]], axis=1)
-    return [Piece(t, places), *found[1:-1]]
+    return [CentrodePiece(t, places), *found[1:-1]]

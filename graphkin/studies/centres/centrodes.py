@@ -16,10 +16,10 @@ from graphkin.errors import Where
 from graphkin.errors.centring import NoCentrode, UnknownCentre
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import centre_of
-from graphkin.running.path import Path, along
+from graphkin.running.path import DriverPath, along
 from graphkin.studies.centres.about import link_of
 from graphkin.studies.centres.centrode_places import carried_to, over
-from graphkin.studies.centres.centrode_sampling import Piece, Sample, arc_length, joined, pieces
+from graphkin.studies.centres.centrode_sampling import CentrodePiece, Sample, arc_length, joined, pieces
 from graphkin.studies.centres.instant_centres import Centres
 
 FAR = 25.0
@@ -35,7 +35,7 @@ class Coursed(Protocol):
     """What is needed of a course: the way, the positions asked for on it, whether the driver goes all round."""
 
     @property
-    def path(self) -> Path: ...
+    def path(self) -> DriverPath: ...
     @property
     def t(self) -> np.ndarray: ...
     @property
@@ -52,11 +52,11 @@ class Centrodes:
     """
 
     found: Centres
-    path: Path
+    path: DriverPath
     first: str
     second: str
     axes: tuple[str, ...]
-    pieces: tuple[Piece, ...]
+    pieces: tuple[CentrodePiece, ...]
     span: tuple[float, float]
 
     @property

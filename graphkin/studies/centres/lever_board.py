@@ -12,7 +12,7 @@ from typing import Literal
 
 from graphkin.base.geometry import unit
 from graphkin.base.value import Lazy, frozen
-from graphkin.construction.drafting import Board, Measure, MeasureAngle, Pricked, Reckon, Stage, Step, draw
+from graphkin.construction.drafting import Board, DraftMeasure, MeasureAngle, Pricked, Reckon, Stage, Step, draw
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.studies.centres.instant_centres import Centres
@@ -23,7 +23,7 @@ SCALE = "scale"
 
 
 @frozen
-class Number:
+class BoardNumber:
     """What a number on the board is the size of.
 
     kind   "omega" of a link, "against": of a link that turns against another, "speed" of a link that does not turn,
@@ -89,13 +89,13 @@ class LeverBoard:
     found: Centres
     scale: float = 0.0
     turning: dict[str, bool] = field(default_factory=dict)
-    meant: dict[str, Number] = field(default_factory=dict)
+    meant: dict[str, BoardNumber] = field(default_factory=dict)
     letters: dict[str, str] = field(default_factory=dict)
     stages: list[Stage] = field(default_factory=list)
     _steps: list[Step] = field(default_factory=list)
 
     def __post_init__(self) -> None:
-        self.know(SCALE, Number("scale"), self.scale or 1.0)
+        self.know(SCALE, BoardNumber("scale"), self.scale or 1.0)
         for link in (FRAME, *self.mechanism.moving):
             if self.found.together(FRAME, link):
                 self.move(link, False, 0.0)
@@ -135,7 +135,7 @@ class LeverBoard:
             return nan
         return self._with_sense(self.rate(link)) if self.turning[link] else 0.0
 
-    def turned(self, rate: Number) -> float:
+    def turned(self, rate: BoardNumber) -> float:
         """The same of a link, or of one against another."""
         return self._with_sense(f"{rate.kind} {rate.of} {rate.other}".rstrip())
 
@@ -165,7 +165,7 @@ class LeverBoard:
             return self._along(link)
         return complex(1j * self.omega(link) * (self.found.plot.position[point] - self.found.place(FRAME, link)))
 
-    def moved(self, velocity: Number, link: str) -> complex:
+    def moved(self, velocity: BoardNumber, link: str) -> complex:
         """Velocity of a point of a link [m/s], or of one point against another."""
         found = self.motions.velocity_at(velocity.of, link)
         return complex(found - self.motions.velocity_at(velocity.other, link) if velocity.other else found)
@@ -175,7 +175,7 @@ class LeverBoard:
         size = float(self.board.numbers[f"velocity {point} {link}"])
         return complex(size * unit(self._velocity(point, link))) if size else 0j
 
-    def know(self, name: str, meant: Number, value: float) -> str:
+    def know(self, name: str, meant: BoardNumber, value: float) -> str:
         """A number that is given."""
         self.board.numbers |= {name: abs(value), _sense(name): copysign(1.0, value)}
         self.meant[name] = meant
@@ -200,8 +200,8 @@ class LeverBoard:
     def length(self, first: str, second: str) -> str:
         """The ruler between two points of the board."""
         name = f"{first} to {second}"
-        self.meant[name] = Number("length", first, second)
-        return self.do(Measure(name, first, second))
+        self.meant[name] = BoardNumber("length", first, second)
+        return self.do(DraftMeasure(name, first, second))
 
     def angle(self, at: str, toward: str, to: str) -> str:
         """The protractor between two rays from a point of the board."""
@@ -225,7 +225,7 @@ class LeverBoard:
     def becomes(self, link: str, turns: bool = True) -> str:
         """The number that the motion of a link is about to be."""
         self.turning[link] = turns
-        self.meant[self.rate(link)] = Number("omega" if turns else "speed", link)
+        self.meant[self.rate(link)] = BoardNumber("omega" if turns else "speed", link)
         return self.rate(link)
 
     def summed(

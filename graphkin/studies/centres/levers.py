@@ -14,7 +14,7 @@ from itertools import pairwise
 
 from graphkin.construction.drafting import Far, Reckon, Stage, Traced
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
-from graphkin.studies.centres.lever_board import NEAR, SCALE, Lever, LeverBoard, Number, Sense
+from graphkin.studies.centres.lever_board import NEAR, SCALE, BoardNumber, Lever, LeverBoard, Sense
 from graphkin.studies.centres.lever_paths import LeverPaths
 
 
@@ -41,7 +41,7 @@ class Levers(LeverBoard):
             if self.found.finite(FRAME, driver.link) is not None:
                 self.move(driver.link, True, driver.rate)
             return []
-        name, meant = f"against {driver.link} {driver.from_link}", Number("against", driver.link, driver.from_link)
+        name, meant = f"against {driver.link} {driver.from_link}", BoardNumber("against", driver.link, driver.from_link)
         return [self._against(self.know(name, meant, driver.rate), driver.link, driver.from_link)]
 
     def _against(self, relative: str, link: str, other: str) -> Lever:
@@ -62,7 +62,7 @@ class Levers(LeverBoard):
     def _slid(self, driver: Driver) -> Iterator[Lever]:
         """A point driven along a fixed guide, omega = v_C / (P1jC mu_l), or along one that moves."""
         point, link, guide = driven_point(self.mechanism, driver)
-        meant = Number("velocity", point) if guide == FRAME else Number("slide", driver.link)
+        meant = BoardNumber("velocity", point) if guide == FRAME else BoardNumber("slide", driver.link)
         swapped = self.found.together(FRAME, link)
         speed = self.know("driven", meant, driver.rate if swapped else -driver.rate)
         across = self.do(Far("across the guide", self.do(Traced("guide", driver.link))))
@@ -76,7 +76,7 @@ class Levers(LeverBoard):
             yield self.summed("glides", guide, link, name, "same", speed, sense=sense)
         elif self.found.finite(link, guide) is not None:
             relative = f"against {link} {guide}"
-            self.meant[relative] = Number("against", link, guide)
+            self.meant[relative] = BoardNumber("against", link, guide)
             yield self._about("about", guide, link, relative, speed, across, shared, self.pricked(point))
             yield self._against(relative, link, guide)
         elif turns and seated:
@@ -143,7 +143,7 @@ class Levers(LeverBoard):
     def of_point(self, point: str, link: str) -> Lever:
         """v_E = omega P1jE mu_l, at right angles to P1jE."""
         name = f"velocity {point} {link}"
-        self.meant[name] = Number("velocity", point)
+        self.meant[name] = BoardNumber("velocity", point)
         if not self.turning[link]:
             return self.summed("point", link, link, name, "same", self.rate(link))
         arm = self.length(self.found.name(FRAME, link), self.pricked(point))
@@ -151,7 +151,7 @@ class Levers(LeverBoard):
 
     def of_pair(self, first: str, second: str, link: str) -> Lever:
         """v_CB = omega BC mu_l, of two points of a link."""
-        omega = self.know(f"omega {link}", Number("omega", link), self.omega(link))
+        omega = self.know(f"omega {link}", BoardNumber("omega", link), self.omega(link))
         arm, name = self.length(self.pricked(second), self.pricked(first)), f"pair {first} {second}"
-        self.meant[name] = Number("velocity", first, second)
+        self.meant[name] = BoardNumber("velocity", first, second)
         return self.summed("pair", link, link, name, "speed", omega, arm, SCALE)

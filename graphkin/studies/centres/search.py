@@ -22,9 +22,9 @@ from graphkin.construction import Plot, replay
 from graphkin.construction.drafting import (
     Board,
     Drafting,
+    DraftMeet,
     Far,
     LineStep,
-    Meet,
     Pricked,
     Stage,
     Through,
@@ -108,7 +108,7 @@ def search(method: Method, plot: Plot) -> tuple[Centring, Plot, Board]:
     Two lines that give a centre are chosen well apart for this position.
     """
     plot = _moving(method, plot)
-    found = _Search(method, plot, board_over(method, plot))
+    found = _CentreSearch(method, plot, board_over(method, plot))
     found.run()
     lines = {normal.name: normal for normal in normals(method.mechanism)}
     centring = Centring(Drafting({}, tuple(found.stages)), found.links, lines, tuple(found.missing))
@@ -124,7 +124,7 @@ def _moving(method: Method, plot: Plot) -> Plot:
 
 
 @dataclass
-class _Search:
+class _CentreSearch:
     """Centres found so far, by their pair of links.
 
     count   of centres that are known, by link
@@ -222,7 +222,7 @@ class _Search:
         if not apart[best] > clear:
             return None
         one, other = lines[first[best]][0], lines[second[best]][0]
-        return Stage("two lines", (one, other, Meet(self.named(pair), one.name, other.name)))
+        return Stage("two lines", (one, other, DraftMeet(self.named(pair), one.name, other.name)))
 
     def _ruled(self, pair: Pair, line: LineStep) -> Homogeneous:
         drawn = self.lines.setdefault(pair, {})

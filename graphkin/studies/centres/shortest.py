@@ -11,7 +11,7 @@ from itertools import combinations
 
 import numpy as np
 
-from graphkin.construction.drafting import Drafting, LineStep, Meet, Stage, drawn_through, ruled
+from graphkin.construction.drafting import Drafting, DraftMeet, LineStep, Stage, drawn_through, ruled
 from graphkin.construction.drafting.projective import product
 from graphkin.studies.centres.instant_centres import Centres
 from graphkin.studies.centres.search import WELL_APART, Centring, lines_to
@@ -33,7 +33,7 @@ def shortest(found: Centres, wanted: Collection[str]) -> Centring:
 def _ways(found: Centres) -> dict[str, Stage]:
     """By centre the stage that gives it: those by definition, then better and better ones until there are none."""
     stages = {stage.last.name: stage for stage in found.centring.stages}
-    direct = {name for name, stage in stages.items() if not isinstance(stage.last, Meet)}
+    direct = {name for name, stage in stages.items() if not isinstance(stage.last, DraftMeet)}
     weights = {name: _FROM_VELOCITIES if stages[name].say == "velocities" else 1 for name in direct}
     crossings = {name: [*_crossings(found, name)] for name in stages if name not in direct}
     hangs = _hanging(stages)
@@ -62,7 +62,7 @@ def _hanging(stages: Mapping[str, Stage]) -> dict[str, frozenset[str]]:
 
 
 def _ends(stage: Stage) -> set[str]:
-    lines = stage.lines if isinstance(stage.last, Meet) else ()
+    lines = stage.lines if isinstance(stage.last, DraftMeet) else ()
     return {end for line in lines for end in drawn_through(line)}
 
 
@@ -83,7 +83,7 @@ def _crossings(found: Centres, name: str) -> Iterator[Stage]:
     lines = [*_placed(found, name, known)]
     for (one, first), (other, second) in combinations(lines, 2):
         if float(np.linalg.norm(product(first, second))) > WELL_APART:
-            yield Stage("two lines", (one, other, Meet(name, one.name, other.name)))
+            yield Stage("two lines", (one, other, DraftMeet(name, one.name, other.name)))
 
 
 def _placed(

@@ -8,7 +8,7 @@ Each returns a `Design`: all solutions, those that only seem to be some, and the
 """
 
 from graphkin.studies.design.guide import guide_bar
-from graphkin.studies.design.model import Arc, Design, Family, Reason, Solution
+from graphkin.studies.design.model import CentreArc, Design, Family, Reason, Solution
 from graphkin.studies.design.pairs import angle_pairs
 from graphkin.studies.design.poses import coupler_positions, hinges
 from graphkin.studies.design.proof import linkage_of, proof
@@ -16,6 +16,6 @@ from graphkin.studies.design.rocker import rocker
 from graphkin.studies.design.slider import slider
 
 __all__ = [
-    "Arc", "Design", "Family", "Reason", "Solution", "angle_pairs", "coupler_positions", "guide_bar", "hinges",
+    "CentreArc", "Design", "Family", "Reason", "Solution", "angle_pairs", "coupler_positions", "guide_bar", "hinges",
     "linkage_of", "proof", "rocker", "slider",
 ]  # fmt: skip

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.studies.design.model import Arc, Family
+from graphkin.studies.design.model import CentreArc, Family
 
 _COUNT = 721
 """Directions looked at on an arc."""
@@ -62,29 +62,29 @@ def family(chord: Chord, side: float) -> Family:
     return Family(side, centre, radius, arcs, angle, at, a, b, d, e, chord.gamma(at), best)
 
 
-def _left(chord: Chord, arc: Arc) -> bool:
+def _left(chord: Chord, arc: CentreArc) -> bool:
     """Whether A is nearer to C1 than to C2 there; the other half mirrors it."""
     middle = cmath.rect(1, (arc.start + arc.end) / 2)
     return ((chord.second - chord.first).conjugate() * middle).real < 0
 
 
-def _inside(arc: Arc) -> Any:
+def _inside(arc: CentreArc) -> Any:
     """Directions inside an arc, denser towards its ends."""
     part = (1 - np.cos(np.linspace(0, math.pi, _COUNT + 2)[1:-1])) / 2
     return arc.start + (arc.end - arc.start) * part
 
 
-def _arcs(chord: Chord, side: float) -> list[Arc]:
+def _arcs(chord: Chord, side: float) -> list[CentreArc]:
     """The circle from C2 all around, cut at C1, C2, F and G. The axis of C1C2 passes between F and G."""
     centre, radius = chord.circle(side)
     cuts = [chord.first, chord.second, *_corners(chord, centre, radius)]
     start = cmath.phase(chord.second - centre)
     turns = sorted({round((cmath.phase(cut - centre) - start) % math.tau, 15) % math.tau for cut in cuts})
-    found: list[Arc] = []
+    found: list[CentreArc] = []
     for low, high in pairwise([*turns, math.tau]):
         if high - low > 1e-9:
             name = named(chord, side, centre + cmath.rect(radius, start + (low + high) / 2))
-            found.append(Arc(start + low, start + high, name))
+            found.append(CentreArc(start + low, start + high, name))
     return found
 
 
@@ -102,7 +102,7 @@ def named(chord: Chord, side: float, at: complex) -> str:
     return "FG" if chord.parted(at) else "admissible"
 
 
-def highest(size: Callable[[Any], Any], arc: Arc) -> tuple[float, float]:
+def highest(size: Callable[[Any], Any], arc: CentreArc) -> tuple[float, float]:
     """Where on an arc a function is largest, and that value: looked for in steps, then narrowed by golden section."""
     turns = [arc.start, *_inside(arc).tolist(), arc.end]
     k = 1 + int(np.argmax(size(np.array(turns[1:-1]))))
@@ -114,7 +114,7 @@ def highest(size: Callable[[Any], Any], arc: Arc) -> tuple[float, float]:
     return middle, float(size(middle))
 
 
-def roots(size: Callable[[Any], Any], arc: Arc) -> list[float]:
+def roots(size: Callable[[Any], Any], arc: CentreArc) -> list[float]:
     """Where on an arc a function is 0: between steps of different sign, halved until nothing is left."""
     peak, _ = highest(size, arc)
     turns = sorted([*_inside(arc).tolist(), peak])

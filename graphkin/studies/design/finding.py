@@ -10,8 +10,8 @@ from graphkin.construction.drafting import (
     Bisector,
     CircleAbout,
     CircleThrough,
+    DraftMeet,
     MarkOn,
-    Meet,
     Parallel,
     Perpendicular,
     Reckon,
@@ -30,7 +30,7 @@ def circle_stages(side: float) -> tuple[Stage, ...]:
     """P and the circle through C1, C2, P, on the near side of C1C2 (1) or beyond it (-1)."""
     corner = (
         Through("C1C2", "C1", "C2"), Reckon("rest", "complement", ("theta",)),
-        Slanted("C1P", "C1", "C2", "rest", -side), Perpendicular("C2P", "C2", "C1C2"), Meet("P", "C1P", "C2P"),
+        Slanted("C1P", "C1", "C2", "rest", -side), Perpendicular("C2P", "C2", "C1C2"), DraftMeet("P", "C1P", "C2P"),
     )  # fmt: skip
     return (
         Stage("corner" if side > 0 else "corner beyond", corner),
@@ -66,13 +66,13 @@ def _by_trial(turn: float, say: str) -> tuple[Stage, ...]:
 def _ways(name: str, side: float) -> Iterator[Stage]:
     """The pencil's ways to A for a condition; its mirror image in the axis of C1C2 gives the same linkage."""
     if name == "frame":
-        yield Stage("A by frame", (CircleAbout("reach", "D", "frame"), Meet("A", "locus", "reach", near="C1")))
+        yield Stage("A by frame", (CircleAbout("reach", "D", "frame"), DraftMeet("A", "locus", "reach", near="C1")))
     elif name == "offset":
         level = Parallel("level", "C1C2", "offset", -side)
-        yield Stage("A by offset", (level, Meet("A", "level", "locus", near="C1")))
+        yield Stage("A by offset", (level, DraftMeet("A", "level", "locus", near="C1")))
     elif name == "ac1":
         for near, far in (("", "C2"), ("C2", "")):
-            steps = (CircleAbout("reach", "C1", "ac1"), Meet("A", "locus", "reach", near=near, far=far))
+            steps = (CircleAbout("reach", "C1", "ac1"), DraftMeet("A", "locus", "reach", near=near, far=far))
             yield Stage("A by AC1", steps)
     elif name == "crank":
         yield Stage("A by crank", _by_length("crank", "P"))
@@ -85,11 +85,11 @@ def _by_length(name: str, high: str) -> tuple[Step, ...]:
 
     high   the point that N is farther from, and E nearer to: P for the crank; for the coupler N is the other middle
     """
-    middle = Meet("N", "axis", "locus", far="P") if high else Meet("N", "axis", "locus", near="P")
+    middle = DraftMeet("N", "axis", "locus", far="P") if high else DraftMeet("N", "axis", "locus", near="P")
     return (
         Bisector("axis", "C1", "C2"), middle, CircleAbout("arc", "N", through="C1"), Reckon("twice", "double", (name,)),
-        CircleAbout("span", "C2", "twice"), Meet("E", "arc", "span", near=high or "C1"),
-        Through("C2E", "C2", "E"), Meet("A", "C2E", "locus", far="C2"),
+        CircleAbout("span", "C2", "twice"), DraftMeet("E", "arc", "span", near=high or "C1"),
+        Through("C2E", "C2", "E"), DraftMeet("A", "C2E", "locus", far="C2"),
     )  # fmt: skip
 
 

@@ -11,9 +11,9 @@ import math
 from graphkin.construction.drafting import (
     ChosenPoint,
     Drafting,
-    LayOff,
-    Measure,
-    Meet,
+    DraftLayOff,
+    DraftMeasure,
+    DraftMeet,
     Parallel,
     Perpendicular,
     Reckon,
@@ -59,23 +59,24 @@ def _sides() -> tuple[Step, ...]:
 
 def _feet() -> tuple[Step, ...]:
     return (
-        Perpendicular("AB1", "A", "m"), Meet("B1", "AB1", "m"), Perpendicular("AB2", "A", "n"), Meet("B2", "AB2", "n"),
-        Measure("a", "A", "B1"), Measure("d", "A", "C"),
+        Perpendicular("AB1", "A", "m"), DraftMeet("B1", "AB1", "m"),
+        Perpendicular("AB2", "A", "n"), DraftMeet("B2", "AB2", "n"),
+        DraftMeasure("a", "A", "B1"), DraftMeasure("d", "A", "C"),
     )  # fmt: skip
 
 
 def _by_frame() -> tuple[Stage, ...]:
-    laid = (ChosenPoint("A", 0j), LayOff("C", "A", "frame"))
+    laid = (ChosenPoint("A", 0j), DraftLayOff("C", "A", "frame"))
     return Stage("guide pivots", laid), Stage("guide limits", _sides()), Stage("guide lengths", _feet())
 
 
 def _by_crank() -> tuple[Stage, ...]:
     """C and both limits first; A is where the crank's length fits between them."""
     fixed: tuple[Step, ...] = (
-        ChosenPoint("C", 0j), Reckon("one", "same", ("crank",)), LayOff("X", "C", "one", "", "straight"),
+        ChosenPoint("C", 0j), Reckon("one", "same", ("crank",)), DraftLayOff("X", "C", "one", "", "straight"),
         Slanted("m", "C", "X", "halved", 1.0), Slanted("n", "C", "X", "halved", -1.0), Through("CX", "C", "X"),
     )  # fmt: skip
-    fitted = (Parallel("beside", "m", "crank", -1.0), Meet("A", "beside", "CX"))
+    fitted = (Parallel("beside", "m", "crank", -1.0), DraftMeet("A", "beside", "CX"))
     straight = Stage("guide limits alone", (Reckon("straight", "straight", ()), *fixed))
     return straight, Stage("guide crank fits", fitted), Stage("guide lengths", _feet())
 

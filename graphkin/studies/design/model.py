@@ -66,7 +66,7 @@ class Solution:
 
 
 @frozen
-class Arc:
+class CentreArc:
     """A part of a circle of crank centres: from one direction of its centre to another [rad], and what it is worth.
 
     name   "admissible", "FG" (the limits lie on different branches), "minor" (the crank positions would differ by
@@ -93,7 +93,7 @@ class Family:
     side: float
     centre: complex
     radius: float
-    arcs: tuple[Arc, ...]
+    arcs: tuple[CentreArc, ...]
     angle: Any
     at: Any
     a: Any

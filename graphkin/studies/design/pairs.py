@@ -22,14 +22,14 @@ from graphkin.construction.drafting import (
     ChosenPoint,
     CircleThrough,
     Drafting,
-    LayOff,
-    Measure,
+    DraftLayOff,
+    DraftMeasure,
+    DraftMeet,
+    DraftTurn,
     MeasureAngle,
-    Meet,
     Reckon,
     Stage,
     Step,
-    Turned,
     replay,
 )
 from graphkin.errors import SameWanted, WantedRange, WrongNumber
@@ -93,13 +93,13 @@ def _freudenstein(given: dict[str, float], phis: list[float], psis: list[float],
 
 def _laid_stages() -> tuple[Stage, ...]:
     """a and c from the ratios, laid off at their angles; b is measured, at every position the same."""
-    sides: list[Step] = [ChosenPoint("A", 0j), LayOff("D", "A", "d")]
+    sides: list[Step] = [ChosenPoint("A", 0j), DraftLayOff("D", "A", "d")]
     laid: list[Step] = []
     for k in (1, 2, 3):
-        laid += [LayOff(f"B{k}", "A", "a", "", f"phi{k}"), LayOff(f"C{k}", "D", "c", "", f"psi{k}")]
-        laid.append(Measure(f"b{k}", f"B{k}", f"C{k}"))
+        laid += [DraftLayOff(f"B{k}", "A", "a", "", f"phi{k}"), DraftLayOff(f"C{k}", "D", "c", "", f"psi{k}")]
+        laid.append(DraftMeasure(f"b{k}", f"B{k}", f"C{k}"))
     ratios = (Reckon("a", "over", ("d", "R1")), Reckon("c", "over", ("d", "R2")))
-    measured = (Measure("b", "B1", "C1"),)
+    measured = (DraftMeasure("b", "B1", "C1"),)
     return (
         Stage("ratios", ratios), Stage("frame laid", tuple(sides)), Stage("angles laid", tuple(laid)),
         Stage("angles coupler", measured),
@@ -110,18 +110,22 @@ def _laid_stages() -> tuple[Stage, ...]:
 
 
 def _inverted(given: dict[str, float]) -> Design:
-    sides: tuple[Step, ...] = (ChosenPoint("A", 0j), LayOff("D", "A", "d"))
-    laid = tuple(LayOff(f"B{k}", "A", "a", "", f"phi{k}") for k in (1, 2, 3))
+    sides: tuple[Step, ...] = (ChosenPoint("A", 0j), DraftLayOff("D", "A", "d"))
+    laid = tuple(DraftLayOff(f"B{k}", "A", "a", "", f"phi{k}") for k in (1, 2, 3))
     back: list[Step] = []
     for k in (2, 3):
-        back += [Reckon(f"psi1{k}", "difference", ("psi1", f"psi{k}")), Turned(f"B{k}'", f"B{k}", "D", f"psi1{k}")]
+        back += [Reckon(f"psi1{k}", "difference", ("psi1", f"psi{k}")), DraftTurn(f"B{k}'", f"B{k}", "D", f"psi1{k}")]
     centre: tuple[Step, ...] = (
-        Bisector("B12", "B1", "B2'"), Bisector("B23", "B2'", "B3'"), Meet("C1", "B12", "B23"),
+        Bisector("B12", "B1", "B2'"), Bisector("B23", "B2'", "B3'"), DraftMeet("C1", "B12", "B23"),
         CircleThrough("pathB", ("B1", "B2'", "B3'"), "C1"),
     )  # fmt: skip
-    measured: list[Step] = [Measure("b", "B1", "C1"), Measure("c", "C1", "D"), MeasureAngle("psi01", "D", "", "C1")]
+    measured: list[Step] = [
+        DraftMeasure("b", "B1", "C1"),
+        DraftMeasure("c", "C1", "D"),
+        MeasureAngle("psi01", "D", "", "C1"),
+    ]
     for k in (2, 3):
-        measured += [Reckon(f"psi{k}1", "difference", (f"psi{k}", "psi1")), Turned(f"C{k}", "C1", "D", f"psi{k}1")]
+        measured += [Reckon(f"psi{k}1", "difference", (f"psi{k}", "psi1")), DraftTurn(f"C{k}", "C1", "D", f"psi{k}1")]
     construction = Drafting(
         given,
         (

@@ -20,8 +20,8 @@ from graphkin.construction.drafting import (
     ChosenPoint,
     CircleThrough,
     Drafting,
-    Measure,
-    Meet,
+    DraftMeasure,
+    DraftMeet,
     Stage,
     Step,
     replay,
@@ -110,7 +110,7 @@ def _centre(pivot: str, hinge: str) -> Stage:
     first, second = f"{hinge}12", f"{hinge}23"
     steps: tuple[Step, ...] = (
         Bisector(first, f"{hinge}1", f"{hinge}2"), Bisector(second, f"{hinge}2", f"{hinge}3"),
-        Meet(pivot, first, second), CircleThrough(f"path{hinge}", (f"{hinge}1", f"{hinge}2", f"{hinge}3"), pivot),
+        DraftMeet(pivot, first, second), CircleThrough(f"path{hinge}", (f"{hinge}1", f"{hinge}2", f"{hinge}3"), pivot),
     )  # fmt: skip
     return Stage(f"centre {pivot}", steps)
 
@@ -127,7 +127,8 @@ def _by_two(
 
 def _lengths() -> Stage:
     measured = (
-        Measure("a", "A", "B1"), Measure("b", "B1", "C1"), Measure("c", "C1", "D"), Measure("d", "A", "D"),
+        DraftMeasure("a", "A", "B1"), DraftMeasure("b", "B1", "C1"),
+        DraftMeasure("c", "C1", "D"), DraftMeasure("d", "A", "D"),
     )  # fmt: skip
     return Stage("coupler lengths", measured)
 

@@ -14,7 +14,17 @@ from typing import Any
 import numpy as np
 
 from graphkin.base.geometry import cross
-from graphkin.construction.drafting import ChosenPoint, Drafting, LayOff, Measure, Reckon, Stage, Step, replay, theta_of
+from graphkin.construction.drafting import (
+    ChosenPoint,
+    Drafting,
+    DraftLayOff,
+    DraftMeasure,
+    Reckon,
+    Stage,
+    Step,
+    replay,
+    theta_of,
+)
 from graphkin.studies.design.arcs import Chord, family, named
 from graphkin.studies.design.asked import angle_within, one_of, positive, ratio_within
 from graphkin.studies.design.finding import on_circle, ranged
@@ -76,8 +86,8 @@ def _chord(length: float, swing: float, k: float) -> Chord:
 
 def _first_stages() -> tuple[Stage, ...]:
     limits = (
-        ChosenPoint("D", 0j), Reckon("upright", "above", ("psi",)), LayOff("C1", "D", "c", "", "upright"),
-        LayOff("C2", "D", "c", "C1", "psi", -1.0),
+        ChosenPoint("D", 0j), Reckon("upright", "above", ("psi",)), DraftLayOff("C1", "D", "c", "", "upright"),
+        DraftLayOff("C2", "D", "c", "C1", "psi", -1.0),
     )  # fmt: skip
     return Stage("theta", (Reckon("theta", "theta", ("K",)),)), Stage("rocker limits", limits)
 
@@ -85,8 +95,8 @@ def _first_stages() -> tuple[Stage, ...]:
 def _solution(chord: Chord, given: dict[str, float], side: float, steps: tuple[Stage, ...]) -> Solution | None:
     """Carry the construction out and judge what it gives; None where the lines do not meet."""
     measured: tuple[Step, ...] = (
-        Measure("AC1", "A", "C1"), Measure("AC2", "A", "C2"), Reckon("a", "half difference", ("AC2", "AC1")),
-        Reckon("b", "half sum", ("AC2", "AC1")), Measure("d", "A", "D"),
+        DraftMeasure("AC1", "A", "C1"), DraftMeasure("AC2", "A", "C2"), Reckon("a", "half difference", ("AC2", "AC1")),
+        Reckon("b", "half sum", ("AC2", "AC1")), DraftMeasure("d", "A", "D"),
     )  # fmt: skip
     construction = Drafting(given, (*_first_stages(), *steps, Stage("rocker lengths", measured)))
     board = replay(construction)

@@ -12,7 +12,17 @@ from typing import Any
 
 import numpy as np
 
-from graphkin.construction.drafting import ChosenPoint, Drafting, LayOff, Measure, Reckon, Stage, Step, replay, theta_of
+from graphkin.construction.drafting import (
+    ChosenPoint,
+    Drafting,
+    DraftLayOff,
+    DraftMeasure,
+    Reckon,
+    Stage,
+    Step,
+    replay,
+    theta_of,
+)
 from graphkin.studies.design.arcs import Chord, family, named
 from graphkin.studies.design.asked import angle_within, one_of, positive, ratio_within
 from graphkin.studies.design.finding import on_circle, ranged
@@ -73,9 +83,9 @@ def _chord(stroke: float, k: float) -> Chord:
 
 
 def _solution(chord: Chord, given: dict[str, float], side: float, steps: tuple[Stage, ...]) -> Solution | None:
-    start: tuple[Step, ...] = (ChosenPoint("C1", 0j), LayOff("C2", "C1", "H"))
+    start: tuple[Step, ...] = (ChosenPoint("C1", 0j), DraftLayOff("C2", "C1", "H"))
     measured: tuple[Step, ...] = (
-        Measure("AC1", "A", "C1"), Measure("AC2", "A", "C2"), Reckon("a", "half difference", ("AC2", "AC1")),
+        DraftMeasure("AC1", "A", "C1"), DraftMeasure("AC2", "A", "C2"), Reckon("a", "half difference", ("AC2", "AC1")),
         Reckon("b", "half sum", ("AC2", "AC1")),
     )  # fmt: skip
     head = Stage("theta", (Reckon("theta", "theta", ("K",)),)), Stage("slider limits", start)

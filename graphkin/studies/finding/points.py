@@ -14,7 +14,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.model.naming import common_link, pair
 from graphkin.planning import Method
 from graphkin.proof import roads as agreement
-from graphkin.running.path import Path
+from graphkin.running.path import DriverPath
 from graphkin.running.reaching import reached
 from graphkin.studies.finding.answers import Position, SlowPoint, Speeds
 from graphkin.studies.finding.conditions import WHERE, Scaling, Slowest, value
@@ -25,10 +25,10 @@ from graphkin.studies.sweeps.roads import moving
 
 
 @frozen
-class Spots:
+class SearchPoints:
     """Positions t (n,) on a way, and the motions there."""
 
-    path: Path
+    path: DriverPath
     swept: int
     t: np.ndarray
     motions: Motions
@@ -38,17 +38,17 @@ class Spots:
         return Position(float(self.t[k]), drivers, values, "here")
 
 
-def spots(method: Method, ranges: Sequence[str], by: Road) -> Spots:
+def spots(method: Method, ranges: Sequence[str], by: Road) -> SearchPoints:
     """The drawn position; with `AB=30` (no steps) that one; with ranges all of theirs."""
     if any(":" in text for text in ranges):
         moved = course(method, ranges)
         prove(moved)
-        return Spots(moved.path, moved.swept, moved.t, moving(method, moved.path, moved.t, by))
+        return SearchPoints(moved.path, moved.swept, moved.t, moving(method, moved.path, moved.t, by))
     values = _values(method, ranges)
     agreement.proved(method, values)
     path, t = reached(method, values)
     at = np.array([t])
-    return Spots(path, 0, at, moving(method, path, at, by))
+    return SearchPoints(path, 0, at, moving(method, path, at, by))
 
 
 def _values(method: Method, ranges: Sequence[str]) -> list[float]:
@@ -85,7 +85,7 @@ def line_of(mechanism: Mechanism, of: str) -> tuple[str, str, str]:
     raise NoLineOf(WHERE, of, tuple(lines))
 
 
-def slowest(method: Method, wanted: Slowest, at: Spots) -> tuple[SlowPoint, ...]:
+def slowest(method: Method, wanted: Slowest, at: SearchPoints) -> tuple[SlowPoint, ...]:
     """The foot of the perpendicular from the instant centre: there the velocity lies along the line."""
     link, first, second = line_of(method.mechanism, wanted.of)
     count = at.t.size
@@ -99,7 +99,7 @@ def slowest(method: Method, wanted: Slowest, at: Spots) -> tuple[SlowPoint, ...]
 
 
 def _slowest(
-    at: Spots, k: int, points: tuple[str, str], start: complex, end: complex, omega: float, velocity: complex
+    at: SearchPoints, k: int, points: tuple[str, str], start: complex, end: complex, omega: float, velocity: complex
 ) -> SlowPoint:
     length = abs(end - start)
     line = (end - start) / length
@@ -116,7 +116,7 @@ _DEGREES = {"rad/s": 1, "m/s": 1, "rad/s^2": 2, "m/s^2": 2}
 """Velocities grow with the speeds, accelerations with their square."""
 
 
-def scaled(method: Method, wanted: Scaling, at: Spots) -> tuple[Speeds, ...]:
+def scaled(method: Method, wanted: Scaling, at: SearchPoints) -> tuple[Speeds, ...]:
     """All drivers' speeds times one factor (their accelerations times its square), so that a quantity has a value.
 
     Velocities grow with the speeds, accelerations with their square. Raises NotScaled, NegativeSize, CannotScale.

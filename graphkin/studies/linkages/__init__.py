@@ -17,13 +17,30 @@ from graphkin.studies.linkages.four import FourBar
 from graphkin.studies.linkages.guide import GuideBar
 from graphkin.studies.linkages.inversion import inverted
 from graphkin.studies.linkages.kinds import KINDS, from_lengths
-from graphkin.studies.linkages.linkage import Linkage, Scale
+from graphkin.studies.linkages.linkage import DriverScale, Linkage
 from graphkin.studies.linkages.recognised import FoundLinkage, found_in, some_found_in
 from graphkin.studies.linkages.report import Advantage, Report, advantage, report
 from graphkin.studies.linkages.slider import SliderCrank
 from graphkin.studies.linkages.writing import filed
 
 __all__ = [
-    "FAMILY", "KINDS", "Advantage", "FoundLinkage", "FourBar", "GuideBar", "Linkage", "Report", "Scale", "SliderCrank",
-    "advantage", "as_json", "filed", "found_in", "from_lengths", "inverted", "report", "reported", "some_found_in",
+    "FAMILY",
+    "KINDS",
+    "Advantage",
+    "DriverScale",
+    "FoundLinkage",
+    "FourBar",
+    "GuideBar",
+    "Linkage",
+    "Report",
+    "SliderCrank",
+    "advantage",
+    "as_json",
+    "filed",
+    "found_in",
+    "from_lengths",
+    "inverted",
+    "report",
+    "reported",
+    "some_found_in",
 ]  # fmt: skip

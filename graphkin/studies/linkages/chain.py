@@ -11,7 +11,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from graphkin.studies.linkages.linkage import SLIDES, Linkage, LinkagePosition, Range
+from graphkin.studies.linkages.linkage import SLIDES, Linkage, LinkagePosition, MotionRange
 from graphkin.studies.linkages.recognised import FoundLinkage
 from graphkin.studies.linkages.report import Report, report, timed
 from graphkin.studies.linkages.triangles import whole
@@ -40,7 +40,7 @@ def _restricted(alone: Report, first: Report) -> Report:
     """What is reached while the driven link goes no farther than the first linkage takes it."""
     linkage = alone.linkage
     low = _turned_on(first, linkage, _near(first.output_range, first.linkage.drawn.output))
-    span = Range(low, low + first.output_range.width)
+    span = MotionRange(low, low + first.output_range.width)
     ends = _end(linkage, span.low), _end(linkage, span.high)
     inner = [end for end in alone.critical if _reached(linkage, end, span)]
     stops = [end for end in alone.limits if _reached(linkage, end, span)]
@@ -48,7 +48,7 @@ def _restricted(alone: Report, first: Report) -> Report:
     lowest, highest = min(values, key=lambda pair: pair[0]), max(values, key=lambda pair: pair[0])
     limits = (lowest[1], highest[1])
     found = replace(
-        alone, driver_range=span, output_range=Range(lowest[0], highest[0]), limits=limits,
+        alone, driver_range=span, output_range=MotionRange(lowest[0], highest[0]), limits=limits,
         stroke=highest[0] - lowest[0] if alone.output_slides else None, theta=None, k=None, slow=None,
         critical=(*inner, *ends), dead=_dead(alone, first, span, limits), timed_by="",
     )  # fmt: skip
@@ -60,13 +60,13 @@ def _end(linkage: Linkage, direction: float) -> LinkagePosition:
     return replace(linkage.position_at(direction), how="end")
 
 
-def _near(span: Range, drawn: float) -> float:
+def _near(span: MotionRange, drawn: float) -> float:
     """The range's low end, a whole turn on or back so that the drawn direction lies in the range."""
     turns = round((drawn - (span.low + span.high) / 2) / math.tau)
     return span.low + turns * math.tau
 
 
-def _reached(linkage: Linkage, end: LinkagePosition, span: Range) -> bool:
+def _reached(linkage: Linkage, end: LinkagePosition, span: MotionRange) -> bool:
     """Whether a position lies within the driven link's range, in the assembly that is drawn."""
     direction = linkage.direction(end)
     if end.how == "end" or whole(direction - span.low) > span.width:
@@ -76,7 +76,9 @@ def _reached(linkage: Linkage, end: LinkagePosition, span: Range) -> bool:
     return all(abs(a - b) < 1e-6 * size for a, b in zip(same.places, end.places))
 
 
-def _unwound(linkage: Linkage, span: Range, ends: Sequence[LinkagePosition]) -> list[tuple[float, LinkagePosition]]:
+def _unwound(
+    linkage: Linkage, span: MotionRange, ends: Sequence[LinkagePosition]
+) -> list[tuple[float, LinkagePosition]]:
     """Each position's output counted on from the low end without jumps of a turn."""
     if linkage.output in SLIDES:
         return [(end.output, end) for end in ends]
@@ -94,7 +96,7 @@ def _unwound(linkage: Linkage, span: Range, ends: Sequence[LinkagePosition]) -> 
 
 
 def _dead(
-    alone: Report, first: Report, span: Range, limits: tuple[LinkagePosition, LinkagePosition]
+    alone: Report, first: Report, span: MotionRange, limits: tuple[LinkagePosition, LinkagePosition]
 ) -> dict[str, tuple[float, ...]]:
     """Dead points of the driven link that it reaches; the output is dead at all its limits, if a crank makes them."""
     found = dict(alone.dead)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from graphkin.studies.linkages.equal import even
-from graphkin.studies.linkages.linkage import LinkagePosition, Range
+from graphkin.studies.linkages.linkage import LinkagePosition, MotionRange
 from graphkin.studies.linkages.report import Report
 
 
@@ -44,7 +44,7 @@ def as_json(report: Report) -> dict[str, Any]:
     }
 
 
-def _range(found: Range) -> list[float] | None:
+def _range(found: MotionRange) -> list[float] | None:
     """From, to; null where it turns round and round."""
     return None if found.full else [found.low, found.high]
 

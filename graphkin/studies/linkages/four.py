@@ -19,7 +19,7 @@ from graphkin.studies.linkages.assembled import assembled, turning
 from graphkin.studies.linkages.equal import even
 from graphkin.studies.linkages.first_position import TURNS, sine, well_drawn
 from graphkin.studies.linkages.lengths import check_closing, check_driver, check_links
-from graphkin.studies.linkages.linkage import LinkagePosition, Range, Scale, Sums, TransmissionAngle, Turn
+from graphkin.studies.linkages.linkage import DriverScale, LinkagePosition, MotionRange, Sums, TransmissionAngle, Turn
 from graphkin.studies.linkages.triangles import angles, apex, folded, phase, spanned, whole
 
 
@@ -46,7 +46,7 @@ class FourBar:
     driver: str = "crank"
     names: tuple[str, ...] = ("A", "B", "C", "D")
     places: tuple[complex, ...] = ()
-    scale: Scale | None = None
+    scale: DriverScale | None = None
 
     def __post_init__(self) -> None:
         sizes = self.sizes
@@ -118,11 +118,11 @@ class FourBar:
             found.append(Turn(names[k], names[k + 2], full, False))
         return tuple(found)
 
-    def driver_range(self) -> Range:
+    def driver_range(self) -> MotionRange:
         bar = _from_driver(self)
         return _range(bar).turned(_base(bar))
 
-    def output_range(self) -> Range:
+    def output_range(self) -> MotionRange:
         bar = _swapped(_from_driver(self))
         return _range(bar).turned(_base(bar))
 
@@ -247,7 +247,7 @@ def _base(bar: FourBar) -> float:
     return cmath.phase(bar.places[3] - bar.places[0])
 
 
-def _range(bar: FourBar) -> Range:
+def _range(bar: FourBar) -> MotionRange:
     """Angles of AB against AD."""
     a, b, _, d = bar.places
     return spanned(*angles(bar.crank, bar.frame, bar.coupler, bar.rocker), cmath.phase((b - a) / (d - a)))

@@ -19,7 +19,7 @@ from graphkin.studies.linkages.assembled import assembled, drawn_line, free_name
 from graphkin.studies.linkages.equal import EVEN, even
 from graphkin.studies.linkages.first_position import TURNS, sine, well_drawn
 from graphkin.studies.linkages.lengths import check_closing, check_driver, check_links, check_offset
-from graphkin.studies.linkages.linkage import LinkagePosition, Range, Scale, Sums, Turn
+from graphkin.studies.linkages.linkage import DriverScale, LinkagePosition, MotionRange, Sums, Turn
 from graphkin.studies.linkages.triangles import folded, limited, passes, phase, spanned, whole
 
 
@@ -52,7 +52,7 @@ class GuideBar:
     places: tuple[complex, ...] = ()
     turn: float = 0.0
     block: bool = False
-    scale: Scale | None = None
+    scale: DriverScale | None = None
 
     def __post_init__(self) -> None:
         crank, frame = _crank_and_frame(self)
@@ -114,13 +114,13 @@ class GuideBar:
             Turn(crank, frame, short or other, True), Turn(bar, frame, other, True), Turn(crank, bar, short, True),
         )  # fmt: skip
 
-    def driver_range(self) -> Range:
+    def driver_range(self) -> MotionRange:
         if self.driver == "slide":
             low, high = sorted(along if self.scale is None else self.scale(along) for along in _slid_range(self))
-            return Range(low, high)
+            return MotionRange(low, high)
         return _turned(self, self.driver)
 
-    def output_range(self) -> Range:
+    def output_range(self) -> MotionRange:
         return _turned(self, self.output)
 
     def limits(self) -> tuple[LinkagePosition, ...]:
@@ -219,16 +219,16 @@ def _ahead(bar: GuideBar) -> float:
     return 1.0 if ((b - c) * cmath.rect(1, -bar.turn)).real >= 0 else -1.0
 
 
-def _crank_range(bar: GuideBar) -> Range:
+def _crank_range(bar: GuideBar) -> MotionRange:
     """Angles of AB against AC: B may not come nearer to C than the offset."""
     r, d, e = bar.crank, bar.frame, abs(bar.offset)
     if even(abs(d - r) - e, d + r) >= 0:
-        return Range(0.0, math.tau, True)
+        return MotionRange(0.0, math.tau, True)
     least = math.acos(limited((r * r + d * d - e * e) / (2 * r * d)))
-    return Range(least, math.tau - least)
+    return MotionRange(least, math.tau - least)
 
 
-def _normal_range(bar: GuideBar) -> Range:
+def _normal_range(bar: GuideBar) -> MotionRange:
     """Angles of the bar's left normal against AC: the bar's line may not pass A at more than the crank's length."""
     r, d, e = bar.crank, bar.frame, bar.offset
     over, under = even(r - e - d, r + d) < 0, even(r + e - d, r + d) < 0
@@ -246,7 +246,7 @@ def _slid_range(bar: GuideBar) -> tuple[float, float]:
     return _ahead(bar) * far, _ahead(bar) * math.sqrt((near - e) * (near + e))
 
 
-def _turned(bar: GuideBar, link: str) -> Range:
+def _turned(bar: GuideBar, link: str) -> MotionRange:
     """What crank or bar goes through: their directions on the drawing."""
     base = _base(bar)
     return _crank_range(bar).turned(base) if link == "crank" else _normal_range(bar).turned(base - math.pi / 2)

@@ -23,7 +23,7 @@ CRANKS = ("crank", "rocker")
 
 
 @frozen
-class Scale:
+class DriverScale:
     """How a file counts a driver: value = zero + sense * ours [rad or m]."""
 
     name: str
@@ -35,7 +35,7 @@ class Scale:
 
 
 @frozen
-class Range:
+class MotionRange:
     """What a link or a slider goes through, from low to high [rad or m]; `full`: it turns round and round."""
 
     low: float
@@ -46,9 +46,9 @@ class Range:
     def width(self) -> float:
         return self.high - self.low
 
-    def turned(self, base: float) -> Range:
+    def turned(self, base: float) -> MotionRange:
         """The same range counted from a line that lies at `base` [rad]."""
-        return Range(base + self.low, base + self.high, self.full)
+        return MotionRange(base + self.low, base + self.high, self.full)
 
 
 @frozen
@@ -152,7 +152,7 @@ class Linkage(Protocol):
         """Which part is driven, one of `called`."""
 
     @property
-    def scale(self) -> Scale | None:
+    def scale(self) -> DriverScale | None:
         """How the file counts the driver; None: a turning one by its direction, a sliding one from its own zero."""
 
     @property
@@ -188,10 +188,10 @@ class Linkage(Protocol):
     def turns(self) -> tuple[Turn, ...]:
         """Who turns fully against whom."""
 
-    def driver_range(self) -> Range:
+    def driver_range(self) -> MotionRange:
         """What the driver goes through: directions [rad], or displacements as its scale counts [m]."""
 
-    def output_range(self) -> Range:
+    def output_range(self) -> MotionRange:
         """What the output goes through: directions [rad], or the slider's places along its guide [m]."""
 
     def limits(self) -> tuple[LinkagePosition, ...]:

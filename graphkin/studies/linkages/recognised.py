@@ -14,7 +14,7 @@ from graphkin.model.pairs import Slide
 from graphkin.studies.linkages.equal import even
 from graphkin.studies.linkages.four import FourBar
 from graphkin.studies.linkages.guide import GuideBar
-from graphkin.studies.linkages.linkage import Linkage, Scale
+from graphkin.studies.linkages.linkage import DriverScale, Linkage
 from graphkin.studies.linkages.loops import LinkLoop, loops, pin_block
 from graphkin.studies.linkages.slider import SliderCrank
 
@@ -151,18 +151,18 @@ class _Ring:
         """Whether a driver turns the coupler, and nothing else drives."""
         return not self.entry and _drives(self.machine, self.loop.links[2])
 
-    def turn_scale(self, k: int, ours: complex) -> Scale | None:
+    def turn_scale(self, k: int, ours: complex) -> DriverScale | None:
         """How the file counts the angle of a driven link; None where it does as we do, or no driver turns it."""
         for driver in self.machine.drivers:
             if driver.link == self.loop.links[k] and driver.vector is not None and driver.from_link == FRAME:
                 tail, head = driver.vector
                 theirs = complex(self.now.position[head]) - complex(self.now.position[tail])
-                return Scale(driver.name, cmath.phase(theirs / ours))
+                return DriverScale(driver.name, cmath.phase(theirs / ours))
         return None
 
-    def slide_scale(self, slide: Slide, ours: float, sense: float) -> Scale:
+    def slide_scale(self, slide: Slide, ours: float, sense: float) -> DriverScale:
         """How the file counts a slide whose displacement is `ours` [m]."""
-        return Scale(slide.name, float(self.now.s[slide.name]) - sense * ours, sense)
+        return DriverScale(slide.name, float(self.now.s[slide.name]) - sense * ours, sense)
 
 
 def _found(ring: _Ring) -> FoundLinkage | None:
@@ -222,7 +222,7 @@ def _guide(ring: _Ring, slide: Slide) -> GuideBar | None:
         return None
     block = slide.guide != ring.loop.links[3]
     own = (b - c) * along.conjugate()
-    scale: Scale | None
+    scale: DriverScale | None
     if not ring.entry and any(driver.link == slide.name for driver in ring.machine.drivers):
         driver, scale = "slide", ring.slide_scale(slide, own.real, -1.0 if block else 1.0)
     elif ring.entry == ring.loop.links[3]:

@@ -13,7 +13,7 @@ from dataclasses import replace
 from functools import cached_property
 
 from graphkin.base.value import frozen
-from graphkin.studies.linkages.linkage import CRANKS, SLIDES, Linkage, LinkagePosition, Range, Turn
+from graphkin.studies.linkages.linkage import CRANKS, SLIDES, Linkage, LinkagePosition, MotionRange, Turn
 from graphkin.studies.linkages.triangles import whole
 
 _SAME = 1e-9
@@ -61,8 +61,8 @@ class Report:
     turns: tuple[Turn, ...]
     driver: str
     output: str
-    driver_range: Range
-    output_range: Range
+    driver_range: MotionRange
+    output_range: MotionRange
     limits: tuple[LinkagePosition, ...]
     stroke: float | None
     theta: float | None
@@ -88,7 +88,7 @@ class Report:
         return self.linkage.output in SLIDES
 
     @property
-    def driver_span(self) -> Range:
+    def driver_span(self) -> MotionRange:
         """What the driver goes through, as its scale counts."""
         scale = self.linkage.scale
         return self.driver_range if scale is None or self.driver_slides else self.driver_range.turned(scale.zero)
@@ -156,7 +156,7 @@ def _dead(linkage: Linkage) -> Iterator[tuple[str, tuple[float, ...]]]:
 
 
 def _quick_return(
-    linkage: Linkage, kind: str, driver_range: Range, limits: tuple[LinkagePosition, ...]
+    linkage: Linkage, kind: str, driver_range: MotionRange, limits: tuple[LinkagePosition, ...]
 ) -> tuple[float | None, float | None, tuple[int, int] | None]:
     """theta, K and the slow way, for a driver that turns round and round while its output swings."""
     if linkage.driver not in CRANKS or not driver_range.full or len(limits) != 2 or kind == "change-point":

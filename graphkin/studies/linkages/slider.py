@@ -19,7 +19,7 @@ from graphkin.studies.linkages.assembled import Places, assembled, drawn_line, f
 from graphkin.studies.linkages.equal import EVEN, even
 from graphkin.studies.linkages.first_position import TURNS, sine, well_drawn
 from graphkin.studies.linkages.lengths import check_closing, check_driver, check_links, check_offset
-from graphkin.studies.linkages.linkage import LinkagePosition, Range, Scale, Sums, TransmissionAngle, Turn
+from graphkin.studies.linkages.linkage import DriverScale, LinkagePosition, MotionRange, Sums, TransmissionAngle, Turn
 from graphkin.studies.linkages.triangles import folded, limited, passes, phase, whole
 
 
@@ -50,7 +50,7 @@ class SliderCrank:
     places: tuple[complex, ...] = ()
     way: float = 0.0
     block: bool = False
-    scale: Scale | None = None
+    scale: DriverScale | None = None
 
     def __post_init__(self) -> None:
         crank, rod, _ = self.called.values()
@@ -110,17 +110,17 @@ class SliderCrank:
             Turn(crank, block, first, False), Turn(rod, FRAME, second, False),
         )  # fmt: skip
 
-    def driver_range(self) -> Range:
+    def driver_range(self) -> MotionRange:
         if self.driver == "slider":
             ends = sorted(_slid(self, along) for along in _reach(self))
-            return Range(ends[0], ends[1])
+            return MotionRange(ends[0], ends[1])
         return _range(self).turned(self.way)
 
-    def output_range(self) -> Range:
+    def output_range(self) -> MotionRange:
         if self.driver == "slider":
             return _range(self).turned(self.way)
         ends = sorted(_reach(self))
-        return Range(ends[0], ends[1])
+        return MotionRange(ends[0], ends[1])
 
     def limits(self) -> tuple[LinkagePosition, ...]:
         """The two ends of the slider's way, or of the crank's where the slider drives."""
@@ -190,7 +190,7 @@ def _own(slider: SliderCrank) -> tuple[complex, ...]:
     return tuple((place - slider.places[0]) * cmath.rect(1, -slider.way) for place in slider.places)
 
 
-def _range(slider: SliderCrank) -> Range:
+def _range(slider: SliderCrank) -> MotionRange:
     """Angles of AB against the guide: B may be no farther than BC from it."""
     r, rod, e = slider.crank, slider.coupler, slider.offset
     size = r + rod + abs(e)
@@ -198,12 +198,12 @@ def _range(slider: SliderCrank) -> Range:
     high, low = math.asin(limited((e + rod) / r)), math.asin(limited((e - rod) / r))
     if over and under:
         left = _own(slider)[1].real < 0
-        return Range(math.pi - high, math.pi - low) if left else Range(low, high)
+        return MotionRange(math.pi - high, math.pi - low) if left else MotionRange(low, high)
     if over:
-        return Range(math.pi - high, math.tau + high)
+        return MotionRange(math.pi - high, math.tau + high)
     if under:
-        return Range(low, math.pi - low)
-    return Range(0.0, math.tau, True)
+        return MotionRange(low, math.pi - low)
+    return MotionRange(0.0, math.tau, True)
 
 
 def _reach(slider: SliderCrank) -> tuple[float, float]:

@@ -7,7 +7,7 @@ import math
 
 from graphkin.model.usual import ROUNDING
 from graphkin.studies.linkages.equal import even
-from graphkin.studies.linkages.linkage import Range
+from graphkin.studies.linkages.linkage import MotionRange
 
 _ROUNDING = 1e-7
 """Lines at a smaller angle lie in line: positions are laid in line from 4e-5 on (`EVEN`)."""
@@ -56,18 +56,18 @@ def limited(cosine: float) -> float:
     return max(-1.0, min(1.0, cosine))
 
 
-def spanned(least: float, greatest: float, drawn: float) -> Range:
+def spanned(least: float, greatest: float, drawn: float) -> MotionRange:
     """The directions of a link whose angle to a line goes from least to greatest (0 and pi: it passes the line).
 
     drawn   the link's angle at the drawn position [rad]: it tells on which side of the line a link stays
     """
     if least == 0 and greatest == math.pi:
-        return Range(0.0, math.tau, True)
+        return MotionRange(0.0, math.tau, True)
     if least == 0:
-        return Range(-greatest, greatest)
+        return MotionRange(-greatest, greatest)
     if greatest == math.pi:
-        return Range(least, math.tau - least)
-    return Range(least, greatest) if math.sin(drawn) >= 0 else Range(-greatest, -least)
+        return MotionRange(least, math.tau - least)
+    return MotionRange(least, greatest) if math.sin(drawn) >= 0 else MotionRange(-greatest, -least)
 
 
 def folded(one: complex, other: complex) -> float:

@@ -15,10 +15,19 @@ from graphkin.errors import BadRange, NoPosition, NoSuchDriver
 from graphkin.model.mechanism import Driver
 from graphkin.model.quantities import EDGE, driven
 from graphkin.planning import Method
-from graphkin.running.path import Event, Path
+from graphkin.running.path import DriverPath, Event
 from graphkin.running.reaching import reached
 from graphkin.running.tracing import trace
-from graphkin.studies.sweeps.ranges import ROWS, TURN, WHERE, Ranges, Wanted, first_free, given_ranges, in_proportion
+from graphkin.studies.sweeps.ranges import (
+    ROWS,
+    TURN,
+    WHERE,
+    DriverValues,
+    Ranges,
+    first_free,
+    given_ranges,
+    in_proportion,
+)
 
 
 @frozen
@@ -33,7 +42,7 @@ class Course:
     """
 
     method: Method
-    path: Path
+    path: DriverPath
     swept: int
     t: np.ndarray
     values: np.ndarray
@@ -135,7 +144,11 @@ def _pace(method: Method, swept: int, still: tuple[int, ...]) -> tuple[float, ..
 
 
 def _over(
-    method: Method, swept: int, pace: tuple[float, ...], wanted: Wanted | None, before: tuple[Path, float] | None
+    method: Method,
+    swept: int,
+    pace: tuple[float, ...],
+    wanted: DriverValues | None,
+    before: tuple[DriverPath, float] | None,
 ) -> Course:
     start = float(before[0].values(before[1])[swept]) if before else float(method.facts(None).values[swept])
     driver = method.drivers[swept]
@@ -156,7 +169,7 @@ def _of_those(whole: Course, there: np.ndarray) -> Course:
     return found
 
 
-def _ends(method: Method, driver: Driver, start: float, wanted: Wanted | None) -> tuple[float, float]:
+def _ends(method: Method, driver: Driver, start: float, wanted: DriverValues | None) -> tuple[float, float]:
     """How far to look: a turn to either side, or as far as a slide of the mechanism's size may go; farther if asked."""
     if driver.kind == "slide":
         usual = start - 2 * method.size, start + 2 * method.size
@@ -166,7 +179,7 @@ def _ends(method: Method, driver: Driver, start: float, wanted: Wanted | None) -
     return min((usual[0], *asked)), max((usual[1], *asked))
 
 
-def _turned_back(method: Method, path: Path, driver: Driver, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _turned_back(method: Method, path: DriverPath, driver: Driver, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Positions whole turns away are the same ones, where nothing rolls; and which of all are reached."""
     turns_alike = driver.kind != "slide" and not method.structure.contacts and sum(map(bool, path.pace)) == 1
     if turns_alike and path.stops:
@@ -176,7 +189,7 @@ def _turned_back(method: Method, path: Path, driver: Driver, t: np.ndarray) -> t
     return t, np.broadcast_to(path.leads_to(t), t.shape)
 
 
-def _usual(method: Method, driver: Driver, path: Path, swept: int) -> np.ndarray:
+def _usual(method: Method, driver: Driver, path: DriverPath, swept: int) -> np.ndarray:
     """Every 10 degrees of a turn, or of what is reached; of a slide's range, some forty round values."""
     start = path.start[swept]
     if driver.kind != "slide":
@@ -215,7 +228,7 @@ def _none(found: Course) -> NoPosition:
 # --- several drivers told apart ---------------------------------------------------------------
 
 
-def _moved(method: Method, given: dict[int, Wanted]) -> tuple[Path, float] | None:
+def _moved(method: Method, given: dict[int, DriverValues]) -> tuple[DriverPath, float] | None:
     """The path to where drivers that are given one value stand."""
     held = {k: wanted.begin for k, wanted in given.items() if not wanted.moves}
     if not held:
@@ -224,7 +237,7 @@ def _moved(method: Method, given: dict[int, Wanted]) -> tuple[Path, float] | Non
     return reached(method, [held.get(k, value) for k, value in enumerate(values)])
 
 
-def _together(method: Method, given: dict[int, Wanted], moving: list[int]) -> Course:
+def _together(method: Method, given: dict[int, DriverValues], moving: list[int]) -> Course:
     """Drivers that go from one value to another at once, from where they begin; others stand."""
     swept = moving[0]
     counts = {given[k].values.size for k in moving}

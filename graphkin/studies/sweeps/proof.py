@@ -8,7 +8,7 @@ from graphkin.base.cache import kept
 from graphkin.errors import RoadsDiffer
 from graphkin.planning import Method
 from graphkin.proof.roads import AGREE, PLACES, apart
-from graphkin.running.path import Path, stride
+from graphkin.running.path import DriverPath, stride
 from graphkin.studies.sweeps.course import Course
 from graphkin.studies.sweeps.roads import moving
 
@@ -28,7 +28,7 @@ def prove(course: Course) -> float:
 
 
 @kept(16, objects=2)
-def _apart(path: Path, method: Method, low: float, high: float) -> float:
+def _apart(path: DriverPath, method: Method, low: float, high: float) -> float:
     """How far they differ at places from low to high on a path; 0 where all of it is right beside its stops."""
     t = _places(path, method, low, high)
     if not t.size:
@@ -37,7 +37,7 @@ def _apart(path: Path, method: Method, low: float, high: float) -> float:
     return apart(method.mechanism, drawn, exact)
 
 
-def _places(path: Path, method: Method, low: float, high: float) -> np.ndarray:
+def _places(path: DriverPath, method: Method, low: float, high: float) -> np.ndarray:
     """Twelve places, evenly over what is asked for, none right beside a stop or a change point."""
     aside = stride(method, path.pace, ASIDE_DEG, ASIDE_PART)
     aside = min(aside, (path.last - path.first) / 4)

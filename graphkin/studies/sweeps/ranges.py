@@ -25,7 +25,7 @@ ROWS = 36
 
 
 @frozen
-class Wanted:
+class DriverValues:
     """What is asked of a driver [rad, m]: its values, from the first to the last; one that is held has one value."""
 
     values: np.ndarray
@@ -35,13 +35,13 @@ class Wanted:
     listed: bool = False
 
     @classmethod
-    def held(cls, value: float) -> Wanted:
+    def held(cls, value: float) -> DriverValues:
         return cls(np.array([value]), value, value, False)
 
 
-def given_ranges(method: Method, ranges: Ranges) -> dict[int, Wanted]:
+def given_ranges(method: Method, ranges: Ranges) -> dict[int, DriverValues]:
     """By driver, what is asked of it."""
-    found: dict[int, Wanted] = {}
+    found: dict[int, DriverValues] = {}
     for name, span, written in _named(ranges):
         number = _number(method, name) if name else _unnamed(method, found, written)
         if number in found:
@@ -56,7 +56,7 @@ def first_free(method: Method, taken: Collection[int]) -> int | None:
     return next((k for k in free if method.drivers[k].rate), free[0] if free else None)
 
 
-def in_proportion(method: Method, given: dict[int, Wanted], moving: list[int]) -> dict[int, Wanted]:
+def in_proportion(method: Method, given: dict[int, DriverValues], moving: list[int]) -> dict[int, DriverValues]:
     """Several drivers go on one straight way: where values are listed, from the least of the first driver's on."""
     if not any(given[k].listed for k in moving):
         return given
@@ -71,7 +71,7 @@ def in_proportion(method: Method, given: dict[int, Wanted], moving: list[int]) -
         begin, end = float(values[low]), float(values[high])
         if not np.allclose(values, begin + (end - begin) * part, rtol=0, atol=1e-9 * max(abs(begin), abs(end))):
             raise BadValues(WHERE, method.drivers[k].name)
-        found[k] = Wanted(values, begin, end, True, True)
+        found[k] = DriverValues(values, begin, end, True, True)
     return found
 
 
@@ -102,19 +102,19 @@ def _number(method: Method, name: str) -> int:
     return number
 
 
-def _unnamed(method: Method, found: dict[int, Wanted], written: Written) -> int:
+def _unnamed(method: Method, found: dict[int, DriverValues], written: Written) -> int:
     number = first_free(method, found)
     if number is None:
         raise NoSuchDriver(WHERE, written(), ())
     return number
 
 
-def _wanted(method: Method, number: int, span: object, written: Written) -> Wanted:
+def _wanted(method: Method, number: int, span: object, written: Written) -> DriverValues:
     dimension: Dimension = "length" if method.drivers[number].kind == "slide" else "angle"
     return _read(dimension, span, written) if isinstance(span, str) else _listed(dimension, span, written)
 
 
-def _listed(dimension: Dimension, span: object, written: Written) -> Wanted:
+def _listed(dimension: Dimension, span: object, written: Written) -> DriverValues:
     """Of a number, or of numbers, in the units of plain numbers."""
     try:
         numbers = np.asarray(span, dtype=float)
@@ -126,17 +126,17 @@ def _listed(dimension: Dimension, span: object, written: Written) -> Wanted:
     if values.ndim > 1 or not values.size or values.size > MOST_STEPS or not np.all(np.abs(values) <= far):
         raise BadValues(WHERE, written())
     if not values.ndim:
-        return Wanted.held(float(values.flat[0]))
-    return Wanted(values, float(values.min()), float(values.max()), True, True)
+        return DriverValues.held(float(values.flat[0]))
+    return DriverValues(values, float(values.min()), float(values.max()), True, True)
 
 
-def _read(dimension: Dimension, span: str, written: Written) -> Wanted:
+def _read(dimension: Dimension, span: str, written: Written) -> DriverValues:
     try:
         numbers = [read_quantity(_plain(part), dimension) for part in span.split(":")]
     except GraphkinError as error:
         raise error.at(WHERE) from None
     if len(numbers) == 1:
-        return Wanted.held(numbers[0])
+        return DriverValues.held(numbers[0])
     if len(numbers) == 2:
         numbers.append(abs(numbers[1] - numbers[0]) / ROWS)
     if len(numbers) == 3 and numbers[1] < numbers[0]:
@@ -146,7 +146,7 @@ def _read(dimension: Dimension, span: str, written: Written) -> Wanted:
     far = MOST_TURNS * TURN if dimension == "angle" else math.inf
     if abs(numbers[1] - numbers[0]) > min(far, MOST_STEPS * numbers[2]) or max(map(abs, numbers)) > far:
         raise BadRange(WHERE, written())
-    return Wanted(_steps(*numbers), numbers[0], numbers[1], True)
+    return DriverValues(_steps(*numbers), numbers[0], numbers[1], True)
 
 
 def _plain(text: str) -> float | str:

@@ -20,7 +20,7 @@ from graphkin.planning import Method, with_other_points
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
 from graphkin.running.many_positions import replay_along
-from graphkin.running.path import Path, along, stride
+from graphkin.running.path import DriverPath, along, stride
 from graphkin.running.program import Entry
 from graphkin.studies.centres import centres, over
 
@@ -38,7 +38,12 @@ FAR_SINE, OTHER_POINTS = 0.05, 4
 
 
 def moving(
-    method: Method, path: Path, t: np.ndarray, by: Road, asked: set[Entry] | None = None, compiled: bool | None = None
+    method: Method,
+    path: DriverPath,
+    t: np.ndarray,
+    by: Road,
+    asked: set[Entry] | None = None,
+    compiled: bool | None = None,
 ) -> Motions:
     """Position, velocity and acceleration at t (n,) on the path, by one of the roads; `asked`, `compiled`: as
     `ReplayProgram.run` has them."""
@@ -52,14 +57,14 @@ def moving(
 
 
 def _drawn(
-    method: Method, path: Path, t: np.ndarray, asked: set[Entry] | None = None, compiled: bool | None = None
+    method: Method, path: DriverPath, t: np.ndarray, asked: set[Entry] | None = None, compiled: bool | None = None
 ) -> tuple[Motions, list[Patch]]:
     """Motions by the construction, but for change points."""
     plot = replay_along(method, path, t, asked, compiled)
     return readings(method, plot), _by_other_points(method, path, t, plot)
 
 
-def _beside(method: Method, path: Path, t: np.ndarray, centre: float) -> Patch | None:
+def _beside(method: Method, path: DriverPath, t: np.ndarray, centre: float) -> Patch | None:
     """The rows at a change point, by their neighbours on both sides, which no other change point or stop is near."""
     others = [event.at for event in (*path.changes, *path.stops) if event.at != centre]
     clear = min((abs(centre - other) for other in others), default=np.inf)
@@ -93,7 +98,7 @@ def _alike(method: Method, neighbours: Motions) -> bool:
 # --- special points far off -------------------------------------------------------------------
 
 
-def _by_other_points(method: Method, path: Path, t: np.ndarray, plot: Plot) -> list[Patch]:
+def _by_other_points(method: Method, path: DriverPath, t: np.ndarray, plot: Plot) -> list[Patch]:
     """Rows at which the lines of a special point hardly meet, by other special points."""
     if not method.ternaries:
         return []
@@ -179,7 +184,7 @@ class _Mend:
 # --- instant centres --------------------------------------------------------------------------
 
 
-def centre_path(method: Method, path: Path, t: np.ndarray, links: tuple[str, str]) -> np.ndarray:
+def centre_path(method: Method, path: DriverPath, t: np.ndarray, links: tuple[str, str]) -> np.ndarray:
     """Where the instant centre of two links lies at t (n,) on the path, by construction [m]; infinite at infinity."""
     found = over(centres(method, replay_all(method)), path, t)
     return np.array(np.broadcast_to(found.place(*links), t.shape))
