@@ -9,19 +9,26 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Callable
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
+from numpy.typing import NDArray
 
 __all__ = [
-    "Leg", "Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines", "phase", "third_corner",
-    "unit", "weights_of", "wrapped",
+    "Array", "Leg", "Real", "Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines",
+    "number", "phase", "place", "third_corner", "unit", "weights_of", "wrapped",
 ]  # fmt: skip
 
-Value = Any
-"""A float, a complex number, or an array of either."""
+Array: TypeAlias = NDArray[Any]
+"""An array over positions, pencils, students."""
 
-Leg = Callable[[Value, Value], Value]
+Real: TypeAlias = float | Array
+"""A real number, or an array of them: lengths, angles, rates."""
+
+Value: TypeAlias = float | complex | Array
+"""A real or a complex number, or an array of either: x + iy is a vector of the plane."""
+
+Leg = Callable[[Real, Real], Real]
 """How the other leg of a right-angled triangle is found: `leg`, or what stands for it where values are no numbers."""
 
 ROUNDING = 4e-15
@@ -30,12 +37,12 @@ HALF_TURN = 1e-9
 """Angles as near to a half turn are one, whichever way they turn [rad]."""
 
 
-def dot(a: Value, b: Value) -> Value:
+def dot(a: Value, b: Value) -> Real:
     """Scalar product of two vectors."""
     return (np.conj(a) * b).real
 
 
-def cross(a: Value, b: Value) -> Value:
+def cross(a: Value, b: Value) -> Real:
     """z component of the vector product: positive where b is counter-clockwise of a."""
     return (np.conj(a) * b).imag
 
@@ -49,25 +56,25 @@ def unit(a: Value) -> Value:
             return complex(np.nan, np.nan)
 
 
-def phase(a: Value) -> Value:
+def phase(a: Value) -> Real:
     """The angle of a vector from +x, above -pi [rad]."""
     return np.angle(a) if isinstance(a, np.ndarray) else cmath.phase(a)
 
 
-def wrapped(angle: Value) -> Value:
+def wrapped(angle: Real) -> Real:
     """An angle without whole turns, above -pi to pi; what is -pi but for rounding is pi [rad]."""
     turned = np.angle(np.exp(1j * angle))
     return np.where(turned < HALF_TURN - np.pi, turned + 2 * np.pi, turned)[()]
 
 
-def leg(hypotenuse: Value, other: Value) -> Value:
+def leg(hypotenuse: Real, other: Real) -> Real:
     """The other leg of a right-angled triangle; 0 where it is 0 but for rounding, NaN where there is none."""
     square = np.asarray((hypotenuse - other) * (hypotenuse + other), dtype=float)
     with np.errstate(invalid="ignore"):
         return np.sqrt(np.where((square < 0) & (square > -ROUNDING * hypotenuse * hypotenuse), 0.0, square))[()]
 
 
-def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Value]:
+def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Real]:
     """Where the line through p along u meets the line through q along w (u, w of length 1).
 
     Returns the point and the sine of the angle between the lines.
@@ -78,8 +85,8 @@ def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Value]:
 
 
 def meet_line_circle(
-    p: Value, u: Value, c: Value, r: Value, side: Value, leg: Leg = leg
-) -> tuple[Value, Value, Value]:
+    p: Value, u: Value, c: Value, r: Real, side: Real, leg: Leg = leg
+) -> tuple[Value, Real, Real]:
     """Where the line through p along u meets the circle about c; side +1 is the crossing farther along u.
 
     Returns the point, the sine of the angle between line and circle, and by how much they miss each
@@ -93,8 +100,8 @@ def meet_line_circle(
 
 
 def meet_circles(
-    c1: Value, r1: Value, c2: Value, r2: Value, side: Value, leg: Leg = leg
-) -> tuple[Value, Value, Value]:
+    c1: Value, r1: Real, c2: Value, r2: Real, side: Real, leg: Leg = leg
+) -> tuple[Value, Real, Real]:
     """Where two circles meet; side +1 is the crossing to the left of the way from c1 to c2.
 
     Returns the point, the sine of the angle between the circles, and by how much they miss each other.
@@ -107,6 +114,16 @@ def meet_circles(
         sine = d * height / (r1 * r2)
     miss = np.maximum(d - (r1 + r2), np.abs(r1 - r2) - d)
     return c1 + (along + 1j * side * height) * e, sine, miss
+
+
+def number(value: Value) -> float:
+    """A real value at one position, as a plain number."""
+    return float(value.real)
+
+
+def place(value: Value) -> complex:
+    """A vector at one position, as a plain number."""
+    return complex(value)
 
 
 def third_corner(first: Value, second: Value, ratio: Value) -> Value:

@@ -9,7 +9,7 @@ from typing import assert_never
 
 import numpy as np
 
-from graphkin.base.geometry import Value, unit
+from graphkin.base.geometry import Real, Value, unit
 from graphkin.base.value import Lazy, filled, frozen
 from graphkin.construction.terms import (
     Across,
@@ -68,9 +68,9 @@ class Facts:
     lines: Mapping[str, tuple[str, str, complex]]
     turns: Mapping[str, TurnOf]
     slides_driven: Mapping[str, int]
-    values: tuple[Value, ...]
-    rates: tuple[Value, ...]
-    accelerations: tuple[Value, ...]
+    values: tuple[Real, ...]
+    rates: tuple[Real, ...]
+    accelerations: tuple[Real, ...]
     drawn: Mapping[str, float] = field(default_factory=dict)
     """Angles by link [rad] and displacements by `slide_key` [m] as drawn, from where contacts count."""
 
@@ -79,18 +79,18 @@ class Facts:
         """The links that hang on each base link, itself among them."""
         return grouped(self.turns)
 
-    def relative_angle(self, link: str) -> Value:
+    def relative_angle(self, link: str) -> Real:
         """Angle of a link against its base link [rad]."""
         turn = self.turns[link]
         return turn.constant + sum([sign * self.values[k] for k, sign in turn.drivers])
 
-    def relative_rate(self, link: str, order: int) -> Value:
+    def relative_rate(self, link: str, order: int) -> Real:
         """Angular velocity (order 1) or acceleration (order 2) of a link against its base link."""
         given = self.rates if order == 1 else self.accelerations
         return sum([sign * given[k] for k, sign in self.turns[link].drivers])
 
 
-def within_a_turn(angle: Value) -> Value:
+def within_a_turn(angle: Real) -> Real:
     """From 0 on; over many positions `np.mod` takes ten times as long."""
     return angle - 2 * np.pi * np.floor(angle / (2 * np.pi))
 
@@ -117,18 +117,18 @@ class Plot:
     position: dict[str, Value] = field(default_factory=dict)
     velocity: dict[str, Value] = field(default_factory=dict)
     acceleration: dict[str, Value] = field(default_factory=dict)
-    theta: dict[str, Value] = field(default_factory=dict)
-    omega: dict[str, Value] = field(default_factory=dict)
-    alpha: dict[str, Value] = field(default_factory=dict)
-    s: dict[str, Value] = field(default_factory=dict)
-    s_rate: dict[str, Value] = field(default_factory=dict)
-    s_acceleration: dict[str, Value] = field(default_factory=dict)
-    sines: dict[tuple[Plane, str], Value] = field(default_factory=dict)
-    misses: dict[str, Value] = field(default_factory=dict)
-    senses: dict[str, Value] = field(default_factory=dict)
+    theta: dict[str, Real] = field(default_factory=dict)
+    omega: dict[str, Real] = field(default_factory=dict)
+    alpha: dict[str, Real] = field(default_factory=dict)
+    s: dict[str, Real] = field(default_factory=dict)
+    s_rate: dict[str, Real] = field(default_factory=dict)
+    s_acceleration: dict[str, Real] = field(default_factory=dict)
+    sines: dict[tuple[Plane, str], Real] = field(default_factory=dict)
+    misses: dict[str, Real] = field(default_factory=dict)
+    senses: dict[str, Real] = field(default_factory=dict)
 
     @property
-    def turn(self) -> Mapping[str, Value]:
+    def turn(self) -> Mapping[str, Real]:
         """Angles of links between 0 and a full turn [rad]."""
         return Lazy(self.theta, lambda link: within_a_turn(self.theta[link]))
 
@@ -144,7 +144,7 @@ class Plot:
         guide, _, direction = self.facts.lines[slide]
         return direction * np.exp(1j * self.theta[guide])
 
-    def span(self, span: Span) -> Value:
+    def span(self, span: Span) -> Real:
         """Sum of the parts, in the axes of their group's base link [m]."""
         total: Value = 0j
         for part in span.parts:
@@ -209,7 +209,7 @@ class Plot:
         rate = facts.relative_rate(size.link, 1) - facts.relative_rate(size.seen_from, 1)
         return -(rate**2) * arm if size.part == "n" else 1j * rate * arm
 
-    def _base_angle(self, span: Span) -> Value:
+    def _base_angle(self, span: Span) -> Real:
         part = span.parts[0]
         link = part.link if isinstance(part, Arm) else self.facts.lines[part.slide][0]
         return self.theta[self.facts.turns[link].base]

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Real, Value
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
 
@@ -25,12 +25,12 @@ class Motions:
     """
 
     mechanism: Mechanism
-    theta: Mapping[str, Value]
-    omega: Mapping[str, Value]
-    alpha: Mapping[str, Value]
-    s: Mapping[str, Value]
-    s_rate: Mapping[str, Value]
-    s_acceleration: Mapping[str, Value]
+    theta: Mapping[str, Real]
+    omega: Mapping[str, Real]
+    alpha: Mapping[str, Real]
+    s: Mapping[str, Real]
+    s_rate: Mapping[str, Real]
+    s_acceleration: Mapping[str, Real]
     position: Mapping[str, Value]
     velocities: Mapping[str, Mapping[str, Value]]
     accelerations: Mapping[str, Mapping[str, Value]]

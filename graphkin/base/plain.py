@@ -1,0 +1,9 @@
+"""Plain data: what JSON can hold."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TypeAlias, Union
+
+Plain: TypeAlias = Union[None, bool, int, float, str, "Sequence[Plain]", "Mapping[str, Plain]"]
+"""What JSON can hold, to be written; what is read is `object` until it is looked at."""
