@@ -5,5 +5,5 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias, Union
 
-Plain: TypeAlias = Union[None, bool, int, float, str, "Sequence[Plain]", "Mapping[str, Plain]"]
+Plain: TypeAlias = Union[bool, int, float, str, "Sequence[Plain]", "Mapping[str, Plain]", None]
 """What JSON can hold, to be written; what is read is `object` until it is looked at."""
