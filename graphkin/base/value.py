@@ -1,8 +1,8 @@
-"""Value classes: dataclasses that share their methods, so that a class costs next to nothing at start-up.
+"""Value classes: dataclasses of the standard library that share their methods and are declared at their first use.
 
-`dataclasses` writes and compiles six methods for each frozen class, in half a millisecond. graphkin has some
-hundred such classes, and `graphkin draw` is to start about as fast as its imports. `dataclasses.fields`,
-`dataclasses.replace` and pattern matching work as with any dataclass.
+`dataclasses` writes and compiles six methods for each frozen class, in half a millisecond. graphkin has some hundred
+such classes, most of which a command never fills, and `graphkin draw` is to start about as fast as its imports.
+`dataclasses.fields`, `dataclasses.replace` and pattern matching work as with any dataclass.
 """
 
 from __future__ import annotations
@@ -10,45 +10,31 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field, fields
 from operator import attrgetter
+from threading import RLock
 from typing import Any, TypeVar, dataclass_transform
 
 __all__ = ["Lazy", "filled", "frozen"]
 
 _T = TypeVar("_T")
-
-
-@dataclass(init=False, repr=False, eq=False)
-class _Sample:
-    """A class as `dataclasses` declares it."""
-
-    entry: int
-
-
-_FIELDS, _HOW = "__dataclass_fields__", "__dataclass_params__"
-_OFTEN = 200
-"""A class that is filled so many times in a run has its own `__init__` written: three times as fast, and worth half a
-millisecond."""
-_PLAIN = getattr(fields(_Sample)[0], "_field_type")  # noqa: B009
+Data = Callable[[object], object]
+Fill = Callable[..., None]
+_ONE_THREAD = RLock()
 
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def frozen(cls: type[_T]) -> type[_T]:
-    """Like `dataclass(frozen=True)`; a class may write itself in a way of its own."""
-    names = getattr(filled(cls), "__match_args__")  # noqa: B009
-    data = attrgetter(*names) if names else lambda value: ()
-    methods = {"__eq__": _equal(data), "__hash__": _hashed(data), "__repr__": _written}
-    if "__repr__" in vars(cls):
-        del methods["__repr__"]
-    for name, method in (methods | {"__setattr__": _refused, "__delattr__": _refused}).items():
-        setattr(cls, name, method)
+    """Like `dataclass(frozen=True)`; a class may have a `__repr__` of its own."""
+    for name, method in {"__setattr__": _refuse, "__delattr__": _refuse, "__repr__": _text}.items():
+        if name != "__repr__" or name not in vars(cls):
+            setattr(cls, name, method)
+    setattr(cls, "__dataclass_fields__", _Undeclared(cls, _compare))  # noqa: B010
     return cls
 
 
 @dataclass_transform(eq_default=False, field_specifiers=(field,))
 def filled(cls: type[_T]) -> type[_T]:
     """Like `dataclass(eq=False)`: an `__init__` that fills the fields, and nothing else of a dataclass."""
-    _declare(cls)
-    setattr(cls, "__init__", _filling(cls))  # noqa: B010
+    setattr(cls, "__dataclass_fields__", _Undeclared(cls))  # noqa: B010
     return cls
 
 
@@ -60,10 +46,10 @@ class Lazy(Mapping[str, _T]):
         self._make = make
 
     def __getitem__(self, name: str) -> _T:
-        found = self._made[name]
-        if found is None:
-            found = self._made[name] = self._make(name)
-        return found
+        entry = self._made[name]
+        if entry is None:
+            entry = self._made[name] = self._make(name)
+        return entry
 
     def __contains__(self, name: object) -> bool:
         return name in self._made
@@ -79,121 +65,78 @@ class Lazy(Mapping[str, _T]):
         return len(self._made)
 
 
-def _declare(cls: Any) -> None:
-    """What `dataclasses` reads of a class: its fields, those it inherits first. Annotations are texts, and stay so."""
-    found = {name: each for base in reversed(cls.__mro__[1:]) for name, each in vars(base).get(_FIELDS, {}).items()}
-    for name, kind in vars(cls).get("__annotations__", {}).items():
-        if kind.startswith("ClassVar"):
-            continue
-        given = vars(cls).get(name, MISSING)
-        entry: Any = given if isinstance(given, Field) else field(default=given)
-        entry.name, entry.type, entry._field_type = name, kind, _PLAIN
-        entry.kw_only = False
-        found[name] = entry
-        if entry.default is not MISSING:
-            setattr(cls, name, entry.default)
-        elif isinstance(given, Field):
-            delattr(cls, name)
-    setattr(cls, _FIELDS, found)
-    setattr(cls, _HOW, getattr(_Sample, _HOW))
-    setattr(cls, "__match_args__", tuple(found))  # noqa: B010
+class _Undeclared:
+    """Stands for the fields of a class until they are read, or a first value is made."""
+
+    def __init__(self, cls: type, complete: Callable[[type, Data], None] = lambda cls, data: None) -> None:
+        self._cls, self._complete = cls, complete
+
+        def first(value: object, /, *args: object, **named: object) -> None:
+            self._declare()
+            vars(cls)["__init__"](value, *args, **named)
+
+        setattr(cls, "__init__", first)  # noqa: B010
+
+    def __get__(self, value: object, cls: type) -> dict[str, Field[object]]:
+        self._declare()
+        return {each.name: each for each in fields(self._cls)}
+
+    def _declare(self) -> None:
+        cls = self._cls
+        with _ONE_THREAD:
+            if vars(cls).get("__dataclass_fields__") is self:
+                delattr(cls, "__dataclass_fields__")
+                names = [each.name for each in fields(dataclass(init=False, repr=False, eq=False)(cls))]
+                self._complete(cls, attrgetter(*names) if names else lambda value: ())
+                setattr(cls, "__init__", _filler(cls))  # noqa: B010
 
 
-def _filling(cls: Any) -> Callable[..., None]:
-    """`__init__(self, ..)`, which is made when the first one is filled: most classes of a run never are."""
+def _compare(cls: type, data: Data) -> None:
+    """Values of a class are equal when their data are."""
 
-    def first(self: Any, *args: Any, **given: Any) -> None:
-        fill = _filler(cls)
-        _replace(cls, first, fill)
-        fill(self, *args, **given)
+    def equal(self: object, other: object) -> bool:
+        return bool(data(self) == data(other)) if other.__class__ is self.__class__ else NotImplemented
 
-    return first
-
-
-def _replace(cls: Any, fill: Callable[..., None], other: Callable[..., None]) -> None:
-    """A way to fill instead of one, where the class has not been given its own meanwhile."""
-    if vars(cls).get("__init__") is fill:
-        cls.__init__ = other
+    setattr(cls, "__eq__", equal)  # noqa: B010
+    setattr(cls, "__hash__", lambda self: hash(data(self)))  # noqa: B010
 
 
-def _filler(cls: Any) -> Callable[..., None]:
-    """Values by place or by name, defaults for the rest. A class that is filled often gets a way of its own."""
-    names = tuple(cls.__match_args__)
-    known = frozenset(names)
-    entries = getattr(cls, _FIELDS)
-    defaults = {name: entry.default for name, entry in entries.items() if entry.default is not MISSING}
-    makers = {name: entry.default_factory for name, entry in entries.items() if entry.default_factory is not MISSING}
-    post = getattr(cls, "__post_init__", None)
-    rests: dict[int, dict[str, Any] | None] = {}
-    """What a number of values by place leaves to the defaults, where it may."""
-    count = 0
+def _filler(cls: Any) -> Fill:
+    """`__init__` by place or by name, with defaults for the rest."""
+    entries = {each.name: each for each in fields(cls)}
+    names = tuple(entries)
+    defaults = {name: each.default for name, each in entries.items() if each.default is not MISSING}
+    makers = {name: each.default_factory for name, each in entries.items() if each.default_factory is not MISSING}
+    post: Fill | None = getattr(cls, "__post_init__", None)
+    rests = {
+        number: {name: defaults[name] for name in names[number:]}
+        for number in range(len(names) + 1)
+        if all(name in defaults for name in names[number:])
+    }
+    """What so many values by place leave to the defaults."""
 
-    def left(given: int) -> dict[str, Any] | None:
-        """Reckoned once for each number."""
-        most = given <= len(names) and all(name in defaults for name in names[given:])
-        rests[given] = {name: defaults[name] for name in names[given:]} if most else None
-        return rests[given]
-
-    def fill(self: Any, *args: Any, **given: Any) -> None:
-        nonlocal count
-        count += 1
-        if count == _OFTEN and (own := _own_filler(cls, defaults, makers)):
-            _replace(cls, fill, own)
+    def fill(self: object, /, *args: object, **named: object) -> None:
         data = self.__dict__
-        number = len(args)
-        rest = None if given else rests[number] if number in rests else left(number)
+        rest = None if named else rests.get(len(args))
         if rest is not None:
             data.update(zip(names, args))
-            if rest:
-                data.update(rest)
+            data.update(rest)
         else:
-            fill_by_name(data, args, given)
+            data.update(defaults)
+            data.update(zip(names, args), **named)
+            data.update((name, make()) for name, make in makers.items() if name not in data)
+            twice = not named.keys().isdisjoint(names[: len(args)])
+            if data.keys() != entries.keys() or len(args) > len(names) or twice:
+                raise TypeError(f"{cls.__name__} wants {', '.join(names)}; given: {len(args)} by place, {[*named]}")
         if post is not None:
             post(self)
-
-    def fill_by_name(data: dict[str, Any], args: tuple[Any, ...], given: dict[str, Any]) -> None:
-        data.update(defaults)
-        data.update(zip(names, args), **given)
-        if makers:
-            data.update((name, make()) for name, make in makers.items() if name not in data)
-        if data.keys() != known or len(args) > len(names) or not given.keys().isdisjoint(names[: len(args)]):
-            raise TypeError(f"{cls.__name__} wants {', '.join(names)}; given: {len(args)} by place, {[*given]}")
 
     return fill
 
 
-def _own_filler(cls: Any, defaults: Mapping[str, Any], makers: Mapping[str, Any]) -> Callable[..., None] | None:
-    """`__init__(self, name, x=..)`, as `dataclasses` would write it; none where what is needed stands last."""
-    names = cls.__match_args__
-    free = [name in defaults or name in makers for name in names]
-    if free != sorted(free):
-        return None
-    known: dict[str, Any] = {f"_{k}": defaults.get(name, makers.get(name)) for k, name in enumerate(names)}
-    given = [f"{name}=_{k}" if free[k] else name for k, name in enumerate(names)]
-    filled = [
-        f" _data[{name!r}] = " + (f"_{k}() if {name} is _{k} else {name}" if name in makers else name)
-        for k, name in enumerate(names)
-    ]
-    last = [" _self.__post_init__()"] if hasattr(cls, "__post_init__") else []
-    lines = [f"def __init__({', '.join(['_self', *given])}):", " _data = _self.__dict__", *filled, *last]
-    exec("\n".join(lines), known)
-    made: Callable[..., None] = known["__init__"]
-    made.__qualname__ = f"{cls.__qualname__}.__init__"
-    return made
+def _text(self: Any) -> str:
+    return f"{type(self).__name__}({', '.join(f'{each.name}={getattr(self, each.name)!r}' for each in fields(self))})"
 
 
-def _equal(data: Callable[[Any], Any]) -> Callable[[Any, object], bool]:
-    return lambda self, other: data(self) == data(other) if other.__class__ is self.__class__ else NotImplemented
-
-
-def _hashed(data: Callable[[Any], Any]) -> Callable[[Any], int]:
-    return lambda self: hash(data(self))
-
-
-def _written(self: Any) -> str:
-    data = ", ".join(f"{field.name}={getattr(self, field.name)!r}" for field in fields(self))
-    return f"{type(self).__name__}({data})"
-
-
-def _refused(self: Any, name: str, *_: object) -> None:
+def _refuse(self: object, name: str, *_: object) -> None:
     raise FrozenInstanceError(f"{type(self).__name__}.{name} cannot be changed")
