@@ -19,7 +19,7 @@ from graphkin.model.quantities.typed import rewritten
 from graphkin.proof.readings import readings
 from graphkin.say import names
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import mistake
+from graphkin.say.marks import mistake
 from graphkin.say.numbers import number
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import Label, plain

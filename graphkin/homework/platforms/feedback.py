@@ -15,10 +15,9 @@ from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
 from graphkin.model.quantities.typed import rewritten
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import hint, kind, once, together
+from graphkin.say.marks import distinct_mistakes, mistake_hint, mistake_kind, mistakes_together, verdict
 from graphkin.say.names import asked
 from graphkin.say.numbers import number
-from graphkin.say.verdicts import verdict
 
 Reveal = Literal["hint", "mistake", "answer"]
 """How much is told: the verdicts, and where to look again; what the numbers are consistent with; the right values."""
@@ -171,23 +170,23 @@ def habits(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
 
 def habit(one: Habit, lang: Lang) -> str:
     """The mistakes in words, whatever they were made with."""
-    return joined([kind(id, lang) for id in one.ids], lang)
+    return joined([mistake_kind(id, lang) for id in one.ids], lang)
 
 
 def _hints(one: Suspicion | Habit, lang: Lang) -> list[str]:
     topics = dict.fromkeys(MISTAKES[id].topic for id in one.ids if id in MISTAKES)
-    return [hint(topic, lang) for topic in topics]
+    return [mistake_hint(topic, lang) for topic in topics]
 
 
 def suspected(one: Suspicion, lang: Lang) -> str:
     """The mistakes in words, or by their ids."""
-    told = [together(names, lang) for names in one.names]
+    told = [mistakes_together(names, lang) for names in one.names]
     return joined(told or list(one.ids), lang)
 
 
 def joined(told: list[str], lang: Lang) -> str:
     """What cannot be told apart, as one."""
-    each = once(text.strip().rstrip(".。") for text in told)
+    each = distinct_mistakes(text.strip().rstrip(".。") for text in told)
     if len(each) == 1:
         return each[0]
     more = [say("marks.more", lang, count=len(each) - SETS)] if len(each) > SETS else []
