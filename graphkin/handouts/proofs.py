@@ -89,7 +89,7 @@ def _given_by(told: HandoutProblem, key: Key, id: str, wanted: list[int], moved:
             shown.append(f"{told.goal.symbol(symbols[entry.text])} = {number(value * unit.factor)} {unit.sign}".strip())
     name = mistake(key.singles.names[row][0], told.lang)
     known = {entry.text for entry in key.entries}
-    signs = rewritten(name, lambda text: names.asked(text) if text in known else text)
+    signs = rewritten(name, lambda text: names.symbols(text) if text in known else text)
     raised = re.sub(r"([va])\^([nktr]+)_", lambda found: names.vector(found[0] + "X")[:-1], signs)
     return formula(say("handouts.gives", told.lang, mistake=raised, values=", ".join(shown)))
 

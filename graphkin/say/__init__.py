@@ -24,7 +24,7 @@ How to add a phrase:
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 _WHERE = dict.fromkeys(("TermRow", "Calculation", "Entry", "Heading", "Sentence", "VectorEquation"), "entry")
 _WHERE |= dict.fromkeys(("derivation", "explain", "vector_equations"), "explained")
@@ -49,7 +49,7 @@ if TYPE_CHECKING:
     from graphkin.say.explained import derivation, explain, vector_equations
 
 
-def __getattr__(name: str) -> Any:
+def __getattr__(name: str) -> object:
     """Public names are imported when first used: who speaks of one subject loads no other."""
     if name not in _WHERE:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -7,6 +7,7 @@ and whoever puts the figures into a calculator gets it.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import cos, floor, log10, radians, sin
 from typing import Literal
 
@@ -152,13 +153,18 @@ def squared(value: float) -> Formula:
     return Operand(value, square=True)
 
 
-def signed_sum(parts: list[tuple[int, float]]) -> Formula:
-    """`−0.49 + 2`, `1.5 − (−2)` of signs and numbers."""
-    (sign, value), *more = parts
-    total: Formula = Operand(value) if sign > 0 else -Operand(value)
-    for sign, value in more:
-        total = total + Operand(value) if sign > 0 else total - Operand(value)
+def joined_sum(parts: Sequence[tuple[float, Formula]]) -> Formula:
+    """`−0.49 + 2 × 3` of formulas with their signs."""
+    (sign, first), *more = parts
+    total = first if sign > 0 else -first
+    for sign, formula in more:
+        total = total + formula if sign > 0 else total - formula
     return total
+
+
+def signed_sum(parts: Sequence[tuple[float, float]]) -> Formula:
+    """`−0.49 + 2`, `1.5 − (−2)` of signs and numbers."""
+    return joined_sum([(sign, Operand(value)) for sign, value in parts])
 
 
 def written(formula: Formula, result: float, digits: int = DIGITS) -> str:

@@ -7,7 +7,6 @@ The same sentences are the descriptions of the JSON Schema. They stand in the ca
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from graphkin.errors import Lang
 from graphkin.files.examples import EXAMPLES, LINE
@@ -81,8 +80,8 @@ def _dimensions(table: str, key: str) -> tuple[Dimension, ...]:
     """Of what a key takes as a number."""
     if key == FURTHER:
         return ("length", "angle") if table == "link" else ("length",)
-    found: Any = keys(TABLES[table])[key].metadata["kind"]
-    return () if found.dimension is None else (found.dimension,)
+    kind = keys(TABLES[table])[key].metadata["kind"]
+    return () if kind.dimension is None else (kind.dimension,)
 
 
 def _units(dimension: Dimension, lang: Lang) -> str:

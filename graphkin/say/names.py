@@ -88,10 +88,10 @@ def vector(name: str) -> str:
     return letter + "".join(_RAISED[c] for c in part or "") + "_" + sites
 
 
-def asked(text: str) -> str:
+def symbols(text: str) -> str:
     """A question as the field writes it: `aᵏ_B3B2` of `a_k B3B2`, `v_E,x` of `v_x E`, `ω3` of `omega 3`."""
     if " / " in text:
-        return " / ".join(map(asked, text.split(" / ")))
+        return " / ".join(map(symbols, text.split(" / ")))
     word, _, of = text.partition(" ")
     letter, _, part = word.partition("_")
     sign = _GREEK.get(letter, letter)
@@ -130,4 +130,4 @@ def in_signs(text: str, lang: Lang) -> str:
     """Quantities and units as they are typed, in Chinese as they are written: `omega 3` as ω3, `rad/s^2` as rad/s²."""
     if lang != "zh":
         return text
-    return re.sub(_DEGREES, "°", rewritten(text, asked)).replace("/s^2", "/s²")
+    return re.sub(_DEGREES, "°", rewritten(text, symbols)).replace("/s^2", "/s²")

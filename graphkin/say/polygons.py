@@ -1,10 +1,11 @@
-"""The velocity and the acceleration polygon in words, one plane at a time."""
+"""The velocity and the acceleration polygon in words: the pole, equations, rotations and slidings read off, images."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import assert_never
 
+from graphkin.base.geometry import cross
 from graphkin.construction import (
     Arc,
     Equation,
@@ -21,16 +22,18 @@ from graphkin.construction import (
     Step,
     Swing,
     Touch,
-)
+)  # fmt: skip
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.held_still import held_points, standing
 from graphkin.say import names
-from graphkin.say.entry import Entry, Heading, Sentence
+from graphkin.say.entry import Calculation, Entry, Heading, Sentence
 from graphkin.say.equations import equation, known_arrow
+from graphkin.say.figures import Operand, figures, signed_sum
+from graphkin.say.numbers import number
 from graphkin.say.plane import PolygonReading
-from graphkin.say.reading import Reading
-from graphkin.say.rolling import rolling
-from graphkin.say.rotation import image, rotation, sliding, ties
-from graphkin.say.together import solved_together
+from graphkin.say.reading import Reading, aside
+from graphkin.say.rolling import checked, contacted, rolling, same_velocities
+from graphkin.say.simultaneous import solved_together
 
 
 def polygon(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], number: int) -> Iterator[Entry]:
@@ -38,10 +41,7 @@ def polygon(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], 
     drawn = PolygonReading(reading, plane, standing(reading.method, plane, parts, reading.rested))
     yield Heading(reading.say(f"derivation.plane {plane}", number=number), plane)
     for part in drawn.parts:
-        if isinstance(part, Equation):
-            yield from equation(drawn, part)
-        else:
-            yield from _step(drawn, part)
+        yield from equation(drawn, part) if isinstance(part, Equation) else _step(drawn, part)
 
 
 def _step(drawn: PolygonReading, step: Step) -> Iterator[Entry]:
@@ -49,16 +49,16 @@ def _step(drawn: PolygonReading, step: Step) -> Iterator[Entry]:
         case Given():
             yield from _renamed(drawn)
             yield Sentence(_pole(drawn, step))
-            yield from _held(drawn)
-            yield from ties(drawn)
+            yield from _held_still(drawn)
+            yield from _driven_groups(drawn)
         case LayOff():
             yield from known_arrow(drawn, step)
         case Image():
-            yield from image(drawn, step)
+            yield from _image(drawn, step)
         case Measure("omega" | "alpha"):
-            yield from rotation(drawn, step)
+            yield from _rotation(drawn, step)
         case Measure():
-            yield from sliding(drawn, step)
+            yield from _sliding(drawn, step)
         case Roll():
             yield from rolling(drawn, step)
         case Simultaneous():
@@ -71,41 +71,37 @@ def _step(drawn: PolygonReading, step: Step) -> Iterator[Entry]:
             assert_never(step)
 
 
+# --- the start ----------------------------------------------------------------------------------
+
+
 def _renamed(drawn: PolygonReading) -> Iterator[Entry]:
     """Where p belongs to a point P, the pole has another letter; said once, in the first polygon."""
-    pole = drawn.construction.pole
+    reading, pole, nodes = drawn.reading, drawn.construction.pole, drawn.construction.nodes
     if drawn.plane == "velocity" and pole != "p":
-        yield Sentence(drawn.reading.say("derivation.renamed pole", letter="P", pole=names.point(pole)))
-    taken = {point[0] for point in drawn.reading.mechanism.points}
-    for part, tip in _tips(drawn).items():
-        if part.upper() in taken and not tip.startswith(part):
-            what = drawn.reading.say(f"derivation.tips {part}")
-            words = {"letter": part.upper(), "part": what, "tip": tip[0]}
-            yield Sentence(drawn.reading.say("derivation.renamed tips", **words))
-
-
-def _tips(drawn: PolygonReading) -> dict[str, str]:
-    """Where normal and Coriolis components end: the first of each that ends at a corner of its own."""
-    found, nodes = dict[str, str](), drawn.construction.nodes
+        yield Sentence(reading.say("derivation.renamed pole", letter="P", pole=names.point(pole)))
+    tips: dict[str, str] = {}  # of normal and Coriolis components: the first of each that ends at a corner of its own
     for part in drawn.parts:
         for step in part.steps if isinstance(part, Equation) else (part,):
             if isinstance(step, LayOff) and step.term.part in ("n", "k") and nodes[step.tip].site is None:
-                found.setdefault(step.term.part, step.tip)
-    return found
+                tips.setdefault(step.term.part, step.tip)
+    letters = {point[0] for point in reading.mechanism.points}
+    for kind, tip in tips.items():
+        if kind.upper() in letters and not tip.startswith(kind):
+            words = {"letter": kind.upper(), "part": reading.say(f"derivation.tips {kind}"), "tip": tip[0]}
+            yield Sentence(reading.say("derivation.renamed tips", **words))
 
 
-def _held(drawn: PolygonReading) -> Iterator[Entry]:
+def _held_still(drawn: PolygonReading) -> Iterator[Entry]:
     """The links that drivers at rest hold still: their points are fixed points."""
-    reading = drawn.reading
-    links = [reading.link(link) for link in reading.mechanism.moving if reading.stands(link)]
+    reading, owners = drawn.reading, drawn.reading.mechanism.owners
+    links = [link for link in reading.mechanism.moving if reading.stands(link)]
     if links:
         held = held_points(reading.method, drawn.plane, reading.rested)
-        owners = reading.mechanism.owners
         points = [names.point(p) for p in held if not all(map(reading.stands, owners.get(p, ())))]
         key = "derivation.as fixed" if len(points) == 1 else "derivation.as fixed, several"
         fixed = reading.say(key, points=reading.listed(points), pole=names.point(drawn.construction.pole))
         key = "derivation.held still" if len(links) == 1 else "derivation.held still, several"
-        yield Sentence(reading.say(key, links=reading.listed(links), fixed=fixed))
+        yield Sentence(reading.say(key, links=reading.links(links), fixed=fixed))
 
 
 def _pole(drawn: PolygonReading, step: Given) -> str:
@@ -119,3 +115,183 @@ def _pole(drawn: PolygonReading, step: Given) -> str:
     points = reading.listed([names.point(drawn.of(node)) for node in step.also])
     key = "derivation.pole fixed" if len(step.also) == 1 else "derivation.pole fixed, several"
     return reading.say(key, pole=pole, points=points, nodes=nodes)
+
+
+# --- rotations ----------------------------------------------------------------------------------
+
+
+def _rotation(drawn: PolygonReading, step: Measure) -> Iterator[Entry]:
+    """omega or alpha of a link, then of those that keep their angle to it."""
+    reading, ends = drawn.reading, (step.tail, step.head)
+    if drawn.plane == "acceleration" and not drawn.written(*ends):
+        yield from _resolved(drawn, step)
+    else:
+        name, contacts = contacted(drawn, step)
+        name = name or drawn.name(*ends)
+        if contacts:
+            yield from same_velocities(drawn, step)
+        yield _rate(drawn, step, name, drawn.length_mm(*ends), direct=True)
+        if len(contacts) == 1 and (check := checked(drawn, contacts[0])):
+            yield Sentence(check)
+        if drawn.plane == "velocity" and not drawn.arrow(*ends):
+            key = "derivation.rest now" if step.tail == drawn.construction.pole else "derivation.translation now"
+            yield Sentence(reading.say(key, name=name, link=reading.link(step.of)))
+    others = reading.group(step.of)
+    held = [other for other in others if not _driven_between(drawn, other, step.of)]
+    if held and drawn.plane == "velocity":
+        yield Sentence(reading.say("derivation.held", links=reading.links((*held, step.of))))
+    for other in others:
+        yield _kept_angle(drawn, other, step.of)
+
+
+def _rate(drawn: PolygonReading, step: Measure, name: str, length_mm: float, direct: bool = False) -> Calculation:
+    """`ω3 = v_B3/l_BD = μ_v·pb3/(μ_l·BD) = 0.01 × 27.12/(0.001 × 69.2) = 3.919 rad/s (clockwise)`."""
+    reading, line = drawn.reading, names.pair(*step.lever)
+    lever, scale = reading.distance(*step.lever), reading.scales["length"]
+    measured = f"{names.SCALE[drawn.plane]}·{names.stretch(step.tail, step.head)}/(μ_l·{line})"
+    formulas = (f"{name}/l_{line}", measured) if direct else (f"{name}/l_{line}",)
+    numbers = Operand(drawn.scale) * Operand(length_mm) / (Operand(scale) * Operand(lever / scale))
+    note = _sense_note(drawn, step) if length_mm else ""
+    return Calculation(drawn.rate(step.of), formulas, numbers, length_mm * drawn.scale / lever, drawn.rate_unit, note)
+
+
+def _sense_note(drawn: PolygonReading, step: Measure) -> str:
+    """The sense; the first time also how it is found."""
+    reading = drawn.reading
+    sense = reading.say("common.ccw" if _across_lever(drawn, step) > 0 else "common.cw")
+    if step != drawn.first_lever:
+        return sense
+    tail, head = (names.point(p) for p in step.lever)
+    words = {"stretch": names.stretch(step.tail, step.head), "rate": drawn.rate(step.of)}
+    return reading.say("derivation.sense rule", sense=sense, head=head, tail=tail, **words)
+
+
+def _across_lever(drawn: PolygonReading, step: Measure) -> float:
+    """Speed across the lever, positive where it turns it counter-clockwise."""
+    arm = drawn.reading.arm(*step.lever)
+    return float(cross(arm, drawn.arrow(step.tail, step.head))) / abs(arm)
+
+
+def _resolved(drawn: PolygonReading, step: Measure) -> Iterator[Entry]:
+    """Both ends are known from elsewhere: only the part across the lever turns the link."""
+    reading, plane = drawn.reading, drawn.plane
+    across = float(reading.usual.motion(abs(_across_lever(drawn, step)), plane).real)
+    across = float(reading.ruler.read(across, plane).real) if reading.ruler else across
+    length_mm, tail = across / drawn.scale, _own_node(drawn, step.tail, step.lever[0])
+    name = drawn.seen(drawn.of(step.head), drawn.of(tail), "t")
+    numbers = Operand(drawn.scale) * Operand(length_mm)
+    tangential = Calculation(name, (), numbers, across, names.UNIT[plane]).text
+    ends, line = names.stretch(step.tail, step.head), names.pair(*step.lever)
+    yield Sentence(reading.say("derivation.tangential part", ends=ends, line=line, tangential=tangential))
+    yield _rate(drawn, step, name, length_mm)
+
+
+# --- links that keep their angles ---------------------------------------------------------------
+
+
+def _driven_groups(drawn: PolygonReading) -> Iterator[Entry]:
+    """Before the first equation: links that cannot turn, and those that turn with the driven ones."""
+    reading, turns = drawn.reading, drawn.reading.plot.facts.turns
+    still = [link for link in reading.mechanism.moving if reading.translates(link)]
+    if still and drawn.plane == "velocity":
+        zero = [" = ".join([*(reading.rate(symbol, link) for link in still), "0"]) for symbol in ("ω", "α")]
+        key = "derivation.never turn" if len(still) == 1 else "derivation.never turn, several"
+        yield Sentence(reading.say(key, links=reading.links(still), rates=reading.joined(zero)))
+    driven = dict.fromkeys(d.link for d in reading.mechanism.drivers if d.kind != "slide" and d.from_link == FRAME)
+    for link in reading.mechanism.moving:
+        if turns[link].base == FRAME and turns[link].drivers and link not in driven:
+            like = [other for other in driven if turns[other].drivers == turns[link].drivers]
+            if like and drawn.plane == "velocity":
+                yield Sentence(reading.say("derivation.held", links=reading.links((link, *like))))
+            yield _kept_angle(drawn, link, FRAME)
+
+
+def _kept_angle(drawn: PolygonReading, link: str, other: str) -> Calculation:
+    """`ω2 = ω3`, or `ω2 = ω1 + ω21` with a driven rotation between them; the frame adds nothing."""
+    reading, plane = drawn.reading, drawn.plane
+    value, driven = reading.turning(link, plane), _driven_between(drawn, link, other)
+    parts = [] if other == FRAME else [(1, drawn.rate(other), reading.turning(reading.body(other), plane))]
+    for k, sign, rate in driven:
+        symbol = reading.against(reading.mechanism.drivers[k], names.RATE[plane])
+        parts.append((sign, symbol, float(reading.usual.rate(rate, plane).real)))
+    (sign, first, _), *more = parts
+    formula = ("−" if sign < 0 else "") + first + "".join(f" {'−' if s < 0 else '+'} {text}" for s, text, _ in more)
+    if not driven or (not more and sign > 0):
+        return Calculation(drawn.rate(link), (formula,), "", abs(value), drawn.rate_unit, reading.sense(value))
+    numbers = signed_sum([(sign, rate) for sign, _, rate in parts]) if more else ""
+    return Calculation(drawn.rate(link), (formula,), numbers, value, drawn.rate_unit, reading.signed(value))
+
+
+def _driven_between(drawn: PolygonReading, link: str, other: str) -> list[tuple[int, int, float]]:
+    """Drivers that turn `link` against `other`, each with its sign and its rate."""
+    facts = drawn.reading.plot.facts
+    rates = facts.rates if drawn.plane == "velocity" else facts.accelerations
+    count: dict[int, int] = {}
+    for member, way in ((link, 1), (other, -1)):
+        for k, sign in facts.turns[member].drivers:
+            count[k] = count.get(k, 0) + way * sign
+    return [(k, sign, float(rates[k])) for k, sign in count.items() if sign]
+
+
+# --- slides -------------------------------------------------------------------------------------
+
+
+def _sliding(drawn: PolygonReading, step: Measure) -> Iterator[Entry]:
+    """The speed at which a named displacement grows; of others, which distance grows or shrinks."""
+    reading, plane = drawn.reading, drawn.plane
+    pair = reading.method.structure.slides[step.of]
+    table = reading.plot.s_rate if plane == "velocity" else reading.plot.s_acceleration
+    value, size = float(table[step.of]), drawn.read(step.tail, step.head)
+    name = drawn.name(step.tail, step.head)
+    if pair.named:
+        formula = f"−{name}" if size and value <= 0 else name
+        symbol = names.of_slide(names.SLIDING[plane], step.of)
+        yield Calculation(symbol, (formula,), "", value if size else 0.0, names.UNIT[plane])
+    elif plane == "velocity" and size and pair.guide != FRAME and pair.line.named:
+        stretch = names.pair(pair.line.origin, pair.point)
+        key = "derivation.grows" if value * float(reading.plot.s[step.of]) > 0 else "derivation.shrinks"
+        yield Sentence(reading.say(key, stretch=stretch, size=number(size)))
+
+
+# --- images -------------------------------------------------------------------------------------
+
+
+def _image(drawn: PolygonReading, step: Image) -> Iterator[Entry]:
+    """A further point of a link by the figure similar to it, then its motion."""
+    reading = drawn.reading
+    first, second, third = step.corners
+    corners = [_own_node(drawn, node, corner) for node, corner in zip(step.base, step.corners, strict=False)]
+    words = {"image": reading.say(f"derivation.image {drawn.plane}"), "link": reading.link(step.link)}
+    words |= {"point": names.point(step.point), "corner": names.point(third)}
+    words |= {"small": names.stretch(*corners), "large": names.point(first) + names.point(second)}
+    one, other = (reading.arm(p, third) for p in (first, second))
+    if not drawn.arrow(*step.base):
+        sentence = reading.say("derivation.image point", **words)
+    elif aside(one, other) <= reading.noise * max(abs(one), abs(other)):
+        sentence = reading.say("derivation.image line", ratio=_ratio(drawn, step, corners), **words)
+    else:
+        words |= {"small": names.triangle(*corners, step.point), "large": names.triangle(*step.corners)}
+        ccw = float(cross(reading.arm(first, second), one)) > 0
+        sentence = reading.say("derivation.image triangle", sense=reading.sense(1 if ccw else -1), **words)
+    yield drawn.sentence(step, sentence)
+    yield drawn.measured_absolute(step.point)
+
+
+def _own_node(drawn: PolygonReading, node: str, corner: str) -> str:
+    """A fixed point's own letter rather than the pole's."""
+    if node != drawn.construction.pole:
+        return node
+    nodes = drawn.construction.nodes.values()
+    fixed = (n.name for n in nodes if n.site is not None and (n.site.point, n.site.link) == (corner, FRAME))
+    return next(fixed, node)
+
+
+def _ratio(drawn: PolygonReading, step: Image, corners: list[str]) -> str:
+    """`dc = db3 · CD/BD = 27.12 × 48/69.2 = 18.81 mm`."""
+    first, second, third = step.corners
+    lengths = [drawn.reading.distance(first, p) for p in (third, second)]
+    small, scale = drawn.length_mm(*step.base), drawn.reading.scales["length"]
+    one, other = figures(*(length / scale for length in lengths))
+    formula = f"{names.stretch(*corners)} × {names.pair(first, third)}/{names.pair(first, second)}"
+    name, value = names.stretch(corners[0], step.point), small * lengths[0] / lengths[1]
+    return Calculation(name, (formula,), Operand(small) * one / other, value, "mm").text

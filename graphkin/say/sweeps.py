@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, assert_never
+from typing import assert_never
 
 import numpy as np
 
@@ -24,7 +24,7 @@ CONSTANT = 1e-9
 
 def at(course: Course, t: float) -> str:
     """`AB = 41.2°`, by where on the path."""
-    return named(course, float(course.value(t)))
+    return named(course, float(course.value(t).real))
 
 
 def named(course: Course, value: float) -> str:
@@ -32,8 +32,8 @@ def named(course: Course, value: float) -> str:
     return f"{course.driver.name} = {at_edge(value, course.unit)}"
 
 
-def told(event: Event, lang: Lang) -> str:
-    """Why a path stops, or what happens at a change point."""
+def why(event: Event, lang: Lang) -> str:
+    """The reason why a path stops, or what happens at a change point."""
     return say(f"sweeps.event {event.kind}", lang, links=listed(event.links, lang))
 
 
@@ -44,13 +44,13 @@ def remarks(course: Course, lang: Lang) -> Iterator[str]:
         low, high = (at_edge(value, unit) for value in course.reach)
         yield say("sweeps.range", lang, driver=course.driver.name, low=low, high=high)
         for stop in course.stops:
-            why = told(stop, lang)
+            reason = why(stop, lang)
             if stop.kind not in ("tangent", "parallel"):
-                why = say("sweeps.dead", lang, why=why)
-            yield say("sweeps.stop", lang, at=at(course, stop.at), why=why)
+                reason = say("sweeps.dead", lang, why=reason)
+            yield say("sweeps.stop", lang, at=at(course, stop.at), why=reason)
         yield from _open_ends(course, lang)
     for change in course.changes:
-        yield say("sweeps.change", lang, at=at(course, change.at), why=told(change, lang))
+        yield say("sweeps.change", lang, at=at(course, change.at), why=why(change, lang))
     if course.dropped.size:
         yield say("sweeps.dropped", lang, count=course.dropped.size)
     if sum(map(bool, course.path.pace)) > 1:
@@ -130,7 +130,7 @@ def book_lines(sweep: Sweep) -> Iterator[str]:
     yield from table([heads, units, *rows])
 
 
-def _book(values: Any, unit: str) -> Any:
+def _book(values: np.ndarray, unit: str) -> np.ndarray:
     """Degrees, but metres."""
     return values * EDGE[unit].factor if unit == "rad" else values
 

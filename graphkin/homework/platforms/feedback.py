@@ -16,7 +16,7 @@ from graphkin.model.quantities import EDGE
 from graphkin.model.quantities.typed import rewritten
 from graphkin.say.catalogue import say
 from graphkin.say.marks import distinct_mistakes, mistake_hint, mistake_kind, mistakes_together, verdict
-from graphkin.say.names import asked
+from graphkin.say.names import symbols
 from graphkin.say.numbers import number
 
 Reveal = Literal["hint", "mistake", "answer"]
@@ -55,7 +55,7 @@ def _in_signs(result: Result, text: str) -> str:
     """A text with the quantities of the problem as the sheets write them: ω3, aᵏ_B3B2."""
     known = {name for line in result.lines for name in (line.name, line.name.split(" #")[0].split(" @")[0])}
     turning = ("theta ", "omega ", "alpha ")
-    return rewritten(text, lambda typed: asked(typed) if typed in known or typed.startswith(turning) else typed)
+    return rewritten(text, lambda typed: symbols(typed) if typed in known or typed.startswith(turning) else typed)
 
 
 def _points(line: ResultLine, lang: Lang) -> str:
