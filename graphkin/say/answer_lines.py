@@ -9,17 +9,8 @@ from typing import assert_never
 
 from graphkin.base.value import frozen
 from graphkin.model.kinematic_state import Motions
-from graphkin.model.quantities import (
-    Centre,
-    Component,
-    Displacement,
-    Moving,
-    Place,
-    Quantity,
-    Quotient,
-    Rotation,
-    Track,
-)  # fmt: skip
+from graphkin.model.quantities import Quantity
+from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.units import EDGE
 from graphkin.proof.readings import readings
 from graphkin.say import names
@@ -52,14 +43,14 @@ class AnswerLines:
         return readings(self.reading.method, self.reading.plot)
 
     @property
-    def quantities(self) -> list[Quantity]:
+    def answerable(self) -> list[Quantity]:
         """What is asked for and can be answered."""
         return [quantity for quantity in self.goal.wanted if quantity is not None]
 
     def entries(self) -> Iterator[Entry]:
         if self.goal.wanted:
             yield Heading(self.reading.say("solution.answer"))
-        yield from map(self.entry, self.quantities)
+        yield from map(self.entry, self.answerable)
 
     def entry(self, quantity: Quantity) -> Sentence | Calculation:
         """The answer to one question, with the figures it is worked out from where that is one step more."""
@@ -89,17 +80,13 @@ class AnswerLines:
 
     def result(self, quantity: Quantity) -> str:
         """The answer without its name and without figures: `1.220 m/s (at 180° to +x)`."""
-        match quantity:
-            case Centre():
-                return self._centre(quantity)
-            case Track():
-                return f"{self._track(quantity)} mm"
-            case Rotation() | Displacement() | Place() | Moving() | Component() | Quotient():
-                entry = self.entry(quantity)
-                assert isinstance(entry, Calculation), quantity
-                return f"{entry.result}{self.reading.note(entry.note)}"
-            case _:
-                assert_never(quantity)
+        if isinstance(quantity, Centre):
+            return self._centre(quantity)
+        if isinstance(quantity, Track):
+            return f"{self._track(quantity)} mm"
+        entry = self.entry(quantity)
+        assert isinstance(entry, Calculation), quantity
+        return f"{entry.result}{self.reading.note(entry.note)}"
 
     def signed(self, quantity: Quantity) -> float:
         """The answer as a number, of a rotation with its sense."""
@@ -184,9 +171,9 @@ def deviations(drawn: AnswerLines, exactly: SolutionGoal) -> Iterator[Entry]:
     exactly  the same questions of the drawing that was read
     """
     right = AnswerLines(exactly, {})
-    if drawn.quantities:
+    if drawn.answerable:
         yield Heading(drawn.reading.say("solution.exactly"))
-    for quantity in drawn.quantities:
+    for quantity in drawn.answerable:
         yield Sentence("  " + _beside(drawn, right, quantity))
 
 

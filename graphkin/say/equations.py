@@ -6,33 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import assert_never
 
-from graphkin.construction import (
-    AcrossGuide,
-    Along,
-    AlongGuide,
-    Arc,
-    Coriolis,
-    Drawn,
-    Driven,
-    Equation,
-    Fit,
-    Given,
-    Image,
-    LayOff,
-    Measure,
-    Meet,
-    Normal,
-    Ray,
-    Relative,
-    Roll,
-    Simultaneous,
-    Step,
-    Swing,
-    Tangential,
-    Term,
-    Touch,
-    Turning,
-)  # fmt: skip
+from graphkin.construction import Equation, Step, Term, kinds, terms
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence, TermRow, VectorEquation
 from graphkin.say.numbers import number
@@ -44,28 +18,28 @@ from graphkin.say.simultaneous import instant_centre, special_introduction
 def equation(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     """Everything about one vector equation, in the order of a textbook."""
     if sentence := _translation(polygon, part):
-        yield polygon.sentence(next(step for step in part.steps if isinstance(step, LayOff)), sentence)
+        yield polygon.sentence(next(step for step in part.steps if isinstance(step, kinds.LayOff)), sentence)
         return
     yield from _choice(polygon, part)
     yield from same_velocities(polygon, part)
     yield Sentence(_introduction(polygon, part))
     yield worded(polygon, part)
     yield from _path_of_pin(polygon, part)
-    terms = part.left + part.right
-    laid = (step.term for step in part.steps if isinstance(step, LayOff))
-    for term in dict.fromkeys(term for term in laid if not isinstance(term.size, Drawn)):
-        yield size_calculation(polygon, term, terms)
-    yield from _drawing(polygon, part.steps, terms)
+    both_sides = part.left + part.right
+    laid = (step.term for step in part.steps if isinstance(step, kinds.LayOff))
+    for term in dict.fromkeys(term for term in laid if not isinstance(term.size, terms.Drawn)):
+        yield size_calculation(polygon, term, both_sides)
+    yield from _drawing(polygon, part.steps, both_sides)
     if centre := instant_centre(polygon, part):
         yield Sentence(centre)
     else:
         yield from _measured(polygon, part)
 
 
-def known_arrow(polygon: PolygonReading, step: LayOff) -> Iterator[Entry]:
+def known_arrow(polygon: PolygonReading, step: kinds.LayOff) -> Iterator[Entry]:
     """A motion that is known without an equation: that of a driven point."""
     size = step.term.size
-    if isinstance(size, Normal) and not step.term.part:
+    if isinstance(size, terms.Normal) and not step.term.part:
         words = {"of": names.point(size.head), "seen_from": names.point(size.tail)}
         alpha = polygon.reading.rate("α", size.link)
         yield Sentence(polygon.reading.say("derivation.only normal", alpha=alpha, **words))
@@ -82,8 +56,8 @@ def worded(polygon: PolygonReading, part: Equation) -> VectorEquation:
     if not _alone(part, part.left) and _alone(part, part.right):
         sides = (part.right, part.left)
     front = "" if _alone(part, sides[0]) else polygon.seen(part.of, "")
-    terms = part.left + part.right
-    left, right = (tuple(_term_row(polygon, term, terms) for term in side) for side in sides)
+    both_sides = part.left + part.right
+    left, right = (tuple(_term_row(polygon, term, both_sides) for term in side) for side in sides)
     return VectorEquation(front, (left, right))
 
 
@@ -94,7 +68,7 @@ def _alone(part: Equation, side: tuple[Term, ...]) -> bool:
 
 def _term_row(polygon: PolygonReading, term: Term, equation: tuple[Term, ...]) -> TermRow:
     ends, size = (term.tail, term.head), size_row(polygon, term)
-    resting = size == "0" and isinstance(term.size, Drawn)
+    resting = size == "0" and isinstance(term.size, terms.Drawn)
     direction = "—" if resting else polygon.direction_row(term, equation)
     return TermRow(polygon.vector(term), direction, size, polygon.size(*ends), polygon.length_mm(*ends), ends)
 
@@ -116,9 +90,9 @@ def _introduction(polygon: PolygonReading, part: Equation) -> str:
 
 def _choice(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     """Why the coincident points are taken where they are: told with the velocities, where there is a choice."""
-    terms = part.left + part.right
-    known = {term.sites[0].point: term for term in terms if isinstance(term.size, Drawn) and term.sites}
-    slips = (term.sites[0].point for term in terms if _coincident(term) and term.size is None and term.sites)
+    both_sides = part.left + part.right
+    known = {term.sites[0].point: term for term in both_sides if isinstance(term.size, terms.Drawn) and term.sites}
+    slips = (term.sites[0].point for term in both_sides if _coincident(term) and term.size is None and term.sites)
     met = next((point for point in slips if point in known), "")
     if polygon.plane == "velocity" and met and polygon.size(known[met].tail, known[met].head):
         words = {"point": names.point(met), "known": polygon.vector(known[met])}
@@ -129,34 +103,37 @@ def _path_of_pin(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     """The link whose rotation the Coriolis term of a pin has: the one in which its path is straight."""
     reading, structure = polygon.reading, polygon.reading.method.structure
     for term in part.left + part.right:
-        if isinstance(term.size, Coriolis) and any(structure.is_pin(site.link) for site in term.sites):
+        if isinstance(term.size, terms.Coriolis) and any(structure.is_pin(site.link) for site in term.sites):
             words = {"point": names.point(term.sites[0].point), "link": reading.link(term.size.link)}
             yield Sentence(reading.say("derivation.path of the slot", rate=reading.rate("ω", term.size.link), **words))
 
 
 def _relation(polygon: PolygonReading, term: Term) -> str:
     words = {"of": names.point(term.of), "seen_from": names.point(term.seen_from)}
-    if not term.part and isinstance(term.direction, Along | AcrossGuide):
+    if not term.part and isinstance(term.direction, terms.Along | terms.AcrossGuide):
         return polygon.reading.say("contacts.contact points", **words)
     if _coincident(term):
         return polygon.reading.say("derivation.coincident", **words)
     lever = polygon.levers.get((term.tail, term.head))
-    holding = term.size.link if isinstance(term.size, Turning | Normal | Tangential) else lever.of if lever else ""
-    link = polygon.reading.link(holding) if holding else ""
-    return polygon.reading.say("derivation.points of link", link=link, **words) if link else ""
+    if isinstance(term.size, terms.Turning | terms.Normal | terms.Tangential):
+        words["link"] = polygon.reading.link(term.size.link)
+    elif lever is not None:
+        words["link"] = polygon.reading.link(lever.of)
+    return polygon.reading.say("derivation.points of link", **words) if "link" in words else ""
 
 
 def _coincident(term: Term) -> bool:
     """True of the relative motion of two links past each other."""
-    return term.part[:1] in ("k", "r") or (
-        not term.part and (isinstance(term.direction, AlongGuide) or isinstance(term.size, Relative | Driven))
-    )
+    sliding = isinstance(term.direction, terms.AlongGuide) or isinstance(term.size, terms.Relative | terms.Driven)
+    return term.part[:1] in ("k", "r") or (not term.part and sliding)
 
 
 def _translation(polygon: PolygonReading, part: Equation) -> str:
     """A link that cannot turn: all its points move alike, and there is nothing to draw."""
     first, last = part.right[0], part.right[-1]
-    if len(part.right) != 2 or not isinstance(last.size, Turning | Normal) or not isinstance(first.size, Drawn):
+    if len(part.right) != 2 or not isinstance(first.size, terms.Drawn):
+        return ""
+    if not isinstance(last.size, terms.Turning | terms.Normal):
         return ""
     if not polygon.reading.translates(last.size.link):
         return ""
@@ -168,27 +145,29 @@ def _translation(polygon: PolygonReading, part: Equation) -> str:
 # --- the pencil ---------------------------------------------------------------------------------
 
 
-def _drawing(polygon: PolygonReading, steps: tuple[Step, ...], terms: tuple[Term, ...]) -> Iterator[Entry]:
+def _drawing(polygon: PolygonReading, steps: tuple[Step, ...], both_sides: tuple[Term, ...]) -> Iterator[Entry]:
     for step in steps:
         match step:
-            case LayOff():
+            case kinds.LayOff():
                 yield polygon.sentence(step, _lay_off(polygon, step))
-            case Meet():
-                yield polygon.sentence(step, _meet(polygon, step, terms))
-            case Ray():
+            case kinds.Meet():
+                yield polygon.sentence(step, _meet(polygon, step, both_sides))
+            case kinds.Ray():
                 pass  # told where it crosses another
-            case Given(point):
+            case kinds.Given(point):
                 yield Sentence(polygon.reading.say("derivation.from anywhere", point=names.point(point)))
-            case Image() | Measure() | Arc() | Swing() | Roll() | Fit() | Touch() | Simultaneous():
+            case kinds.Image() | kinds.Measure() | kinds.Roll() | kinds.Simultaneous():
+                raise AssertionError("an equation of a polygon is drawn with arrows and lines")
+            case kinds.Arc() | kinds.Swing() | kinds.Fit() | kinds.Touch():
                 raise AssertionError("an equation of a polygon is drawn with arrows and lines")
             case _:
                 assert_never(step)
 
 
-def _lay_off(polygon: PolygonReading, step: LayOff) -> str:
+def _lay_off(polygon: PolygonReading, step: kinds.LayOff) -> str:
     say, term = polygon.reading.say, step.term
     start, tip, name = names.point(step.start), names.point(step.tip), polygon.vector(term)
-    if isinstance(term.size, Drawn):
+    if isinstance(term.size, terms.Drawn):
         drawn = names.arrow(term.size.tail, term.size.head)
         return say("derivation.carried", name=name, drawn=drawn, start=start, tip=tip)
     if not polygon.size(term.tail, term.head):
@@ -199,11 +178,11 @@ def _lay_off(polygon: PolygonReading, step: LayOff) -> str:
     return say(key, name=name, start=start, length=length)
 
 
-def _meet(polygon: PolygonReading, step: Meet, terms: tuple[Term, ...]) -> str:
-    one, other = (locus for locus in (step.first, step.second) if isinstance(locus, Ray))
+def _meet(polygon: PolygonReading, step: kinds.Meet, both_sides: tuple[Term, ...]) -> str:
+    one, other = (locus for locus in (step.first, step.second) if isinstance(locus, kinds.Ray))
     words = {"first": names.point(one.through), "second": names.point(other.through)}
-    words["first_direction"] = polygon.line_direction(one.direction, terms)
-    words["second_direction"] = polygon.line_direction(other.direction, terms)
+    words["first_direction"] = polygon.line_direction(one.direction, both_sides)
+    words["second_direction"] = polygon.line_direction(other.direction, both_sides)
     key = "derivation.meet rays one point" if one.through == other.through else "derivation.meet rays"
     return polygon.reading.say(key, point=names.point(step.point), **words)
 

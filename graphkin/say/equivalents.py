@@ -7,22 +7,7 @@ from itertools import combinations
 from typing import assert_never
 
 from graphkin.base.geometry import dot
-from graphkin.construction import (
-    Arc,
-    Arm,
-    Fit,
-    Given,
-    Image,
-    LayOff,
-    Measure,
-    Meet,
-    Ray,
-    Roll,
-    Simultaneous,
-    Step,
-    Swing,
-    Touch,
-)  # fmt: skip
+from graphkin.construction import Step, kinds, terms
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, RollingContact, Slot, rod_name
 from graphkin.say import names
@@ -153,16 +138,19 @@ def _path(reading: Reading, name: str) -> Iterator[Entry]:
 def _uses(step: Step, origin: str) -> bool:
     """True of a step that starts from a point or draws it, other than as a mere further point of its link."""
     match step:
-        case LayOff():
+        case kinds.LayOff():
             return origin in (step.start, step.tip)
-        case Meet(first, second, point):
-            through = [locus.through for locus in (first, second) if isinstance(locus, Ray)]
+        case kinds.Meet(first, second, point):
+            through = [locus.through for locus in (first, second) if isinstance(locus, kinds.Ray)]
             return origin in (point, *through)
-        case Image():
+        case kinds.Image():
             return origin in step.base
-        case Fit(closures=closures):
-            return any(isinstance(part, Arm) and origin in (part.tail, part.head) for c in closures for part in c.parts)
-        case Measure() | Given() | Ray() | Arc() | Swing() | Roll() | Touch() | Simultaneous():
+        case kinds.Fit(closures=closures):
+            arms = [part for closure in closures for part in closure.parts if isinstance(part, terms.Arm)]
+            return any(origin in (arm.tail, arm.head) for arm in arms)
+        case kinds.Measure() | kinds.Given() | kinds.Ray() | kinds.Arc() | kinds.Touch():
+            return False
+        case kinds.Swing() | kinds.Roll() | kinds.Simultaneous():
             return False
         case _:
             assert_never(step)

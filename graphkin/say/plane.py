@@ -7,30 +7,7 @@ from functools import cached_property
 from typing import assert_never
 
 from graphkin.base.value import frozen
-from graphkin.construction import (
-    Across,
-    AcrossGuide,
-    Along,
-    AlongGuide,
-    Construction,
-    Coriolis,
-    Direction,
-    Drawn,
-    Driven,
-    Equation,
-    LayOff,
-    Measure,
-    Normal,
-    Plane,
-    Quarter,
-    Relative,
-    Size,
-    Span,
-    Step,
-    Tangential,
-    Term,
-    Turning,
-)  # fmt: skip
+from graphkin.construction import Construction, Direction, Equation, Plane, Size, Step, Term, kinds, terms
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Sentence
 from graphkin.say.figures import Formula, Operand, squared
@@ -99,10 +76,10 @@ class PolygonReading:
     @cached_property
     def _names(self) -> dict[tuple[str, str], str]:
         """The arrows of the equations by their ends."""
-        laid = [part.term for part in self.parts if isinstance(part, LayOff)]
+        laid = [part.term for part in self.parts if isinstance(part, kinds.LayOff)]
         equations = (part.left + part.right for part in self.parts if isinstance(part, Equation))
-        terms = [*laid, *(term for terms in equations for term in terms)]
-        return {(term.tail, term.head): term.name(self.plane) for term in terms}
+        arrows = [*laid, *(term for equation in equations for term in equation)]
+        return {(term.tail, term.head): term.name(self.plane) for term in arrows}
 
     def written(self, tail: str, head: str) -> bool:
         """True where an equation, or a known arrow, has these ends."""
@@ -139,54 +116,54 @@ class PolygonReading:
     @cached_property
     def laid_off(self) -> dict[str, Term]:
         """Known absolute motions that are laid off by themselves, by the point at their tip."""
-        return {part.tip: part.term for part in self.parts if isinstance(part, LayOff)}
+        return {part.tip: part.term for part in self.parts if isinstance(part, kinds.LayOff)}
 
     @cached_property
-    def levers(self) -> dict[tuple[str, str], Measure]:
+    def levers(self) -> dict[tuple[str, str], kinds.Measure]:
         """The measurement of a rotation that each arrow gives, or would give if it were told."""
         steps = (*self.construction.steps, *self.parts)
-        return {(s.tail, s.head): s for s in steps if isinstance(s, Measure) and s.lever[0]}
+        return {(s.tail, s.head): s for s in steps if isinstance(s, kinds.Measure) and s.lever[0]}
 
     @cached_property
-    def first_lever(self) -> Measure | None:
+    def first_lever(self) -> kinds.Measure | None:
         """The first rotation that is told."""
-        return next((step for step in self.parts if isinstance(step, Measure) and step.lever[0]), None)
+        return next((step for step in self.parts if isinstance(step, kinds.Measure) and step.lever[0]), None)
 
     def direction(self, direction: Direction, among: tuple[Term, ...] = ()) -> str:
         """`⊥BD`, `∥BC`, `B→A`; a Coriolis term stands across its relative motion, one of the terms `among`."""
         match direction:
-            case Along(tail, head):
+            case terms.Along(tail, head):
                 return names.arrow(tail, head)
-            case Across(tail, head):
+            case terms.Across(tail, head):
                 return "⊥" + names.pair(tail, head)
-            case AlongGuide(slide):
+            case terms.AlongGuide(slide):
                 return "∥" + self.reading.line(slide)
-            case AcrossGuide(slide):
+            case terms.AcrossGuide(slide):
                 return "⊥" + self.reading.line(slide)
-            case Quarter():
+            case terms.Quarter():
                 return self._across_relative(direction, among)
             case _:
                 assert_never(direction)
 
     def line_direction(self, direction: Direction, among: tuple[Term, ...] = ()) -> str:
         """The same of an arrow that may point either way."""
-        if isinstance(direction, Along):
+        if isinstance(direction, terms.Along):
             return "∥" + names.pair(direction.tail, direction.head)
         return self.direction(direction, among)
 
-    def _across_relative(self, quarter: Quarter, among: tuple[Term, ...]) -> str:
+    def _across_relative(self, quarter: terms.Quarter, among: tuple[Term, ...]) -> str:
         """Across the line of the slide; for a driven rotation along its lever."""
         for term in among:
-            if term.part == "r" and isinstance(term.direction, AlongGuide):
+            if term.part == "r" and isinstance(term.direction, terms.AlongGuide):
                 return "⊥" + self.reading.line(term.direction.slide)
-            if term.part == "rt" and isinstance(term.direction, Across):
+            if term.part == "rt" and isinstance(term.direction, terms.Across):
                 return "∥" + names.pair(term.direction.tail, term.direction.head)
         velocity = PolygonReading(self.reading, "velocity")
         return "⊥" + velocity.name(quarter.tail, quarter.head)
 
     def direction_row(self, term: Term, equation: tuple[Term, ...]) -> str:
         """The entry of a term in the row of directions."""
-        if isinstance(term.size, Drawn):
+        if isinstance(term.size, terms.Drawn):
             known = self.laid_off.get(term.head)
             return self.direction(known.direction) if known and known.direction else "√"
         if term.direction is None:
@@ -236,7 +213,7 @@ def size_row(polygon: PolygonReading, term: Term) -> str:
     """The entry of a term in the row of sizes: `?`, `√`, `0` at rest, or the formula."""
     if term.size is None:
         return "?"
-    if isinstance(term.size, Drawn):
+    if isinstance(term.size, terms.Drawn):
         return "√" if polygon.arrow(term.tail, term.head) else "0"
     return _known_size(polygon, term, term.size, "").formula
 
@@ -254,7 +231,7 @@ def size_calculation(polygon: PolygonReading, term: Term, equation: tuple[Term, 
 
 def _why_none(polygon: PolygonReading, term: Term) -> str:
     """Why there is no Coriolis acceleration; "" of other terms."""
-    if not isinstance(term.size, Coriolis):
+    if not isinstance(term.size, terms.Coriolis):
         return ""
     reading, velocity = polygon.reading, PolygonReading(polygon.reading, "velocity")
     if not velocity.size(term.size.tail, term.size.head):
@@ -265,37 +242,37 @@ def _why_none(polygon: PolygonReading, term: Term) -> str:
 def _other_names(polygon: PolygonReading, term: Term) -> Iterator[str]:
     """`v_B2 = v_B1`: the hinge is a point of the driven link too; `a_B = aⁿ_BA`: without a tangential part."""
     size = term.size
-    if not isinstance(size, Turning | Normal) or term.seen_from:
+    if not isinstance(size, terms.Turning | terms.Normal) or term.seen_from:
         return
     if term.of != size.head and (other := polygon.reading.numbered(size.head, size.link)) != term.of:
         yield polygon.seen(other, "")
-    if isinstance(size, Normal) and not term.part:
+    if isinstance(size, terms.Normal) and not term.part:
         yield polygon.seen(term.of, size.tail, "n")
 
 
 def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str) -> KnownSize:
     reading, plot = polygon.reading, polygon.reading.plot
     match size:
-        case Turning(link, tail, head):
+        case terms.Turning(link, tail, head):
             return _times(polygon, reading.rate("ω", link), float(plot.omega[link]), (tail, head), direction)
-        case Tangential(link, tail, head):
+        case terms.Tangential(link, tail, head):
             return _times(polygon, reading.rate("α", link), float(plot.alpha[link]), (tail, head), direction)
-        case Normal(link, tail, head):
+        case terms.Normal(link, tail, head):
             return _squared(polygon, reading.rate("ω", link), float(plot.omega[link]), (tail, head), direction)
-        case Coriolis(link, tail, head):
+        case terms.Coriolis(link, tail, head):
             rate, velocity = reading.rate("ω", link), PolygonReading(reading, "velocity")
             relative = velocity.seen(term.of, term.seen_from)
             numbers = Operand(2) * Operand(abs(float(plot.omega[link]))) * Operand(velocity.read(tail, head))
             words = {"relative": relative, "rate": rate, "direction": direction}
             return KnownSize(f"2 {rate} {relative}", numbers, reading.say("derivation.quarter turned", **words))
-        case Driven(slide):
+        case terms.Driven(slide):
             grows = (polygon.arrow(term.tail, term.head) * reading.guide(slide).conjugate()).real > 0
             key = "derivation.slide grows" if grows else "derivation.slide shrinks"
             along = reading.say(key, direction=direction, s=names.of_slide("s", slide))
             return KnownSize(f"|{names.of_slide(names.SLIDING[polygon.plane], slide)}|", "", along)
-        case Relative():
+        case terms.Relative():
             return _relative(polygon, size, direction)
-        case Drawn() | Span():
+        case terms.Drawn() | terms.Span():
             raise AssertionError("drawn arrows and lengths have no formula in a polygon")
         case _:
             assert_never(size)
@@ -312,7 +289,7 @@ def _squared(polygon: PolygonReading, rate: str, value: float, ends: tuple[str, 
     return KnownSize(f"{rate}² l_{names.pair(*ends)}", numbers, direction)
 
 
-def _relative(polygon: PolygonReading, size: Relative, direction: str) -> KnownSize:
+def _relative(polygon: PolygonReading, size: terms.Relative, direction: str) -> KnownSize:
     """A driven rotation of one link against another: ω21 l, ω21² l, α21 l."""
     reading, facts = polygon.reading, polygon.reading.plot.facts
     order, symbol = (2, "α") if size.part == "t" else (1, "ω")

@@ -6,23 +6,7 @@ from collections.abc import Iterator
 from typing import assert_never
 
 from graphkin.base.geometry import cross
-from graphkin.construction import (
-    Arc,
-    Equation,
-    Fit,
-    Given,
-    Image,
-    LayOff,
-    Measure,
-    Meet,
-    Plane,
-    Ray,
-    Roll,
-    Simultaneous,
-    Step,
-    Swing,
-    Touch,
-)  # fmt: skip
+from graphkin.construction import Equation, Plane, Step, kinds
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.held_still import held_points, standing
 from graphkin.say import names
@@ -46,26 +30,26 @@ def polygon(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], 
 
 def _step(drawn: PolygonReading, step: Step) -> Iterator[Entry]:
     match step:
-        case Given():
+        case kinds.Given():
             yield from _renamed(drawn)
             yield Sentence(_pole(drawn, step))
             yield from _held_still(drawn)
             yield from _driven_groups(drawn)
-        case LayOff():
+        case kinds.LayOff():
             yield from known_arrow(drawn, step)
-        case Image():
+        case kinds.Image():
             yield from _image(drawn, step)
-        case Measure("omega" | "alpha"):
+        case kinds.Measure("omega" | "alpha"):
             yield from _rotation(drawn, step)
-        case Measure():
+        case kinds.Measure():
             yield from _sliding(drawn, step)
-        case Roll():
+        case kinds.Roll():
             yield from rolling(drawn, step)
-        case Simultaneous():
+        case kinds.Simultaneous():
             yield from solved_together(drawn, step)
-        case Fit() | Touch():
+        case kinds.Fit() | kinds.Touch():
             raise AssertionError("the mechanism itself is drawn before")
-        case Ray() | Arc() | Meet() | Swing():
+        case kinds.Ray() | kinds.Arc() | kinds.Meet() | kinds.Swing():
             raise AssertionError("lines cross inside an equation")
         case _:
             assert_never(step)
@@ -82,7 +66,7 @@ def _renamed(drawn: PolygonReading) -> Iterator[Entry]:
     tips: dict[str, str] = {}  # of normal and Coriolis components: the first of each that ends at a corner of its own
     for part in drawn.parts:
         for step in part.steps if isinstance(part, Equation) else (part,):
-            if isinstance(step, LayOff) and step.term.part in ("n", "k") and nodes[step.tip].site is None:
+            if isinstance(step, kinds.LayOff) and step.term.part in ("n", "k") and nodes[step.tip].site is None:
                 tips.setdefault(step.term.part, step.tip)
     letters = {point[0] for point in reading.mechanism.points}
     for kind, tip in tips.items():
@@ -104,10 +88,10 @@ def _held_still(drawn: PolygonReading) -> Iterator[Entry]:
         yield Sentence(reading.say(key, links=reading.links(links), fixed=fixed))
 
 
-def _pole(drawn: PolygonReading, step: Given) -> str:
+def _pole(drawn: PolygonReading, step: kinds.Given) -> str:
     reading, pole = drawn.reading, names.point(step.point)
     first = next((part for part in drawn.parts if isinstance(part, Equation)), None)
-    if first is not None and any(isinstance(other, Given) for other in first.steps):
+    if first is not None and any(isinstance(other, kinds.Given) for other in first.steps):
         return reading.say("derivation.pole last", pole=pole)
     if not step.also:
         return reading.say("derivation.pole", pole=pole)
@@ -120,7 +104,7 @@ def _pole(drawn: PolygonReading, step: Given) -> str:
 # --- rotations ----------------------------------------------------------------------------------
 
 
-def _rotation(drawn: PolygonReading, step: Measure) -> Iterator[Entry]:
+def _rotation(drawn: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
     """omega or alpha of a link, then of those that keep their angle to it."""
     reading, ends = drawn.reading, (step.tail, step.head)
     if drawn.plane == "acceleration" and not drawn.written(*ends):
@@ -144,7 +128,7 @@ def _rotation(drawn: PolygonReading, step: Measure) -> Iterator[Entry]:
         yield _kept_angle(drawn, other, step.of)
 
 
-def _rate(drawn: PolygonReading, step: Measure, name: str, length_mm: float, direct: bool = False) -> Calculation:
+def _rate(drawn: PolygonReading, step: kinds.Measure, name: str, length_mm: float, direct: bool = False) -> Calculation:
     """`ω3 = v_B3/l_BD = μ_v·pb3/(μ_l·BD) = 0.01 × 27.12/(0.001 × 69.2) = 3.919 rad/s (clockwise)`."""
     reading, line = drawn.reading, names.pair(*step.lever)
     lever, scale = reading.distance(*step.lever), reading.scales["length"]
@@ -155,7 +139,7 @@ def _rate(drawn: PolygonReading, step: Measure, name: str, length_mm: float, dir
     return Calculation(drawn.rate(step.of), formulas, numbers, length_mm * drawn.scale / lever, drawn.rate_unit, note)
 
 
-def _sense_note(drawn: PolygonReading, step: Measure) -> str:
+def _sense_note(drawn: PolygonReading, step: kinds.Measure) -> str:
     """The sense; the first time also how it is found."""
     reading = drawn.reading
     sense = reading.say("common.ccw" if _across_lever(drawn, step) > 0 else "common.cw")
@@ -166,13 +150,13 @@ def _sense_note(drawn: PolygonReading, step: Measure) -> str:
     return reading.say("derivation.sense rule", sense=sense, head=head, tail=tail, **words)
 
 
-def _across_lever(drawn: PolygonReading, step: Measure) -> float:
+def _across_lever(drawn: PolygonReading, step: kinds.Measure) -> float:
     """Speed across the lever, positive where it turns it counter-clockwise."""
     arm = drawn.reading.arm(*step.lever)
     return float(cross(arm, drawn.arrow(step.tail, step.head))) / abs(arm)
 
 
-def _resolved(drawn: PolygonReading, step: Measure) -> Iterator[Entry]:
+def _resolved(drawn: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
     """Both ends are known from elsewhere: only the part across the lever turns the link."""
     reading, plane = drawn.reading, drawn.plane
     across = float(reading.usual.motion(abs(_across_lever(drawn, step)), plane).real)
@@ -236,7 +220,7 @@ def _driven_between(drawn: PolygonReading, link: str, other: str) -> list[tuple[
 # --- slides -------------------------------------------------------------------------------------
 
 
-def _sliding(drawn: PolygonReading, step: Measure) -> Iterator[Entry]:
+def _sliding(drawn: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
     """The speed at which a named displacement grows; of others, which distance grows or shrinks."""
     reading, plane = drawn.reading, drawn.plane
     pair = reading.method.structure.slides[step.of]
@@ -256,7 +240,7 @@ def _sliding(drawn: PolygonReading, step: Measure) -> Iterator[Entry]:
 # --- images -------------------------------------------------------------------------------------
 
 
-def _image(drawn: PolygonReading, step: Image) -> Iterator[Entry]:
+def _image(drawn: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
     """A further point of a link by the figure similar to it, then its motion."""
     reading = drawn.reading
     first, second, third = step.corners
@@ -286,7 +270,7 @@ def _own_node(drawn: PolygonReading, node: str, corner: str) -> str:
     return next(fixed, node)
 
 
-def _ratio(drawn: PolygonReading, step: Image, corners: list[str]) -> str:
+def _ratio(drawn: PolygonReading, step: kinds.Image, corners: list[str]) -> str:
     """`dc = db3 · CD/BD = 27.12 × 48/69.2 = 18.81 mm`."""
     first, second, third = step.corners
     lengths = [drawn.reading.distance(first, p) for p in (third, second)]

@@ -9,29 +9,7 @@ from itertools import count
 from typing import assert_never
 
 from graphkin.base.geometry import cross, dot
-from graphkin.construction import (
-    Across,
-    AcrossGuide,
-    Along,
-    AlongGuide,
-    Arc,
-    Arm,
-    Equation,
-    Fit,
-    Given,
-    Image,
-    LayOff,
-    Measure,
-    Meet,
-    Quarter,
-    Ray,
-    Roll,
-    Simultaneous,
-    Span,
-    Step,
-    Swing,
-    Touch,
-)  # fmt: skip
+from graphkin.construction import Equation, Step, kinds, terms
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
@@ -98,35 +76,35 @@ class PositionReader(Tangents):
 
     def _step(self, step: Step) -> Iterator[Entry]:
         match step:
-            case Given() | Ray() | Arc():
+            case kinds.Given() | kinds.Ray() | kinds.Arc():
                 pass  # fixed points come together at the start, lines and circles where they cross
-            case LayOff():
+            case kinds.LayOff():
                 yield Sentence(self._lay_off(step))
-            case Meet():
+            case kinds.Meet():
                 special = step.point in self.reading.method.special
                 yield Sentence(special_point(self.reading, step) if special else self._meet(step))
-            case Swing():
+            case kinds.Swing():
                 self.swung |= dict.fromkeys((step.link, *self.reading.group(step.link)), step)
                 yield Sentence(self._swing(step))
                 self.waiting.append(step.link)
                 if self.reading.method.structure.slides[step.slide].named:
                     yield from self._slide(step.slide)
-            case Image(link, corners, _, point):
+            case kinds.Image(link, corners, _, point):
                 if self.reading.named(point):  # the start of a line that has no name is told where it is needed
                     yield Sentence(self._corner(link, corners))
-            case Measure("theta", of):
+            case kinds.Measure("theta", of):
                 self.waiting.append(of)
                 self.ends |= dict.fromkeys((of, *self.reading.group(of)), (step.tail, step.head))
                 self.reached |= _corner_between(step)
-            case Measure(_, of):
+            case kinds.Measure(_, of):
                 yield from self._slide(of)
-            case Roll():
+            case kinds.Roll():
                 yield from rolled(self.reading, step)
-            case Touch():
+            case kinds.Touch():
                 yield Sentence(touched(self.reading, step))
-            case Fit():
+            case kinds.Fit():
                 yield from fitted(self.reading, step)
-            case Simultaneous():
+            case kinds.Simultaneous():
                 raise AssertionError("positions are fitted")
             case _:
                 assert_never(step)
@@ -147,35 +125,35 @@ class PositionReader(Tangents):
 
     # --- laid off -------------------------------------------------------------------------------
 
-    def _lay_off(self, step: LayOff) -> str:
+    def _lay_off(self, step: kinds.LayOff) -> str:
         reading = self.reading
-        assert isinstance(step.term.size, Span)
+        assert isinstance(step.term.size, terms.Span)
         if (text := self._beside_guide(step)) or (text := self._over_reach(step)):
             return text
         arrow, direction = reading.at(step.tip) - reading.at(step.start), step.term.direction
-        if isinstance(direction, AlongGuide) and abs(arrow) <= reading.noise:
+        if isinstance(direction, terms.AlongGuide) and abs(arrow) <= reading.noise:
             arrow = reading.guide(direction.slide)
         nameless = "*" in step.start + step.tip
         length = self._reach(step.term.size, names.stretch(step.start, step.tip) if nameless else "")
         length = length if reading.named(step.start) or not nameless else length.partition(" = ")[2]
         words = {"start": reading.place(step.start), "tip": reading.place(step.tip), "length": length}
         words["angle"] = degrees(arrow)
-        if isinstance(direction, AlongGuide):
+        if isinstance(direction, terms.AlongGuide):
             return reading.say("derivation.lay off slide", guide=reading.path(direction.slide), **words)
         if line := self._drawn_line(step):
             return reading.say("derivation.lay off on line", line=line, **words)
         return reading.say("derivation.lay off link", **words)
 
-    def _drawn_line(self, step: LayOff) -> str:
+    def _drawn_line(self, step: kinds.LayOff) -> str:
         """Two points that are drawn, on whose line an arm of their link lies; "" of others."""
-        reading, part = self.reading, step.term.size.parts[0] if isinstance(step.term.size, Span) else None
-        tail, head = self.ends.get(part.link, ("", "")) if isinstance(part, Arm) else ("", "")
+        reading, part = self.reading, step.term.size.parts[0] if isinstance(step.term.size, terms.Span) else None
+        tail, head = self.ends.get(part.link, ("", "")) if isinstance(part, terms.Arm) else ("", "")
         if not tail or not reading.named(tail) or not reading.named(head) or not {tail, head} <= self.drawn:
             return ""
         line, arm = reading.arm(tail, head), reading.arm(step.start, step.tip)
         return names.pair(tail, head) if aside(line, arm) <= reading.noise * abs(arm) else ""
 
-    def _over_reach(self, step: LayOff) -> str:
+    def _over_reach(self, step: kinds.LayOff) -> str:
         """A point between the ends of a reach made of several arms: by arcs about both ends; "" of others."""
         reading, ends = self.reading, self.reached.get(step.tip, ("", ""))
         if step.start not in ends:
@@ -203,11 +181,11 @@ class PositionReader(Tangents):
 
     # --- where lines cross ----------------------------------------------------------------------
 
-    def _meet(self, step: Meet) -> str:
+    def _meet(self, step: kinds.Meet) -> str:
         reading = self.reading
         words = {"first": capitalized(self._locus(step.first)), "second": self._locus(step.second)}
         words["point"] = names.point(step.point)
-        if not isinstance(step.second, Arc):
+        if not isinstance(step.second, kinds.Arc):
             return reading.say("derivation.meet lines", **words)
         where = reading.note(_crossing(reading, step, step.second))
         return reading.say("derivation.meet circles", where=where, **words)
@@ -215,16 +193,16 @@ class PositionReader(Tangents):
     def _circle(self, about: str, length: str) -> str:
         return self.reading.say("derivation.circle", about=self.reading.place(about), length=length)
 
-    def _locus(self, locus: Ray | Arc) -> str:
+    def _locus(self, locus: kinds.Ray | kinds.Arc) -> str:
         reading = self.reading
-        if isinstance(locus, Arc):
+        if isinstance(locus, kinds.Arc):
             return self._circle(locus.about, self._reach(locus.reach))
         match locus.direction:
-            case AlongGuide(slide):
+            case terms.AlongGuide(slide):
                 pair = reading.method.structure.slides[slide]
                 if pair.guide == FRAME and pair.line.origin == locus.through:
                     return reading.say("derivation.take guide", guide=reading.path(slide))
-            case Along() | Across() | AcrossGuide() | Quarter():
+            case terms.Along() | terms.Across() | terms.AcrossGuide() | terms.Quarter():
                 pass
             case _:
                 assert_never(locus.direction)
@@ -287,10 +265,10 @@ class PositionReader(Tangents):
         yield Sentence(reading.say("derivation.measured slide", length=text))
 
 
-def _corner_between(step: Measure) -> dict[str, tuple[str, str]]:
+def _corner_between(step: kinds.Measure) -> dict[str, tuple[str, str]]:
     """The point at which both arms of a reach meet, with the ends of these."""
     parts = step.span.parts if step.span is not None else ()
-    if len(parts) != 2 or not (isinstance(parts[0], Arm) and isinstance(parts[1], Arm)):
+    if len(parts) != 2 or not (isinstance(parts[0], terms.Arm) and isinstance(parts[1], terms.Arm)):
         return {}
     return {parts[0].head: (step.tail, step.head)} if parts[0].head == parts[1].tail else {}
 
@@ -298,9 +276,13 @@ def _corner_between(step: Measure) -> dict[str, tuple[str, str]]:
 def _made(step: Step) -> set[str]:
     """The points a step draws."""
     match step:
-        case Given(point) | LayOff(tip=point) | Meet(point=point) | Image(point=point) | Touch(point=point):
+        case kinds.Given(point) | kinds.Touch(point=point) | kinds.Image(point=point):
             return {point}
-        case Ray() | Arc() | Swing() | Measure() | Roll() | Fit() | Simultaneous():
+        case kinds.Meet(point=point) | kinds.LayOff(tip=point):
+            return {point}
+        case kinds.Ray() | kinds.Arc() | kinds.Swing() | kinds.Measure():
+            return set()
+        case kinds.Roll() | kinds.Fit() | kinds.Simultaneous():
             return set()
         case _:
             assert_never(step)
@@ -309,11 +291,11 @@ def _made(step: Step) -> set[str]:
 # --- which of two crossings ---------------------------------------------------------------------
 
 
-def _crossing(reading: Reading, step: Meet, circle: Arc) -> str:
+def _crossing(reading: Reading, step: kinds.Meet, circle: kinds.Arc) -> str:
     """`C above BD` of two circles, `the upper one` of a line and a circle; "" where both crossings are one."""
     here, about = reading.at(step.point), reading.at(circle.about)
     least = max(reading.noise, 1e-6 * abs(here - about))
-    if isinstance(step.first, Ray):
+    if isinstance(step.first, kinds.Ray):
         along = complex(reading.plot.direction(step.first.direction))
         chord = 2 * float(dot(along, here - about)) * along
         return reading.say(f"derivation.which {_side(chord)}") if abs(chord) > least else ""

@@ -11,18 +11,9 @@ from graphkin.errors import Lang
 from graphkin.files.names import split_points
 from graphkin.marking.handed import asked_of
 from graphkin.model.mechanism import Driver, Mechanism
-from graphkin.model.quantities import (
-    Centre,
-    Component,
-    Displacement,
-    Moving,
-    Place,
-    Quantity,
-    Quotient,
-    Rotation,
-    Track,
-)  # fmt: skip
+from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.at_position import at_position
+from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import read
 from graphkin.model.quantities.units import EDGE
 from graphkin.running.assembled import DrawnSides, Lies

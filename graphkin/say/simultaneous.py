@@ -6,23 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from typing import assert_never
 
-from graphkin.construction import (
-    Across,
-    AcrossGuide,
-    Along,
-    AlongGuide,
-    Arm,
-    Chain,
-    Drawn,
-    Equation,
-    Fit,
-    Meet,
-    Quarter,
-    Ray,
-    Simultaneous,
-    Slid,
-    Term,
-)  # fmt: skip
+from graphkin.construction import Chain, Equation, Term, kinds, terms
 from graphkin.model.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.dimensions import driven
@@ -36,7 +20,7 @@ from graphkin.say.rolling import rate_relation, turning_relation
 # --- position -----------------------------------------------------------------------------------
 
 
-def fitted(reading: Reading, step: Fit) -> Iterator[Entry]:
+def fitted(reading: Reading, step: kinds.Fit) -> Iterator[Entry]:
     """A group's position by trial (样板法), or a train's by its relations; then what it comes to."""
     structure = reading.method.structure
     turning = {link for base in step.angles for link in _members(reading, base)}
@@ -48,7 +32,7 @@ def fitted(reading: Reading, step: Fit) -> Iterator[Entry]:
     yield Sentence(reading.say("contacts.fitted", values=reading.joined(value for value in values if value)))
 
 
-def _trial(reading: Reading, step: Fit, members: list[str], turning: set[str]) -> str:
+def _trial(reading: Reading, step: kinds.Fit, members: list[str], turning: set[str]) -> str:
     """The links that are to fit, and when they do."""
     links, relations = reading.links(members), [turning_relation(reading, contact).text for contact in step.contacts]
     if not step.closures:
@@ -81,11 +65,11 @@ def _members(reading: Reading, base: str) -> list[str]:
     return list(dict.fromkeys([reading.body(base), *reading.group(base)]))
 
 
-def _template(reading: Reading, step: Fit) -> str:
+def _template(reading: Reading, step: kinds.Fit) -> str:
     """The link that most of the group's joints hold."""
     structure, ends = reading.method.structure, dict[str, set[str]]()
     for part in (part for closure in step.closures for part in closure.parts):
-        if isinstance(part, Arm):
+        if isinstance(part, terms.Arm):
             ends.setdefault(part.link, set()).update((part.tail, part.head))
         else:
             pair = structure.slides[part.slide]
@@ -95,15 +79,15 @@ def _template(reading: Reading, step: Fit) -> str:
     return joints.most_common(1)[0][0]
 
 
-def _arms(reading: Reading, step: Fit, template: str) -> list[str]:
+def _arms(reading: Reading, step: kinds.Fit, template: str) -> list[str]:
     """The other links' lengths, and the lines on which sliding points must lie."""
     parts = [part for closure in step.closures for part in closure.parts]
-    texts = (_part(reading, part) for part in parts if not isinstance(part, Arm) or part.link != template)
+    texts = (_part(reading, part) for part in parts if not isinstance(part, terms.Arm) or part.link != template)
     return list(dict.fromkeys(texts))
 
 
-def _part(reading: Reading, part: Arm | Slid) -> str:
-    if isinstance(part, Arm):
+def _part(reading: Reading, part: terms.Arm | terms.Slid) -> str:
+    if isinstance(part, terms.Arm):
         length = reading.on_paper(reading.distance(part.tail, part.head))
         return f"{names.pair(part.tail, part.head)} = {length} mm"
     slide, symbol = reading.method.structure.slides[part.slide], names.of_slide("s", part.slide)
@@ -136,22 +120,22 @@ def _slide(reading: Reading, slide: str) -> str:
     return f"{name} = {number(length * 1000, reading.noise * 1000)} mm"
 
 
-def special_point(reading: Reading, step: Meet) -> str:
+def special_point(reading: Reading, step: kinds.Meet) -> str:
     """Where the lines of two legs meet."""
     site = reading.method.position.nodes[step.point].site
     assert site is not None
-    first, second = (_leg_line(reading, locus) for locus in (step.first, step.second) if isinstance(locus, Ray))
+    first, second = (_leg_line(reading, locus) for locus in (step.first, step.second) if isinstance(locus, kinds.Ray))
     words = {"first": first, "second": second, "point": step.point}
     return reading.say("contacts.special point", link=reading.link(site.link), **words)
 
 
-def _leg_line(reading: Reading, ray: Ray) -> str:
+def _leg_line(reading: Reading, ray: kinds.Ray) -> str:
     match ray.direction:
-        case Along(tail, head):
+        case terms.Along(tail, head):
             return reading.say("contacts.leg line", line=names.pair(tail, head))
-        case AcrossGuide(slide):
+        case terms.AcrossGuide(slide):
             return reading.say("contacts.leg normal", through=names.point(ray.through), guide=reading.path(slide))
-        case Across() | AlongGuide() | Quarter():
+        case terms.Across() | terms.AlongGuide() | terms.Quarter():
             raise AssertionError("a leg's line runs along a bar or across a guide")
         case _:
             assert_never(ray.direction)
@@ -173,11 +157,11 @@ def special_introduction(polygon: PolygonReading, part: Equation) -> str:
 
 def _leg(polygon: PolygonReading, term: Term) -> str:
     match term.direction:
-        case Across(tail, head) | Along(tail, head):
+        case terms.Across(tail, head) | terms.Along(tail, head):
             return names.pair(tail, head)
-        case AlongGuide(slide) | AcrossGuide(slide):
+        case terms.AlongGuide(slide) | terms.AcrossGuide(slide):
             return polygon.reading.path(slide)
-        case Quarter() | None:
+        case terms.Quarter() | None:
             raise AssertionError("a leg has one unknown direction line")
         case _:
             assert_never(term.direction)
@@ -185,10 +169,10 @@ def _leg(polygon: PolygonReading, term: Term) -> str:
 
 def instant_centre(polygon: PolygonReading, part: Equation) -> str:
     """Both legs on the fixed link: nothing to measure; "" otherwise."""
-    terms, pole = part.left + part.right, polygon.construction.pole
+    both_sides, pole = part.left + part.right, polygon.construction.pole
     site = polygon.construction.nodes[part.left[-1].head].site
-    legs = all(term.over and term.tail == pole for term in terms)
-    if polygon.plane != "velocity" or len(terms) != 2 or not legs or site is None:
+    legs = all(term.over and term.tail == pole for term in both_sides)
+    if polygon.plane != "velocity" or len(both_sides) != 2 or not legs or site is None:
         return ""
     words = {"point": names.point(site.point), "link": polygon.reading.link(site.link)}
     return polygon.reading.say("contacts.instant centre", name=polygon.seen(part.of, ""), **words)
@@ -197,7 +181,7 @@ def instant_centre(polygon: PolygonReading, part: Equation) -> str:
 # --- polygons: solved together ------------------------------------------------------------------
 
 
-def solved_together(polygon: PolygonReading, step: Simultaneous) -> Iterator[Entry]:
+def solved_together(polygon: PolygonReading, step: kinds.Simultaneous) -> Iterator[Entry]:
     """The equations, their unknowns, and what they come to."""
     reading, plane = polygon.reading, polygon.plane
     members = [link for base in step.angles for link in _members(reading, base)]
@@ -215,7 +199,8 @@ def solved_together(polygon: PolygonReading, step: Simultaneous) -> Iterator[Ent
         said.append(reading.say("contacts.the relations", relations=relations))
     if sums := reading.rotations(members, names.RATE[plane]):
         said.append(reading.say("contacts.the rotations", sums=reading.listed(sums)))
-    floats = not any(isinstance(size, Drawn) for chain in step.chains for size, _ in chain.known) and not step.contacts
+    known = [size for chain in step.chains for size, _ in chain.known]
+    floats = not step.contacts and not any(isinstance(size, terms.Drawn) for size in known)
     alone = "contacts.together, one" if len(step.chains) == 1 else "contacts.together"
     coupled = len(said) > bool(step.chains)  # ruler and triangle may find a way there
     key = "contacts.closed in themselves" if floats else "contacts.together, coupled" if coupled else alone
@@ -228,7 +213,7 @@ def solved_together(polygon: PolygonReading, step: Simultaneous) -> Iterator[Ent
         yield Calculation(symbol, (), "", reading.sliding(slide, plane), names.UNIT[plane])
 
 
-def _constant_ratio(polygon: PolygonReading, step: Simultaneous, members: list[str]) -> list[Entry]:
+def _constant_ratio(polygon: PolygonReading, step: kinds.Simultaneous, members: list[str]) -> list[Entry]:
     """A gear train that turns as one driven link does: its accelerations have the ratios of its velocities (Willis)."""
     reading, plot = polygon.reading, polygon.reading.plot
     known = {link for contact in step.contacts for link, _ in contact.angles} - {*members, FRAME}

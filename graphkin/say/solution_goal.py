@@ -9,17 +9,8 @@ from typing import TYPE_CHECKING, assert_never
 from graphkin.base.value import frozen
 from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Size, Tangential, Turning
 from graphkin.model.mechanism import FRAME
-from graphkin.model.quantities import (
-    Centre,
-    Component,
-    Displacement,
-    Moving,
-    Place,
-    Quantity,
-    Quotient,
-    Rotation,
-    Track,
-)  # fmt: skip
+from graphkin.model.quantities import Quantity
+from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import read
 from graphkin.planning.held_still import standing
 from graphkin.planning.needed import Fact, Part, arms, needed, turning
@@ -81,8 +72,8 @@ class SolutionGoal:
     def angles(self) -> frozenset[str] | None:
         """The links whose angles are asked for; None for all."""
         halves = [half for one in self.wanted if one is not None for half in one.halves]
-        turned = frozenset(half.link for half in halves if isinstance(half, Rotation) and half.word == "theta")
-        return turned if self.chosen else None
+        rotations = [half for half in halves if isinstance(half, Rotation)]
+        return frozenset(half.link for half in rotations if half.word == "theta") if self.chosen else None
 
     def question(self) -> Iterator[Entry]:
         """The part of a solution that says what is to be found."""
@@ -128,10 +119,10 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
     mechanism, planes = reading.mechanism, PLANES[1 : PLANES.index(only) + 1]
     questions = {text: read(mechanism, text) for text in mechanism.ask}
     questions = {text: one for text, one in questions.items() if one is None or _plane(one) in ("position", *planes)}
-    quantities = [one for one in questions.values() if one is not None]
-    facts = {fact for one in quantities for fact in _facts(reading, one)}
+    answerable = [one for one in questions.values() if one is not None]
+    facts = {fact for one in answerable for fact in _facts(reading, one)}
     if everything or not facts:
-        placed = (one for one in quantities if isinstance(one, Centre) or _plane(one) == "position")
+        placed = (one for one in answerable if isinstance(one, Centre) or _plane(one) == "position")
         wanted = (*placed, *_all(reading, planes))
         constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
         parts = {plane: constructions[plane].parts for plane in planes}
