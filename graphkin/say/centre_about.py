@@ -15,7 +15,7 @@ from graphkin.say.entry import Calculation
 from graphkin.say.figures import Operand
 from graphkin.say.numbers import SentenceNumber, at_edge, number, sense, sensed
 from graphkin.studies.centres.about import About, Circle
-from graphkin.studies.centres.about_bobillier import Bobillier, Guided
+from graphkin.studies.centres.about_bobillier import Bobillier
 from graphkin.studies.centres.centrodes import Centrodes
 from graphkin.studies.centres.two_velocities import TwoVelocities
 
@@ -100,7 +100,12 @@ def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
     q, qc = drawn.crossings
     known |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer}
     stages = [_stage(drawn, stage, lang, known) for stage in drawn.construction.stages]
-    return [*(_guided(entry, lang) for entry in drawn.guides), *stages]
+    kinds = ["measured" if entry.measured else "pivoted" if entry.pivoted else "guided" for entry in drawn.guides]
+    sources = [
+        say(f"about.bobillier {kind}", lang, point=entry.point, centre=entry.written)
+        for kind, entry in zip(kinds, drawn.guides, strict=True)
+    ]
+    return [*sources, *stages]
 
 
 def _stage(drawn: Bobillier, stage: Stage, lang: Lang, known: dict[str, str]) -> str:
@@ -109,11 +114,6 @@ def _stage(drawn: Bobillier, stage: Stage, lang: Lang, known: dict[str, str]) ->
         return say("about.bobillier Q line", lang, **known)
     far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
     return say(f"about.bobillier {stage.say} far" if far else f"about.bobillier {stage.say}", lang, **known)
-
-
-def _guided(entry: Guided, lang: Lang) -> str:
-    kind = "measured" if entry.measured else "pivoted" if entry.pivoted else "guided"
-    return say(f"about.bobillier {kind}", lang, point=entry.point, centre=entry.written)
 
 
 # --- two velocities ---------------------------------------------------------------------------

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from math import degrees, isfinite
+from math import degrees
 from typing import assert_never
+
+import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import (
@@ -33,7 +35,6 @@ from graphkin.say.reading import Reading
 from graphkin.studies.centres import Centres, centres, place
 from graphkin.studies.centres.data import found_by
 from graphkin.studies.centres.shortest import shortest
-from graphkin.studies.centres.underlay import CommonNormal
 
 NORMALS: Mapping[type[Pair], str] = {Cam: "contact", Slide: "slot", CircularSlot: "circular slot"}
 """The line of which the common normal is the normal, for each kind of pair that slips."""
@@ -58,12 +59,9 @@ class CentreReader:
         """The name by which people call a link."""
         return names.point(self.mechanism.called(link))
 
-    def _at(self, centre: str) -> complex:
-        return complex(self.found.board.at(centre))
-
     def is_far(self, centre: str) -> bool:
-        at = self._at(centre)
-        return not (isfinite(at.real) and isfinite(at.imag))
+        """True of a centre at infinity."""
+        return not np.isfinite(complex(self.found.board.at(centre)))
 
     def angle(self, centre: str) -> str:
         """The direction of a centre at infinity, from 0 to 180 degrees."""
@@ -73,21 +71,17 @@ class CentreReader:
     def place(self, centre: str) -> str:
         if self.is_far(centre):
             return self.say("centres.infinite", angle=self.angle(centre))
-        at, noise = self._at(centre), self.mechanism.usual.least("m")
-        read = float if self._is_given(centre) else self.read
-        x, y = (number(1000 * read(v), 1000 * noise) for v in (at.real, at.imag))
-        return self.say("centres.mm", x=x, y=y)
-
-    def _is_given(self, centre: str) -> bool:
-        """True where it lies in a fixed point, whose place the problem gives."""
+        at, noise = complex(self.found.board.at(centre)), self.mechanism.usual.least("m")
         step = self.found.centring.construction.made_by.get(centre)
         owners = self.mechanism.owners.get(step.point, ()) if isinstance(step, Pricked) else ()
-        return FRAME in owners
+        read = float if FRAME in owners else self.read  # the problem gives the places of fixed points
+        x, y = (number(1000 * read(v), 1000 * noise) for v in (at.real, at.imag))
+        return self.say("centres.mm", x=x, y=y)
 
     # --- sentences ------------------------------------------------------------------------------
 
     def entries(self, stages: Sequence[Stage], together: Sequence[tuple[str, str]], number: int = 1) -> Iterator[Entry]:
-        """How many there are, those by definition, then the others in the order in which they are found.
+        """The number of centres, those by definition, then the others in the order in which they are found.
 
         stages, together   the centres that are told, and the pairs of links that have none
         """
@@ -105,7 +99,7 @@ class CentreReader:
             yield Sentence("  " + self.say("centres.together", name=name, **self._links(pair)))
 
     def sentence(self, stage: Stage) -> str:
-        """How one centre is found."""
+        """The sentence of one centre."""
         name = stage.last.name
         words = {"name": names.point(name), "place": self.place(name), "angle": self.angle(name)}
         return self.say(f"centres.found {stage.say}", **words, **self._made(stage))
@@ -134,9 +128,13 @@ class CentreReader:
     def _line(self, step: DraftMeet, line: LineStep) -> str:
         """A line on which a centre lies, and why it does."""
         if (normal := self.found.centring.normals.get(line.name)) is not None:
-            return self._normal(step, normal)
+            pair, key = self.found.centring.links[step.name], f"centres.normal of {NORMALS[type(normal.pair)]}"
+            return self.say(key, point=names.point(normal.line.through), **self._links(pair))
         ends = drawn_through(line)
-        links, far = self._three(ends), [end for end in ends if self.is_far(end)]
+        three = {link for end in ends for link in self.found.centring.links[end]}
+        order = dict.fromkeys(link for pair in self.found.pairs for link in pair)
+        links = self.say("common.list").join(self.link(link) for link in order if link in three)
+        far = [end for end in ends if self.is_far(end)]
         if not far:
             letters = [names.point(end) for end in ends]
             between = "" if all(letter[1:].isdigit() for letter in letters) else " "
@@ -149,17 +147,6 @@ class CentreReader:
         words = {"near": names.point(near), "far": names.point(far[0]), "links": links}
         key = "centres.across guide" if by_definition else "centres.parallel"
         return self.say(key, angle=self.angle(far[0]), **words)
-
-    def _normal(self, step: DraftMeet, normal: CommonNormal) -> str:
-        pair = self.found.centring.links[step.name]
-        key = f"centres.normal of {NORMALS[type(normal.pair)]}"
-        return self.say(key, point=names.point(normal.line.through), **self._links(pair))
-
-    def _three(self, ends: Iterable[str]) -> str:
-        """The three links whose centres lie on a line: `1, 2, 3`, in the order in which links have centres."""
-        both = {link for end in ends for link in self.found.centring.links[end]}
-        order = dict.fromkeys(link for pair in self.found.pairs for link in pair)
-        return self.say("common.list").join(self.link(link) for link in order if link in both)
 
     def _met(self, stage: Stage) -> str:
         centre = stage.last.name
@@ -191,7 +178,7 @@ class CentrePart:
         return any(stage.say == "velocities" for stage in self.stages)
 
     def place(self, centre: Centre) -> str:
-        """Where one of them lies."""
+        """The place of one of them."""
         found = self.reader.found
         if found.together(*centre.links):
             return self.reader.say("centres.by together")

@@ -289,7 +289,9 @@ def _cells(findings: Findings) -> list[str]:
             cells = ["-" if size is None else quantity(size, findings.units[0]) for size in sizes]
             return cells if which == "range" else [*cells, exact(findings.stroke.ratio) if findings.stroke else "-"]
         case Comparison():
-            return [_places(findings)]
+            places = [_swept(findings, p) for p in findings.positions]
+            places += [f"{_swept(findings, part.begin)} .. {_swept(findings, part.end)}" for part in findings.intervals]
+            return ["=" if findings.everywhere else ", ".join(places) or "-"]
         case Scaling():
             rates = findings.speeds[0].rates if findings.speeds else ()
             return [_rate(driver, rate) for driver, rate in zip(findings.drivers, rates)]
@@ -298,11 +300,3 @@ def _cells(findings: Findings) -> list[str]:
             return ["-" if first.along is None else quantity(first.along, "m"), quantity(first.speed, "m/s")]
         case _:
             assert_never(findings.condition)
-
-
-def _places(findings: Findings) -> str:
-    if findings.everywhere:
-        return "="
-    places = [_swept(findings, p) for p in findings.positions]
-    places += [f"{_swept(findings, part.begin)} .. {_swept(findings, part.end)}" for part in findings.intervals]
-    return ", ".join(places) or "-"

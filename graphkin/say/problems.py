@@ -42,7 +42,10 @@ def problem(
         quantity, worth, credit = read(mechanism, question), "", points.get(question, 1.0)
         if question in marked:
             worth = say("problems.points one" if credit == 1 else "problems.points many", lang, points=credit)
-        lines.append(f"  {_symbol_and_unit(question, quantity)}{worth}{_angle_lines(mechanism, quantity, lang)}")
+        halves = () if quantity is None else quantity.halves
+        thetas = [half for half in halves if isinstance(half, Rotation) and half.word == "theta"]
+        angles = "".join(dict.fromkeys(_angle_line(mechanism, theta, lang) for theta in thetas))
+        lines.append(f"  {question if quantity is None else _symbol_and_unit(quantity)}{worth}{angles}")
     lines += ["", say("problems.hand in", lang), "", f"  student = {_quoted(student)}", "  [answers]"]
     count = 1 + positions(mechanism)
     lines += [f"  {_quoted(at_position(question, at))} = " for at in range(1, count + 1) for question in marked]
@@ -60,12 +63,12 @@ def statement(mechanism: Mechanism, lang: Lang, drawn: DrawnSides | None = None)
 
 
 def positions(mechanism: Mechanism) -> int:
-    """How many further ones are asked for."""
+    """The number of further positions that are asked for."""
     return max((len(driver.also) for driver in mechanism.drivers), default=0)
 
 
 def _driver_values(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
-    """Where the drivers stand at each position, by its number."""
+    """The values of the drivers at each position, by its number."""
     if not positions(mechanism):
         return
     yield ""
@@ -98,10 +101,8 @@ def _quoted(text: str) -> str:
 # --- what is asked ----------------------------------------------------------------------------
 
 
-def _symbol_and_unit(question: str, quantity: Quantity | None) -> str:
+def _symbol_and_unit(quantity: Quantity) -> str:
     """`ω3 [rad/s]`, `aᵏ_B3B2 [m/s²]`."""
-    if quantity is None:
-        return question
     sign = EDGE[quantity.unit].sign
     return _symbol(quantity) + (f" [{sign}]" if sign else "")
 
@@ -124,15 +125,8 @@ def _symbol(quantity: Quantity) -> str:
             assert_never(quantity)
 
 
-def _angle_lines(mechanism: Mechanism, quantity: Quantity | None, lang: Lang) -> str:
-    """Along which line of its link an angle is measured, of all in what is asked."""
-    halves = () if quantity is None else quantity.halves
-    thetas = (half for half in halves if isinstance(half, Rotation) and half.word == "theta")
-    return "".join(dict.fromkeys(_angle_line(mechanism, theta, lang) for theta in thetas))
-
-
 def _angle_line(mechanism: Mechanism, angle: Rotation, lang: Lang) -> str:
-    """From the link's first point to its next; of a block or a cylinder, which has one, along its guide."""
+    """The line along which a link's angle is measured: from its first point to the next; of one point, its guide."""
     symbol = _symbol(angle)
     if (axis := mechanism.links[angle.link].axis) is not None:
         tail, head = map(names.point, axis)

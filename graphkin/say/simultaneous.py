@@ -39,25 +39,20 @@ def _trial(reading: Reading, step: kinds.Fit, members: list[str], turning: set[s
         return reading.say("contacts.fit train", links=links, relations=reading.listed(relations))
     if all(closure.floats for closure in step.closures):
         return reading.say("contacts.fit floating", links=links, lengths=reading.listed(_arms(reading, step, "")))
-    template, numbers = _template(reading, step), reading.relative_drivers(turning)
-    angles = [driven(reading, k, reading.method.drivers[k])[0].text for k in numbers]
+    template, drivers = _template(reading, step), reading.relative_drivers(turning)
+    angles = [driven(reading, k, reading.method.drivers[k])[0].text for k in drivers]
     words = {"links": links, "template": reading.link(template)}
     words["lengths"] = reading.listed(_arms(reading, step, template))
     if not relations and not angles:
-        cls = reading.say(f"structure.class {_class(reading, members)}")
-        return reading.say("contacts.fit", cls=cls, **words)
+        from graphkin.studies.assur import groups
+
+        called = {reading.mechanism.called(link) for link in members}
+        number = max((group.cls for group in groups(reading.method) if called & {*group.links}), default=3)
+        return reading.say("contacts.fit", cls=reading.say(f"structure.class {number}"), **words)
     by = ["joints", *["rolling"] * bool(relations), *["drivers"] * bool(angles)]
     words["ties"] = reading.listed([reading.say(f"contacts.by {each}") for each in by])
     words["note"] = reading.say("contacts.since drawn") if relations else ""
     return reading.say("contacts.fit coupled", relations=reading.listed([*angles, *relations]), **words)
-
-
-def _class(reading: Reading, members: list[str]) -> int:
-    """That of the group some links make up."""
-    from graphkin.studies.assur import groups
-
-    called = {reading.mechanism.called(link) for link in members}
-    return max((group.cls for group in groups(reading.method) if called & {*group.links}), default=3)
 
 
 def _members(reading: Reading, base: str) -> list[str]:

@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, assert_never
 
 from graphkin.base.value import frozen
-from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Size, Tangential, Turning
+from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Tangential, Turning
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
@@ -62,11 +62,10 @@ class SolutionGoal:
         if isinstance(part, Equation):
             for step in part.steps:
                 yield from self._arms(step)
-        elif not isinstance(part, LayOff) or not self._translating(part.term.size):
+            return
+        size = part.term.size if isinstance(part, LayOff) else None
+        if not isinstance(size, Turning | Normal | Tangential) or not self.reading.translates(size.link):
             yield from arms(part)
-
-    def _translating(self, size: Size | None) -> bool:
-        return isinstance(size, Turning | Normal | Tangential) and self.reading.translates(size.link)
 
     @property
     def angles(self) -> frozenset[str] | None:
@@ -128,16 +127,13 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
         parts = {plane: constructions[plane].parts for plane in planes}
         return SolutionGoal(reading, wanted, tuple(one.text for one in wanted), parts, False)
     led = needed(reading.method, {*facts})
-    shown = {plane: led[plane] for plane in planes if _leads_somewhere(led[plane], facts, plane)}
+    shown: dict[Plane, tuple[Part, ...]] = {}
+    for plane in planes:  # in which something is drawn, or needs no step, as a driven rotation does
+        kinds = ("omega" if plane == "velocity" else "alpha", plane)
+        direct = any(kind.removeprefix("driven ") in kinds for kind, _ in facts)
+        if direct or any(not isinstance(part, Given) for part in led[plane]):
+            shown[plane] = led[plane]
     return SolutionGoal(reading, (*questions.values(),), (*questions,), shown, True)
-
-
-def _leads_somewhere(parts: tuple[Part, ...], facts: set[Fact], plane: Plane) -> bool:
-    """True where something is drawn from what is there at the start, or needs no step, as a driven rotation does."""
-    kinds = ("omega" if plane == "velocity" else "alpha", plane)
-    return any(not isinstance(part, Given) for part in parts) or any(
-        kind.removeprefix("driven ") in kinds for kind, _ in facts
-    )
 
 
 def _all(reading: Reading, planes: tuple[Plane, ...]) -> Iterator[Quantity]:

@@ -120,7 +120,10 @@ class Tangents(PaperLengths):
         words["link"] = reading.link(step.link)
         if offset <= reading.noise:
             return reading.say("derivation.swing join", **words)
-        words |= {"length": self._distance(step, offset), "foot": foot}
+        formula, figures = self._sum(step, reading.method.structure.slides[step.slide], offset)
+        chain = Calculation("h", (formula,) if formula else (), figures, offset, "m").text
+        on_paper = reading.say("derivation.on paper", length=self._length("", "h", offset))
+        words |= {"length": f"{chain}{on_paper}", "foot": foot}
         if abs(float(dot(along, arm))) <= reading.noise:
             return reading.say("derivation.swing foot", **words)
         path = "→".join((names.point(step.pivot), foot, names.point(step.through)))
@@ -132,17 +135,11 @@ class Tangents(PaperLengths):
         return reading.say("derivation.swing beside" if parallel else "derivation.swing tangent", which=which, **words)
 
     def _offset(self, step: Swing) -> float:
-        """How far the guide line passes from the pivot [m]."""
+        """The distance at which the guide line passes the pivot [m]."""
         return aside(self.reading.guide(step.slide), self.reading.arm(step.pivot, step.through))
 
-    def _distance(self, step: Swing, offset: float) -> str:
-        """`h = l_CD sin γ = 0.048 × sin 100° = 0.04727 m`, and on paper; `h = r1 = 0.02 m` beside a face."""
-        formula, figures = self._sum(step, self.reading.method.structure.slides[step.slide], offset)
-        chain = Calculation("h", (formula,) if formula else (), figures, offset, "m").text
-        return f"{chain}{self.reading.say('derivation.on paper', length=self._length('', 'h', offset))}"
-
     def _sum(self, step: Swing, pair: Slide, offset: float) -> tuple[str, Formula | str]:
-        """`l_CD sin γ`; `l_DM sin 20° + r_C` where a face passes the pivot at a distance; "" of what is neither."""
+        """`l_CD sin γ`; `l_DM sin 20° + r_C` or `r1` where a face passes the pivot at a distance; "" of others."""
         reading, slot = self.reading, pair.path if pair.stands_for is None else pair.stands_for.equivalent
         assert isinstance(slot, Slot), pair
         radius, link = abs(slot.offset), reading.mechanism.links[slot.line.link]
