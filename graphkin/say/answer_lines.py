@@ -8,6 +8,7 @@ from math import degrees, radians
 from typing import assert_never
 
 from graphkin.base.value import frozen
+from graphkin.construction import Plane
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
@@ -26,7 +27,7 @@ _NO_DEVIATION = 1e-6
 
 @frozen
 class AnswerLines:
-    """What is asked for, about to be told.
+    """The answers to what is asked for, about to be worded.
 
     calculated  the sizes of the vectors that the solution has calculated [SI], by their names
     """
@@ -44,7 +45,7 @@ class AnswerLines:
 
     @property
     def answerable(self) -> list[Quantity]:
-        """What is asked for and can be answered."""
+        """The questions that can be answered."""
         return [quantity for quantity in self.goal.wanted if quantity is not None]
 
     def entries(self) -> Iterator[Entry]:
@@ -116,23 +117,17 @@ class AnswerLines:
 
     def _size(self, quantity: Moving, exactly: float) -> float:
         """The size of a vector as it was calculated; else as it is read off the polygon."""
-        for name in self._names(quantity):
-            if name in self.calculated:
-                return self.calculated[name]
-        ruler = self.reading.ruler
-        if ruler is None:
-            return exactly
-        return float(ruler.read(exactly, "velocity" if quantity.letter == "v" else "acceleration").real)
-
-    def _names(self, quantity: Moving) -> Iterator[str]:
-        """Names that the solution may give it: `v_C`, and `v_C4` of the point of one link."""
-        yield self.goal.symbol(quantity)
-        site, method = quantity.site, self.reading.method
+        site, method, ruler = quantity.site, self.reading.method, self.reading.ruler
         owners = method.mechanism.owners.get(site.point, ())
         links = {site.link, *(owners if site.link in owners else ())}
+        labels = [self.goal.symbol(quantity)]  # `v_C`, and `v_C4` of the point of one link
         for node in method.velocity.nodes.values() if quantity.seen_from is None else ():
             if node.site is not None and node.site.point == site.point and node.site.link in links:
-                yield names.vector(f"{quantity.letter}_{node.of}")
+                labels.append(names.vector(f"{quantity.letter}_{node.of}"))
+        if (known := next((label for label in labels if label in self.calculated), None)) is not None:
+            return self.calculated[known]
+        plane: Plane = "velocity" if quantity.letter == "v" else "acceleration"
+        return exactly if ruler is None else float(ruler.read(exactly, plane).real)
 
     def _component(self, name: str, quantity: Component) -> Calculation:
         """`v_E,x = 0.3201 × cos 36.87° = 0.2561 m/s`."""
@@ -153,7 +148,7 @@ class AnswerLines:
         return Calculation(name, (), Operand(top) / Operand(bottom), top / bottom, "", note)
 
     def _centre(self, quantity: Centre) -> str:
-        """Where an instant centre lies."""
+        """The place of an instant centre."""
         assert self.goal.centred is not None, quantity
         return self.goal.centred.place(quantity)
 

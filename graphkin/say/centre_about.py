@@ -34,15 +34,15 @@ def about_words(seen: About, lang: Lang) -> list[str]:
 def link_words(seen: About, lang: Lang) -> Iterator[str]:
     """The link as a whole: its rotation, its poles and circles."""
     rates = {"omega": ("ω", seen.omega, "rad/s"), "alpha": ("α", seen.alpha, "rad/s²")}
-    known = {"link": seen.called} | {name: sensed(*rate, lang) for name, rate in rates.items()}
+    data = {"link": seen.called} | {name: sensed(*rate, lang) for name, rate in rates.items()}
     if seen.assumed:
         yield say("about.assumed", lang)
     if not seen.moves:
-        yield say("about.rest", lang, **known)
+        yield say("about.rest", lang, **data)
     elif seen.diameter is None:
-        yield say("about.translation", lang, **known, at=_degrees(seen.towards))
+        yield say("about.translation", lang, **data, at=_degrees(seen.towards))
     else:
-        yield say("about.pole", lang, **known, place=_place(seen, seen.pole))
+        yield say("about.pole", lang, **data, place=_place(seen, seen.pole))
     if seen.acceleration_pole is not None:
         yield say("about.acceleration", lang, place=_place(seen, seen.acceleration_pole))
     elif seen.moves:
@@ -68,14 +68,14 @@ def _circles(seen: About, lang: Lang) -> Iterator[str]:
 
 def _point(seen: About, name: str, lang: Lang) -> str:
     carried = seen.points[name]
-    known = {"name": name, "v": abs(carried.velocity), "a": abs(carried.acceleration)}
+    data = {"name": name, "v": abs(carried.velocity), "a": abs(carried.acceleration)}
     if cmath.isnan(carried.centre):
-        return say("about.still", lang, **known)
+        return say("about.still", lang, **data)
     if cmath.isinf(carried.centre):
-        return say("about.straight", lang, **known)
+        return say("about.straight", lang, **data)
     if carried.radius == 0:
-        return say("about.cusp", lang, **known)
-    return say("about.curved", lang, **known, radius=1e3 * carried.radius, place=_place(seen, carried.centre))
+        return say("about.cusp", lang, **data)
+    return say("about.curved", lang, **data, radius=1e3 * carried.radius, place=_place(seen, carried.centre))
 
 
 def _place(seen: About, place: complex) -> str:
@@ -96,10 +96,10 @@ def _degrees(direction: complex) -> float:
 def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
     """The source of both points, and one sentence each stage."""
     first, second = drawn.guides
-    known = {"a": first.point, "b": second.point, "a0": first.written, "b0": second.written, "c": drawn.point}
+    data = {"a": first.point, "b": second.point, "a0": first.written, "b0": second.written, "c": drawn.point}
     q, qc = drawn.crossings
-    known |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer}
-    stages = [_stage(drawn, stage, lang, known) for stage in drawn.construction.stages]
+    data |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer}
+    stages = [_stage(drawn, stage, lang, data) for stage in drawn.construction.stages]
     kinds = ["measured" if entry.measured else "pivoted" if entry.pivoted else "guided" for entry in drawn.guides]
     sources = [
         say(f"about.bobillier {kind}", lang, point=entry.point, centre=entry.written)
@@ -108,12 +108,12 @@ def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
     return [*sources, *stages]
 
 
-def _stage(drawn: Bobillier, stage: Stage, lang: Lang, known: dict[str, str]) -> str:
+def _stage(drawn: Bobillier, stage: Stage, lang: Lang, data: dict[str, str]) -> str:
     """A stage; its lines may be parallel."""
     if stage.say == "Q" and not any(entry.centre[2] for entry in drawn.guides):
-        return say("about.bobillier Q line", lang, **known)
+        return say("about.bobillier Q line", lang, **data)
     far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
-    return say(f"about.bobillier {stage.say} far" if far else f"about.bobillier {stage.say}", lang, **known)
+    return say(f"about.bobillier {stage.say} far" if far else f"about.bobillier {stage.say}", lang, **data)
 
 
 # --- two velocities ---------------------------------------------------------------------------
@@ -123,7 +123,7 @@ def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
     """The drawing of two velocities and the pole it gives, a sentence each."""
     first, second = found.names
     still, other = (first, second) if abs(found.velocities[0]) < abs(found.velocities[1]) else (second, first)
-    known = {
+    data = {
         "a": first, "b": second, "still": still, "other": other, "x": 1e3 * found.place.real,
         "y": 1e3 * found.place.imag, "omega": abs(found.omega), "at": math.degrees(found.direction or 0.0),
         "sense": sense(found.omega, lang),
@@ -131,7 +131,7 @@ def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
     along = cmath.phase(found.points[1] - found.points[0])
     component = (found.velocities[0] * cmath.rect(1, -along)).real
     component = component if abs(component) > 1e-12 * abs(found.fastest[1]) else 0.0
-    words = [say("about.two rigid", lang, **known, component=component), say(f"about.two {found.case}", lang, **known)]
+    words = [say("about.two rigid", lang, **data, component=component), say(f"about.two {found.case}", lang, **data)]
     if found.case in ("meet", "similar", "point"):  # `ω = v_A/l_AP = 1.118/0.1597 = 7 rad/s`
         place, speed = found.fastest
         numbers = Operand(abs(speed)) / Operand(abs(found.arm))

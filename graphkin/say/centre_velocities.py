@@ -53,7 +53,7 @@ def centre_entries(found: Centres, lang: Lang, scale: float | None = None) -> It
 
 
 def advantage_lines(found: Centres, lang: Lang) -> Iterator[str]:
-    """How many times the driver's torque a link gives, by the ratios of the centres' distances."""
+    """The mechanical advantage of each link against the driver, by the ratios of the centres' distances."""
     mechanism = found.method.mechanism
     driver = next((d for d in mechanism.drivers if d.rate), mechanism.drivers[0])
     for link, value in advantages(found).items():
@@ -81,19 +81,15 @@ class LeverReader:
     def entry(self, lever: Lever, name: str = "") -> Entry:
         """A calculation, or why there is none. name: of a point's velocity, as it was asked for."""
         if (result := lever.sum) is not None:
-            return self._calculation(lever, result, name)
+            value, meant = self._number(result.name), self.levers.meant[result.name]
+            formulas, numbers = self._formulas(lever, result)
+            unit = "rad/s" if meant.kind in ("omega", "against") else "m/s"
+            note = self._note(lever, meant) if value else ""
+            return Calculation(name or self._symbol(result.name), formulas, numbers, value, unit, note)
         if lever.stage.say == "together":
             words = {"first": self.reader.link(lever.base), "second": self.reader.link(lever.link)}
             return Sentence(self.reader.say("centres.together", name=self._shared(lever), **words))
         return Sentence(self.reader.say("centres.not told", name=self.rate(lever.link)))
-
-    def _calculation(self, lever: Lever, result: Reckon, name: str = "") -> Calculation:
-        value = self._number(result.name)
-        formulas, numbers = self._formulas(lever, result)
-        meant = self.levers.meant[result.name]
-        unit = "rad/s" if meant.kind in ("omega", "against") else "m/s"
-        note = self._note(lever, meant) if value else ""
-        return Calculation(name or self._symbol(result.name), formulas, numbers, value, unit, note)
 
     def _number(self, name: str) -> float:
         return float(self.levers.board.numbers[name].real)
@@ -261,20 +257,15 @@ def _rotation(levers: LeverReader, link: str) -> Iterator[Entry]:
 
 
 def _of_site(levers: LeverReader, text: str, site: Seen) -> Iterator[Entry]:
-    """`v C` of a point."""
-    link, name = site.link if site.explicit else _nearest(levers, site), f"v_{names.point(text)}"
-    if link is None or (path := levers.levers.path(link)) is None:
-        yield _missing(levers, name)
-        return
-    yield from levers.entries(levers.levers.along(path))
-    yield levers.entry(levers.levers.of_point(site.point, link), name)
-
-
-def _nearest(levers: LeverReader, site: Seen) -> str | None:
-    """Of the links that have a point, the frame, then one with known motion, then one that can be reached."""
-    owners = levers.reader.mechanism.owners[site.point]
-    links = sorted(owners, key=lambda link: (link != FRAME, link not in levers.levers.turning))
-    return next((link for link in links if levers.levers.path(link) is not None), None)
+    """`v C` of a point: of the links that have it, the frame, then one with known motion, then one within reach."""
+    owners, name = levers.reader.mechanism.owners[site.point], f"v_{names.point(text)}"
+    nearest = sorted(owners, key=lambda link: (link != FRAME, link not in levers.levers.turning))
+    for link in [site.link] if site.explicit else nearest:
+        if (path := levers.levers.path(link)) is not None:
+            yield from levers.entries(levers.levers.along(path))
+            yield levers.entry(levers.levers.of_point(site.point, link), name)
+            return
+    yield _missing(levers, name)
 
 
 def _relative(levers: LeverReader, text: str, of: Seen, seen_from: Seen) -> Iterator[Entry]:

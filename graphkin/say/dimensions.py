@@ -83,7 +83,7 @@ def circle(reading: Reading, centre: str, size: float) -> Size:
 
 
 def driven(reading: Reading, k: int, driver: Driver) -> tuple[Size, Size, Size]:
-    """Where a driver stands, how fast it moves, and how that changes; counter-clockwise is positive."""
+    """The value of a driver, its rate, and the rate of that; counter-clockwise is positive."""
     facts = reading.plot.facts
     place, rate, more = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
     if driver.kind == "slide":
@@ -177,7 +177,7 @@ def _lengths(reading: Reading) -> Iterator[str]:
 
 
 def _guide_offsets(reading: Reading) -> Iterator[str]:
-    """How far a guide's line passes a point of its link."""
+    """`e_A = 20 mm`: the distance at which a guide's line passes a point of its link."""
     for slide in reading.mechanism.of(Slide):
         points = _drawn_points(reading, slide.guide)
         if points and slide.stands_for is None:
@@ -196,7 +196,7 @@ def _guide_tilts(reading: Reading) -> Iterator[str]:
 
 
 def _face_offsets(reading: Reading) -> Iterator[str]:
-    """How far the flat face of a cam or a follower passes the first point of its link."""
+    """`h_A = 20 mm`: the distance at which the flat face of a cam or a follower passes the first point of its link."""
     for line in (line for cam in reading.mechanism.of(Cam) for line in cam.lines):
         points = _drawn_points(reading, line.link)
         if points and line.origin in reading.plot.position:

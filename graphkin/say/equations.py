@@ -89,7 +89,7 @@ def _introduction(polygon: PolygonReading, part: Equation) -> str:
 
 
 def _choice(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
-    """Why the coincident points are taken where they are: told with the velocities, where there is a choice."""
+    """The reason for the place of the coincident points: said with the velocities, where there is a choice."""
     both_sides = part.left + part.right
     known = {term.sites[0].point: term for term in both_sides if isinstance(term.size, terms.Drawn) and term.sites}
     slips = (term.sites[0].point for term in both_sides if _coincident(term) and term.size is None and term.sites)

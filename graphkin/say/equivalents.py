@@ -119,7 +119,7 @@ def points_of(reading: Reading, line: Line) -> tuple[str, str] | None:
 
 
 def _path(reading: Reading, name: str) -> Iterator[Entry]:
-    """Where the path of a centre lies, if it stands still; else where it starts, if that is needed."""
+    """The path of a centre, if it stands still; else the point at which it starts, if that is needed."""
     slide, (line,) = reading.method.structure.slides[name], reading.mechanism.pair(name).lines
     origin, path = slide.line.origin, reading.path(name)
     if slide.guide == FRAME:

@@ -15,7 +15,7 @@ from graphkin.say.answer_lines import AnswerLines, deviations
 from graphkin.say.entry import Calculation, Entry, Sentence, VectorEquation, text_lines
 from graphkin.say.equations import worded
 from graphkin.say.plane import PolygonReading
-from graphkin.say.polygons import polygon
+from graphkin.say.polygons import polygon_entries
 from graphkin.say.position import PositionReader
 from graphkin.say.problem_data import problem_data, solution_head
 from graphkin.say.reading import Reading
@@ -70,7 +70,7 @@ def _drawing(goal: SolutionGoal, as_planned: bool) -> Iterator[Entry]:
     drawn = reading if posed is None else Reading(*posed, reading.scales, reading.lang, reading.ruler)
     yield from PositionReader(drawn, reading, goal.levers, angles=goal.angles).entries()
     parts: list[Callable[..., Iterator[Entry]]]
-    parts = [partial(polygon, reading, plane, steps) for plane, steps in goal.parts.items()]
+    parts = [partial(polygon_entries, reading, plane, steps) for plane, steps in goal.parts.items()]
     if not as_planned and (centres := goal.centred) is not None:
         parts.insert(1 if centres.from_velocities and parts else 0, centres.entries)
     for number, part in enumerate(parts, start=2):

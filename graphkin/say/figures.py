@@ -42,12 +42,12 @@ class Formula:
         raise NotImplementedError
 
     def worth(self, digits: int) -> float:
-        """What a calculator makes of `text`."""
+        """The number that a calculator makes of `text`."""
         raise NotImplementedError
 
     @property
     def level(self) -> int:
-        """How strongly its signs bind."""
+        """The strength with which its signs bind."""
         return 3
 
     def bracketed(self, least: int, digits: int) -> str:
@@ -171,8 +171,8 @@ def written(formula: Formula, result: float, digits: int = DIGITS) -> str:
     """A formula with as many digits as give its result as that is printed, with so many `digits`."""
     printed = number(result, digits=digits)
     room = half_unit(printed) * (1 + _CLOSE)
-    found = range(digits, _MOST_DIGITS)
-    enough = next((d for d in found if abs(formula.worth(d) - as_read(printed)) <= room), _MOST_DIGITS)
+    candidates = range(digits, _MOST_DIGITS)
+    enough = next((d for d in candidates if abs(formula.worth(d) - as_read(printed)) <= room), _MOST_DIGITS)
     return formula.text(enough)
 
 

@@ -223,20 +223,19 @@ def size_calculation(polygon: PolygonReading, term: Term, equation: tuple[Term, 
     assert term.size is not None
     known = _known_size(polygon, term, term.size, polygon.direction_row(term, equation))
     value, angle = polygon.size(term.tail, term.head), polygon.angle(term.tail, term.head)
-    note = polygon.reading.say("derivation.at angle", direction=known.direction, angle=angle)
-    note = note if value else _why_none(polygon, term)
+    note = polygon.reading.say("derivation.at angle", direction=known.direction, angle=angle) if value else ""
+    if not value and isinstance(term.size, terms.Coriolis):
+        note = _why_none(polygon.reading, term, term.size)
     formulas = (*_other_names(polygon, term), known.formula)
     return Calculation(polygon.vector(term), formulas, known.numbers, value, names.UNIT[polygon.plane], note)
 
 
-def _why_none(polygon: PolygonReading, term: Term) -> str:
-    """Why there is no Coriolis acceleration; "" of other terms."""
-    if not isinstance(term.size, terms.Coriolis):
-        return ""
-    reading, velocity = polygon.reading, PolygonReading(polygon.reading, "velocity")
-    if not velocity.size(term.size.tail, term.size.head):
+def _why_none(reading: Reading, term: Term, size: terms.Coriolis) -> str:
+    """The reason why there is no Coriolis acceleration."""
+    velocity = PolygonReading(reading, "velocity")
+    if not velocity.size(size.tail, size.head):
         return reading.say("derivation.no sliding", relative=velocity.seen(term.of, term.seen_from))
-    return reading.say("derivation.no turning", rate=reading.rate("ω", term.size.link))
+    return reading.say("derivation.no turning", rate=reading.rate("ω", size.link))
 
 
 def _other_names(polygon: PolygonReading, term: Term) -> Iterator[str]:

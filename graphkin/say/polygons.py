@@ -20,33 +20,33 @@ from graphkin.say.rolling import checked, contacted, rolling, same_velocities
 from graphkin.say.simultaneous import solved_together
 
 
-def polygon(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], number: int) -> Iterator[Entry]:
+def polygon_entries(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], number: int) -> Iterator[Entry]:
     """Pole, known motions, equations, and what is read off each, in the order of the construction."""
-    drawn = PolygonReading(reading, plane, standing(reading.method, plane, parts, reading.rested))
+    polygon = PolygonReading(reading, plane, standing(reading.method, plane, parts, reading.rested))
     yield Heading(reading.say(f"derivation.plane {plane}", number=number), plane)
-    for part in drawn.parts:
-        yield from equation(drawn, part) if isinstance(part, Equation) else _step(drawn, part)
+    for part in polygon.parts:
+        yield from equation(polygon, part) if isinstance(part, Equation) else _step(polygon, part)
 
 
-def _step(drawn: PolygonReading, step: Step) -> Iterator[Entry]:
+def _step(polygon: PolygonReading, step: Step) -> Iterator[Entry]:
     match step:
         case kinds.Given():
-            yield from _renamed(drawn)
-            yield Sentence(_pole(drawn, step))
-            yield from _held_still(drawn)
-            yield from _driven_groups(drawn)
+            yield from _renamed(polygon)
+            yield Sentence(_pole(polygon, step))
+            yield from _held_still(polygon)
+            yield from _driven_groups(polygon)
         case kinds.LayOff():
-            yield from known_arrow(drawn, step)
+            yield from known_arrow(polygon, step)
         case kinds.Image():
-            yield from _image(drawn, step)
+            yield from _image(polygon, step)
         case kinds.Measure("omega" | "alpha"):
-            yield from _rotation(drawn, step)
+            yield from _rotation(polygon, step)
         case kinds.Measure():
-            yield from _sliding(drawn, step)
+            yield from _sliding(polygon, step)
         case kinds.Roll():
-            yield from rolling(drawn, step)
+            yield from rolling(polygon, step)
         case kinds.Simultaneous():
-            yield from solved_together(drawn, step)
+            yield from solved_together(polygon, step)
         case kinds.Fit() | kinds.Touch():
             raise AssertionError("the mechanism itself is drawn before")
         case kinds.Ray() | kinds.Arc() | kinds.Meet() | kinds.Swing():
@@ -58,13 +58,13 @@ def _step(drawn: PolygonReading, step: Step) -> Iterator[Entry]:
 # --- the start ----------------------------------------------------------------------------------
 
 
-def _renamed(drawn: PolygonReading) -> Iterator[Entry]:
-    """Where p belongs to a point P, the pole has another letter; said once, in the first polygon."""
-    reading, pole, nodes = drawn.reading, drawn.construction.pole, drawn.construction.nodes
-    if drawn.plane == "velocity" and pole != "p":
+def _renamed(polygon: PolygonReading) -> Iterator[Entry]:
+    """Letters that are taken: beside a point P the pole has another one; said once, in the first polygon."""
+    reading, pole, nodes = polygon.reading, polygon.construction.pole, polygon.construction.nodes
+    if polygon.plane == "velocity" and pole != "p":
         yield Sentence(reading.say("derivation.renamed pole", letter="P", pole=names.point(pole)))
     tips: dict[str, str] = {}  # of normal and Coriolis components: the first of each that ends at a corner of its own
-    for part in drawn.parts:
+    for part in polygon.parts:
         for step in part.steps if isinstance(part, Equation) else (part,):
             if isinstance(step, kinds.LayOff) and step.term.part in ("n", "k") and nodes[step.tip].site is None:
                 tips.setdefault(step.term.part, step.tip)
@@ -75,28 +75,28 @@ def _renamed(drawn: PolygonReading) -> Iterator[Entry]:
             yield Sentence(reading.say("derivation.renamed tips", **words))
 
 
-def _held_still(drawn: PolygonReading) -> Iterator[Entry]:
+def _held_still(polygon: PolygonReading) -> Iterator[Entry]:
     """The links that drivers at rest hold still: their points are fixed points."""
-    reading, owners = drawn.reading, drawn.reading.mechanism.owners
+    reading, owners = polygon.reading, polygon.reading.mechanism.owners
     links = [link for link in reading.mechanism.moving if reading.stands(link)]
     if links:
-        held = held_points(reading.method, drawn.plane, reading.rested)
+        held = held_points(reading.method, polygon.plane, reading.rested)
         points = [names.point(p) for p in held if not all(map(reading.stands, owners.get(p, ())))]
         key = "derivation.as fixed" if len(points) == 1 else "derivation.as fixed, several"
-        fixed = reading.say(key, points=reading.listed(points), pole=names.point(drawn.construction.pole))
+        fixed = reading.say(key, points=reading.listed(points), pole=names.point(polygon.construction.pole))
         key = "derivation.held still" if len(links) == 1 else "derivation.held still, several"
         yield Sentence(reading.say(key, links=reading.links(links), fixed=fixed))
 
 
-def _pole(drawn: PolygonReading, step: kinds.Given) -> str:
-    reading, pole = drawn.reading, names.point(step.point)
-    first = next((part for part in drawn.parts if isinstance(part, Equation)), None)
+def _pole(polygon: PolygonReading, step: kinds.Given) -> str:
+    reading, pole = polygon.reading, names.point(step.point)
+    first = next((part for part in polygon.parts if isinstance(part, Equation)), None)
     if first is not None and any(isinstance(other, kinds.Given) for other in first.steps):
         return reading.say("derivation.pole last", pole=pole)
     if not step.also:
         return reading.say("derivation.pole", pole=pole)
     nodes = reading.listed([names.point(node) for node in step.also])
-    points = reading.listed([names.point(drawn.of(node)) for node in step.also])
+    points = reading.listed([names.point(polygon.of(node)) for node in step.also])
     key = "derivation.pole fixed" if len(step.also) == 1 else "derivation.pole fixed, several"
     return reading.say(key, pole=pole, points=points, nodes=nodes)
 
@@ -104,80 +104,80 @@ def _pole(drawn: PolygonReading, step: kinds.Given) -> str:
 # --- rotations ----------------------------------------------------------------------------------
 
 
-def _rotation(drawn: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
+def _rotation(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
     """omega or alpha of a link, then of those that keep their angle to it."""
-    reading, ends = drawn.reading, (step.tail, step.head)
-    if drawn.plane == "acceleration" and not drawn.written(*ends):
-        yield from _resolved(drawn, step)
+    reading, ends = polygon.reading, (step.tail, step.head)
+    if polygon.plane == "acceleration" and not polygon.written(*ends):
+        yield from _resolved(polygon, step)
     else:
-        name, contacts = contacted(drawn, step)
-        name = name or drawn.name(*ends)
+        name, contacts = contacted(polygon, step)
+        name = name or polygon.name(*ends)
         if contacts:
-            yield from same_velocities(drawn, step)
-        yield _rate(drawn, step, name, drawn.length_mm(*ends), direct=True)
-        if len(contacts) == 1 and (check := checked(drawn, contacts[0])):
+            yield from same_velocities(polygon, step)
+        yield _rate(polygon, step, name, polygon.length_mm(*ends), direct=True)
+        if len(contacts) == 1 and (check := checked(polygon, contacts[0])):
             yield Sentence(check)
-        if drawn.plane == "velocity" and not drawn.arrow(*ends):
-            key = "derivation.rest now" if step.tail == drawn.construction.pole else "derivation.translation now"
+        if polygon.plane == "velocity" and not polygon.arrow(*ends):
+            key = "derivation.rest now" if step.tail == polygon.construction.pole else "derivation.translation now"
             yield Sentence(reading.say(key, name=name, link=reading.link(step.of)))
     others = reading.group(step.of)
-    held = [other for other in others if not _driven_between(drawn, other, step.of)]
-    if held and drawn.plane == "velocity":
+    held = [other for other in others if not _driven_between(polygon, other, step.of)]
+    if held and polygon.plane == "velocity":
         yield Sentence(reading.say("derivation.held", links=reading.links((*held, step.of))))
     for other in others:
-        yield _kept_angle(drawn, other, step.of)
+        yield _kept_angle(polygon, other, step.of)
 
 
-def _rate(drawn: PolygonReading, step: kinds.Measure, name: str, length_mm: float, direct: bool = False) -> Calculation:
-    """`ω3 = v_B3/l_BD = μ_v·pb3/(μ_l·BD) = 0.01 × 27.12/(0.001 × 69.2) = 3.919 rad/s (clockwise)`."""
-    reading, line = drawn.reading, names.pair(*step.lever)
+def _rate(polygon: PolygonReading, step: kinds.Measure, name: str, length: float, direct: bool = False) -> Calculation:
+    """`ω3 = v_B3/l_BD = μ_v·pb3/(μ_l·BD) = 0.01 × 27.12/(0.001 × 69.2) = 3.919 rad/s (clockwise)`; length in mm."""
+    reading, line = polygon.reading, names.pair(*step.lever)
     lever, scale = reading.distance(*step.lever), reading.scales["length"]
-    measured = f"{names.SCALE[drawn.plane]}·{names.stretch(step.tail, step.head)}/(μ_l·{line})"
+    measured = f"{names.SCALE[polygon.plane]}·{names.stretch(step.tail, step.head)}/(μ_l·{line})"
     formulas = (f"{name}/l_{line}", measured) if direct else (f"{name}/l_{line}",)
-    numbers = Operand(drawn.scale) * Operand(length_mm) / (Operand(scale) * Operand(lever / scale))
-    note = _sense_note(drawn, step) if length_mm else ""
-    return Calculation(drawn.rate(step.of), formulas, numbers, length_mm * drawn.scale / lever, drawn.rate_unit, note)
+    numbers = Operand(polygon.scale) * Operand(length) / (Operand(scale) * Operand(lever / scale))
+    value, note = length * polygon.scale / lever, _sense_note(polygon, step) if length else ""
+    return Calculation(polygon.rate(step.of), formulas, numbers, value, polygon.rate_unit, note)
 
 
-def _sense_note(drawn: PolygonReading, step: kinds.Measure) -> str:
+def _sense_note(polygon: PolygonReading, step: kinds.Measure) -> str:
     """The sense; the first time also how it is found."""
-    reading = drawn.reading
-    sense = reading.say("common.ccw" if _across_lever(drawn, step) > 0 else "common.cw")
-    if step != drawn.first_lever:
+    reading = polygon.reading
+    sense = reading.say("common.ccw" if _across_lever(polygon, step) > 0 else "common.cw")
+    if step != polygon.first_lever:
         return sense
     tail, head = (names.point(p) for p in step.lever)
-    words = {"stretch": names.stretch(step.tail, step.head), "rate": drawn.rate(step.of)}
+    words = {"stretch": names.stretch(step.tail, step.head), "rate": polygon.rate(step.of)}
     return reading.say("derivation.sense rule", sense=sense, head=head, tail=tail, **words)
 
 
-def _across_lever(drawn: PolygonReading, step: kinds.Measure) -> float:
+def _across_lever(polygon: PolygonReading, step: kinds.Measure) -> float:
     """Speed across the lever, positive where it turns it counter-clockwise."""
-    arm = drawn.reading.arm(*step.lever)
-    return float(cross(arm, drawn.arrow(step.tail, step.head))) / abs(arm)
+    arm = polygon.reading.arm(*step.lever)
+    return float(cross(arm, polygon.arrow(step.tail, step.head))) / abs(arm)
 
 
-def _resolved(drawn: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
+def _resolved(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
     """Both ends are known from elsewhere: only the part across the lever turns the link."""
-    reading, plane = drawn.reading, drawn.plane
-    across = float(reading.usual.motion(abs(_across_lever(drawn, step)), plane).real)
+    reading, plane = polygon.reading, polygon.plane
+    across = float(reading.usual.motion(abs(_across_lever(polygon, step)), plane).real)
     across = float(reading.ruler.read(across, plane).real) if reading.ruler else across
-    length_mm, tail = across / drawn.scale, _own_node(drawn, step.tail, step.lever[0])
-    name = drawn.seen(drawn.of(step.head), drawn.of(tail), "t")
-    numbers = Operand(drawn.scale) * Operand(length_mm)
+    length_mm, tail = across / polygon.scale, _own_node(polygon, step.tail, step.lever[0])
+    name = polygon.seen(polygon.of(step.head), polygon.of(tail), "t")
+    numbers = Operand(polygon.scale) * Operand(length_mm)
     tangential = Calculation(name, (), numbers, across, names.UNIT[plane]).text
     ends, line = names.stretch(step.tail, step.head), names.pair(*step.lever)
     yield Sentence(reading.say("derivation.tangential part", ends=ends, line=line, tangential=tangential))
-    yield _rate(drawn, step, name, length_mm)
+    yield _rate(polygon, step, name, length_mm)
 
 
 # --- links that keep their angles ---------------------------------------------------------------
 
 
-def _driven_groups(drawn: PolygonReading) -> Iterator[Entry]:
+def _driven_groups(polygon: PolygonReading) -> Iterator[Entry]:
     """Before the first equation: links that cannot turn, and those that turn with the driven ones."""
-    reading, turns = drawn.reading, drawn.reading.plot.facts.turns
+    reading, turns = polygon.reading, polygon.reading.plot.facts.turns
     still = [link for link in reading.mechanism.moving if reading.translates(link)]
-    if still and drawn.plane == "velocity":
+    if still and polygon.plane == "velocity":
         zero = [" = ".join([*(reading.rate(symbol, link) for link in still), "0"]) for symbol in ("ω", "α")]
         key = "derivation.never turn" if len(still) == 1 else "derivation.never turn, several"
         yield Sentence(reading.say(key, links=reading.links(still), rates=reading.joined(zero)))
@@ -185,31 +185,31 @@ def _driven_groups(drawn: PolygonReading) -> Iterator[Entry]:
     for link in reading.mechanism.moving:
         if turns[link].base == FRAME and turns[link].drivers and link not in driven:
             like = [other for other in driven if turns[other].drivers == turns[link].drivers]
-            if like and drawn.plane == "velocity":
+            if like and polygon.plane == "velocity":
                 yield Sentence(reading.say("derivation.held", links=reading.links((link, *like))))
-            yield _kept_angle(drawn, link, FRAME)
+            yield _kept_angle(polygon, link, FRAME)
 
 
-def _kept_angle(drawn: PolygonReading, link: str, other: str) -> Calculation:
+def _kept_angle(polygon: PolygonReading, link: str, other: str) -> Calculation:
     """`ω2 = ω3`, or `ω2 = ω1 + ω21` with a driven rotation between them; the frame adds nothing."""
-    reading, plane = drawn.reading, drawn.plane
-    value, driven = reading.turning(link, plane), _driven_between(drawn, link, other)
-    parts = [] if other == FRAME else [(1, drawn.rate(other), reading.turning(reading.body(other), plane))]
+    reading, plane = polygon.reading, polygon.plane
+    value, driven = reading.turning(link, plane), _driven_between(polygon, link, other)
+    parts = [] if other == FRAME else [(1, polygon.rate(other), reading.turning(reading.body(other), plane))]
     for k, sign, rate in driven:
         symbol = reading.against(reading.mechanism.drivers[k], names.RATE[plane])
         parts.append((sign, symbol, float(reading.usual.rate(rate, plane).real)))
     (sign, first, _), *more = parts
     formula = ("−" if sign < 0 else "") + first + "".join(f" {'−' if s < 0 else '+'} {text}" for s, text, _ in more)
     if not driven or (not more and sign > 0):
-        return Calculation(drawn.rate(link), (formula,), "", abs(value), drawn.rate_unit, reading.sense(value))
+        return Calculation(polygon.rate(link), (formula,), "", abs(value), polygon.rate_unit, reading.sense(value))
     numbers = signed_sum([(sign, rate) for sign, _, rate in parts]) if more else ""
-    return Calculation(drawn.rate(link), (formula,), numbers, value, drawn.rate_unit, reading.signed(value))
+    return Calculation(polygon.rate(link), (formula,), numbers, value, polygon.rate_unit, reading.signed(value))
 
 
-def _driven_between(drawn: PolygonReading, link: str, other: str) -> list[tuple[int, int, float]]:
+def _driven_between(polygon: PolygonReading, link: str, other: str) -> list[tuple[int, int, float]]:
     """Drivers that turn `link` against `other`, each with its sign and its rate."""
-    facts = drawn.reading.plot.facts
-    rates = facts.rates if drawn.plane == "velocity" else facts.accelerations
+    facts = polygon.reading.plot.facts
+    rates = facts.rates if polygon.plane == "velocity" else facts.accelerations
     count: dict[int, int] = {}
     for member, way in ((link, 1), (other, -1)):
         for k, sign in facts.turns[member].drivers:
@@ -220,13 +220,13 @@ def _driven_between(drawn: PolygonReading, link: str, other: str) -> list[tuple[
 # --- slides -------------------------------------------------------------------------------------
 
 
-def _sliding(drawn: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
+def _sliding(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
     """The speed at which a named displacement grows; of others, which distance grows or shrinks."""
-    reading, plane = drawn.reading, drawn.plane
+    reading, plane = polygon.reading, polygon.plane
     pair = reading.method.structure.slides[step.of]
     table = reading.plot.s_rate if plane == "velocity" else reading.plot.s_acceleration
-    value, size = float(table[step.of]), drawn.read(step.tail, step.head)
-    name = drawn.name(step.tail, step.head)
+    value, size = float(table[step.of]), polygon.read(step.tail, step.head)
+    name = polygon.name(step.tail, step.head)
     if pair.named:
         formula = f"−{name}" if size and value <= 0 else name
         symbol = names.of_slide(names.SLIDING[plane], step.of)
@@ -240,41 +240,41 @@ def _sliding(drawn: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
 # --- images -------------------------------------------------------------------------------------
 
 
-def _image(drawn: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
+def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
     """A further point of a link by the figure similar to it, then its motion."""
-    reading = drawn.reading
+    reading = polygon.reading
     first, second, third = step.corners
-    corners = [_own_node(drawn, node, corner) for node, corner in zip(step.base, step.corners, strict=False)]
-    words = {"image": reading.say(f"derivation.image {drawn.plane}"), "link": reading.link(step.link)}
+    corners = [_own_node(polygon, node, corner) for node, corner in zip(step.base, step.corners, strict=False)]
+    words = {"image": reading.say(f"derivation.image {polygon.plane}"), "link": reading.link(step.link)}
     words |= {"point": names.point(step.point), "corner": names.point(third)}
     words |= {"small": names.stretch(*corners), "large": names.point(first) + names.point(second)}
     one, other = (reading.arm(p, third) for p in (first, second))
-    if not drawn.arrow(*step.base):
+    if not polygon.arrow(*step.base):
         sentence = reading.say("derivation.image point", **words)
     elif aside(one, other) <= reading.noise * max(abs(one), abs(other)):
-        sentence = reading.say("derivation.image line", ratio=_ratio(drawn, step, corners), **words)
+        sentence = reading.say("derivation.image line", ratio=_ratio(polygon, step, corners), **words)
     else:
         words |= {"small": names.triangle(*corners, step.point), "large": names.triangle(*step.corners)}
         ccw = float(cross(reading.arm(first, second), one)) > 0
         sentence = reading.say("derivation.image triangle", sense=reading.sense(1 if ccw else -1), **words)
-    yield drawn.sentence(step, sentence)
-    yield drawn.measured_absolute(step.point)
+    yield polygon.sentence(step, sentence)
+    yield polygon.measured_absolute(step.point)
 
 
-def _own_node(drawn: PolygonReading, node: str, corner: str) -> str:
+def _own_node(polygon: PolygonReading, node: str, corner: str) -> str:
     """A fixed point's own letter rather than the pole's."""
-    if node != drawn.construction.pole:
+    if node != polygon.construction.pole:
         return node
-    nodes = drawn.construction.nodes.values()
+    nodes = polygon.construction.nodes.values()
     fixed = (n.name for n in nodes if n.site is not None and (n.site.point, n.site.link) == (corner, FRAME))
     return next(fixed, node)
 
 
-def _ratio(drawn: PolygonReading, step: kinds.Image, corners: list[str]) -> str:
+def _ratio(polygon: PolygonReading, step: kinds.Image, corners: list[str]) -> str:
     """`dc = db3 · CD/BD = 27.12 × 48/69.2 = 18.81 mm`."""
     first, second, third = step.corners
-    lengths = [drawn.reading.distance(first, p) for p in (third, second)]
-    small, scale = drawn.length_mm(*step.base), drawn.reading.scales["length"]
+    lengths = [polygon.reading.distance(first, p) for p in (third, second)]
+    small, scale = polygon.length_mm(*step.base), polygon.reading.scales["length"]
     one, other = figures(*(length / scale for length in lengths))
     formula = f"{names.stretch(*corners)} × {names.pair(first, third)}/{names.pair(first, second)}"
     name, value = names.stretch(corners[0], step.point), small * lengths[0] / lengths[1]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cmath import rect
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from itertools import count
 from typing import assert_never
@@ -32,21 +32,22 @@ class PositionReader(Tangents):
 
     angles   links whose angles are asked for, None for all
     waiting  links whose angles can be measured as soon as their points are there
-    told     links whose angles are measured
-    drawn    points that are there by now
+    measured_links  links whose angles are measured, or said to be driven
+    placed   points that are there by now
     reached  corners of reaches of two arms, with their ends
     ends     by link, the two points between which its angle has been found
     """
 
     angles: frozenset[str] | None = None
     waiting: list[str] = field(default_factory=list)
-    told: set[str] = field(default_factory=set)
-    drawn: set[str] = field(default_factory=set)
+    measured_links: set[str] = field(default_factory=set)
+    placed: set[str] = field(default_factory=set)
     reached: dict[str, tuple[str, str]] = field(default_factory=dict)
     ends: dict[str, tuple[str, str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.told |= {driver.link for _, driver in self._open() if driver.from_link == FRAME}  # told as driven
+        driven = (driver.link for _, driver in self._open() if driver.from_link == FRAME)
+        self.measured_links.update(driven)
 
     def entries(self) -> Iterator[Entry]:
         """The part of the solution that draws the mechanism, with letters for the points that have none."""
@@ -68,10 +69,13 @@ class PositionReader(Tangents):
                 if entries and isinstance(entries[0], Sentence):  # the first tells what is drawn
                     entries[0] = Sentence(entries[0].text, self.reading.act("position", step))
                 yield from entries
-                self.drawn |= _made(step)
+                self.placed |= _made(step)
                 yield from self._angles()
         yield from self._angles(last=True)
-        yield from self._read_off()
+        values = self.moving.plot.facts.values
+        arrows = {self.reading.against(d, "φ"): rect(1.0, float(values[k])) for k, d in self._open()}
+        if arrows:  # drivers' values, measured where poses stand for them
+            yield self._measured_angles(f"{name} = {self.reading.angle(arrow)}" for name, arrow in arrows.items())
         yield from self._used()
 
     def _step(self, step: Step) -> Iterator[Entry]:
@@ -148,7 +152,7 @@ class PositionReader(Tangents):
         """Two points that are drawn, on whose line an arm of their link lies; "" of others."""
         reading, part = self.reading, step.term.size.parts[0] if isinstance(step.term.size, terms.Span) else None
         tail, head = self.ends.get(part.link, ("", "")) if isinstance(part, terms.Arm) else ("", "")
-        if not tail or not reading.named(tail) or not reading.named(head) or not {tail, head} <= self.drawn:
+        if not tail or not reading.named(tail) or not reading.named(head) or not {tail, head} <= self.placed:
             return ""
         line, arm = reading.arm(tail, head), reading.arm(step.start, step.tip)
         return names.pair(tail, head) if aside(line, arm) <= reading.noise * abs(arm) else ""
@@ -217,13 +221,8 @@ class PositionReader(Tangents):
         drivers = enumerate(self.reading.mechanism.drivers)
         return ((k, driver) for k, driver in drivers if driver.kind == "angle" and driver.value is None)
 
-    def _read_off(self) -> Iterator[Entry]:
-        """Drivers' values, measured where poses stand for them."""
-        reading, values = self.reading, self.moving.plot.facts.values
-        arrows = {reading.against(driver, "φ"): rect(1.0, float(values[k])) for k, driver in self._open()}
-        if arrows:
-            joined = reading.joined(f"{name} = {reading.angle(arrow)}" for name, arrow in arrows.items())
-            yield Sentence(reading.say("derivation.measured angles", angles=joined))
+    def _measured_angles(self, angles: Iterable[str]) -> Sentence:
+        return Sentence(self.reading.say("derivation.measured angles", angles=self.reading.joined(angles)))
 
     def _angles(self, last: bool = False) -> Iterator[Entry]:
         """Directions of links, and of those that keep their angles to them, once their first two points are there.
@@ -234,17 +233,16 @@ class PositionReader(Tangents):
         members = (member for link in self.waiting for member in (reading.body(link), *reading.group(link)))
         for member in dict.fromkeys(members):
             points = reading.method.structure.named(member)
-            if len(points) > 1 and not last and not {*points[:2]} <= self.drawn:
+            if len(points) > 1 and not last and not {*points[:2]} <= self.placed:
                 waiting.append(member)
             elif len(points) > 1:
                 asked = self.angles is None or member in self.angles
-                if member not in self.told and asked:
+                if member not in self.measured_links and asked:
                     angles.append(link_angle(reading, member, reading.angle))
-                self.told.add(member)
+                self.measured_links.add(member)
         self.waiting = waiting
         if angles:
-            joined = reading.joined(dict.fromkeys(angles))
-            yield Sentence(reading.say("derivation.measured angles", angles=joined))
+            yield self._measured_angles(dict.fromkeys(angles))
 
     def _slide(self, slide: str) -> Iterator[Entry]:
         """The displacement by its name, or as the distance of two points, or as where its point has come to lie."""

@@ -12,7 +12,7 @@ from graphkin.base.geometry import dot
 from graphkin.model.mechanism import FRAME, Driver, Pose
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
-from graphkin.say.dimensions import GuideAngle, Size, beside, circle, driven, guide_angle, millimetres, radius, sides
+from graphkin.say.dimensions import Size, beside, circle, driven, guide_angle, millimetres, radius, sides
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import points_of
 from graphkin.say.numbers import direction, given_figure, number, sensed
@@ -87,21 +87,18 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
     shown = None if driver.value is None and abs(now - drawn) < 1e-12 else place
     if driver.kind == "slide":
         texts = [size.text if size.value else f"{size.symbol} = 0" for size in rates]
-        return reading.joined([_driven_slide(reading, driver, shown), *texts])
+        kind, slide = _kind(reading, driver.link), reading.slide_name(driver.link)
+        if shown is None:
+            start = reading.say(f"derivation.driven {kind} free", slide=slide)
+        else:
+            start = reading.say(f"derivation.driven {kind}", slide=slide, place=shown.text)
+        return reading.joined([start, *texts])
     texts = [sensed(size.symbol, size.value, size.unit, reading.lang) for size in rates]
     return reading.joined([_driven_line(reading, driver, shown), *texts])
 
 
-def _driven_slide(reading: Reading, driver: Driver, place: Size | None) -> str:
-    """Where the slide stands; nothing of one that a pose has fixed."""
-    kind, slide = _kind(reading, driver.link), reading.slide_name(driver.link)
-    if place is None:
-        return reading.say(f"derivation.driven {kind} free", slide=slide)
-    return reading.say(f"derivation.driven {kind}", slide=slide, place=place.text)
-
-
 def _driven_line(reading: Reading, driver: Driver, place: Size | None) -> str:
-    """Where the driven line stands; nothing of a wheel, or of one that a pose has fixed."""
+    """The driven line and its angle; no angle of a wheel, or of a line that a pose has fixed."""
     link = reading.link(driver.link)
     if driver.vector is None:
         return reading.say("derivation.driven wheel", link=link)
@@ -250,21 +247,17 @@ def _lying(reading: Reading, line: Line, slide: Slide | None = None) -> str:
         return reading.say("solution.along", line=(names.pair if either else names.arrow)(*ends))
     if line.base is None and line.link == FRAME:
         return reading.say("solution.line", start=through, angle=f"{given_figure(direction(line.direction))}°")
-    if (base := line.base or _base(reading, line.link, angle)) is None:
+    shape, points = reading.mechanism.links[line.link], reading.mechanism.named(line.link)
+    apart = (ends for ends in combinations(points, 2) if abs(shape.arm(*ends)) > reading.noise)
+    # where no file says it, a line is measured from the points of γ, else from the link's first
+    base = line.base or (next(apart, None) if angle is None else (angle.corner, angle.through))
+    if base is None:
         return reading.say("solution.own axis", through=through)
-    turned = degrees(phase(line.direction / reading.mechanism.links[line.link].arm(*base)))
+    turned = degrees(phase(line.direction / shape.arm(*base)))
     symbol = f"{angle.symbol} = " if angle is not None and angle.symbol else ""
     words = {"through": through, "arrow": names.arrow(*base), "angle": f"{symbol}{given_figure(abs(turned))}°"}
     key = "solution.at angle" if abs(turned) > 1e-9 else "solution.parallel"
     return reading.say(key, sense=reading.sense(turned), **words)
-
-
-def _base(reading: Reading, link: str, angle: GuideAngle | None) -> tuple[str, str] | None:
-    """Two points from whose direction a line is measured where no file says it: those of γ, else the link's first."""
-    if angle is not None:
-        return angle.corner, angle.through
-    shape, points = reading.mechanism.links[link], reading.mechanism.named(link)
-    return next((ends for ends in combinations(points, 2) if abs(shape.arm(*ends)) > reading.noise), None)
 
 
 def _points_along(reading: Reading, line: Line) -> tuple[str, str] | None:

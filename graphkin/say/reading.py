@@ -31,7 +31,7 @@ TOO_SHORT_MM = 0.5
 
 
 def aside(along: complex, arm: complex) -> float:
-    """How far the head of an arm is from the line through its tail along a unit vector."""
+    """The distance of the head of an arm from the line through its tail along a unit vector."""
     return abs(float(cross(along, arm)))
 
 
@@ -70,7 +70,7 @@ class Reading:
 
     @cached_property
     def rested(self) -> frozenset[Fact]:
-        """What drivers at rest hold still in both polygons."""
+        """Facts of both polygons that drivers at rest hold still."""
         return frozenset() if self.apart else at_rest(self.method, self.plot.facts)
 
     # --- words --------------------------------------------------------------------------------
@@ -99,7 +99,7 @@ class Reading:
         return self.say("common.ccw" if value > 0 else "common.cw") if value else ""
 
     def signed(self, value: float) -> str:
-        """What the sign of a sum means, in which counter-clockwise is positive; nothing has no sense."""
+        """The meaning of the sign of a sum, in which counter-clockwise is positive; nothing has no sense."""
         return self.say("derivation.positive" if value > 0 else "derivation.negative") if value else ""
 
     def way_round(self, points: Iterable[str], ccw: bool) -> str:

@@ -178,7 +178,7 @@ def _slid(reading: Reading, symbol: str, contact: InStep) -> str:
 
 
 def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:
-    """How far a wheel has turned since the drawn position."""
+    """The turn of a wheel since the drawn position."""
     relation = turning_relation(reading, step.contact)
     contact, links = relation.contact, _unknown(reading, step)
     yield Sentence(reading.say("contacts.rolled", wheels=reading.links(contact.wheels), relation=relation.text))
@@ -212,7 +212,7 @@ def _rotated(relation: RollingRelation, links: list[str], sums: list[str], unit:
 
 
 def touched(reading: Reading, step: Touch) -> str:
-    """Where two wheels, or a wheel and its track, touch."""
+    """The point in which two wheels, or a wheel and its track, touch."""
     contact = next(c for letter, c in touching(reading.method.structure) if letter == step.point)
     first, second = (reading.link(link) for link in contact.wheels)
     reach = reading.distance(step.centre, step.point)

@@ -116,7 +116,7 @@ def _slide(reading: Reading, slide: str) -> str:
 
 
 def special_point(reading: Reading, step: kinds.Meet) -> str:
-    """Where the lines of two legs meet."""
+    """The point in which the lines of two legs meet."""
     site = reading.method.position.nodes[step.point].site
     assert site is not None
     first, second = (_leg_line(reading, locus) for locus in (step.first, step.second) if isinstance(locus, kinds.Ray))

@@ -1,4 +1,4 @@
-"""What paper allows, and how well mistakes are told apart: by one's answers to a set of problems, and in trials."""
+"""Tolerances that paper allows, and mistakes that can be told apart: in trials, and by the answers to a set."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def power_lines(power: Power, lang: Lang) -> Iterator[str]:
 
 
 def _shares_named(power: Power, lang: Lang) -> Iterator[str]:
-    """How many mistakes are named as they should be; and those that paper cannot tell."""
+    """The number of mistakes that are named as they should be; and of those that paper cannot tell."""
     some = [one for one in power.found if one.applicable]
     tellable, rest = ([one for one in some if one.tellable is expected] for expected in (True, False))
     part, missed = f"{WELL:.0%}", f"{1 - WELL:.0%}"

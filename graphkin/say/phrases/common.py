@@ -1,4 +1,4 @@
-"""What every subject says: signs between, senses."""
+"""Phrases of every subject: signs between, senses."""
 
 from graphkin.say.catalogue import Phrases
 

@@ -1,4 +1,4 @@
-"""What is written on sheets, motion diagrams, pictures of feedback and handouts."""
+"""The words on sheets, motion diagrams, pictures of feedback and handouts."""
 
 from graphkin.say.catalogue import Phrases
 

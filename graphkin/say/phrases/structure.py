@@ -1,4 +1,4 @@
-"""What a mechanism is made of, and what repeats in it."""
+"""The parts of a mechanism, and constraints that repeat in it."""
 
 from graphkin.say.catalogue import Phrases
 
