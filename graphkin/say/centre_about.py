@@ -8,7 +8,6 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 
-from graphkin.construction.drafting import Stage
 from graphkin.errors import Lang
 from graphkin.say import catalogue, names
 from graphkin.say.entry import Calculation
@@ -99,21 +98,20 @@ def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
     data = {"a": first.point, "b": second.point, "a0": first.written, "b0": second.written, "c": drawn.point}
     q, qc = drawn.crossings
     data |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer}
-    stages = [_stage(drawn, stage, lang, data) for stage in drawn.construction.stages]
+    stages, pivots = [], any(entry.centre[2] for entry in drawn.guides)
+    for stage in drawn.construction.stages:  # whose lines may be parallel
+        if stage.say == "Q" and not pivots:
+            stages.append(say("about.bobillier Q line", lang, **data))
+        else:
+            far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
+            key = f"about.bobillier {stage.say} far" if far else f"about.bobillier {stage.say}"
+            stages.append(say(key, lang, **data))
     kinds = ["measured" if entry.measured else "pivoted" if entry.pivoted else "guided" for entry in drawn.guides]
     sources = [
         say(f"about.bobillier {kind}", lang, point=entry.point, centre=entry.written)
         for kind, entry in zip(kinds, drawn.guides, strict=True)
     ]
     return [*sources, *stages]
-
-
-def _stage(drawn: Bobillier, stage: Stage, lang: Lang, data: dict[str, str]) -> str:
-    """A stage; its lines may be parallel."""
-    if stage.say == "Q" and not any(entry.centre[2] for entry in drawn.guides):
-        return say("about.bobillier Q line", lang, **data)
-    far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
-    return say(f"about.bobillier {stage.say} far" if far else f"about.bobillier {stage.say}", lang, **data)
 
 
 # --- two velocities ---------------------------------------------------------------------------

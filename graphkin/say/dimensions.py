@@ -142,7 +142,7 @@ def _corner(reading: Reading, slide: Slide) -> str:
 
 def dimensions(reading: Reading) -> list[str]:
     """`AD = 78 mm`, `AB = 24 mm`, .. link by link; then offsets of guides, radii of wheels, driven rates."""
-    tables = (_fixed_points, _lengths, _guide_offsets, _guide_tilts, _face_offsets, _radii, _driven_places, _rates)
+    tables = (_fixed_points, _lengths, _guide_offsets, _guide_tilts, _face_offsets, _radii, _drivers)
     return [*dict.fromkeys(text for table in tables for text in table(reading))]
 
 
@@ -216,16 +216,11 @@ def _radii(reading: Reading) -> Iterator[str]:
         yield circle(reading, centre, size).text
 
 
-def _driven_places(reading: Reading) -> Iterator[str]:
-    """`s_ram = 90 mm`: where a driven slide stands."""
-    for k, driver in enumerate(reading.mechanism.drivers):
-        if driver.kind == "slide":
-            yield driven(reading, k, driver)[0].text
-
-
-def _rates(reading: Reading) -> Iterator[str]:
-    for k, driver in enumerate(reading.mechanism.drivers):
-        place, *rates = driven(reading, k, driver)
+def _drivers(reading: Reading) -> Iterator[str]:
+    """`s_ram = 90 mm` of driven slides, then `φ1 = 30°` and the rates of all."""
+    drivers = [(driver, driven(reading, k, driver)) for k, driver in enumerate(reading.mechanism.drivers)]
+    yield from (place.text for driver, (place, *_) in drivers if driver.kind == "slide")
+    for driver, (place, *rates) in drivers:
         if driver.kind == "angle" and driver.value is not None:
             yield place.text
         for size in rates:

@@ -16,7 +16,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.figures import Operand, written
 from graphkin.say.numbers import exact, in_print, number, quantity
 from graphkin.say.text_table import table
-from graphkin.studies.finding.answers import Findings, Interval, Phase, Position, SlowPoint, Speeds
+from graphkin.studies.finding.answers import Findings, Interval, Phase, Position, SlowPoint
 from graphkin.studies.finding.conditions import Comparison, Condition, Extreme, Scaling, Slowest
 from graphkin.studies.finding.varying import VaryingTable
 
@@ -146,7 +146,12 @@ def _results(findings: Findings, lang: Lang) -> Iterator[str]:
             yield say("finding.level", lang, values=_values(findings, findings.positions[0]))
         return
     for position in findings.positions:
-        yield _position(findings, position, lang)
+        line = f"{_at(findings, position)}{say('common.colon', lang)}{_values(findings, position)}"
+        if position.factors:
+            zero = say("common.and", lang).join(f"{name} = 0" for name in position.factors)
+            yield line + say("finding.because", lang, zero=zero)
+        else:
+            yield line + _note(say(f"finding.kind {position.kind}", lang), lang)
     for interval in findings.intervals:
         yield _interval(findings, interval, lang)
     if findings.nearest is not None:
@@ -158,14 +163,6 @@ def _results(findings: Findings, lang: Lang) -> Iterator[str]:
         yield say("finding.none", lang)
     yield from _swing(findings, lang)
     yield from (say(f"finding.note {note}", lang) for note in findings.notes)
-
-
-def _position(findings: Findings, position: Position, lang: Lang) -> str:
-    line = f"{_at(findings, position)}{say('common.colon', lang)}{_values(findings, position)}"
-    if position.factors:
-        zero = say("common.and", lang).join(f"{name} = 0" for name in position.factors)
-        return line + say("finding.because", lang, zero=zero)
-    return line + _note(say(f"finding.kind {position.kind}", lang), lang)
 
 
 def _interval(findings: Findings, part: Interval, lang: Lang) -> str:
@@ -213,8 +210,13 @@ def _slow(findings: Findings, entry: SlowPoint, lang: Lang) -> str:
 
 def _scaling(findings: Findings, scaling: Scaling, lang: Lang) -> Iterator[str]:
     order = sorted(range(len(findings.drivers)), key=lambda k: k != scaling.driver)
+    name, unit = findings.quantities[0], findings.units[0]
     for entry in findings.speeds:
-        yield _speeds(findings, entry, order, lang)
+        drivers = [(findings.drivers[k], entry.rates[k]) for k in order]
+        rates = ", ".join(f"{_rate_name(driver)} = {_rate(driver, rate)}" for driver, rate in drivers)
+        value, now = quantity(entry.position.values[0], unit), quantity(entry.value, unit)
+        text = say("finding.speeds", lang, at=_at(findings, entry.position), quantity=name, value=value, rates=rates)
+        yield text + say("finding.factor", lang, factor=exact(entry.factor), quantity=name, now=now)
     if sum(bool(driver.rate) for driver in findings.drivers) > 1:
         yield say("finding.together", lang)
     if accelerated := [driver for driver in findings.drivers if driver.acceleration]:
@@ -223,15 +225,6 @@ def _scaling(findings: Findings, scaling: Scaling, lang: Lang) -> Iterator[str]:
             sizes = [quantity(d.acceleration * entry.factor**2, unit) for d, unit in zip(accelerated, units)]
             accelerations = ", ".join(f"{driver.name}: {size}" for driver, size in zip(accelerated, sizes))
             yield say("finding.square", lang, accelerations=accelerations)
-
-
-def _speeds(findings: Findings, entry: Speeds, order: list[int], lang: Lang) -> str:
-    drivers = [(findings.drivers[k], entry.rates[k]) for k in order]
-    rates = ", ".join(f"{_rate_name(driver)} = {_rate(driver, rate)}" for driver, rate in drivers)
-    name, unit = findings.quantities[0], findings.units[0]
-    value, now = quantity(entry.position.values[0], unit), quantity(entry.value, unit)
-    text = say("finding.speeds", lang, at=_at(findings, entry.position), quantity=name, value=value, rates=rates)
-    return text + say("finding.factor", lang, factor=exact(entry.factor), quantity=name, now=now)
 
 
 # --- a table: how many columns depends on the condition alone -----------------------------------

@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import degrees
 
 from graphkin.errors import Lang
-from graphkin.model.mechanism import FRAME, Driver, Mechanism
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.say.figures import Formula, figures, squared, written
 from graphkin.say.numbers import angle, exact, millimetres, number
@@ -274,12 +274,9 @@ def titled(linkage: Linkage, headline: str = "") -> Mechanism:
 def held(mechanism: Mechanism, link: str) -> Mechanism:
     """The mechanism with another link (as people call it) held fast, with its title and its file. Raises NoFixing."""
     title = {lang: say("linkages.fixed", lang, title=mechanism.headline(lang), link=link) for lang in LANGUAGES}
-    notes = [_note(mechanism, driver, link) for driver in mechanism.drivers]
+    notes = []
+    for driver in mechanism.drivers:
+        key = "slide" if driver.kind == "slide" else "frame" if link in (driver.link, driver.from_link) else "moving"
+        one, two = mechanism.called(driver.link), mechanism.called(driver.from_link)
+        notes.append(" ".join(in_both(f"linkages.driven {key}", one=one, two=two).values()))
     return filed(replace(inverted(mechanism, link), title=title), notes)
-
-
-def _note(mechanism: Mechanism, driver: Driver, fixed: str) -> str:
-    """The lot of a driver where another link is held, in both languages."""
-    key = "slide" if driver.kind == "slide" else "frame" if fixed in (driver.link, driver.from_link) else "moving"
-    one, two = mechanism.called(driver.link), mechanism.called(driver.from_link)
-    return " ".join(in_both(f"linkages.driven {key}", one=one, two=two).values())

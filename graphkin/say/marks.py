@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Literal, Protocol
 
 from graphkin.errors import Lang
-from graphkin.marking.diagnosis import Explanation
 from graphkin.marking.graded import Graded
 from graphkin.marking.key import Name
 from graphkin.marking.marked import Judged, Marked, Verdict
@@ -86,14 +85,10 @@ def _explanations(marked: Marked, lang: Lang) -> Iterator[str]:
     for explanation in marked.diagnosis.explanations:
         key = "marks.consistent" if len(explanation.names) == 1 else "marks.cannot tell"
         explains = say("common.list", lang).join(explanation.explains)
-        what, probability = _one_of(explanation, lang), f"{explanation.probability:.0%}"
-        yield say(key, lang, what=what, probability=probability, explains=explains)
-
-
-def _one_of(explanation: Explanation, lang: Lang) -> str:
-    texts = distinct_mistakes(mistakes_together(names, lang) for names in explanation.names)
-    more = [say("marks.more", lang, count=len(texts) - _SETS)] if len(texts) > _SETS else []
-    return say("marks.or", lang).join([*texts[:_SETS], *more])
+        texts = distinct_mistakes(mistakes_together(names, lang) for names in explanation.names)
+        more = [say("marks.more", lang, count=len(texts) - _SETS)] if len(texts) > _SETS else []
+        what = say("marks.or", lang).join([*texts[:_SETS], *more])
+        yield say(key, lang, what=what, probability=f"{explanation.probability:.0%}", explains=explains)
 
 
 # --- verdicts -----------------------------------------------------------------------------------

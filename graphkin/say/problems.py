@@ -190,17 +190,15 @@ def _value(value: object, lang: Lang) -> str:
 
 def assembly_sentence(sides: DrawnSides, lang: Lang) -> str:
     """`Assembly: C above BD.`, one side after another; nothing where there is no choice."""
-    choices = say("common.and", lang).join(dict.fromkeys(_choices(sides, lang)))
-    return choices and say("assembly.drawn", lang, told=choices)
-
-
-def _choices(sides: DrawnSides, lang: Lang) -> Iterator[str]:
+    choices = []
     for lies in sides.lies:
         line = "".join(map(names.point, lies.line))
-        yield say(f"assembly.side {_side(lies)}", lang, point=names.point(lies.point), line=line)
+        choices.append(say(f"assembly.side {_side(lies)}", lang, point=names.point(lies.point), line=line))
     for point, place in sides.near:
         x, y = (f"{1000 * part + 0.0:.4g}" for part in (place.real, place.imag))
-        yield say("assembly.near", lang, point=names.point(point), x=x, y=y)
+        choices.append(say("assembly.near", lang, point=names.point(point), x=x, y=y))
+    joined = say("common.and", lang).join(dict.fromkeys(choices))
+    return joined and say("assembly.drawn", lang, told=joined)
 
 
 def _side(lies: Lies) -> str:

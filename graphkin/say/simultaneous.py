@@ -187,7 +187,7 @@ def solved_together(polygon: PolygonReading, step: kinds.Simultaneous) -> Iterat
     unknowns = reading.listed([*(polygon.rate(link) for link in members), *slides])
     said = []
     if step.chains:
-        loops = reading.listed([_loop(polygon, chain) for chain in step.chains])
+        loops = reading.listed([_loop(reading, chain) for chain in step.chains])
         said.append(reading.say("contacts.the loop" if len(step.chains) == 1 else "contacts.the loops", loops=loops))
     if step.contacts:
         relations = reading.listed([rate_relation(polygon, contact).text for contact in step.contacts])
@@ -232,9 +232,9 @@ def _constant_ratio(polygon: PolygonReading, step: kinds.Simultaneous, members: 
     return said
 
 
-def _loop(polygon: PolygonReading, chain: Chain) -> str:
-    """`ABCD`: the joints that a chain of arrows passes."""
-    reading, points = polygon.reading, dict[str, None]()
+def _loop(reading: Reading, chain: Chain) -> str:
+    """`A–B–C–D`: the joints that a chain of arrows passes."""
+    points: dict[str, None] = {}
     for unknown in chain.unknown:
         slide = reading.method.structure.slides[unknown.slide] if unknown.slide else None
         ends = (unknown.tail, unknown.head) if slide is None else (slide.point,)

@@ -117,17 +117,14 @@ def book_lines(sweep: Sweep) -> Iterator[str]:
             columns += [(f"{entry.name}_x", "m", entry.vectors.real), (f"{entry.name}_y", "m", entry.vectors.imag)]
     heads, units, values = zip(*columns) if columns else ((), (), ())
     first = np.degrees(sweep.driven) if sweep.course.unit == "rad" else sweep.driven
-    rows = [[exact(round(float(first[k]), 9)), *(_fixed(float(v[k])) for v in values)] for k in range(sweep.t.size)]
+    shown = [[f"{v + 0.0:.5f}" if abs(v) >= 5e-6 else "0.00000" for v in column] for column in values]
+    rows = [[exact(round(float(first[k]), 9)), *(column[k] for column in shown)] for k in range(sweep.t.size)]
     yield from table([[_driver_symbol(sweep), *heads], [*map(_book_unit, (sweep.course.unit, *units))], *rows])
 
 
 def _book_unit(unit: str) -> str:
     sign = unit if unit == "m" else EDGE[unit].sign
     return f"/({sign})" if any(mark in sign for mark in "°/") else f"/{sign}" if sign else ""
-
-
-def _fixed(value: float) -> str:
-    return f"{value + 0.0:.5f}" if abs(value) >= 5e-6 else "0.00000"
 
 
 def _symbol(entry: Series) -> str:
