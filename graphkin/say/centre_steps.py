@@ -128,7 +128,8 @@ class CentreReader:
     def _line(self, step: DraftMeet, line: LineStep) -> str:
         """A line on which a centre lies, and why it does."""
         if (normal := self.found.centring.normals.get(line.name)) is not None:
-            pair, key = self.found.centring.links[step.name], f"centres.normal of {NORMALS[type(normal.pair)]}"
+            pair = self.found.centring.links[step.name]
+            key = f"centres.normal of {NORMALS[type(normal.pair)]}"
             return self.say(key, point=names.point(normal.line.through), **self._links(pair))
         ends = drawn_through(line)
         three = {link for end in ends for link in self.found.centring.links[end]}

@@ -76,7 +76,9 @@ def vector(name: str) -> str:
     """`a^k_B3B2` as `aᵏ_B3B2`; two on one line as `(v_DG + v_S4D)`."""
     if "+" in name:
         return "(" + " + ".join(vector(half) for half in name.split("+")) + ")"
-    letter, part, low = re.fullmatch(r"(\w)(?:\^(\w+))?_(.+)", name).groups()  # type: ignore[union-attr]
+    parts = re.fullmatch(r"(\w)(?:\^(\w+))?_(.+)", name)
+    assert parts is not None, name
+    letter, part, low = parts.groups()
     sites = f"{{{point(low)}}}" if "@" in low else point(low)
     return letter + "".join(_RAISED[c] for c in part or "") + "_" + sites
 
