@@ -13,7 +13,7 @@ from graphkin.construction import Meet, Plot, Swing, replay
 from graphkin.files import library
 from graphkin.planning import Method
 from graphkin.running.assembled import assembled
-from graphkin.say.assembly import assembly
+from graphkin.say.problems import assembly_sentence
 
 
 def choices(method: Method) -> list[Meet | Swing]:
@@ -56,13 +56,13 @@ def test_random_mechanisms(kind: str):
 def test_in_words(name: str, en: str, zh: str | None):
     method = api.plan(library.load(name))
     found = assembled(method, api.replay(method))
-    assert assembly(found, "en") == en
-    assert zh is None or assembly(found, "zh") == zh
+    assert assembly_sentence(found, "en") == en
+    assert zh is None or assembly_sentence(found, "zh") == zh
 
 
 def test_the_other_assembly_is_told_otherwise():
     mechanism = library.load("ex3-5")
     corner = mechanism.sketch["C"]
     mirrored = replace(mechanism, sketch={**mechanism.sketch, "C": np.conj(corner)})
-    words = [assembly(assembled(m, api.replay(m)), "en") for m in map(api.plan, (mechanism, mirrored))]
+    words = [assembly_sentence(assembled(m, api.replay(m)), "en") for m in map(api.plan, (mechanism, mirrored))]
     assert words == ["Assembly: C above DB.", "Assembly: C below DB."]

@@ -23,7 +23,7 @@ SPEAKING = {"say", "say_close", "phrase", "in_both", "head", "meaning"}
 def catalogue() -> dict[str, tuple[str, str]]:
     files = [path.stem for path in (SPEAKER / "phrases").glob("*.py") if path.stem != "__init__"]
     tables = {name: import_module(f"graphkin.{SPEAKER.name}.phrases.{name}").PHRASES for name in files}
-    return {f"{name}.{key}": texts for name, table in tables.items() for key, texts in table.items()}
+    return {key: texts for table in tables.values() for key, texts in table.items()}
 
 
 def placeholders(text: str) -> set[tuple[str, str | None]]:

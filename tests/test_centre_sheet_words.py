@@ -18,7 +18,7 @@ from graphkin.model.quantities import named
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say import names
-from graphkin.say.centre_explained import centre_entries, explain_centres
+from graphkin.say.centre_velocities import centre_entries, explain_centres
 from graphkin.say.entry import Calculation, Sentence
 from graphkin.studies.centres import Centres, centres
 

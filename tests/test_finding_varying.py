@@ -15,7 +15,7 @@ from graphkin import files as loading
 from graphkin.errors import GraphkinError
 from graphkin.files import library
 from graphkin.outputs import svg
-from graphkin.say.finding_table import table_lines
+from graphkin.say.finding import finding_table
 from graphkin.sheet.finding_sheet import drawn as drawn_positions
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Text
@@ -61,7 +61,7 @@ def test_what_cannot_be_assembled_has_a_row_that_says_so() -> None:
     failed = [row for row in table.rows if row.error is not None]
     assert 0 < len(failed) < len(table.rows)
     for lang in ("en", "zh"):
-        lines = list(table_lines(table, lang))
+        lines = list(finding_table(table, lang))
         assert len(lines) == len(table.rows) + 2
         for row, line in zip(table.rows, lines[2:], strict=True):
             assert (row.error is None) or row.error.message(lang) in line
@@ -75,7 +75,7 @@ def test_what_cannot_be_assembled_has_a_row_that_says_so() -> None:
 def test_every_condition_fills_its_columns(condition: str) -> None:
     table = finding.vary(api.load("p3-13"), "AB=50:60:10", condition)
     for lang in ("en", "zh"):
-        head, *rows = list(table_lines(table, lang))[1:]
+        head, *rows = list(finding_table(table, lang))[1:]
         assert "AB [mm]" in head
         assert [row.split()[0] for row in rows] == ["50", "60"]
 

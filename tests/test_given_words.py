@@ -35,8 +35,8 @@ from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say import names
 from graphkin.say.entry import Sentence
-from graphkin.say.given import given
 from graphkin.say.numbers import number
+from graphkin.say.problem_data import problem_data
 from graphkin.say.reading import Reading
 
 WRITTEN = sorted((Path(__file__).parent / "cases" / "written").glob("*.toml"))
@@ -49,7 +49,7 @@ TURN = cmath.rect(1.0, 0.2)
 def said(reading: Reading, mechanism: Mechanism) -> str:
     """What is given of a mechanism, in the words for one that is drawn."""
     other = replace(reading, method=replace(reading.method, mechanism=mechanism))
-    return "\n".join(entry.text for entry in given(other) if isinstance(entry, Sentence))
+    return "\n".join(entry.text for entry in problem_data(other) if isinstance(entry, Sentence))
 
 
 def assert_fixed(mechanism: Mechanism) -> None:

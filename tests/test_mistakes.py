@@ -350,11 +350,11 @@ def test_a_hand_that_errs():
 
 
 def test_every_way_has_its_words():
-    found = {f"made {rewrite.id} {rewrite.way}".rstrip() for name in ASKED for (rewrite,) in led_to(name).columns}
+    found = {f"mistakes.made {rewrite.id} {rewrite.way}".rstrip() for name in ASKED for (rewrite,) in led_to(name).columns}
     assert found <= set(PHRASES)
-    made = {key.split(" ")[1] for key in PHRASES if key.startswith("made ")}
+    made = {key.split(" ")[1] for key in PHRASES if key.startswith("mistakes.made ")}
     assert made == set(MISTAKES)
-    topics = {key.removeprefix("look ") for key in PHRASES if key.startswith("look ")}
+    topics = {key.removeprefix("mistakes.look ") for key in PHRASES if key.startswith("mistakes.look ")}
     assert {one.topic for one in MISTAKES.values()} == topics
 
 

@@ -92,7 +92,7 @@ def hold(mechanism: Mechanism, method: Method, plot: Plot) -> Consequences:
 def hold_sayable(found: Consequences) -> None:
     """Every sentence finds what it names."""
     for (rewrite,) in found.columns:
-        for sentence in PHRASES[f"made {rewrite.id} {rewrite.way}".rstrip()]:
+        for sentence in PHRASES[f"mistakes.made {rewrite.id} {rewrite.way}".rstrip()]:
             said = sentence.format(of=rewrite.of, form=rewrite.form)
             assert rewrite.of or "{of}" not in sentence, said
             assert rewrite.form or "{form}" not in sentence, said

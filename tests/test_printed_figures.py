@@ -20,7 +20,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say import explain
-from graphkin.say.centre_explained import explain_centres
+from graphkin.say.centre_velocities import explain_centres
 from graphkin.say.figures import Operand, figures, signed_sum, squared, written
 from graphkin.say.linkages import lines as linkage_lines
 from graphkin.studies.centres import centres

@@ -18,7 +18,7 @@ from graphkin.marking import MISTAKES
 from graphkin.marking.habits import Trace, added, habits
 from graphkin.marking.key import Key
 from graphkin.outputs.key_json import key_text
-from graphkin.say.mistakes import kind
+from graphkin.say.marks import mistake_kind
 
 NAMES = ("ex3-1", "ex3-4", "s3-guide", "ex3-5")
 
@@ -160,7 +160,7 @@ def test_two_habits():
 
 @pytest.mark.parametrize("id", MISTAKES)
 def test_every_mistake_is_a_sentence(id: str):
-    english, chinese = kind(id, "en"), kind(id, "zh")
+    english, chinese = mistake_kind(id, "en"), mistake_kind(id, "zh")
     assert english != id != chinese != english
     assert english.split()[0] in ("the", "a", "an")
     assert "{" not in english + chinese

@@ -25,7 +25,7 @@ from graphkin.marking.key import KeyEntry
 from graphkin.marking.telling import Telling, compared, telling
 from graphkin.marking.told import Always, set_told
 from graphkin.running import replay_all
-from graphkin.say.told import told_lines
+from graphkin.say.tolerances import discriminability_lines
 
 SENSE, SIZE = (KeyEntry(text, "rad/s", sort, 10.0, 0.1, 0.3) for text, sort in (("omega 3", "sense"), ("v C", "size")))
 NAN = float("nan")
@@ -156,7 +156,7 @@ def test_what_a_set_tells_is_printed_and_kept(written: tuple[Path, str]):
 
 def test_what_a_set_tells_in_chinese(template: Path):
     found = variants(read_template(template), roster("1"), "1")
-    lines = list(told_lines(set_told([variant.told for variant in found], (0.25, 0.25)), "zh"))
+    lines = list(discriminability_lines(set_told([variant.told for variant in found], (0.25, 0.25)), "zh"))
     assert lines[0].startswith("各题答案能区分哪些错误（1 题")
     assert any(re.fullmatch(r"coriolis-omitted +1 +100% +0%", line) for line in lines)
     assert not any("正确作图" in line for line in lines), "no problem was tried"

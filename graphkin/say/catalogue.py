@@ -1,7 +1,8 @@
 """The catalogue: everything graphkin says but its errors, which bring their own words.
 
-A phrase is an English and a Chinese text with the same placeholders, in the file of its subject in `phrases`. It is
-asked for by that file and its key there, `say("sweeps.range", lang, driver=..)`; a file is imported when first needed.
+A phrase is an English and a Chinese text with the same placeholders. It is asked for by its full name, `subject.key`:
+`say("sweeps.range", lang, driver=..)`. It stands under that name in the file of its subject in `phrases`, which is
+imported when first needed; small subjects share a file.
 """
 
 from __future__ import annotations
@@ -16,7 +17,19 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 
 Phrases = Mapping[str, tuple[str, str]]
-"""By key: English, Chinese."""
+"""By full name: English, Chinese."""
+
+SHARED_FILES: Mapping[str, tuple[str, ...]] = {
+    "centres": ("about",),
+    "file_help": ("file_page", "file_keys"),
+    "homework": ("problems", "assembly", "platforms", "feedback", "class_report"),
+    "marking": ("marks", "verdicts", "tolerances", "discriminability"),
+    "results": ("checks",),
+    "sheets": ("sheet", "diagrams", "pictures", "handouts"),
+    "sweeps": ("finding",),
+}
+"""The subjects in a file of `phrases` beside that after which it is called."""
+_FILE_OF = {subject: file for file, subjects in SHARED_FILES.items() for subject in subjects}
 
 LANGUAGES: tuple[Lang, ...] = get_args(Lang)
 _WORD, _SIGN = "[\u4e00-\u9fff]", "[（）；，。、：]"
@@ -27,17 +40,26 @@ _EDGE = f"[{_START}{_END}]"
 _ROOM = f"(?<={_WORD}) +(?={_WORD})|(?<={_SIGN}) +(?=\\S)|(?<=\\S) +(?={_SIGN})"
 
 
+@cache
+def _phrases(file: str) -> Phrases:
+    phrases: Phrases = import_module(f"{__package__}.phrases.{file}").PHRASES
+    return phrases
+
+
+def _file(name: str) -> Phrases:
+    subject = name.partition(".")[0]
+    return _phrases(_FILE_OF.get(subject, subject))
+
+
 def phrase(name: str, lang: Lang) -> str:
     """A phrase as it stands in the catalogue. name: `subject.key`."""
-    subject, _, key = name.partition(".")
-    en, zh = _phrases(subject)[key]
+    en, zh = _file(name)[name]
     return zh if lang == "zh" else en
 
 
 def is_phrase(name: str) -> bool:
-    """Whether there is such a phrase; for names made of what comes from outside."""
-    subject, _, key = name.partition(".")
-    return key in _phrases(subject)
+    """True of the name of a phrase; for names made of what comes from outside."""
+    return name in _file(name)
 
 
 def say(name: str, lang: Lang, /, **words: object) -> str:
@@ -63,7 +85,7 @@ class Meaning:
 
 
 def meaning(name: str, /, **words: object) -> Meaning:
-    """What data says of itself; whoever shows it speaks it."""
+    """A phrase that data carries; whoever shows the data speaks it."""
     return Meaning(name, tuple(words.items()))
 
 
@@ -72,18 +94,9 @@ def close(text: str) -> str:
     return re.sub(_ROOM, "", text)
 
 
-def set_close(name: str, /, **words: object) -> str:
-    """A Chinese phrase with room between its own words and the letters and figures put in, and nowhere else."""
+def say_close(name: str, lang: Lang, /, **words: object) -> str:
+    """A phrase filled in; in Chinese with room between its own words and letters and figures, and nowhere else."""
+    if lang != "zh":
+        return say(name, lang, **words)
     held = {key: f"{_START}{word}{_END}" if isinstance(word, str) else word for key, word in words.items()}
     return close(re.sub(_EDGE, "", re.sub(_BESIDE, " ", say(name, "zh", **held))))
-
-
-def say_close(name: str, lang: Lang, /, **words: object) -> str:
-    """A phrase filled in, in Chinese set close."""
-    return set_close(name, **words) if lang == "zh" else say(name, lang, **words)
-
-
-@cache
-def _phrases(subject: str) -> Phrases:
-    found: Phrases = import_module(f"{__package__}.phrases.{subject}").PHRASES
-    return found

@@ -1,47 +1,47 @@
-"""A link about its pole in words, Bobillier's construction, and the pole of two velocities."""
+"""A link about its pole in words: what turns about what, Bobillier's construction, two velocities, centrodes."""
 
 from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
-from graphkin.construction.drafting import Stage
+import numpy as np
+
 from graphkin.errors import Lang
-from graphkin.say import names
-from graphkin.say.catalogue import say as spoken
+from graphkin.say import catalogue, names
 from graphkin.say.entry import Calculation
 from graphkin.say.figures import Operand
-from graphkin.say.numbers import SentenceNumber, number
-from graphkin.say.senses import sense, sensed
+from graphkin.say.numbers import SentenceNumber, at_edge, number, sense, sensed
 from graphkin.studies.centres.about import About, Circle
-from graphkin.studies.centres.about_bobillier import Bobillier, Guided
+from graphkin.studies.centres.about_bobillier import Bobillier
+from graphkin.studies.centres.centrodes import Centrodes
 from graphkin.studies.centres.two_velocities import TwoVelocities
 
 
 def say(key: str, lang: Lang, /, **words: object) -> str:
     """A phrase whose numbers have four figures."""
-    told = {name: SentenceNumber(word) if isinstance(word, float) else word for name, word in words.items()}
-    return spoken(key, lang, **told)
+    written = {name: SentenceNumber(word) if isinstance(word, float) else word for name, word in words.items()}
+    return catalogue.say(key, lang, **written)
 
 
 def about_words(seen: About, lang: Lang) -> list[str]:
-    """What is known of the link and of its points at this instant, a sentence each."""
+    """The link and its points at this instant, a sentence each."""
     return [*link_words(seen, lang), *(_point(seen, name, lang) for name in seen.points)]
 
 
 def link_words(seen: About, lang: Lang) -> Iterator[str]:
-    """What is known of the link as a whole."""
+    """The link as a whole: its rotation, its poles and circles."""
     rates = {"omega": ("ω", seen.omega, "rad/s"), "alpha": ("α", seen.alpha, "rad/s²")}
-    known = {"link": seen.called} | {name: sensed(*rate, lang) for name, rate in rates.items()}
+    data = {"link": seen.called} | {name: sensed(*rate, lang) for name, rate in rates.items()}
     if seen.assumed:
         yield say("about.assumed", lang)
     if not seen.moves:
-        yield say("about.rest", lang, **known)
+        yield say("about.rest", lang, **data)
     elif seen.diameter is None:
-        yield say("about.translation", lang, **known, at=_degrees(seen.towards))
+        yield say("about.translation", lang, **data, at=_degrees(seen.towards))
     else:
-        yield say("about.pole", lang, **known, place=_place(seen, seen.pole))
+        yield say("about.pole", lang, **data, place=_place(seen, seen.pole))
     if seen.acceleration_pole is not None:
         yield say("about.acceleration", lang, place=_place(seen, seen.acceleration_pole))
     elif seen.moves:
@@ -67,14 +67,14 @@ def _circles(seen: About, lang: Lang) -> Iterator[str]:
 
 def _point(seen: About, name: str, lang: Lang) -> str:
     carried = seen.points[name]
-    known = {"name": name, "v": abs(carried.velocity), "a": abs(carried.acceleration)}
+    data = {"name": name, "v": abs(carried.velocity), "a": abs(carried.acceleration)}
     if cmath.isnan(carried.centre):
-        return say("about.still", lang, **known)
+        return say("about.still", lang, **data)
     if cmath.isinf(carried.centre):
-        return say("about.straight", lang, **known)
+        return say("about.straight", lang, **data)
     if carried.radius == 0:
-        return say("about.cusp", lang, **known)
-    return say("about.curved", lang, **known, radius=1e3 * carried.radius, place=_place(seen, carried.centre))
+        return say("about.cusp", lang, **data)
+    return say("about.curved", lang, **data, radius=1e3 * carried.radius, place=_place(seen, carried.centre))
 
 
 def _place(seen: About, place: complex) -> str:
@@ -93,36 +93,35 @@ def _degrees(direction: complex) -> float:
 
 
 def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
-    """What the two points are known from, and one sentence each stage."""
+    """The source of both points, and one sentence each stage."""
     first, second = drawn.guides
-    known = {"a": first.point, "b": second.point, "a0": first.written, "b0": second.written, "c": drawn.point}
+    data = {"a": first.point, "b": second.point, "a0": first.written, "b0": second.written, "c": drawn.point}
     q, qc = drawn.crossings
-    known |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer}
-    drawing = (_stage(drawn, stage, lang, known) for stage in drawn.construction.stages)
-    return [*(_known(entry, lang) for entry in drawn.guides), *drawing]
-
-
-def _stage(drawn: Bobillier, stage: Stage, lang: Lang, known: dict[str, str]) -> str:
-    """A stage; its lines may be parallel."""
-    if stage.say == "Q" and not any(entry.centre[2] for entry in drawn.guides):
-        return say("about.bobillier Q line", lang, **known)
-    far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
-    return say(f"about.bobillier {stage.say} far" if far else f"about.bobillier {stage.say}", lang, **known)
-
-
-def _known(entry: Guided, lang: Lang) -> str:
-    kind = "measured" if entry.measured else "pivoted" if entry.pivoted else "guided"
-    return say(f"about.bobillier {kind}", lang, point=entry.point, centre=entry.written)
+    data |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer}
+    stages, pivots = [], any(entry.centre[2] for entry in drawn.guides)
+    for stage in drawn.construction.stages:  # whose lines may be parallel
+        if stage.say == "Q" and not pivots:
+            stages.append(say("about.bobillier Q line", lang, **data))
+        else:
+            far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
+            key = f"about.bobillier {stage.say} far" if far else f"about.bobillier {stage.say}"
+            stages.append(say(key, lang, **data))
+    kinds = ["measured" if entry.measured else "pivoted" if entry.pivoted else "guided" for entry in drawn.guides]
+    sources = [
+        say(f"about.bobillier {kind}", lang, point=entry.point, centre=entry.written)
+        for kind, entry in zip(kinds, drawn.guides, strict=True)
+    ]
+    return [*sources, *stages]
 
 
 # --- two velocities ---------------------------------------------------------------------------
 
 
 def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
-    """What is drawn, and what is found, a sentence each."""
+    """The drawing of two velocities and the pole it gives, a sentence each."""
     first, second = found.names
     still, other = (first, second) if abs(found.velocities[0]) < abs(found.velocities[1]) else (second, first)
-    known = {
+    data = {
         "a": first, "b": second, "still": still, "other": other, "x": 1e3 * found.place.real,
         "y": 1e3 * found.place.imag, "omega": abs(found.omega), "at": math.degrees(found.direction or 0.0),
         "sense": sense(found.omega, lang),
@@ -130,15 +129,42 @@ def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
     along = cmath.phase(found.points[1] - found.points[0])
     component = (found.velocities[0] * cmath.rect(1, -along)).real
     component = component if abs(component) > 1e-12 * abs(found.fastest[1]) else 0.0
-    told = [say("about.two rigid", lang, **known, component=component), say(f"about.two {found.case}", lang, **known)]
-    if found.case in ("meet", "similar", "point"):
-        told.append(_turning(found, lang))
-    return told
+    words = [say("about.two rigid", lang, **data, component=component), say(f"about.two {found.case}", lang, **data)]
+    if found.case in ("meet", "similar", "point"):  # `ω = v_A/l_AP = 1.118/0.1597 = 7 rad/s`
+        place, speed = found.fastest
+        numbers = Operand(abs(speed)) / Operand(abs(found.arm))
+        point = names.point(found.names[found.points.index(place)])
+        omega = Calculation("ω", (f"v_{point}/l_{point}P",), numbers, abs(found.omega), "rad/s").text
+        words.append(say("about.two omega", lang, omega=omega, sense=sense(found.omega, lang)))
+    return words
 
 
-def _turning(found: TwoVelocities, lang: Lang) -> str:
-    """`ω = v_A/l_AP = 1.118/0.1597 = 7 rad/s`."""
-    place, speed = found.fastest
-    point, arm = names.point(found.names[found.points.index(place)]), abs(found.arm)
-    omega = Calculation("ω", (f"v_{point}/l_{point}P",), Operand(abs(speed)) / Operand(arm), abs(found.omega), "rad/s")
-    return say("about.two omega", lang, omega=omega.text, sense=sense(found.omega, lang))
+# --- centrodes and paths of centres -----------------------------------------------------------
+
+
+def curves_met(curves: Centrodes, centre: complex | None, lang: Lang) -> Iterator[str]:
+    """The curves at a centre [m], for a sheet that shows them; how far each reaches."""
+    if centre is not None:
+        x, y = (number(1e3 * part, 1e-6) for part in (centre.real, centre.imag))
+        key = "about.hinge" if curves.is_point else "about.rolling" if len(curves.axes) > 1 else "about.centre now"
+        yield catalogue.say(key, lang, centre=curves.name, place=f"({x}, {y}) mm")
+    for piece in () if curves.is_point else curves.pieces:
+        for link, places in zip(curves.axes, piece.places):
+            yield _reach(curves, link, places, lang, lambda value: f"{number(1e3 * value, 1e-6)} mm")
+
+
+def curve_lines(curves: Centrodes, lang: Lang) -> Iterator[str]:
+    """A line for each piece, and under it one for each link that the curve lies in."""
+    yield catalogue.say("about.curves", lang, centre=curves.name, count=len(curves.pieces))
+    for count, piece in enumerate(curves.pieces, 1):
+        form = "about.piece closed" if piece.closed else "about.piece open"
+        yield f"  {count}. " + catalogue.say(form, lang, places=piece.t.size)
+        for link, places in zip(curves.axes, piece.places):
+            yield "     " + _reach(curves, link, places, lang, lambda value: at_edge(value, "m").replace("-", "−"))
+    yield catalogue.say("about.where curves", lang)
+
+
+def _reach(curves: Centrodes, link: str, places: np.ndarray, lang: Lang, shown: Callable[[float], str]) -> str:
+    sides = ((shown(float(part.min())), shown(float(part.max()))) for part in (places.real, places.imag))
+    x, y = (catalogue.say("finding.interval", lang, begin=low, end=high) for low, high in sides)
+    return catalogue.say("about.reach", lang, link=curves.found.method.mechanism.called(link), x=x, y=y)

@@ -1,9 +1,9 @@
-"""How each instant centre was found, one sentence a centre."""
+"""Instant centres in words: how each is found, a sentence a centre, as a part of a solution or in a table."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import cached_property
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from math import degrees
 from typing import assert_never
 
@@ -22,19 +22,22 @@ from graphkin.construction.drafting import (
     Pricked,
     Stage,
     drawn_through,
-)
+)  # fmt: skip
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Cam, CircularSlot, Pair, Slide
+from graphkin.model.quantities import Centre
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Entry, Heading, Sentence
-from graphkin.say.numbers import number
-from graphkin.studies.centres import Centres
-from graphkin.studies.centres.underlay import CommonNormal
+from graphkin.say.numbers import exact, number
+from graphkin.say.reading import Reading
+from graphkin.studies.centres import Centres, centres, place
+from graphkin.studies.centres.data import found_by
+from graphkin.studies.centres.shortest import shortest
 
 NORMALS: Mapping[type[Pair], str] = {Cam: "contact", Slide: "slot", CircularSlot: "circular slot"}
-"""What the common normal is the normal of, for each kind of pair that slips."""
+"""The line of which the common normal is the normal, for each kind of pair that slips."""
 
 
 @frozen
@@ -53,45 +56,32 @@ class CentreReader:
         return say(key, self.lang, **words)
 
     def link(self, link: str) -> str:
-        """What people call a link."""
+        """The name by which people call a link."""
         return names.point(self.mechanism.called(link))
 
-    def centre(self, centre: str) -> str:
-        return names.point(centre)
-
     def is_far(self, centre: str) -> bool:
-        return not bool(np.isfinite(self.found.board.at(centre)))
+        """True of a centre at infinity."""
+        return not np.isfinite(complex(self.found.board.at(centre)))
 
     def angle(self, centre: str) -> str:
         """The direction of a centre at infinity, from 0 to 180 degrees."""
-        turned = round(degrees(float(self.found.board.direction(centre))), 6) % 180
+        turned = round(degrees(float(self.found.board.direction(centre).real)), 6) % 180
         return f"{number(turned)}°"
-
-    @cached_property
-    def noise(self) -> float:
-        """Lengths below this are rounding noise [m]."""
-        return self.found.method.mechanism.usual.least("m")
 
     def place(self, centre: str) -> str:
         if self.is_far(centre):
             return self.say("centres.infinite", angle=self.angle(centre))
-        at = complex(self.found.board.at(centre))
-        read = float if self._is_given(centre) else self.read
-        x, y = (number(1000 * read(v), 1000 * self.noise) for v in (at.real, at.imag))
-        return self.say("centres.mm", x=x, y=y)
-
-    def _is_given(self, centre: str) -> bool:
-        """Whether it lies in a fixed point, whose place the problem gives."""
+        at, noise = complex(self.found.board.at(centre)), self.mechanism.usual.least("m")
         step = self.found.centring.construction.made_by.get(centre)
         owners = self.mechanism.owners.get(step.point, ()) if isinstance(step, Pricked) else ()
-        return FRAME in owners
+        read = float if FRAME in owners else self.read  # the problem gives the places of fixed points
+        x, y = (number(1000 * read(v), 1000 * noise) for v in (at.real, at.imag))
+        return self.say("centres.mm", x=x, y=y)
 
     # --- sentences ------------------------------------------------------------------------------
 
-    def entries(
-        self, stages: Sequence[Stage], together: Sequence[tuple[str, str]], number: int = 1
-    ) -> Iterator[Entry]:
-        """How many there are, those by definition, then the others in the order in which they are found.
+    def entries(self, stages: Sequence[Stage], together: Sequence[tuple[str, str]], number: int = 1) -> Iterator[Entry]:
+        """The number of centres, those by definition, then the others in the order in which they are found.
 
         stages, together   the centres that are told, and the pairs of links that have none
         """
@@ -105,23 +95,25 @@ class CentreReader:
                 yield Sentence(head)
             yield from (Sentence("  " + self.sentence(stage)) for stage in group)
         for pair in together:
-            name = self.centre(self.found.name(*pair))
+            name = names.point(self.found.name(*pair))
             yield Sentence("  " + self.say("centres.together", name=name, **self._links(pair)))
 
     def sentence(self, stage: Stage) -> str:
-        """How one centre is found."""
+        """The sentence of one centre."""
         name = stage.last.name
-        words = {"name": self.centre(name), "place": self.place(name), "angle": self.angle(name)}
+        words = {"name": names.point(name), "place": self.place(name), "angle": self.angle(name)}
         return self.say(f"centres.found {stage.say}", **words, **self._made(stage))
 
     def _made(self, stage: Stage) -> dict[str, str]:
-        """What its links, its point or its lines are called, by the step that makes a centre."""
+        """The names of its links, its point or its lines, by the step that makes a centre."""
         step = stage.last
         assert isinstance(step, PointStep), step
         match step:
             case Pricked():
-                links = self._links(self.found.centring.links[step.name])
-                return {"point": names.point(step.point), "reason": self._reason(), **links}
+                count = len(self.mechanism.drivers)  # why the lines do not suffice
+                reason = self.say("centres.several freedoms", count=count) if count > 1 else ""
+                words = {"point": names.point(step.point), "reason": reason or self.say("centres.lines coincide")}
+                return words | self._links(self.found.centring.links[step.name])
             case DraftMeet():
                 first, second = (self._line(step, line) for line in stage.lines)
                 return {"first": first, "second": second, "met": self._met(stage)}
@@ -136,35 +128,26 @@ class CentreReader:
     def _line(self, step: DraftMeet, line: LineStep) -> str:
         """A line on which a centre lies, and why it does."""
         if (normal := self.found.centring.normals.get(line.name)) is not None:
-            return self._normal(step, normal)
+            pair = self.found.centring.links[step.name]
+            key = f"centres.normal of {NORMALS[type(normal.pair)]}"
+            return self.say(key, point=names.point(normal.line.through), **self._links(pair))
         ends = drawn_through(line)
-        links, far = self._three(ends), [end for end in ends if self.is_far(end)]
+        three = {link for end in ends for link in self.found.centring.links[end]}
+        order = dict.fromkeys(link for pair in self.found.pairs for link in pair)
+        links = self.say("common.list").join(self.link(link) for link in order if link in three)
+        far = [end for end in ends if self.is_far(end)]
         if not far:
-            between = "" if all(self.centre(end)[1:].isdigit() for end in ends) else " "
-            return self.say("centres.join", line=between.join(self.centre(end) for end in ends), links=links)
+            letters = [names.point(end) for end in ends]
+            between = "" if all(letter[1:].isdigit() for letter in letters) else " "
+            return self.say("centres.join", line=between.join(letters), links=links)
         if len(far) == 2:
-            first, second = (self.centre(end) for end in ends)
+            first, second = map(names.point, ends)
             return self.say("centres.at infinity", first=first, second=second, links=links)
         near = next(end for end in ends if end not in far)
         by_definition = isinstance(self.found.centring.construction.made_by[far[0]], Far)
-        words = {"near": self.centre(near), "far": self.centre(far[0]), "links": links}
+        words = {"near": names.point(near), "far": names.point(far[0]), "links": links}
         key = "centres.across guide" if by_definition else "centres.parallel"
         return self.say(key, angle=self.angle(far[0]), **words)
-
-    def _normal(self, step: DraftMeet, normal: CommonNormal) -> str:
-        pair = self.found.centring.links[step.name]
-        key = f"centres.normal of {NORMALS[type(normal.pair)]}"
-        return self.say(key, point=names.point(normal.line.through), **self._links(pair))
-
-    def _three(self, ends: Iterable[str]) -> str:
-        """The three links whose centres lie on a line: `1, 2, 3`."""
-        both = {link for end in ends for link in self.found.centring.links[end]}
-        return self.say("common.list").join(self.link(link) for link in sorted(both, key=self._order.__getitem__))
-
-    @cached_property
-    def _order(self) -> dict[str, int]:
-        """The place of each link among those that have centres."""
-        return {link: k for k, link in enumerate(dict.fromkeys(link for pair in self.found.pairs for link in pair))}
 
     def _met(self, stage: Stage) -> str:
         centre = stage.last.name
@@ -173,15 +156,73 @@ class CentreReader:
         joins = [line for line in stage.lines if line.name not in self.found.centring.normals]
         at_infinity = any(all(self.is_far(end) for end in drawn_through(line)) for line in joins)
         key = "centres.met infinity" if at_infinity else "centres.met far"
-        return self.say(key, name=self.centre(centre), angle=self.angle(centre))
+        return self.say(key, name=names.point(centre), angle=self.angle(centre))
 
-    def _reason(self) -> str:
-        """Why the lines do not suffice."""
-        count = len(self.mechanism.drivers)
-        return self.say("centres.several freedoms", count=count) if count > 1 else self.say("centres.lines coincide")
 
-    # --- for those who use the centres ----------------------------------------------------------
+# --- a part of a solution -----------------------------------------------------------------------
 
-    def absolute(self, link: str) -> str:
-        """The name of a link's absolute centre."""
-        return self.found.name(FRAME, link)
+
+@frozen
+class CentrePart:
+    """The instant centres that are asked for, as a part of a solution, with those they hang on.
+
+    stages: those that lead to the centres asked for; together: the pairs of links asked for that have none.
+    """
+
+    reader: CentreReader
+    stages: tuple[Stage, ...]
+    together: tuple[tuple[str, str], ...]
+
+    @property
+    def from_velocities(self) -> bool:
+        """True where the velocities have to be there before."""
+        return any(stage.say == "velocities" for stage in self.stages)
+
+    def place(self, centre: Centre) -> str:
+        """The place of one of them."""
+        found = self.reader.found
+        if found.together(*centre.links):
+            return self.reader.say("centres.by together")
+        return self.reader.place(found.name(*centre.links))
+
+    def entries(self, number: int) -> Iterator[Entry]:
+        """The part of the solution with this number."""
+        yield from self.reader.entries(self.stages, self.together, number)
+
+
+def centre_part(reading: Reading, asked: Sequence[Centre]) -> CentrePart:
+    """The centres asked for at the position of a reading; read off the drawing where a ruler reads."""
+    found = centres(reading.method, reading.ruler.right if reading.ruler else reading.plot)
+    labels = {found.name(*one.links) for one in asked}
+    together = tuple(pair for pair in found.centring.together if found.name(*pair) in labels)
+    found = replace(found, centring=shortest(found, labels))
+    return CentrePart(CentreReader(found, reading.lang, reading.measured), found.centring.stages, together)
+
+
+# --- a table ------------------------------------------------------------------------------------
+
+
+def centre_rows(found: Centres, lang: Lang) -> Iterator[list[str]]:
+    """The rows of a table of all centres, the heading first."""
+    yield [say(f"centres.column {key}", lang) for key in ("centre", "links", "place", "by")]
+    stages = {stage.last.name: stage for stage in found.centring.stages}
+    for pair in found.pairs:
+        name, links = found.name(*pair), ", ".join(map(found.method.mechanism.called, pair))
+        by = found_by(found.centring, stages[name]) if name in stages else "together"
+        if isinstance(by, str):
+            reason = say(f"centres.by {by}", lang)
+        else:
+            normal = say("centres.by normal", lang)
+            reason = " × ".join(normal if line == ["normal"] else "".join(line) for line in by)
+        yield [name, links, centre_place(place(found, *pair), lang), reason]
+
+
+def centre_place(entry: Mapping[str, object], lang: Lang) -> str:
+    """`(66.404, 182.442)` in mm, or `at infinity, 90°`."""
+    match entry:
+        case {"at": [float(x), float(y)]}:
+            return f"({', '.join(exact(value * 1000) if abs(value) > 1e-12 else '0' for value in (x, y))})"
+        case {"direction": float(direction)}:
+            return say("centres.place at infinity", lang, angle=exact(round(degrees(direction), 9)))
+        case _:
+            return "-"

@@ -1,27 +1,190 @@
-"""What the instant centres give, with figures: the drivers' motion, then every velocity that is asked for."""
+"""The velocities that instant centres give, with figures: each sum of a lever, then all that is asked for."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import hypot
+from typing import assert_never
 
-from graphkin.errors import listed
+from graphkin.base.value import frozen
+from graphkin.construction.drafting import Reckon
+from graphkin.errors import Lang, listed
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.naming import Seen, common_link
 from graphkin.model.quantities import Moving, Quantity, Rotation, parts
 from graphkin.say import names
 from graphkin.say.catalogue import say
-from graphkin.say.centre_levers import LeverReader
 from graphkin.say.centre_steps import CentreReader
-from graphkin.say.entry import Calculation, Entry, Heading, Sentence
-from graphkin.say.figures import Operand
-from graphkin.say.numbers import number
+from graphkin.say.entry import Calculation, Entry, Heading, Sentence, text_lines
+from graphkin.say.figures import Formula, Operand, figures
+from graphkin.say.numbers import degrees, number, sense
+from graphkin.studies.centres import Centres, advantages
+from graphkin.studies.centres.lever_board import BoardNumber, Lever
 from graphkin.studies.centres.levers import Levers, driven_point
 
+_FORMS: Mapping[str, tuple[str, Callable[..., Formula | str]]] = {
+    "same": ("{}", lambda value: ""),
+    "lever": ("{} {}/{}", lambda rate, arm, other: rate * arm / other),
+    "speed": ("{} {} {}", lambda rate, arm, scale: rate * arm * scale),
+    "rate": ("{}/({} {})", lambda speed, arm, scale: speed / (arm * scale)),
+}
+"""By the rule of a sum, how it is written with names and with figures."""
 _RATES = ("alpha", "a", "a_n", "a_t", "a_k", "a_r")
 
 
-def uses(reader: CentreReader, scale: float) -> Iterator[Entry]:
+# --- all centres --------------------------------------------------------------------------------
+
+
+def explain_centres(found: Centres, lang: Lang, scale: float | None = None) -> list[str]:
+    """All centres with the lines that give them, and the velocities asked for with their figures, line by line.
+
+    found  at one position
+    scale  of the drawing from which lengths are taken [m/mm]; the file's own, or 0.001, where left out
+    """
+    return list(text_lines(centre_entries(found, lang, scale), lang))
+
+
+def centre_entries(found: Centres, lang: Lang, scale: float | None = None) -> Iterator[Entry]:
+    """The same as data."""
+    reader = CentreReader(found, lang)
+    yield Heading(found.method.mechanism.headline(lang))
+    yield from reader.entries(found.centring.stages, found.centring.together)
+    yield from _velocities(reader, scale or found.method.mechanism.scales.get("length", 0.001))
+
+
+def advantage_lines(found: Centres, lang: Lang) -> Iterator[str]:
+    """The mechanical advantage of each link against the driver, by the ratios of the centres' distances."""
+    mechanism = found.method.mechanism
+    driver = next((d for d in mechanism.drivers if d.rate), mechanism.drivers[0])
+    for link, value in advantages(found).items():
+        senses = say("centres.same", lang) if value > 0 else say("centres.opposite", lang)
+        out, drives = (mechanism.called(one) for one in (link, driver.link))
+        words = {"out": names.point(out), "driver": names.point(drives), "senses": senses}
+        ratio = f"{names.of_link('ω', drives)}/{names.of_link('ω', out)}"
+        yield "  " + say("centres.advantage", lang, value=number(abs(value)), ratio=ratio, **words)
+
+
+# --- levers -------------------------------------------------------------------------------------
+
+
+@frozen
+class LeverReader:
+    """Motions worked out from centres, about to be worded."""
+
+    reader: CentreReader
+    levers: Levers
+
+    def entries(self, levers: Iterable[Lever]) -> list[Entry]:
+        """One entry each."""
+        return [self.entry(lever) for lever in levers]
+
+    def entry(self, lever: Lever, name: str = "") -> Entry:
+        """A calculation, or why there is none. name: of a point's velocity, as it was asked for."""
+        if (result := lever.sum) is not None:
+            value, meant = self._number(result.name), self.levers.meant[result.name]
+            formulas, numbers = self._formulas(lever, result)
+            unit = "rad/s" if meant.kind in ("omega", "against") else "m/s"
+            note = self._note(lever, meant) if value else ""
+            return Calculation(name or self._symbol(result.name), formulas, numbers, value, unit, note)
+        if lever.stage.say == "together":
+            words = {"first": self.reader.link(lever.base), "second": self.reader.link(lever.link)}
+            return Sentence(self.reader.say("centres.together", name=self._shared(lever), **words))
+        return Sentence(self.reader.say("centres.not told", name=self.rate(lever.link)))
+
+    def _number(self, name: str) -> float:
+        return float(self.levers.board.numbers[name].real)
+
+    # --- names ----------------------------------------------------------------------------------
+
+    def rate(self, link: str) -> str:
+        """`ω3`."""
+        return names.of_link("ω", self.reader.mechanism.called(link))
+
+    def _symbol(self, name: str) -> str:
+        """The symbol of a number on the board: `ω3`, `v_C`, `P13P34`, `μ_l`."""
+        meant, called = self.levers.meant[name], self.reader.mechanism.called
+        match meant.kind:
+            case "omega":
+                return self.rate(meant.of)
+            case "against":
+                return names.relative("ω", called(meant.of), called(meant.other))
+            case "speed":
+                return "v_" + self.reader.link(meant.of)
+            case "velocity":
+                return f"v_{names.point(meant.of)}"
+            case "slide":
+                return "ṡ"
+            case "length":
+                return self._stretch(meant.of, meant.other)
+            case "scale":
+                return names.SCALE["position"]
+            case _:
+                assert_never(meant.kind)
+
+    def _stretch(self, *ends: str) -> str:
+        """`P13P34`, `P13E`: the line between two centres, or from one to a point; `BC` between two points."""
+        letters = self.levers.letters
+        first, second = (letters.get(end, end) for end in ends)
+        if letters.keys() >= {*ends}:
+            return names.pair(first, second)
+        plain = all(names.point(end)[1:].isdigit() for end in ends if end not in letters)
+        return names.point(first) + ("" if plain else " ") + names.point(second)
+
+    def _formulas(self, lever: Lever, result: Reckon) -> tuple[tuple[str, ...], Formula | str]:
+        """The formulas, and the last one with its figures."""
+        if lever.stage.say == "triangle":
+            return (), ""
+        pattern, figured = _FORMS[result.rule]
+        formula = pattern.format(*map(self._symbol, result.of))
+        numbers = figured(*figures(*map(self._number, result.of)))
+        match lever.stage.say:
+            case "pushed":
+                return (f"v_{self._shared(lever)}", formula), numbers
+            case "point" if not self.levers.turning[lever.link]:
+                return ((formula,) if self.levers.value(lever.link) else ()), ""
+            case _:
+                return (formula,), numbers
+
+    # --- notes ----------------------------------------------------------------------------------
+
+    def sense(self, omega: float) -> str:
+        return sense(omega, self.reader.lang)
+
+    def _shared(self, lever: Lever) -> str:
+        return names.point(self.levers.found.name(lever.base, lever.link))
+
+    def _note(self, lever: Lever, meant: BoardNumber) -> str:
+        """The sense of a rotation, or the direction of a motion."""
+        levers, say, link = self.levers, self.reader.say, lever.link
+        match lever.stage.say:
+            case "levered":
+                outside = levers.omega(lever.base) * levers.omega(link) > 0
+                ends = self._stretch(*(levers.found.name(FRAME, one) for one in (lever.base, link)))
+                key = "centres.sense outside" if outside else "centres.sense between"
+                return say(key, sense=self.sense(levers.omega(link)), centre=self._shared(lever), ends=ends)
+            case "alike":
+                return say("centres.sense alike", sense=self.sense(levers.omega(link)), centre=self._shared(lever))
+            case "pushed":
+                return say("centres.along", angle=degrees(levers.way(link)))
+            case "triangle":
+                along = say("centres.along", angle=degrees(levers.way(link)))
+                return say("centres.triangle") + say("common.and") + along
+            case "glides":
+                return ""
+            case "point" | "pair":
+                angle = degrees(levers.moved(meant, link))
+                if lever.stage.say == "point" and levers.turning[link]:
+                    arm = self._stretch(levers.found.name(FRAME, link), meant.of)
+                    return say("centres.across", arm=arm, angle=angle)
+                return say("centres.at", angle=angle)
+            case _:
+                return self.sense(levers.turned(meant))
+
+
+# --- what is asked for --------------------------------------------------------------------------
+
+
+def _velocities(reader: CentreReader, scale: float) -> Iterator[Entry]:
     """The velocities that the file asks for, or all rotations where it asks for none.
 
     scale  of the drawing from which lengths are taken [m/mm]
@@ -33,52 +196,50 @@ def uses(reader: CentreReader, scale: float) -> Iterator[Entry]:
         return
     yield Sentence(reader.say("centres.scale", scale=names.SCALE["position"], value=number(scale)))
     levers = LeverReader(reader, Levers(reader.found, scale))
-    yield _given(levers, driver)
+    yield Sentence(reader.say("centres.given", what=_driver_rate(levers, driver)))
     yield from levers.entries(levers.levers.start(driver))
     yield from _answers(levers, driver)
 
 
-def _given(levers: LeverReader, driver: Driver) -> Entry:
-    """What is given of one driver."""
-    called, lang = levers.reader.mechanism.called, levers.reader.lang
+def _driver_rate(levers: LeverReader, driver: Driver) -> str:
+    """`ω1 = 10 rad/s (counter-clockwise)`, `v_C = 0.2 m/s`: the given speed of one driver."""
+    reader, called = levers.reader, levers.reader.mechanism.called
     if driver.kind == "slide":
-        point, _, guide = driven_point(levers.reader.mechanism, driver)
-        name, rate = names.of_slide("ṡ", driver.link), driver.rate
+        point, _, guide = driven_point(reader.mechanism, driver)
         if guide == FRAME:
-            name, rate = f"v_{names.point(point)}", abs(rate)
-        return Sentence(levers.reader.say("centres.given", what=f"{name} = {number(rate)} m/s"))
-    if driver.from_link == FRAME:
-        name = levers.rate(driver.link)
-    else:
+            return f"v_{names.point(point)} = {number(abs(driver.rate))} m/s"
+        return f"{names.of_slide('ṡ', driver.link)} = {number(driver.rate)} m/s"
+    name = levers.rate(driver.link)
+    if driver.from_link != FRAME:
         name = names.relative("ω", called(driver.link), called(driver.from_link))
-    sense = say("common.note", lang, note=levers.sense(driver.rate))
-    return Sentence(levers.reader.say("centres.given", what=f"{name} = {number(abs(driver.rate))} rad/s{sense}"))
+    return f"{name} = {number(abs(driver.rate))} rad/s{reader.say('common.note', note=levers.sense(driver.rate))}"
 
 
 def _answers(levers: LeverReader, driver: Driver) -> Iterator[Entry]:
-    reader = levers.reader
-    told: set[str] = set()
-    wanted = {text.strip(): parts(reader.mechanism, text) for text in reader.mechanism.ask}
-    if not any(halves and halves[0].word in ("omega", "v") for halves in wanted.values()):
+    reader, lines = levers.reader, set[str]()
+    asked = {text.strip(): parts(reader.mechanism, text) for text in reader.mechanism.ask}
+    if not any(halves and halves[0].word in ("omega", "v") for halves in asked.values()):
         links = [link for link in reader.mechanism.moving if link != driver.link]
-        wanted |= {f"omega {link}": (Rotation("omega", link, link),) for link in links}
-    for halves in wanted.values():
+        asked |= {f"omega {link}": (Rotation("omega", link, link),) for link in links}
+    for halves in asked.values():
         for entry in _quotient(levers, *halves) if len(halves) == 2 else _answer(levers, *halves):
             line = entry.text if isinstance(entry, Calculation | Sentence) else ""
-            if line not in told:
-                told.add(line)
+            if line not in lines:
+                lines.add(line)
                 yield entry
-    rates = [text for text, halves in wanted.items() if halves and halves[0].word in _RATES]
+    rates = [text for text, halves in asked.items() if halves and halves[0].word in _RATES]
     if rates:
-        yield Sentence(reader.say("centres.no accelerations", names=listed(map(names.asked, rates), reader.lang)))
+        yield Sentence(reader.say("centres.no accelerations", names=listed(map(names.symbols, rates), reader.lang)))
 
 
-def _answer(levers: LeverReader, *wanted: Quantity) -> Iterator[Entry]:
-    for quantity in wanted:
+def _answer(levers: LeverReader, *quantities: Quantity) -> Iterator[Entry]:
+    for quantity in quantities:
         if isinstance(quantity, Rotation) and quantity.word == "omega":
             yield from _rotation(levers, quantity.link)
-        elif isinstance(quantity, Moving) and quantity.word == "v":
-            yield from _velocity(levers, quantity)
+        elif isinstance(quantity, Moving) and quantity.word == "v" and quantity.seen_from is None:
+            yield from _of_site(levers, quantity.of, quantity.site)
+        elif isinstance(quantity, Moving) and quantity.word == "v" and quantity.seen_from is not None:
+            yield from _relative(levers, quantity.of, quantity.site, quantity.seen_from)
 
 
 def _missing(levers: LeverReader, name: str) -> Entry:
@@ -95,42 +256,30 @@ def _rotation(levers: LeverReader, link: str) -> Iterator[Entry]:
         yield Calculation(levers.rate(link), (), "", 0.0, "rad/s")
 
 
-def _velocity(levers: LeverReader, wanted: Moving) -> Iterator[Entry]:
-    """`v C` of a point, `v B3B2` or `v CB` of one against another."""
-    if wanted.seen_from is None:
-        yield from _of_site(levers, wanted.of, wanted.site)
-    else:
-        yield from _relative(levers, wanted.of, wanted.site, wanted.seen_from)
-
-
 def _of_site(levers: LeverReader, text: str, site: Seen) -> Iterator[Entry]:
-    link, name = site.link if site.explicit else _nearest(levers, site), f"v_{names.point(text)}"
-    if link is None or (path := levers.levers.path(link)) is None:
-        yield _missing(levers, name)
-        return
-    yield from levers.entries(levers.levers.along(path))
-    yield levers.entry(levers.levers.of_point(site.point, link), name)
-
-
-def _nearest(levers: LeverReader, site: Seen) -> str | None:
-    """Of the links that have a point, the frame, then one with known motion, then one that can be reached."""
-    owners = levers.reader.mechanism.owners[site.point]
-    links = sorted(owners, key=lambda link: (link != FRAME, link not in levers.levers.turning))
-    return next((link for link in links if levers.levers.path(link) is not None), None)
+    """`v C` of a point: of the links that have it, the frame, then one with known motion, then one within reach."""
+    owners, name = levers.reader.mechanism.owners[site.point], f"v_{names.point(text)}"
+    nearest = sorted(owners, key=lambda link: (link != FRAME, link not in levers.levers.turning))
+    for link in [site.link] if site.explicit else nearest:
+        if (path := levers.levers.path(link)) is not None:
+            yield from levers.entries(levers.levers.along(path))
+            yield levers.entry(levers.levers.of_point(site.point, link), name)
+            return
+    yield _missing(levers, name)
 
 
 def _relative(levers: LeverReader, text: str, of: Seen, seen_from: Seen) -> Iterator[Entry]:
-    """Both velocities, and the difference of the two; on one link omega times the distance."""
+    """`v B3B2`, `v CB`: both velocities, and the difference of the two; on one link omega times the distance."""
     name, link = f"v_{names.point(text)}", common_link(levers.reader.mechanism, of, seen_from)
-    on_one = link is not None and of.point != seen_from.point
-    links = [link] if link is not None and on_one else [of.link, seen_from.link]
+    link = link if of.point != seen_from.point else None
+    links = [of.link, seen_from.link] if link is None else [link]
     paths = [path for one in links if (path := levers.levers.path(one)) is not None]
     if len(paths) < len(links):
         yield _missing(levers, name)
         return
     for path in paths:
         yield from levers.entries(levers.levers.along(path))
-    if link is not None and on_one:
+    if link is not None:
         yield levers.entry(levers.levers.of_pair(of.point, seen_from.point, link), name)
     else:
         yield from _difference(levers, name, of, seen_from)
@@ -138,16 +287,14 @@ def _relative(levers: LeverReader, text: str, of: Seen, seen_from: Seen) -> Iter
 
 def _difference(levers: LeverReader, name: str, of: Seen, seen_from: Seen) -> Iterator[Entry]:
     """The third side of the triangle of two velocities."""
-    velocities = []
     for site in (of, seen_from):
         label = f"v_{names.point(site.point)}{levers.reader.link(site.link)}"
         yield levers.entry(levers.levers.of_point(site.point, site.link), label)
-        velocities.append(levers.levers.velocity(site.point, site.link))
-    difference = velocities[0] - velocities[1]
-    largest = hypot(*(abs(velocity) for velocity in velocities))
-    difference = difference if abs(difference) > 1e-6 * largest else 0j
+    first, second = (complex(levers.levers.velocity(site.point, site.link)) for site in (of, seen_from))
+    difference = abs(first - second)
+    difference = difference if difference > 1e-6 * hypot(abs(first), abs(second)) else 0.0
     note = levers.reader.say("centres.triangle")
-    yield Calculation(name, (), "", abs(difference), "m/s", note if difference else "")
+    yield Calculation(name, (), "", difference, "m/s", note if difference else "")
 
 
 def _quotient(levers: LeverReader, top: Quantity, bottom: Quantity) -> Iterator[Entry]:
@@ -159,10 +306,10 @@ def _quotient(levers: LeverReader, top: Quantity, bottom: Quantity) -> Iterator[
     if values[0] is None or values[1] is None or values[1][1] == 0:
         return
     (one, first), (other, second) = values[0], values[1]
-    figures = Operand(abs(first)) / Operand(abs(second))
+    numbers = Operand(abs(first)) / Operand(abs(second))
     turning = top.word == "omega"
     note = levers.reader.say("centres.same" if first * second > 0 else "centres.opposite") if turning and first else ""
-    yield Calculation(f"{one}/{other}", (), figures, abs(first / second), "", note)
+    yield Calculation(f"{one}/{other}", (), numbers, abs(first / second), "", note)
 
 
 def _value(levers: LeverReader, half: Quantity, answer: list[Entry]) -> tuple[str, float] | None:

@@ -1,4 +1,4 @@
-"""A design in words: numbered sentences with their numbers, what was found, its linkage as a file."""
+"""A design in words: numbered sentences with their numbers, its solutions, its linkage as a file."""
 
 from __future__ import annotations
 
@@ -6,12 +6,11 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from math import degrees
-from typing import Any
 
 from graphkin.construction.drafting import Board, Drafting
 from graphkin.errors import GraphkinError, Lang, NoDesign
 from graphkin.model.mechanism import Mechanism
-from graphkin.say.catalogue import in_both, say
+from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.say.figures import figures, written
 from graphkin.say.linkages import kind_name
 from graphkin.say.numbers import SentenceNumber
@@ -24,11 +23,12 @@ _DIGITS = 5
 
 def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
     """One sentence a stage, with the numbers of the board."""
-    numbers: dict[str, Any] = {name: SentenceNumber(value) for name, value in board.numbers.items()}
+    numbers = {name: float(value.real) for name, value in board.numbers.items()}
+    words: dict[str, object] = {name: SentenceNumber(value) for name, value in numbers.items()}
     for name, place in board.places.items():
-        numbers |= {f"{name}_x": SentenceNumber(place.real * 1e3), f"{name}_y": SentenceNumber(place.imag * 1e3)}
-    numbers |= _figures(board.numbers)
-    return [say(f"design.stage {stage.say}", lang, **numbers) for stage in construction.stages]
+        words |= {f"{name}_x": SentenceNumber(place.real * 1e3), f"{name}_y": SentenceNumber(place.imag * 1e3)}
+    words |= _figures(numbers)
+    return [say(f"design.stage {stage.say}", lang, **words) for stage in construction.stages]
 
 
 def _figures(known: Mapping[str, float]) -> Iterator[tuple[str, str]]:
@@ -48,25 +48,21 @@ def _figures(known: Mapping[str, float]) -> Iterator[tuple[str, str]]:
             yield f"of_{divisor}", written(frame / by, known[link] * 1e3, _DIGITS)
 
 
-def said(reason: Reason, lang: Lang) -> str:
+def phrased(reason: Reason, lang: Lang) -> str:
     """A reason as a sentence."""
-    data: dict[str, Any] = {k: v if isinstance(v, str) else SentenceNumber(v) for k, v in reason.data}
-    if "name" in data:
-        data["name"] = say(f"design.name {data['name']}" if data["name"] else "design.name", lang)
-    return say(f"design.reason {reason.key}", lang, **data)
+    words: dict[str, object] = {k: v if isinstance(v, str) else SentenceNumber(v) for k, v in reason.data}
+    if "name" in words:
+        words["name"] = say(f"design.name {words['name']}" if words["name"] else "design.name", lang)
+    return say(f"design.reason {reason.key}", lang, **words)
 
 
 def error(design: Design) -> NoDesign | None:
     """The error to raise where nothing was found; None where something was."""
     if design.solutions:
         return None
-    return NoDesign(" ".join(_no_solution(design, "en")), " ".join(_no_solution(design, "zh")))
-
-
-def _no_solution(design: Design, lang: Lang) -> Iterator[str]:
-    for one in design.rejected:
-        yield from (said(reason, lang) for reason in one.why)
-    yield from (said(reason, lang) for reason in design.why)
+    reasons = [*(reason for one in design.rejected for reason in one.why), *design.why]
+    in_english, in_chinese = ([phrased(reason, lang) for reason in reasons] for lang in LANGUAGES)
+    return NoDesign(" ".join(in_english), " ".join(in_chinese))
 
 
 # --- lines -------------------------------------------------------------------------------------------
@@ -88,10 +84,10 @@ def _lines(design: Design, lang: Lang) -> Iterator[str]:
         yield from _judged(one, lang)
     for one in design.rejected:
         yield say("design.refused", lang) + _lengths(one, lang)
-        yield from (f"  {said(reason, lang)}" for reason in one.why)
+        yield from (f"  {phrased(reason, lang)}" for reason in one.why)
     if not design.solutions:
         yield say("design.none", lang)
-    yield from (said(reason, lang) for reason in design.why)
+    yield from (phrased(reason, lang) for reason in design.why)
     yield from (_family(one, lang) for one in design.families if len(one.angle))
 
 
@@ -99,35 +95,34 @@ def _lengths(one: Solution, lang: Lang) -> str:
     """l_AB = 20.773 mm, l_BC = .. of those it has; a guide bar turns about C."""
     frame = "l_AC" if one.b is None and one.c is None else "l_AD"
     sizes = {"l_AB": one.a, "l_BC": one.b, "l_CD": one.c, frame: one.d, "e": one.e}
-    told = [f"{name} = {SentenceNumber(size):mm}" for name, size in sizes.items() if size is not None]
-    return say("common.and", lang).join(told)
+    lengths = (f"{name} = {SentenceNumber(size):mm}" for name, size in sizes.items() if size is not None)
+    return say("common.and", lang).join(lengths)
 
 
 def _judged(one: Solution, lang: Lang) -> Iterator[str]:
-    yield from (f"  {say('design.invalid', lang)}{said(reason, lang)}" for reason in one.why)
+    yield from (f"  {say('design.invalid', lang)}{phrased(reason, lang)}" for reason in one.why)
     try:
-        found = proof(one)
+        report = proof(one)
     except GraphkinError as wrong:
         yield f"  {wrong.message(lang)}"
         return
-    values = {"ψ": found.swing, "θ": found.theta, "γ_min": found.gamma_min}
-    told = [kind_name(found, lang)]
-    told += [f"{name} = {SentenceNumber(value):deg}" for name, value in values.items() if value is not None]
-    told += [f"H = {SentenceNumber(found.stroke):mm}"] if found.stroke is not None else []
-    told += [f"K = {SentenceNumber(found.k):n}"] if found.k is not None else []
+    angles = {"ψ": report.swing, "θ": report.theta, "γ_min": report.gamma_min}
+    facts = [kind_name(report, lang)]
+    facts += [f"{name} = {SentenceNumber(value):deg}" for name, value in angles.items() if value is not None]
+    facts += [f"H = {SentenceNumber(report.stroke):mm}"] if report.stroke is not None else []
+    facts += [f"K = {SentenceNumber(report.k):n}"] if report.k is not None else []
     if one.pace is not None:
-        told.append(say("design.slow ccw" if one.pace > 0 else "design.slow cw", lang))
-    yield f"  {say('design.proof', lang)}{say('common.and', lang).join(told)}"
-    yield from (f"  {said(reason, lang)}" for reason in one.notes if reason.key != "kind")
+        facts.append(say("design.slow ccw" if one.pace > 0 else "design.slow cw", lang))
+    yield f"  {say('design.proof', lang)}{say('common.and', lang).join(facts)}"
+    yield from (f"  {phrased(reason, lang)}" for reason in one.notes if reason.key != "kind")
 
 
 def _family(one: Family, lang: Lang) -> str:
-    arcs = [
-        say("design.arcs", lang, start=SentenceNumber(arc.start % math.tau), end=SentenceNumber(arc.end % math.tau))
-        for arc in one.arcs if arc.name == "admissible"
-    ]  # fmt: skip
+    open_arcs = [arc for arc in one.arcs if arc.name == "admissible"]
+    ends = (map(SentenceNumber, (arc.start % math.tau, arc.end % math.tau)) for arc in open_arcs)
+    arcs = say("common.list", lang).join(say("design.arcs", lang, start=start, end=end) for start, end in ends)
     x, y, radius, best = map(SentenceNumber, (one.centre.real * 1e3, one.centre.imag * 1e3, one.radius, one.best[1]))
-    return say("design.family", lang, arcs=say("common.list", lang).join(arcs), x=x, y=y, radius=radius, best=best)
+    return say("design.family", lang, arcs=arcs, x=x, y=y, radius=radius, best=best)
 
 
 # --- its linkage as a file --------------------------------------------------------------------

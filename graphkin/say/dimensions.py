@@ -1,77 +1,209 @@
-"""What is given of a mechanism in figures: lengths, offsets, radii, and how it is driven."""
+"""The numbers that a mechanism file gives, each read once: lengths, offsets, angles, radii, and how it is driven.
+
+`problem_data` tells them in sentences; `dimensions` are the figures of a sheet.
+"""
 
 from __future__ import annotations
 
+from cmath import phase, rect
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import combinations, pairwise
+from math import degrees, pi
 
 from graphkin.base.geometry import cross
-from graphkin.construction import LayOff, Measure, Normal, Step, Tangential, Term, Turning
-from graphkin.model.mechanism import FRAME
-from graphkin.model.pairs import Gear, RollingContact, Slide
+from graphkin.base.value import frozen
+from graphkin.construction import LayOff, Measure, Normal, Step, Swing, Tangential, Term, Turning
+from graphkin.model.mechanism import FRAME, Driver
+from graphkin.model.pairs import Cam, Gear, RollingContact, Slide
 from graphkin.say import names
-from graphkin.say.given_places import driven_slides, face_offsets, fixed_points, guide_angles
-from graphkin.say.given_sizes import Size, beside, circle, driven, in_a_row, millimetres, radius, sides
-from graphkin.say.numbers import given, number
-from graphkin.say.reading import Reading
+from graphkin.say.numbers import given_figure, number
+from graphkin.say.reading import Reading, aside
+
+
+@frozen
+class Size:
+    """A symbol with its value in a unit: `r2 = 20 mm`."""
+
+    symbol: str
+    value: float
+    unit: str
+
+    @property
+    def text(self) -> str:
+        after = self.unit if self.unit == "°" else f" {self.unit}"
+        return f"{self.symbol} = {given_figure(self.value)}{after}"
+
+
+@frozen
+class Side:
+    """Two points of a link, and how far apart they are [m]."""
+
+    first: str
+    second: str
+    length: float
+
+    @property
+    def name(self) -> str:
+        return names.pair(self.first, self.second)
+
+
+# --- of links -----------------------------------------------------------------------------------
+
+
+def sides(reading: Reading, link: str) -> list[Side]:
+    """The distances that fix the points of a link: of each from the first two, between which it may lie."""
+    shape, points = reading.mechanism.links[link], reading.mechanism.named(link)
+    pairs = (pair for pair in combinations(points, 2) if points.index(pair[0]) < 2)
+    return [Side(first, second, abs(shape.arm(first, second))) for first, second in pairs]
+
+
+def beside(reading: Reading, link: str) -> Iterator[tuple[tuple[str, str, str], bool]]:
+    """Each further point that is not in line with the first two, after these, and whether they go counter-clockwise."""
+    shape, points = reading.mechanism.links[link], reading.mechanism.named(link)
+    for third in points[2:]:
+        side = float(cross(shape.arm(points[0], points[1]), shape.arm(points[0], third)))
+        if abs(side) > reading.noise * abs(shape.arm(points[0], third)):
+            yield (points[0], points[1], third), side > 0
+
+
+def millimetres(reading: Reading, length: float) -> float:
+    """A length, or a coordinate, as it is given; noise is none."""
+    return length * 1000 if abs(length) > reading.noise else 0.0
+
+
+def radius(reading: Reading, link: str, size: float) -> Size:
+    """Of a wheel: `r2`."""
+    return Size(reading.radius(link, size), millimetres(reading, size), "mm")
+
+
+def circle(reading: Reading, centre: str, size: float) -> Size:
+    """Of a profile or a circular slot: `r_P`."""
+    return Size(reading.circle(centre, size), millimetres(reading, size), "mm")
+
+
+def driven(reading: Reading, k: int, driver: Driver) -> tuple[Size, Size, Size]:
+    """The value of a driver, its rate, and the rate of that; counter-clockwise is positive."""
+    facts = reading.plot.facts
+    place, rate, more = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
+    if driver.kind == "slide":
+        at, first, second = (names.of_slide(symbol, driver.link) for symbol in ("s", "ṡ", "s̈"))
+        return Size(at, place * 1000, "mm"), Size(first, rate, "m/s"), Size(second, more, "m/s²")
+    at, first, second = (reading.against(driver, symbol) for symbol in ("φ", "ω", "α"))
+    return Size(at, degrees(place), "°"), Size(first, rate, "rad/s"), Size(second, more, "rad/s²")
+
+
+# --- of guides ----------------------------------------------------------------------------------
+
+
+@frozen
+class GuideAngle:
+    """The line through `through` makes `angle` [rad] with corner -> through, counter-clockwise where positive.
+
+    symbol  γ, with the number of the link where several guides have such an angle; "" where another is given
+    corner  the point about which the drawing turns the link, from which γ is counted
+    """
+
+    symbol: str
+    corner: str
+    through: str
+    angle: float
+
+
+def guide_angle(reading: Reading, slide: Slide) -> GuideAngle | None:
+    """The angle at which a moving guide's line lies; None of one through two points, or that is the link itself."""
+    corners = {pair.name: corner for pair in reading.mechanism.slides if (corner := _corner(reading, pair))}
+    if slide.name not in corners:
+        return None
+    corner, through = corners[slide.name], slide.line.origin
+    arm = reading.mechanism.links[slide.guide].arm(corner, through)
+    angle = (phase(slide.line.direction / arm) + pi) % (2 * pi) - pi
+    alone = len({pair.guide for pair in reading.mechanism.slides if pair.name in corners}) == 1
+    symbol = "γ" if alone else names.of_link("γ", reading.mechanism.called(slide.guide))
+    return GuideAngle(symbol if slide.line.base in (None, (corner, through)) else "", corner, through, angle)
+
+
+def _corner(reading: Reading, slide: Slide) -> str:
+    """The point from which γ is counted: the pivot of the drawing, else another point of the guide; "" for none."""
+    if slide.guide == FRAME or not slide.line.named:
+        return ""
+    link, through = reading.mechanism.links[slide.guide], slide.line.origin
+    points = [p for p in reading.mechanism.named(slide.guide) if abs(link.arm(p, through)) > reading.noise]
+    if any(aside(slide.line.direction, link.arm(p, through)) <= reading.noise for p in points):
+        return ""
+    stated = [slide.line.base[0]] if slide.line.base is not None and slide.line.base[1] == through else []
+    swings = (step for step in reading.method.position.steps if isinstance(step, Swing))
+    pivots = (step.pivot for step in swings if step.slide == slide.name)
+    return next((point for point in (*stated, *pivots, *points) if point in points), "")
+
+
+# --- the figures of a sheet ---------------------------------------------------------------------
 
 
 def dimensions(reading: Reading) -> list[str]:
     """`AD = 78 mm`, `AB = 24 mm`, .. link by link; then offsets of guides, radii of wheels, driven rates."""
-    found = (fixed_points, _lengths, _offsets, guide_angles, face_offsets, _radii, driven_slides, _rates)
-    return [*dict.fromkeys(text for which in found for text in which(reading))]
+    tables = (_fixed_points, _lengths, _guide_offsets, _guide_tilts, _face_offsets, _radii, _drivers)
+    return [*dict.fromkeys(text for table in tables for text in table(reading))]
 
 
-def measured_lengths(reading: Reading) -> list[tuple[str, str]]:
-    """The distances by which rotations are found or sizes made that no link gives: they are measured in the drawing."""
-    method, found = reading.method, dict[tuple[str, str], None]()
-    for construction in (method.velocity, method.acceleration):
-        for step in construction.steps:
-            ends = tuple(sorted(_lever(step)))
-            if len(ends) == 2 and all(map(reading.named, ends)) and reading.distance(*ends):
-                found[ends[0], ends[1]] = None
-    return [ends for ends in found if not _held(reading, *ends)]
+def _fixed_points(reading: Reading) -> Iterator[str]:
+    """`AD = 78 mm` of a point level with the first, or under it; of others how far they are along x and y.
+
+    `x_D` where the first stands at the origin, else `x_AD`.
+    """
+    shape = reading.plot.facts.shapes[FRAME]
+    first, *others = _drawn_points(reading, FRAME) or [""]
+    for other in others:
+        away = complex(shape[other] - shape[first])
+        if min(abs(away.real), abs(away.imag)) <= reading.noise:
+            yield f"{names.pair(first, other)} = {given_figure(abs(away) * 1000)} mm"
+        else:
+            called = names.pair(first, other) if shape[first] else names.point(other)
+            parts = (("x", away.real), ("y", away.imag))
+            yield from (f"{sign}_{called} = {given_figure(part * 1000)} mm" for sign, part in parts)
 
 
-def _lever(step: Step) -> tuple[str, ...]:
-    """The points whose distance a step uses."""
-    match step:
-        case Measure(lever=(tail, head)) if tail:
-            return tail, head
-        case LayOff(term=Term(size=Turning(_, tail, head) | Normal(_, tail, head) | Tangential(_, tail, head))):
-            return tail, head
-        case _:
-            return ()
-
-
-def _held(reading: Reading, one: str, other: str) -> bool:
-    """Whether a link has both points."""
-    owners = reading.mechanism.owners
-    return bool(set(owners.get(one, ())) & set(owners.get(other, ())))
-
-
-def length(reading: Reading, one: str, other: str) -> str:
-    """`l_BD = 69.2 mm`, of the mechanism itself."""
-    return f"l_{names.pair(one, other)} = {number(reading.distance(one, other) * 1000)} mm"
+def _drawn_points(reading: Reading, link: str) -> list[str]:
+    return [point for point in reading.mechanism.named(link) if point in reading.plot.position]
 
 
 def _lengths(reading: Reading) -> Iterator[str]:
-    """Each link by the distances of its points that fix it."""
+    """Each link by the distances of its points that fix it; of points in one line each from the one before."""
     for link in reading.mechanism.moving:
+        shape, row = reading.mechanism.links[link], pairwise(reading.mechanism.named(link))
         in_line = not [*beside(reading, link)]
-        for side in in_a_row(reading, link) if in_line else sides(reading, link):
+        for side in [Side(*ends, abs(shape.arm(*ends))) for ends in row] if in_line else sides(reading, link):
             yield Size(side.name, millimetres(reading, side.length), "mm").text
 
 
-def _offsets(reading: Reading) -> Iterator[str]:
-    """How far a guide's line passes a point of its link."""
+def _guide_offsets(reading: Reading) -> Iterator[str]:
+    """`e_A = 20 mm`: the distance at which a guide's line passes a point of its link."""
     for slide in reading.mechanism.of(Slide):
-        points = [p for p in reading.mechanism.named(slide.guide) if p in reading.plot.position]
+        points = _drawn_points(reading, slide.guide)
         if points and slide.stands_for is None:
-            off = abs(float(cross(reading.plot.guide_direction(slide.name), reading.plot.arm(points[0], slide.point))))
+            off = aside(reading.guide(slide.name), reading.arm(points[0], slide.point))
             if off > reading.noise:
-                called = names.point(points[0])
-                yield f"{'e' if slide.guide == FRAME else 'h'}_{called} = {given(off * 1000)} mm"
+                yield f"{'e' if slide.guide == FRAME else 'h'}_{names.point(points[0])} = {given_figure(off * 1000)} mm"
+
+
+def _guide_tilts(reading: Reading) -> Iterator[str]:
+    """`β_C = 30°` of guides of the frame that are neither level nor upright, against +x."""
+    for slide in reading.mechanism.slides:
+        if slide.guide == FRAME and slide.stands_for is None:
+            angle = round(degrees(phase(slide.line.direction)), 9) % 180
+            if angle % 90:
+                yield f"β_{names.point(slide.point)} = {given_figure(angle)}°"
+
+
+def _face_offsets(reading: Reading) -> Iterator[str]:
+    """`h_A = 20 mm`: the distance at which the flat face of a cam or a follower passes the first point of its link."""
+    for line in (line for cam in reading.mechanism.of(Cam) for line in cam.lines):
+        points = _drawn_points(reading, line.link)
+        if points and line.origin in reading.plot.position:
+            along = line.direction * rect(1, float(reading.plot.theta.get(line.link, 0.0)))
+            off = aside(along, reading.arm(points[0], line.origin))
+            if off > reading.noise:
+                yield f"h_{names.point(points[0])} = {given_figure(off * 1000)} mm"
 
 
 def _radii(reading: Reading) -> Iterator[str]:
@@ -84,11 +216,43 @@ def _radii(reading: Reading) -> Iterator[str]:
         yield circle(reading, centre, size).text
 
 
-def _rates(reading: Reading) -> Iterator[str]:
-    for k, driver in enumerate(reading.mechanism.drivers):
-        place, *rates = driven(reading, k, driver)
+def _drivers(reading: Reading) -> Iterator[str]:
+    """`s_ram = 90 mm` of driven slides, then `φ1 = 30°` and the rates of all."""
+    drivers = [(driver, driven(reading, k, driver)) for k, driver in enumerate(reading.mechanism.drivers)]
+    yield from (place.text for driver, (place, *_) in drivers if driver.kind == "slide")
+    for driver, (place, *rates) in drivers:
         if driver.kind == "angle" and driver.value is not None:
             yield place.text
         for size in rates:
             if size.value:
                 yield replace(size, value=size.value if driver.kind == "slide" else abs(size.value)).text
+
+
+# --- measured lengths ---------------------------------------------------------------------------
+
+
+def measured_lengths(reading: Reading) -> list[tuple[str, str]]:
+    """The distances by which rotations are found or sizes made that no link gives: they are measured in the drawing."""
+    method, owners, levers = reading.method, reading.mechanism.owners, dict[tuple[str, str], None]()
+    for step in (step for construction in (method.velocity, method.acceleration) for step in construction.steps):
+        if lever := _lever(step):
+            first, second = sorted(lever)
+            if reading.named(first) and reading.named(second) and reading.distance(first, second):
+                levers[first, second] = None
+    return [ends for ends in levers if not {*owners.get(ends[0], ())} & {*owners.get(ends[1], ())}]
+
+
+def _lever(step: Step) -> tuple[str, str] | None:
+    """The points whose distance a step uses."""
+    match step:
+        case Measure(lever=(tail, head)) if tail:
+            return tail, head
+        case LayOff(term=Term(size=Turning(_, tail, head) | Normal(_, tail, head) | Tangential(_, tail, head))):
+            return tail, head
+        case _:
+            return None
+
+
+def length_text(reading: Reading, one: str, other: str) -> str:
+    """`l_BD = 69.2 mm`, of the mechanism itself."""
+    return f"l_{names.pair(one, other)} = {number(reading.distance(one, other) * 1000)} mm"

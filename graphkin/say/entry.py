@@ -1,12 +1,18 @@
-"""What a derivation is made of. Every entry is data, so that a page or a handout can set it in its own way."""
+"""The entries of a derivation, data that a page or a handout sets in its own way, and their lines in a terminal."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
+from typing import assert_never
+
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
+from graphkin.errors import Lang
 from graphkin.planning.acts import Act
+from graphkin.say.catalogue import close, say
 from graphkin.say.figures import Formula, written
-from graphkin.say.numbers import number
+from graphkin.say.numbers import circled, number
+from graphkin.say.text_table import aligned, padded, width
 
 
 @frozen
@@ -19,7 +25,7 @@ class Heading:
 
 @frozen
 class Sentence:
-    """What the pencil does, or why; `act`: which act of it is told, whose number the drawing bears, too."""
+    """A step of the pencil, or a reason; `act`: the act that it says, whose number the drawing bears, too."""
 
     text: str
     act: Act | None = None
@@ -95,3 +101,40 @@ class VectorEquation:
 
 
 Entry = Heading | Sentence | Calculation | VectorEquation
+
+
+# --- lines of plain text ------------------------------------------------------------------------
+
+
+def text_lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
+    """One line an entry; three a vector equation."""
+    for k, entry in enumerate(entries):
+        match entry:
+            case Heading(text):
+                yield from ([""] if k else [])
+                yield text
+            case Sentence(text, act):
+                number = f"{circled(act.number)} " if act is not None and act.numbered else ""
+                yield f"  {number}{text}"
+            case Calculation():
+                note = say("common.note", lang, note=entry.note) if entry.note else ""
+                yield f"    {entry.text}{close(note) if lang == 'zh' else note}"
+            case VectorEquation():
+                yield from _equation_lines(entry, lang)
+            case _:
+                assert_never(entry)
+
+
+def _equation_lines(equation: VectorEquation, lang: Lang) -> Iterator[str]:
+    """The terms, and the rows of direction and size under them, each column centred."""
+    columns = [(equation.front, "", "")] if equation.front else []
+    for k, side in enumerate(equation.sides):
+        columns += [("=", "", "")] if k or equation.front else []
+        for n, arrow in enumerate(side):
+            columns += [("+", "", "")] if n else []
+            columns.append((arrow.name, arrow.direction, arrow.size))
+    rows = aligned([*zip(*columns, strict=True)], "^", " ")
+    labels = ["", say("derivation.direction row", lang), say("derivation.size row", lang)]
+    room = max(map(width, labels))
+    for label, row in zip(labels, rows, strict=True):
+        yield f"    {padded(label, room)}  {row}".rstrip()

@@ -4,39 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from itertools import combinations
-from typing import Any, assert_never
+from typing import assert_never
 
-from graphkin.base.geometry import cross, dot
-from graphkin.construction import (
-    Arc,
-    Arm,
-    Fit,
-    Given,
-    Image,
-    LayOff,
-    Measure,
-    Meet,
-    Ray,
-    Roll,
-    Simultaneous,
-    Step,
-    Swing,
-    Touch,
-)
+from graphkin.base.geometry import dot
+from graphkin.construction import Step, kinds, terms
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, RollingContact, Slot, rod_name
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import figures
-from graphkin.say.numbers import degrees, given, number
-from graphkin.say.reading import Reading
+from graphkin.say.numbers import degrees, given_figure, number
+from graphkin.say.reading import Reading, aside, capitalized
 
 
 def equivalents(reading: Reading) -> Iterator[Entry]:
     """Each cam by its lower pairs, each rolling wheel by what its centre does."""
-    for kind, tell in EQUIVALENTS.items():
+    for kind, entries in EQUIVALENTS.items():
         for pair in reading.mechanism.of(kind):
-            yield from tell(reading, pair)
+            yield from entries(reading, pair)
 
 
 def _cam(reading: Reading, cam: Cam) -> Iterator[Entry]:
@@ -44,7 +29,14 @@ def _cam(reading: Reading, cam: Cam) -> Iterator[Entry]:
         case Rod() as rod:
             yield Sentence(_circles_touch(reading, cam, rod))
         case Slot() as slot:
-            yield Sentence(_flat_touches(reading, slot))
+            words = {"centre": names.point(slot.point), "face": _face(reading, slot.line)}
+            words["link"] = reading.link(slot.line.link)
+            if slot.offset:
+                size = abs(slot.offset)
+                length = f"{reading.circle(slot.point, size)} = {given_figure(size * 1000)} mm"
+                yield Sentence(reading.say("contacts.flat touches", length=length, **words))
+            else:
+                yield Sentence(reading.say("contacts.edge touches", **words))
             if cam.name in reading.contact_slides:
                 yield from _path(reading, cam.name)
 
@@ -62,19 +54,6 @@ def _circles_touch(reading: Reading, cam: Cam, rod: Rod) -> str:
     return reading.say("contacts.edge on circle", first=one, second=other, length=length, link=link)
 
 
-def _flat_touches(reading: Reading, slot: Slot) -> str:
-    words = {
-        "centre": names.point(slot.point),
-        "face": face_of(reading, slot.line),
-        "link": reading.link(slot.line.link),
-    }
-    if not slot.offset:
-        return reading.say("contacts.edge touches", **words)
-    size = abs(slot.offset)
-    length = f"{reading.circle(slot.point, size)} = {given(size * 1000)} mm"
-    return reading.say("contacts.flat touches", length=length, **words)
-
-
 def _circular_slot(reading: Reading, slot: CircularSlot) -> Iterator[Entry]:
     centre, pin = names.point(slot.centre), names.point(slot.point)
     length = f"{names.pair(slot.centre, slot.point)} = {number(1000 * slot.radius)} mm"
@@ -83,64 +62,45 @@ def _circular_slot(reading: Reading, slot: CircularSlot) -> Iterator[Entry]:
 
 
 def _rolling(reading: Reading, roll: RollingContact) -> Iterator[Entry]:
+    words = {"wheel": reading.link(roll.wheel)}
     if roll.line is not None:
-        yield Sentence(_on_line(reading, roll, roll.line))
-        if roll.name in reading.contact_slides:
+        words |= {"face": _face(reading, roll.line), "link": reading.link(roll.line.link)}
+        words |= {"centre": names.point(roll.centre)}
+        words["length"] = f"{reading.radius(roll.wheel, roll.radius)} = {given_figure(roll.radius * 1000)} mm"
+        free = roll.name in reading.contact_slides  # not held by a sliding pair
+        yield Sentence(reading.say("contacts.wheel on line" if free else "contacts.wheel held at line", **words))
+        if free:
             yield from _path(reading, roll.name)
     elif rod_name(roll) in reading.method.structure.bodies:
-        yield Sentence(_on_circle(reading, roll))
-
-
-def _on_line(reading: Reading, roll: RollingContact, line: Line) -> str:
-    held = roll.name not in reading.contact_slides  # by a sliding pair
-    return reading.say(
-        "contacts.wheel held at line" if held else "contacts.wheel on line",
-        wheel=reading.link(roll.wheel),
-        face=face_of(reading, line),
-        link=reading.link(line.link),
-        centre=names.point(roll.centre),
-        length=f"{reading.radius(roll.wheel, roll.radius)} = {given(roll.radius * 1000)} mm",
-    )
-
-
-def _on_circle(reading: Reading, roll: RollingContact) -> str:
-    assert roll.track_centre is not None
-    centres = (roll.track_centre, roll.centre)
-    return reading.say(
-        "contacts.wheel on circle",
-        wheel=reading.link(roll.wheel),
-        first=names.point(roll.track_centre),
-        second=names.point(roll.centre),
-        length=_distance(centres, (roll.track_radius, roll.radius), roll.internal),
-        link=names.point(rod_name(roll)),
-    )
+        assert roll.track_centre is not None
+        first, second = centres = (roll.track_centre, roll.centre)
+        words |= {"first": names.point(first), "second": names.point(second), "link": names.point(rod_name(roll))}
+        length = _distance(centres, (roll.track_radius, roll.radius), roll.internal)
+        yield Sentence(reading.say("contacts.wheel on circle", length=length, **words))
 
 
 def _line_of_centres(reading: Reading, gear: Gear) -> Iterator[Entry]:
     if rod_name(gear) in reading.method.structure.bodies:
-        words = {"wheels": reading.listed([reading.link(wheel) for wheel in gear.links]),
-                 "length": _distance(gear.centres, gear.radii, gear.internal)}  # fmt: skip
-        yield Sentence(reading.say("contacts.line of centres", **words, link=names.point(rod_name(gear))))
+        words = {"wheels": reading.links(gear.links), "link": names.point(rod_name(gear))}
+        length = _distance(gear.centres, gear.radii, gear.internal)
+        yield Sentence(reading.say("contacts.line of centres", length=length, **words))
 
 
-EQUIVALENTS: Mapping[type[Pair], Callable[[Reading, Any], Iterator[Entry]]] = {
-    Cam: _cam,
-    CircularSlot: _circular_slot,
-    RollingContact: _rolling,
-    Gear: _line_of_centres,
-}
-"""What is said of each kind that has a lower-pair equivalent, in this order."""
+EQUIVALENTS: Mapping[type[Pair], Callable[..., Iterator[Entry]]] = {
+    Cam: _cam, CircularSlot: _circular_slot, RollingContact: _rolling, Gear: _line_of_centres,
+}  # fmt: skip
+"""The entries of each kind that has a lower-pair equivalent, in this order."""
 
 
 def _distance(centres: tuple[str, str], radii: tuple[float, float], internal: bool) -> str:
     """`O1O2 = 35 + 18 = 53 mm`; of circles that touch inside, the difference of the radii."""
-    greater, less = sorted((1000 * radius for radius in radii), reverse=True) if internal else [1000 * r for r in radii]
-    one, other = figures(greater, less)
-    numbers, length = (one - other, greater - less) if internal else (one + other, greater + less)
+    first, second = sorted((1000 * radius for radius in radii), reverse=True) if internal else [1000 * r for r in radii]
+    one, other = figures(first, second)
+    numbers, length = (one - other, first - second) if internal else (one + other, first + second)
     return Calculation(names.pair(*centres), (), numbers, length, "mm").text
 
 
-def face_of(reading: Reading, line: Line) -> str:
+def _face(reading: Reading, line: Line) -> str:
     """Two points of a moving line where such are named."""
     ends = points_of(reading, line)
     return f" {names.pair(*ends)}" if ends else ""
@@ -149,9 +109,9 @@ def face_of(reading: Reading, line: Line) -> str:
 def points_of(reading: Reading, line: Line) -> tuple[str, str] | None:
     """Two named points of a moving line, in its direction."""
     link = reading.mechanism.links[line.link]
-    off = {p: abs(float(cross(line.direction, link.arm(line.origin, p)))) for p in reading.mechanism.named(line.link)}
-    on_it = sorted((p for p in off if off[p] <= reading.noise and line.link != FRAME), key=lambda p: p != line.origin)
-    for first, second in combinations(on_it, 2):
+    points = reading.mechanism.named(line.link) if line.link != FRAME else ()
+    on_it = [p for p in points if aside(line.direction, link.arm(line.origin, p)) <= reading.noise]
+    for first, second in combinations(sorted(on_it, key=lambda p: p != line.origin), 2):
         ahead = float(dot(line.direction, link.arm(first, second)))
         if abs(ahead) > reading.noise:
             return (first, second) if ahead > 0 else (second, first)
@@ -159,37 +119,38 @@ def points_of(reading: Reading, line: Line) -> tuple[str, str] | None:
 
 
 def _path(reading: Reading, name: str) -> Iterator[Entry]:
-    """Where the path of a centre lies, if it stands still; else where it starts, if that is needed."""
+    """The path of a centre, if it stands still; else the point at which it starts, if that is needed."""
     slide, (line,) = reading.method.structure.slides[name], reading.mechanism.pair(name).lines
     origin, path = slide.line.origin, reading.path(name)
     if slide.guide == FRAME:
-        place = reading.plot.facts.shapes[FRAME][origin]
-        x, y = (reading.on_paper(value) for value in (place.real, place.imag))
-        start, angle = path[0].upper() + path[1:], degrees(slide.line.direction)
-        yield Sentence(reading.say("contacts.fixed path", path=start, place=f"({x}, {y})", angle=angle))
+        place = reading.place_on_paper(reading.plot.facts.shapes[FRAME][origin])
+        words = {"path": capitalized(path), "place": place, "angle": degrees(slide.line.direction)}
+        yield Sentence(reading.say("contacts.fixed path", **words))
     elif origin != line.origin and any(_uses(step, origin) for step in reading.method.position.steps):
-        mark = names.point(origin)
+        words = {"path": path, "mark": names.point(origin)}
         if line.named:
             length = f"{names.pair(line.origin, origin)} = {reading.rim(reading.mechanism.pair(name))}"
-            words = {"path": path, "mark": mark, "origin": names.point(line.origin), "length": length}
-            yield Sentence(reading.say("contacts.abreast", **words))
+            yield Sentence(reading.say("contacts.abreast", origin=names.point(line.origin), length=length, **words))
         else:
-            yield Sentence(reading.say("contacts.marked start", path=path, mark=mark))
+            yield Sentence(reading.say("contacts.marked start", **words))
 
 
 def _uses(step: Step, origin: str) -> bool:
-    """Whether a step starts from a point or draws it, other than as a mere further point of its link."""
+    """True of a step that starts from a point or draws it, other than as a mere further point of its link."""
     match step:
-        case LayOff():
+        case kinds.LayOff():
             return origin in (step.start, step.tip)
-        case Meet(first, second, point):
-            through = [locus.through for locus in (first, second) if isinstance(locus, Ray)]
+        case kinds.Meet(first, second, point):
+            through = [locus.through for locus in (first, second) if isinstance(locus, kinds.Ray)]
             return origin in (point, *through)
-        case Image():
+        case kinds.Image():
             return origin in step.base
-        case Fit(closures=closures):
-            return any(isinstance(part, Arm) and origin in (part.tail, part.head) for c in closures for part in c.parts)
-        case Measure() | Given() | Ray() | Arc() | Swing() | Roll() | Touch() | Simultaneous():
+        case kinds.Fit(closures=closures):
+            arms = [part for closure in closures for part in closure.parts if isinstance(part, terms.Arm)]
+            return any(origin in (arm.tail, arm.head) for arm in arms)
+        case kinds.Measure() | kinds.Given() | kinds.Ray() | kinds.Arc() | kinds.Touch():
+            return False
+        case kinds.Swing() | kinds.Roll() | kinds.Simultaneous():
             return False
         case _:
             assert_never(step)

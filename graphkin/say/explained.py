@@ -11,31 +11,24 @@ from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.planning.by_pose import by_pose, shown
-from graphkin.say.answers import AnswerLines
-from graphkin.say.asked import Asked, asked
-from graphkin.say.deviation import deviations
-from graphkin.say.entry import Calculation, Entry, Sentence, VectorEquation
+from graphkin.say.answer_lines import AnswerLines, deviations
+from graphkin.say.entry import Calculation, Entry, Sentence, VectorEquation, text_lines
 from graphkin.say.equations import worded
-from graphkin.say.given import given, solving
-from graphkin.say.layout import lines
 from graphkin.say.plane import PolygonReading
-from graphkin.say.polygons import polygon
+from graphkin.say.polygons import polygon_entries
 from graphkin.say.position import PositionReader
+from graphkin.say.problem_data import problem_data, solution_head
 from graphkin.say.reading import Reading
+from graphkin.say.solution_goal import SolutionGoal, solution_goal
 
 if TYPE_CHECKING:
     from graphkin.marking.ruler import Ruler
 
 
 def explain(
-    method: Method,
-    plot: Plot,
-    scales: Mapping[str, float],
-    lang: Lang,
-    everything: bool = False,
-    only: Plane = "acceleration",
-    ruler: Ruler | None = None,
-) -> list[str]:
+    method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang, everything: bool = False,
+    only: Plane = "acceleration", ruler: Ruler | None = None,
+) -> list[str]:  # fmt: skip
     """The solution as lines of plain text, as far as the file asks.
 
     plot    one position of the method, all three planes replayed
@@ -43,61 +36,45 @@ def explain(
     everything, only   all points and links, whatever is asked; the last plane that is drawn
     ruler   reads what is measured; the plot then follows from its readings
     """
-    return list(lines(derivation(method, plot, scales, lang, everything, only, ruler), lang))
+    return list(text_lines(derivation(method, plot, scales, lang, everything, only, ruler), lang))
 
 
 def derivation(
-    method: Method,
-    plot: Plot,
-    scales: Mapping[str, float],
-    lang: Lang,
-    everything: bool = True,
-    only: Plane = "acceleration",
-    ruler: Ruler | None = None,
-    as_planned: bool = False,
-) -> Iterator[Entry]:
+    method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang, everything: bool = True,
+    only: Plane = "acceleration", ruler: Ruler | None = None, as_planned: bool = False,
+) -> Iterator[Entry]:  # fmt: skip
     """The solution as data: what is given and asked, the planes in the order of their constructions, the answers.
 
     as_planned  every act of the polygons, though a driver at rest may make them easier
     """
     reading = Reading(*shown(method, plot), scales, lang, ruler, apart=as_planned)
-    goal = asked(reading, everything, only)
-    body = list(_drawn(goal, as_planned))
-    yield from given(reading)
+    goal = solution_goal(reading, everything, only)
+    body = list(_drawing(goal, as_planned))
+    acts = [entry.act for entry in body if isinstance(entry, Sentence) and entry.act is not None]
+    steps = {act.number for act in acts if act.numbered}
+    yield from problem_data(reading)
     yield from goal.question()
-    yield from solving(reading, _leaves_out(body))
+    yield from solution_head(reading, leaves_out=len(steps) < max(steps, default=0))
     yield from body
     answers = AnswerLines(goal, {entry.name: entry.value for entry in body if isinstance(entry, Calculation)})
     yield from answers.entries()
     if ruler is not None:
-        yield from deviations(answers, asked(replace(reading, plot=ruler.right, ruler=None), everything, only))
+        exactly = replace(reading, plot=ruler.right, ruler=None)
+        yield from deviations(answers, solution_goal(exactly, everything, only))
 
 
-def _drawn(goal: Asked, as_planned: bool) -> Iterator[Entry]:
+def _drawing(goal: SolutionGoal, as_planned: bool) -> Iterator[Entry]:
     """The mechanism, its instant centres where they are asked for, and the polygons that are needed."""
     reading = goal.reading
-    method, plot = reading.method, reading.plot
-    posed = by_pose(method, plot)
+    posed = by_pose(reading.method, reading.plot)
     drawn = reading if posed is None else Reading(*posed, reading.scales, reading.lang, reading.ruler)
     yield from PositionReader(drawn, reading, goal.levers, angles=goal.angles).entries()
-    for number, part in enumerate(_parts(reading, goal, centred=not as_planned), start=2):
-        yield from part(number=number)
-
-
-def _leaves_out(body: list[Entry]) -> bool:
-    """Whether acts of the drawing are not told: their numbers are missing then."""
-    acts = [entry.act for entry in body if isinstance(entry, Sentence) and entry.act is not None]
-    told = {act.number for act in acts if act.numbered}
-    return len(told) < max(told, default=0)
-
-
-def _parts(reading: Reading, goal: Asked, centred: bool) -> list[Callable[..., Iterator[Entry]]]:
-    """What follows the mechanism's drawing: its instant centres where they are asked for, and its polygons."""
     parts: list[Callable[..., Iterator[Entry]]]
-    parts = [partial(polygon, reading, plane, steps) for plane, steps in goal.parts.items()]
-    if centred and (found := goal.centred) is not None:
-        parts.insert(1 if found.from_velocities and parts else 0, found.entries)
-    return parts
+    parts = [partial(polygon_entries, reading, plane, steps) for plane, steps in goal.parts.items()]
+    if not as_planned and (centres := goal.centred) is not None:
+        parts.insert(1 if centres.from_velocities and parts else 0, centres.entries)
+    for number, part in enumerate(parts, start=2):
+        yield from part(number=number)
 
 
 def vector_equations(

@@ -7,6 +7,7 @@ and whoever puts the figures into a calculator gets it.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import cos, floor, log10, radians, sin
 from typing import Literal
 
@@ -41,12 +42,12 @@ class Formula:
         raise NotImplementedError
 
     def worth(self, digits: int) -> float:
-        """What a calculator makes of `text`."""
+        """The number that a calculator makes of `text`."""
         raise NotImplementedError
 
     @property
     def level(self) -> int:
-        """How strongly its signs bind."""
+        """The strength with which its signs bind."""
         return 3
 
     def bracketed(self, least: int, digits: int) -> str:
@@ -152,21 +153,26 @@ def squared(value: float) -> Formula:
     return Operand(value, square=True)
 
 
-def signed_sum(parts: list[tuple[int, float]]) -> Formula:
-    """`−0.49 + 2`, `1.5 − (−2)` of signs and numbers."""
-    (sign, value), *more = parts
-    total: Formula = Operand(value) if sign > 0 else -Operand(value)
-    for sign, value in more:
-        total = total + Operand(value) if sign > 0 else total - Operand(value)
+def joined_sum(parts: Sequence[tuple[float, Formula]]) -> Formula:
+    """`−0.49 + 2 × 3` of formulas with their signs."""
+    (sign, first), *more = parts
+    total = first if sign > 0 else -first
+    for sign, formula in more:
+        total = total + formula if sign > 0 else total - formula
     return total
+
+
+def signed_sum(parts: Sequence[tuple[float, float]]) -> Formula:
+    """`−0.49 + 2`, `1.5 − (−2)` of signs and numbers."""
+    return joined_sum([(sign, Operand(value)) for sign, value in parts])
 
 
 def written(formula: Formula, result: float, digits: int = DIGITS) -> str:
     """A formula with as many digits as give its result as that is printed, with so many `digits`."""
     printed = number(result, digits=digits)
     room = half_unit(printed) * (1 + _CLOSE)
-    found = range(digits, _MOST_DIGITS)
-    enough = next((d for d in found if abs(formula.worth(d) - as_read(printed)) <= room), _MOST_DIGITS)
+    candidates = range(digits, _MOST_DIGITS)
+    enough = next((d for d in candidates if abs(formula.worth(d) - as_read(printed)) <= room), _MOST_DIGITS)
     return formula.text(enough)
 
 

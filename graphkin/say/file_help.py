@@ -7,7 +7,6 @@ The same sentences are the descriptions of the JSON Schema. They stand in the ca
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
 
 from graphkin.errors import Lang
 from graphkin.files.examples import EXAMPLES, LINE
@@ -18,16 +17,28 @@ from graphkin.say.catalogue import phrase, say
 from graphkin.say.text_table import width
 
 _WIDE, _INDENT = 110, 4
+_LINED = ("roll", "profile")
+"""The tables that have the keys of a line from `slide`."""
+_SIGNS = {
+    "file": "TOML", "title": "title", "frame": "[frame]", "link": "[links.NAME]", "slide": "[[slide]]",
+    "gear": "[[gear]]", "roll": "[[roll]]", "cam": "[[cam]]", "profile": "profiles", "driver": "[[driver]]",
+    "pose": "[[pose]]", "sketch": "[sketch]", "scales": "[scales]",
+}  # fmt: skip
+"""The head of each table in the file."""
+_FOLLOWING = " ，。；：、）”"
+"""These begin no line."""
 
 
 def head(table: str, lang: Lang) -> str:
-    """What a table is."""
+    """The sentence of a table."""
     return phrase(f"file_page.table {table}", lang)
 
 
 def described(table: str, key: str, lang: Lang) -> str:
-    """What a key says, and the units it takes."""
-    return " ".join([_told(table, key, lang), *(_units(each, lang) for each in _dimensions(table, key))])
+    """The sentence of a key, and the units it takes: `[mm; or a text in cm, m, in, ft]`."""
+    units = (UNITS[dimension] for dimension in _dimensions(table, key))
+    notes = [say("file_page.unit", lang, first=first, others=", ".join(others)) for first, *others in units]
+    return " ".join([_key_sentence(table, key, lang), *notes])
 
 
 def file_lines(lang: Lang) -> Iterator[str]:
@@ -47,7 +58,7 @@ def file_lines(lang: Lang) -> Iterator[str]:
 
 
 def _table_lines(table: str, lang: Lang) -> Iterator[str]:
-    """What it is, then its keys; those of a line, which three tables share, once."""
+    """Its sentence, then its keys; those of a line, which three tables share, once."""
     yield from _wrapped(f"{_SIGNS[table]}  {head(table, lang)}", "")
     if table in _LINED:
         yield "  " + say("file_page.as in slide", lang, keys=", ".join(LINE))
@@ -55,40 +66,21 @@ def _table_lines(table: str, lang: Lang) -> Iterator[str]:
         if table not in _LINED or key not in LINE:
             yield f"  {example}"
             units = ", ".join(next(iter(UNITS[each])) for each in _dimensions(table, key))
-            yield from _wrapped(_told(table, key, lang) + (f" [{units}]" if units else ""), " " * (_INDENT + 2))
+            yield from _wrapped(_key_sentence(table, key, lang) + (f" [{units}]" if units else ""), " " * (_INDENT + 2))
 
 
-def _told(table: str, key: str, lang: Lang) -> str:
-    """What a key says; a line is one in every table."""
+def _key_sentence(table: str, key: str, lang: Lang) -> str:
+    """A line is one in every table."""
     shared = key in LINE and table in ("slide", *_LINED)
     return phrase(f"file_keys.line {key}" if shared else f"file_keys.{table} {key}", lang)
 
 
-_LINED = ("roll", "profile")
-"""The tables that have the keys of a line from `slide`."""
-
-
-_SIGNS = {
-    "file": "TOML", "title": "title", "frame": "[frame]", "link": "[links.NAME]", "slide": "[[slide]]",
-    "gear": "[[gear]]", "roll": "[[roll]]", "cam": "[[cam]]",
-    "profile": "profiles", "driver": "[[driver]]", "pose": "[[pose]]",
-    "sketch": "[sketch]", "scales": "[scales]",
-}  # fmt: skip
-"""How a table is headed in the file."""
-
-
 def _dimensions(table: str, key: str) -> tuple[Dimension, ...]:
-    """Of what a key takes as a number."""
+    """The dimensions of the number that a key takes."""
     if key == FURTHER:
         return ("length", "angle") if table == "link" else ("length",)
-    found: Any = keys(TABLES[table])[key].metadata["kind"]
-    return () if found.dimension is None else (found.dimension,)
-
-
-def _units(dimension: Dimension, lang: Lang) -> str:
-    """`[mm; or a text in cm, m, in, ft]`."""
-    first, *others = UNITS[dimension]
-    return say("file_page.unit", lang, first=first, others=", ".join(others))
+    kind = keys(TABLES[table])[key].metadata["kind"]
+    return () if kind.dimension is None else (kind.dimension,)
 
 
 def _wrapped(text: str, indent: str) -> Iterator[str]:
@@ -111,7 +103,3 @@ def _words(text: str) -> Iterator[str]:
             word = ""
         word += letter
     yield word
-
-
-_FOLLOWING = " ，。；：、）”"
-"""What begins no line."""

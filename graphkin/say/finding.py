@@ -1,4 +1,4 @@
-"""What was found, for people: lines for the terminal, captions for the sheet."""
+"""Positions with a property: lines for the terminal, captions for the sheet, and a table of one row a value."""
 
 from __future__ import annotations
 
@@ -9,13 +9,16 @@ from typing import assert_never
 
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Driver
-from graphkin.model.quantities import driven
+from graphkin.model.quantities import EDGE, driven
+from graphkin.model.quantities.typed import rewritten
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.figures import Operand, written
 from graphkin.say.numbers import exact, in_print, number, quantity
-from graphkin.studies.finding.answers import Findings, Interval, OutputStroke, Phase, Position, SlowPoint, Speeds
+from graphkin.say.text_table import table
+from graphkin.studies.finding.answers import Findings, Interval, Phase, Position, SlowPoint
 from graphkin.studies.finding.conditions import Comparison, Condition, Extreme, Scaling, Slowest
+from graphkin.studies.finding.varying import VaryingTable
 
 _SIGNS = "φ", "s"
 """Of what a driver turns, and of what it slides."""
@@ -25,58 +28,73 @@ _MARKED = re.compile("\0([^\0]+)\0")
 """A driver's name where it stands for its value."""
 
 
+# --- values -----------------------------------------------------------------------------------
+
+
 def _marked(driver: Driver) -> str:
     return f"\0{driver.name}\0"
 
 
-# --- values -----------------------------------------------------------------------------------
-
-
-def _driven(driver: Driver, value: float) -> str:
+def _driver_value(driver: Driver, value: float) -> str:
     return quantity(value, driven(driver.kind == "slide"))
+
+
+def _swept(findings: Findings, position: Position) -> str:
+    """The value of the driver by which positions are named."""
+    return _driver_value(findings.drivers[findings.swept], position.drivers[findings.swept])
 
 
 def _rate(driver: Driver, value: float) -> str:
     return quantity(value, "m/s" if driver.kind == "slide" else "rad/s")
 
 
-def _at(found: Findings, position: Position) -> str:
+def _rate_name(driver: Driver) -> str:
+    """The symbol of a driver's speed as it is typed: `omega AB`, `v ram`."""
+    return f"{'v' if driver.kind == 'slide' else 'omega'} {driver.name}"
+
+
+def _at(findings: Findings, position: Position) -> str:
     """`AB = 26.38 deg, ram = 90 mm`: the driver by which positions are named first."""
-    order = sorted(range(len(found.drivers)), key=lambda k: k != found.swept)
-    return ", ".join(f"{_marked(found.drivers[k])} = {_driven(found.drivers[k], position.drivers[k])}" for k in order)
+    order = sorted(range(len(findings.drivers)), key=lambda k: k != findings.swept)
+    drivers = [(findings.drivers[k], position.drivers[k]) for k in order]
+    return ", ".join(f"{_marked(driver)} = {_driver_value(driver, value)}" for driver, value in drivers)
 
 
-def _gravity(found: Findings) -> bool:
-    """Whether the condition itself speaks of g."""
-    wanted = found.condition
-    return isinstance(wanted, Comparison) and (wanted.size or wanted.other.rstrip().endswith("g"))
-
-
-def _values(found: Findings, position: Position, called: Callable[[str], str] = str) -> str:
-    size = isinstance(found.condition, Comparison) and found.condition.size
+def _values(findings: Findings, position: Position, called: Callable[[str], str] = str) -> str:
+    """`v_C = 0.4 m/s, ..`; accelerations in g, too, where the condition itself speaks of g."""
+    comparison = findings.condition if isinstance(findings.condition, Comparison) else None
+    size = comparison is not None and comparison.size
+    gravity = comparison is not None and (comparison.size or comparison.other.rstrip().endswith("g"))
     values = map(abs, position.values) if size else position.values
-    entries = zip(found.quantities, found.units, values)
-    shown = ((called(name), quantity(value, unit, gravity=_gravity(found))) for name, unit, value in entries)
-    return ", ".join(f"{name} = {value}" for name, value in shown)
+    entries = zip(findings.quantities, findings.units, values)
+    return ", ".join(f"{called(name)} = {quantity(value, unit, gravity=gravity)}" for name, unit, value in entries)
 
 
 # --- lines ------------------------------------------------------------------------------------
 
 
-def lines(found: Findings, lang: Lang = "en") -> Iterator[str]:
+def lines(findings: Findings, lang: Lang = "en") -> Iterator[str]:
     """Everything found, nothing twice: in signs in either language, drivers with the letter of their value."""
-    named = {driver.name: f"{_SIGNS[driver.kind == 'slide']}_{driver.name}" for driver in found.drivers}
-    factors = [name for position in found.positions for name in position.factors]
-    rates = [name for d in found.drivers for name in (_letter(d), f"omega {d.link}")]
-    typed = {name: names.asked(name) for name in (*found.quantities, *factors, *rates)}
+    named = {driver.name: f"{_SIGNS[driver.kind == 'slide']}_{driver.name}" for driver in findings.drivers}
+    factors = [name for position in findings.positions for name in position.factors]
+    rates = [name for d in findings.drivers for name in (_rate_name(d), f"omega {d.link}")]
+    typed = {name: names.symbols(name) for name in (*findings.quantities, *factors, *rates)}
     signs = re.compile("|".join(map(re.escape, sorted(typed, key=len, reverse=True))))
-    for line in dict.fromkeys(_lines(found, lang)):
+    for line in dict.fromkeys(_lines(findings, lang)):
         signed = in_print(_MARKED.sub(lambda met: named[met[1]], signs.sub(lambda met: typed[met[0]], line)))
         yield signed.replace(", ", say("common.and", lang))
 
 
-def heading(condition: Condition, lang: Lang) -> str:
-    """What is looked for, in the words of the language."""
+def caption(findings: Findings, position: Position) -> str:
+    """The text under a position on the sheet: `φ_AB = 26.38°: v_C = 0 m/s`."""
+    driver = findings.drivers[findings.swept]
+    at = f"{_SIGNS[driver.kind == 'slide']}_{driver.name} = {_swept(findings, position)}"
+    values = _values(findings, position, names.symbols)
+    return in_print(f"{at}: {values}" if values else at)
+
+
+def _heading(condition: Condition, lang: Lang) -> str:
+    """The property that is looked for, in the words of the language."""
     match condition:
         case Extreme():
             return say(f"finding.asked {condition.which}", lang, of=condition.quantity)
@@ -91,108 +109,98 @@ def heading(condition: Condition, lang: Lang) -> str:
             assert_never(condition)
 
 
-def _lines(found: Findings, lang: Lang) -> Iterator[str]:
-    wanted = found.condition
-    looked = say("common.note", lang, note=_looked(found, lang)) if found.looked else ""
-    yield heading(wanted, lang) + looked
-    if isinstance(wanted, Slowest):
-        yield from (f"  {_slow(found, entry, lang)}" for entry in found.slow)
-    elif isinstance(wanted, Scaling):
-        yield from (f"  {line}" for line in _scaling(found, wanted, lang))
+def _lines(findings: Findings, lang: Lang) -> Iterator[str]:
+    condition = findings.condition
+    yield _heading(condition, lang) + (_note(_range(findings, lang), lang) if findings.looked else "")
+    if isinstance(condition, Slowest):
+        yield from (f"  {_slow(findings, entry, lang)}" for entry in findings.slow)
+    elif isinstance(condition, Scaling):
+        yield from (f"  {line}" for line in _scaling(findings, condition, lang))
     else:
-        yield from (f"  {line}" for line in _results(found, lang))
+        yield from (f"  {line}" for line in _results(findings, lang))
 
 
-def _looked(found: Findings, lang: Lang) -> str:
-    assert found.looked is not None
-    driver = found.drivers[found.swept]
-    low, high = (_driven(driver, end) for end in found.looked)
+def _note(text: str, lang: Lang) -> str:
+    return say("common.note", lang, note=text) if text else ""
+
+
+def _range(findings: Findings, lang: Lang) -> str:
+    """The driver's range that was searched, and why it ends there."""
+    assert findings.looked is not None
+    driver = findings.drivers[findings.swept]
+    low, high = (_driver_value(driver, end) for end in findings.looked)
     text = say("finding.looked", lang, driver=_marked(driver), low=low, high=high)
-    ends = [say("finding.low end", lang, value=end) for end, stop in zip((low, high), found.stopped) if stop]
+    ends = [say("finding.low end", lang, value=end) for end, stop in zip((low, high), findings.stopped) if stop]
     if ends:
         return text + say("finding.stopped", lang, ends=say("common.list", lang).join(ends))
-    return text + (say("finding.turn", lang) if found.turn else "")
+    return text + (say("finding.turn", lang) if findings.turn else "")
 
 
-def _results(found: Findings, lang: Lang) -> Iterator[str]:
-    if found.everywhere:
-        yield _level(found, lang)
+def _results(findings: Findings, lang: Lang) -> Iterator[str]:
+    if findings.everywhere:  # a condition met everywhere, or a quantity that never changes
+        if findings.zero:
+            yield say("finding.nothing", lang)
+        elif isinstance(findings.condition, Comparison):
+            yield say("finding.everywhere", lang)
+        else:
+            yield say("finding.level", lang, values=_values(findings, findings.positions[0]))
         return
-    for position in found.positions:
-        yield _line(found, position, lang)
-    for interval in found.intervals:
-        yield _interval(found, interval, lang)
-    if found.nearest is not None:
-        at, values = _at(found, found.nearest), _values(found, found.nearest)
-        limit = isinstance(found.condition, Comparison) and found.condition.size
+    for position in findings.positions:
+        line = f"{_at(findings, position)}{say('common.colon', lang)}{_values(findings, position)}"
+        if position.factors:
+            zero = say("common.and", lang).join(f"{name} = 0" for name in position.factors)
+            yield line + say("finding.because", lang, zero=zero)
+        else:
+            yield line + _note(say(f"finding.kind {position.kind}", lang), lang)
+    for interval in findings.intervals:
+        yield _interval(findings, interval, lang)
+    if findings.nearest is not None:
+        at, values = _at(findings, findings.nearest), _values(findings, findings.nearest)
+        limit = isinstance(findings.condition, Comparison) and findings.condition.size
         missed = say("finding.not passed" if limit else "finding.none", lang) + say("common.semicolon", lang)
         yield missed + say("finding.nearest", lang, at=at, values=values)
-    elif not found.positions and not found.intervals:
+    elif not findings.positions and not findings.intervals:
         yield say("finding.none", lang)
-    yield from _swing(found, lang)
-    yield from (say(f"finding.note {note}", lang) for note in found.notes)
+    yield from _swing(findings, lang)
+    yield from (say(f"finding.note {note}", lang) for note in findings.notes)
 
 
-def _level(found: Findings, lang: Lang) -> str:
-    """A condition met everywhere, or a quantity that never changes."""
-    if found.zero:
-        return say("finding.nothing", lang)
-    if isinstance(found.condition, Comparison):
-        return say("finding.everywhere", lang)
-    return say("finding.level", lang, values=_values(found, found.positions[0]))
-
-
-def _line(found: Findings, position: Position, lang: Lang) -> str:
-    said = say(f"finding.kind {position.kind}", lang)
-    line = f"{_at(found, position)}{say('common.colon', lang)}{_values(found, position)}"
-    if position.factors:
-        zero = say("common.and", lang).join(f"{name} = 0" for name in position.factors)
-        return line + say("finding.because", lang, zero=zero)
-    return line + (say("common.note", lang, note=said) if said else "")
-
-
-def _interval(found: Findings, part: Interval, lang: Lang) -> str:
-    driver = found.drivers[found.swept]
-    ends = []
+def _interval(findings: Findings, part: Interval, lang: Lang) -> str:
+    driver, ends = _marked(findings.drivers[findings.swept]), []
     for position in (part.begin, part.end):
-        said = say("finding.kind end", lang) if position.kind == "end" else ""
-        noted = say("common.note", lang, note=said) if said else ""
-        ends.append(_driven(driver, position.drivers[found.swept]) + noted)
-    span = f"{_marked(driver)} " + say("finding.interval", lang, begin=ends[0], end=ends[1])
-    at = f"{_marked(driver)} = {_driven(driver, part.peak.drivers[found.swept])}"
-    peak = {"what": say(f"finding.kind {part.peak.kind}", lang), "values": _values(found, part.peak), "at": at}
+        kind = say("finding.kind end", lang) if position.kind == "end" else ""
+        ends.append(_swept(findings, position) + _note(kind, lang))
+    span = f"{driver} " + say("finding.interval", lang, begin=ends[0], end=ends[1])
+    at = f"{driver} = {_swept(findings, part.peak)}"
+    peak = {"what": say(f"finding.kind {part.peak.kind}", lang), "values": _values(findings, part.peak), "at": at}
     return f"{span}{say('common.colon', lang)}" + say("finding.peak", lang, **peak)
 
 
-def _swing(found: Findings, lang: Lang) -> Iterator[str]:
-    if found.swing is None or "goes round" in found.notes:
+def _swing(findings: Findings, lang: Lang) -> Iterator[str]:
+    if findings.swing is None or "goes round" in findings.notes:
         return
-    key = "finding.stroke" if found.condition.text.startswith("stroke") else "finding.swing"
-    yield say(key, lang, value=quantity(found.swing, found.units[0]))
-    if found.stroke is not None:
-        yield _phase(found, "advance", found.stroke.advance, lang)
-        yield _phase(found, "retreat", found.stroke.retreat, lang)
-        yield say("finding.ratio", lang, value=_ratio(found.stroke))
+    key = "finding.stroke" if findings.condition.text.startswith("stroke") else "finding.swing"
+    yield say(key, lang, value=quantity(findings.swing, findings.units[0]))
+    if (stroke := findings.stroke) is not None:
+        yield _phase(findings, "advance", stroke.advance, lang)
+        yield _phase(findings, "retreat", stroke.retreat, lang)
+        angles = Operand(degrees(stroke.advance.angle)) / Operand(degrees(stroke.retreat.angle))
+        ratio = f"{written(angles, stroke.ratio, _DIGITS)} = {number(stroke.ratio, digits=_DIGITS)}"
+        yield say("finding.ratio", lang, value=ratio)
 
 
-def _ratio(stroke: OutputStroke) -> str:
-    """`234.071/125.929 = 1.85876`: the driver's angles over advance and return."""
-    figures = Operand(degrees(stroke.advance.angle)) / Operand(degrees(stroke.retreat.angle))
-    return f"{written(figures, stroke.ratio, _DIGITS)} = {number(stroke.ratio, digits=_DIGITS)}"
-
-
-def _phase(found: Findings, name: str, phase: Phase, lang: Lang) -> str:
+def _phase(findings: Findings, name: str, phase: Phase, lang: Lang) -> str:
     called = say(f"finding.phase {name}", lang, way=say("finding.up" if phase.up else "finding.down", lang))
-    driver, angle = found.drivers[found.swept].name, quantity(phase.angle, "rad")
+    driver, angle = findings.drivers[findings.swept].name, quantity(phase.angle, "rad")
     text = say("finding.phase", lang, name=called, driver=driver, angle=angle)
     if phase.time is None or phase.mean is None:
         return text
-    return text + say("finding.time", lang, time=exact(phase.time), mean=quantity(phase.mean, f"{found.units[0]}/s"))
+    return text + say("finding.time", lang, time=exact(phase.time), mean=quantity(phase.mean, f"{findings.units[0]}/s"))
 
 
-def _slow(found: Findings, entry: SlowPoint, lang: Lang) -> str:
+def _slow(findings: Findings, entry: SlowPoint, lang: Lang) -> str:
     first, second = entry.points
-    data = {"at": _at(found, entry.position), "line": first + second, "speed": quantity(entry.speed, "m/s")}
+    data = {"at": _at(findings, entry.position), "line": first + second, "speed": quantity(entry.speed, "m/s")}
     if entry.along is None:
         return say("finding.alike", lang, **data)
     key = "behind" if entry.along < 0 else "beyond" if entry.along > entry.length else "between"
@@ -200,40 +208,88 @@ def _slow(found: Findings, entry: SlowPoint, lang: Lang) -> str:
     return say(f"finding.slow {key}", lang, first=first, second=second, along=along, **data)
 
 
-def _scaling(found: Findings, wanted: Scaling, lang: Lang) -> Iterator[str]:
-    order = sorted(range(len(found.drivers)), key=lambda k: k != wanted.driver)
-    for entry in found.speeds:
-        yield _speeds(found, entry, order, lang)
-    if sum(bool(driver.rate) for driver in found.drivers) > 1:
+def _scaling(findings: Findings, scaling: Scaling, lang: Lang) -> Iterator[str]:
+    order = sorted(range(len(findings.drivers)), key=lambda k: k != scaling.driver)
+    name, unit = findings.quantities[0], findings.units[0]
+    for entry in findings.speeds:
+        drivers = [(findings.drivers[k], entry.rates[k]) for k in order]
+        rates = ", ".join(f"{_rate_name(driver)} = {_rate(driver, rate)}" for driver, rate in drivers)
+        value, now = quantity(entry.position.values[0], unit), quantity(entry.value, unit)
+        text = say("finding.speeds", lang, at=_at(findings, entry.position), quantity=name, value=value, rates=rates)
+        yield text + say("finding.factor", lang, factor=exact(entry.factor), quantity=name, now=now)
+    if sum(bool(driver.rate) for driver in findings.drivers) > 1:
         yield say("finding.together", lang)
-    if any(driver.acceleration for driver in found.drivers):
-        for entry in found.speeds:
-            yield say("finding.square", lang, accelerations=_accelerations(found, entry))
+    if accelerated := [driver for driver in findings.drivers if driver.acceleration]:
+        for entry in findings.speeds:
+            units = ["m/s^2" if driver.kind == "slide" else "rad/s^2" for driver in accelerated]
+            sizes = [quantity(d.acceleration * entry.factor**2, unit) for d, unit in zip(accelerated, units)]
+            accelerations = ", ".join(f"{driver.name}: {size}" for driver, size in zip(accelerated, sizes))
+            yield say("finding.square", lang, accelerations=accelerations)
 
 
-def _speeds(found: Findings, entry: Speeds, order: list[int], lang: Lang) -> str:
-    names = [f"{_letter(found.drivers[k])} = {_rate(found.drivers[k], entry.rates[k])}" for k in order]
-    name, unit = found.quantities[0], found.units[0]
-    value, now = quantity(entry.position.values[0], unit), quantity(entry.value, unit)
-    at, rates = _at(found, entry.position), ", ".join(names)
-    text = say("finding.speeds", lang, at=at, quantity=name, value=value, rates=rates)
-    return text + say("finding.factor", lang, factor=exact(entry.factor), quantity=name, now=now)
+# --- a table: how many columns depends on the condition alone -----------------------------------
 
 
-def _letter(driver: Driver) -> str:
-    """What a driver's speed is called: `omega AB`, `v ram`."""
-    return f"{'v' if driver.kind == 'slide' else 'omega'} {driver.name}"
+def finding_table(varying: VaryingTable, lang: Lang = "en") -> Iterator[str]:
+    """A row for each value."""
+    shown = [entry.found for entry in varying.rows if entry.found is not None]
+    yield rewritten(_heading(shown[0].condition, lang), names.symbols) if shown else varying.condition
+    unit = EDGE[{"length": "m", "angle": "rad"}.get(varying.place.kind, "1")]
+    name = f"{varying.name} [{unit.name}]" if unit.name else varying.name
+    heads = [name, *(_columns(shown[0], lang) if shown else [])]
+    rows = [heads]
+    for row in varying.rows:
+        cells = _cells(row.found) if row.found is not None else ["-"] * (len(heads) - 1)
+        rows.append([exact(row.value * unit.factor), *cells])
+    head, *printed = table([[in_print(cell) for cell in row] for row in rows])
+    yield head
+    for row, line in zip(varying.rows, printed):
+        yield line if row.error is None else f"{line}  {row.error.message(lang)}"
 
 
-def _accelerations(found: Findings, entry: Speeds) -> str:
-    pairs = [(driver, driver.acceleration * entry.factor**2) for driver in found.drivers if driver.acceleration]
-    units = {"slide": "m/s^2"}
-    return ", ".join(f"{driver.name}: {quantity(a, units.get(driver.kind, 'rad/s^2'))}" for driver, a in pairs)
+def _columns(findings: Findings, lang: Lang) -> list[str]:
+    """Names of the columns."""
+    at = say("finding.column at", lang, driver=findings.drivers[findings.swept].name)
+    match findings.condition:
+        case Extreme(which="stroke"):
+            return [*(say(f"finding.column {key}", lang) for key in ("min", "max", "stroke")), "K"]
+        case Extreme(which="range"):
+            return [say(f"finding.column {key}", lang) for key in ("min", "max", "swing")]
+        case Extreme(which=which):
+            return [say(f"finding.column {which}", lang), at]
+        case Comparison():
+            return [at]
+        case Scaling():
+            return [driver.name for driver in findings.drivers]
+        case Slowest():
+            first = findings.slow[0].points[0] if findings.slow else ""
+            return [say("finding.column along", lang, first=first), say("finding.column speed", lang)]
+        case _:
+            assert_never(findings.condition)
 
 
-def caption(found: Findings, position: Position) -> str:
-    """What stands under a position on the sheet: `φ_AB = 26.38°: v_C = 0 m/s`."""
-    driver, value = found.drivers[found.swept], position.drivers[found.swept]
-    at = f"{_SIGNS[driver.kind == 'slide']}_{driver.name} = {_driven(driver, value)}"
-    values = _values(found, position, names.asked)
-    return in_print(f"{at}: {values}" if values else at)
+def _cells(findings: Findings) -> list[str]:
+    """The cells of one row; `-` for what is not there."""
+    match findings.condition:
+        case Extreme(which="max" | "min"):
+            chosen = [p for p in findings.positions if p.kind != "largest"]
+            value = quantity(chosen[0].values[0], findings.units[0]) if chosen else "-"
+            return [value, ", ".join(_swept(findings, p) for p in chosen) or "-"]
+        case Extreme(which=which):
+            ends = [p.values[0] for p in findings.positions] or [0.0]
+            swing = 0.0 if findings.everywhere else findings.swing
+            sizes = [min(ends), max(ends), swing]
+            cells = ["-" if size is None else quantity(size, findings.units[0]) for size in sizes]
+            return cells if which == "range" else [*cells, exact(findings.stroke.ratio) if findings.stroke else "-"]
+        case Comparison():
+            places = [_swept(findings, p) for p in findings.positions]
+            places += [f"{_swept(findings, part.begin)} .. {_swept(findings, part.end)}" for part in findings.intervals]
+            return ["=" if findings.everywhere else ", ".join(places) or "-"]
+        case Scaling():
+            rates = findings.speeds[0].rates if findings.speeds else ()
+            return [_rate(driver, rate) for driver, rate in zip(findings.drivers, rates)]
+        case Slowest():
+            first = findings.slow[0]
+            return ["-" if first.along is None else quantity(first.along, "m"), quantity(first.speed, "m/s")]
+        case _:
+            assert_never(findings.condition)

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from math import degrees
 
 from graphkin.errors import Lang
-from graphkin.model.mechanism import FRAME, Driver, Mechanism
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.say.catalogue import LANGUAGES, in_both, say
-from graphkin.say.figures import figures, written
+from graphkin.say.figures import Formula, figures, squared, written
 from graphkin.say.numbers import angle, exact, millimetres, number
-from graphkin.say.transmission import cosine
 from graphkin.studies.linkages import FAMILY, FoundLinkage, Linkage, Report, filed, inverted, report
 from graphkin.studies.linkages.equal import EVEN
 from graphkin.studies.linkages.linkage import LinkagePosition
 
 _DIGITS = 5
 """Of K."""
+_COSINE_DIGITS = 6
+"""An angle follows from its cosine, so this has more than what is read off paper."""
 
 HELD_BLOCKS = ("oscillating guide bar", "rotating guide bar", "slider-crank", "rocker-slider")
 """Kinds that have a name of their own where the block is joined to the frame."""
@@ -38,35 +39,34 @@ def kind_name(report: Report, lang: Lang) -> str:
 
 def found_lines(found: FoundLinkage, report: Report, lang: Lang) -> Iterator[str]:
     """Lines of a linkage found in a mechanism: which links it is made of first."""
-    yield say("linkages.links", lang, links=say("common.list", lang).join(_links(found, lang)))
+    pin = found.linkage.names[1] if "bar" in found.linkage.called else ""  # one that runs in a slot is no link
+    links = (say("linkages.pin", lang, point=link) if link == pin else link for link in found.links)
+    yield say("linkages.links", lang, links=_list(links, lang))
     yield from lines(report, lang)
     if found.driven != "driver":
         key = "behind" if found.before is not None else found.driven
         yield say(f"linkages.found {key}", lang, driver=report.driver)
 
 
-def _links(found: FoundLinkage, lang: Lang) -> Iterator[str]:
-    """What the links are called; a pin that runs in a slot is none, and called so."""
-    pin = found.linkage.names[1] if "bar" in found.linkage.called else ""
-    for link in found.links:
-        yield say("linkages.pin", lang, point=link) if link == pin else link
-
-
 def lines(report: Report, lang: Lang) -> Iterator[str]:
-    """What a linkage is and does, one sentence a line."""
-    told = (f"{name} = {millimetres(value)}" for name, value in report.linkage.sizes.items())
-    sizes = say("common.and", lang).join(told)
-    yield f"{kind_name(report, lang)}{say('common.colon', lang)}{sizes}"
+    """All that a linkage is and does, one sentence a line."""
+    lengths = (f"{name} = {millimetres(value)}" for name, value in report.linkage.sizes.items())
+    yield f"{kind_name(report, lang)}{say('common.colon', lang)}{say('common.and', lang).join(lengths)}"
     yield say("linkages.drives", lang, driver=report.driver, output=report.output)
     yield _sums(report, lang)
-    yield say(f"linkages.why {report.kind}", lang, **_parts(report), reach=_reach(report))
+    links = {"driver": report.driver, "output": report.output, **report.linkage.called}
+    yield say(f"linkages.why {report.kind}", lang, **links, reach=_reach(report))
     yield from _equal(report, lang)
     yield from _turns(report, lang)
     yield from _limits(report, lang)
     yield from _ratio(report, lang)
     yield from _gamma(report, lang)
     yield from _dead(report, lang)
-    yield from _advantage(report, lang)
+    if (advantage := report.advantage) is not None:
+        value = f"{number(advantage.least)}{' N/(N·m)' if report.output_slides else ''}"
+        words = {"at": amount(report, advantage.at), "value": value, "driver": report.driver}
+        endless = say("linkages.endless", lang) if advantage.endless else ""
+        yield say("linkages.advantage", lang, endless=endless, **words)
 
 
 def amount(report: Report, value: float) -> str:
@@ -74,13 +74,11 @@ def amount(report: Report, value: float) -> str:
     return millimetres(value) if report.driver_slides else angle(value)
 
 
-def _place(report: Report, value: float) -> str:
-    return millimetres(value) if report.output_slides else angle(value)
+def _list(parts: Iterable[str], lang: Lang) -> str:
+    return say("common.list", lang).join(parts)
 
 
-def _parts(report: Report) -> dict[str, str]:
-    """What the links are called."""
-    return {"driver": report.driver, "output": report.output, **report.linkage.called}
+# --- lengths ------------------------------------------------------------------------------------
 
 
 def _reach(report: Report) -> str:
@@ -89,9 +87,9 @@ def _reach(report: Report) -> str:
     if report.kind != "rocker-slider":
         return ""
     crank, rod = names["crank"], names["coupler"]
-    parts, total = (sizes[crank], abs(sizes["e"])), sizes[crank] + abs(sizes["e"])
-    figures = " + ".join(exact(part * 1e3) for part in parts)
-    return f"{crank} + |e| = {figures} = {millimetres(total)} > {rod} = {millimetres(sizes[rod])}"
+    parts = (sizes[crank], abs(sizes["e"]))
+    added = " + ".join(exact(part * 1e3) for part in parts)
+    return f"{crank} + |e| = {added} = {millimetres(sum(parts))} > {rod} = {millimetres(sizes[rod])}"
 
 
 def _sums(report: Report, lang: Lang) -> str:
@@ -121,29 +119,30 @@ def _equal(report: Report, lang: Lang) -> Iterator[str]:
         group = next((group for group in alike if abs(sizes[group[0]] - value) <= EVEN * total), None)
         alike.append([name]) if group is None else group.append(name)
     if equal := [" = ".join(group) for group in alike if len(group) > 1]:
-        yield say("linkages.equal", lang, pairs=say("common.list", lang).join(equal))
+        yield say("linkages.equal", lang, pairs=_list(equal, lang))
+
+
+# --- motion -------------------------------------------------------------------------------------
 
 
 def _turns(report: Report, lang: Lang) -> Iterator[str]:
     frame = say("linkages.frame", lang)
     for full in (True, False):
-        pairs = [
-            f"{turn.first}–{frame if turn.second == FRAME else turn.second}"
-            for turn in report.turns if turn.full == full
-        ]  # fmt: skip
-        joined = say("common.list", lang).join(pairs) or say("linkages.nothing", lang)
+        turns = [turn for turn in report.turns if turn.full == full]
+        pairs = [f"{turn.first}–{frame if turn.second == FRAME else turn.second}" for turn in turns]
+        joined = _list(pairs, lang) or say("linkages.nothing", lang)
         yield say("linkages.full" if full else "linkages.rocks", lang, pairs=joined)
 
 
 def _how(report: Report, end: LinkagePosition, lang: Lang) -> str:
-    """What is in line, or at right angles, in words."""
+    """The links in line, or at right angles, in words."""
     called = report.linkage.called
     driver = called["crank"] if report.slide else report.driver
     return say(f"linkages.how {end.how}", lang, driver=driver, middle=called.get("coupler", ""))
 
 
 def _limits(report: Report, lang: Lang) -> Iterator[str]:
-    span = report.driver_span
+    span, words = report.driver_span, {"driver": report.driver, "output": report.output}
     if span.full:
         yield say("linkages.turns", lang, driver=report.driver)
     else:
@@ -153,10 +152,9 @@ def _limits(report: Report, lang: Lang) -> Iterator[str]:
         yield say("linkages.no limits", lang, output=report.output)
         return
     for nth, end in enumerate(report.limits, start=1):
-        text = say(
-            "linkages.limit", lang, number=nth, how=_how(report, end, lang), driver=report.driver,
-            value=amount(report, end.driver), output=report.output, place=_place(report, end.output),
-        )  # fmt: skip
+        value, place = amount(report, end.driver), (millimetres if report.output_slides else angle)(end.output)
+        how = _how(report, end, lang)
+        text = say("linkages.limit", lang, number=nth, how=how, value=value, place=place, **words)
         yield text + ("" if end.gamma is None else say("linkages.and gamma", lang, gamma=angle(end.gamma)))
     if report.swing is not None:
         yield say("linkages.swing", lang, output=report.output, value=angle(report.swing))
@@ -165,21 +163,32 @@ def _limits(report: Report, lang: Lang) -> Iterator[str]:
 
 
 def _ratio(report: Report, lang: Lang) -> Iterator[str]:
+    """`K = (180 + 29.859)/(180 − 29.859) = 1.3977`, and the slow stroke."""
     if report.k is None or report.theta is None:
         if report.limits:
             yield say("linkages.undetermined" if report.kind == "change-point" else "linkages.no ratio", lang)
     elif report.slow is None:
         yield say("linkages.no quick return", lang)
     else:
-        yield say("linkages.theta", lang, theta=angle(report.theta), k=_k(report.theta, report.k))
+        half, theta = figures(180.0, degrees(report.theta))
+        formula = written((half + theta) / (half - theta), report.k, _DIGITS)
+        k = f"{formula} = {number(report.k, digits=_DIGITS)}"
+        yield say("linkages.theta", lang, theta=angle(report.theta), k=k)
         one, other = (number + 1 for number in report.slow)
         yield say("linkages.slow", lang, one=one, other=other, driver=report.timed_by or report.driver)
 
 
-def _k(theta: float, k: float) -> str:
-    """`(180 + 29.859)/(180 − 29.859) = 1.3977`."""
-    half, found = figures(180.0, degrees(theta))
-    return f"{written((half + found) / (half - found), k, _DIGITS)} = {number(k, digits=_DIGITS)}"
+def _dead(report: Report, lang: Lang) -> Iterator[str]:
+    for driver, values in report.dead.items():
+        if values:
+            shown = _list(map(millimetres if driver == report.slide else angle, values), lang)
+            along = report.output != driver == report.slide and driver == "s"
+            yield say("linkages.dead along" if along else "linkages.dead", lang, driver=driver, values=shown)
+        else:
+            yield say("linkages.no dead", lang, driver=driver)
+
+
+# --- transmission angles ------------------------------------------------------------------------
 
 
 def _gamma(report: Report, lang: Lang) -> Iterator[str]:
@@ -191,32 +200,59 @@ def _gamma(report: Report, lang: Lang) -> Iterator[str]:
     else:
         for end in report.critical:
             words = {"gamma": angle(end.gamma or 0.0), "how": _how(report, end, lang)}
-            words["cosine"] = say("linkages.cosine", lang, cosine=found) if (found := cosine(report, end)) else ""
+            cosine = _cosine(report, end)
+            words["cosine"] = say("linkages.cosine", lang, cosine=cosine) if cosine else ""
             yield say("linkages.gamma", lang, **words, driver=report.driver, value=amount(report, end.driver))
-        values = say("common.list", lang).join(amount(report, end.driver) for end in report.least)
+        values = _list((amount(report, end.driver) for end in report.least), lang)
         words = {"gamma": angle(least), "alpha": angle(alpha)}
         yield say("linkages.least", lang, **words, driver=report.driver, values=values)
 
 
-def _dead(report: Report, lang: Lang) -> Iterator[str]:
-    for driver, values in report.dead.items():
-        if values:
-            told = (millimetres(value) if driver == report.slide else angle(value) for value in values)
-            said = say("common.list", lang).join(told)
-            along = report.output != driver == report.slide and driver == "s"
-            yield say("linkages.dead along" if along else "linkages.dead", lang, driver=driver, values=said)
-        else:
-            yield say("linkages.no dead", lang, driver=driver)
+def _cosine(report: Report, end: LinkagePosition) -> str:
+    """`cos γ = (BC² + CD² − (AD − AB)²)/(2 × BC × CD) = (48² + 55² − 30²)/(2 × 48 × 55) = 0.838826`.
+
+    Of the two positions with the driver on the frame's line, and of the two with the crank across the guide; "" of
+    others.
+    """
+    names = report.linkage.called
+    if "rocker" in names and end.how in ("inner", "outer"):
+        name, numbers, value = _on_the_frame(report, end.how == "inner")
+    elif "slider" in names and end.how in ("near", "far"):
+        name, numbers, value = _across_the_guide(report, end.how == "far")
+    else:
+        return ""
+    return f"cos γ = {name} = {written(numbers, value, _COSINE_DIGITS)} = {number(value, digits=_COSINE_DIGITS)}"
 
 
-def _advantage(report: Report, lang: Lang) -> Iterator[str]:
-    found = report.advantage
-    if found is None:
-        return
-    unit = " N/(N·m)" if report.output_slides else ""
-    endless = say("linkages.endless", lang) if found.endless else ""
-    value, at = f"{number(found.least)}{unit}", amount(report, found.at)
-    yield say("linkages.advantage", lang, value=value, driver=report.driver, at=at, endless=endless)
+def _on_the_frame(report: Report, inner: bool) -> tuple[str, Formula, float]:
+    """In the triangle of coupler, output and the line between their outer hinges."""
+    names = report.linkage.called
+    output = names["rocker" if report.driver == names["crank"] else "crank"]
+    b, c, d, a = links = (names["coupler"], output, names["frame"], report.driver)
+    coupler, rocker, frame, driver = (report.linkage.sizes[link] * 1e3 for link in links)
+    base = abs(frame - driver) if inner else frame + driver
+    line, twice = f"({d} {'−' if inner else '+'} {a})²", f"(2 × {b} × {c})"
+    two, one, other = figures(2, coupler, rocker)
+    value = (coupler**2 + rocker**2 - base**2) / (2 * coupler * rocker)
+    if value >= 0:
+        above, shown = f"{b}² + {c}² − {line}", squared(coupler) + squared(rocker) - squared(base)
+    else:
+        above, shown = f"{line} − {b}² − {c}²", squared(base) - squared(coupler) - squared(rocker)
+    return f"({above})/{twice}", shown / (two * one * other), abs(value)
+
+
+def _across_the_guide(report: Report, far: bool) -> tuple[str, Formula, float]:
+    """From how far the crank's end is from the guide."""
+    names = report.linkage.called
+    crank, rod, offset = (abs(report.linkage.sizes[link] * 1e3) for link in (names["crank"], names["coupler"], "e"))
+    (a, one), (e, aside), (long,) = (names["crank"], crank), ("|e|", offset), figures(rod)
+    if not offset:
+        return f"{a}/{names['coupler']}", figures(crank)[0] / long, crank / rod
+    if not far and offset > crank:
+        (a, one), (e, aside) = (e, aside), (a, one)
+    first, second = figures(one, aside)
+    above, sign = (first + second, "+") if far else (first - second, "−")
+    return f"({a} {sign} {e})/{names['coupler']}", above / long, abs(one + aside if far else one - aside) / rod
 
 
 # --- kinds and files -----------------------------------------------------------------------------
@@ -226,8 +262,7 @@ def family_lines(lang: Lang) -> Iterator[str]:
     """One line a kind: its name, and where the library has it."""
     for member in FAMILY:
         name = kind_name(report(member.linkage), lang)
-        files = say("common.colon", lang) + say("common.list", lang).join(member.library)
-        yield name + (files if member.library else "")
+        yield name + (say("common.colon", lang) + _list(member.library, lang) if member.library else "")
 
 
 def titled(linkage: Linkage, headline: str = "") -> Mechanism:
@@ -239,12 +274,9 @@ def titled(linkage: Linkage, headline: str = "") -> Mechanism:
 def held(mechanism: Mechanism, link: str) -> Mechanism:
     """The mechanism with another link (as people call it) held fast, with its title and its file. Raises NoFixing."""
     title = {lang: say("linkages.fixed", lang, title=mechanism.headline(lang), link=link) for lang in LANGUAGES}
-    notes = [_note(mechanism, driver, link) for driver in mechanism.drivers]
+    notes = []
+    for driver in mechanism.drivers:
+        key = "slide" if driver.kind == "slide" else "frame" if link in (driver.link, driver.from_link) else "moving"
+        one, two = mechanism.called(driver.link), mechanism.called(driver.from_link)
+        notes.append(" ".join(in_both(f"linkages.driven {key}", one=one, two=two).values()))
     return filed(replace(inverted(mechanism, link), title=title), notes)
-
-
-def _note(mechanism: Mechanism, driver: Driver, fixed: str) -> str:
-    """What becomes of a driver, in both languages."""
-    key = "slide" if driver.kind == "slide" else "frame" if fixed in (driver.link, driver.from_link) else "moving"
-    one, two = mechanism.called(driver.link), mechanism.called(driver.from_link)
-    return " ".join(in_both(f"linkages.driven {key}", one=one, two=two).values())

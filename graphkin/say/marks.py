@@ -1,23 +1,25 @@
-"""What was handed in, marked: its values, the arithmetic, and what the wrong ones are consistent with."""
+"""Submissions marked: values, verdicts, the arithmetic, and the mistakes that wrong values are consistent with."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
+from typing import Literal, Protocol
 
 from graphkin.errors import Lang
-from graphkin.marking.diagnosis import Explanation
 from graphkin.marking.graded import Graded
-from graphkin.marking.marked import Judged, Marked
+from graphkin.marking.key import Name
+from graphkin.marking.marked import Judged, Marked, Verdict
 from graphkin.model.quantities import EDGE
-from graphkin.say.catalogue import say
-from graphkin.say.mistakes import once, together
+from graphkin.say.catalogue import is_phrase, say
 from graphkin.say.numbers import number
 from graphkin.say.text_table import aligned
-from graphkin.say.verdicts import verdict
 
 _SETS = 4
 """Mistakes of one set that are written out; of more the number is said."""
+
+
+# --- one submission -----------------------------------------------------------------------------
 
 
 def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
@@ -29,9 +31,12 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
         return
     score = "–" if marked.score is None else f"{marked.score:.2f}"
     yield say("marks.student", lang, student=graded.student, file=graded.file, score=score)
-    yield from (f"  {row}" for row in table([_header(lang), *(_row(one, lang) for one in marked.judged)]))
+    heads = ("marks.column quantity", "marks.column given", "marks.column right value", "verdicts.tolerance",
+             "marks.column unit", "marks.column verdict")  # fmt: skip
+    rows = [[say(name, lang) for name in heads], *(_row(one, lang) for one in marked.judged)]
+    yield from (f"  {row}" for row in marks_table(rows))
     yield from (f"  {line}" for line in _arithmetic(marked, lang))
-    yield from (f"  {line}" for line in _mistakes(marked, lang))
+    yield from (f"  {line}" for line in _explanations(marked, lang))
     yield from (f"  {say('marks.note', lang, note=note.message(lang))}" for note in graded.notes)
 
 
@@ -40,60 +45,109 @@ def interrupted(path: Path, lang: Lang) -> str:
     return say("marks.interrupted", lang, path=path)
 
 
-def table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
+def marks_table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
     """Columns side by side, the first and the last to the left."""
     return (line.rstrip() for line in aligned(rows, "<" + ">" * (len(rows[0]) - 2) + "<"))
 
 
-def shown(value: float, unit: str) -> str:
+def edge_value(value: float, unit: str) -> str:
     """A value in its unit at the edge, in four digits."""
     return number(value * EDGE[unit].factor)
 
 
-def _header(lang: Lang) -> list[str]:
-    names = [
-        "marks.column quantity", "marks.column given", "marks.column right value", "verdicts.tolerance",
-        "marks.column unit", "marks.column verdict",
-    ]  # fmt: skip
-    return [say(name, lang) for name in names]
-
-
 def _row(one: Judged, lang: Lang) -> list[str]:
-    given = "" if one.given is None else shown(one.given, one.unit)
-    untold = one.verdict in ("dead point", "too small")
-    right, tolerance = shown(one.right, one.unit), "–" if untold else f"±{shown(one.tolerance, one.unit)}"
-    return [one.text, given, right, tolerance, EDGE[one.unit].sign, verdict(one, lang)]
+    given = "" if one.given is None else edge_value(one.given, one.unit)
+    no_tolerance = one.verdict in ("dead point", "too small")
+    tolerance = "–" if no_tolerance else f"±{edge_value(one.tolerance, one.unit)}"
+    return [one.text, given, edge_value(one.right, one.unit), tolerance, EDGE[one.unit].sign, verdict(one, lang)]
 
 
 def _arithmetic(marked: Marked, lang: Lang) -> Iterator[str]:
-    """What was judged with what."""
+    """Values judged with the student's own earlier ones, and those that were not carried on."""
     units = {one.text: one.unit for one in marked.judged}
+    between = say("common.list", lang)
     for one in marked.judged:
         if one.own and one.carried is not None:
-            values = (f"{text} = {shown(value, units[text])}" for text, value in one.own.items())
-            yes = "yes" if one.verdict == "carried" else "no"
-            yield say(f"marks.judged with {yes}", lang, own=say("common.list", lang).join(values), quantity=one.text,
-                      value=shown(one.carried, one.unit))  # fmt: skip
+            own = between.join(f"{text} = {edge_value(value, units[text])}" for text, value in one.own.items())
+            yes, value = "yes" if one.verdict == "carried" else "no", edge_value(one.carried, one.unit)
+            yield say(f"marks.judged with {yes}", lang, own=own, quantity=one.text, value=value)
     refused = dict.fromkeys(text for one in marked.judged if one.verdict == "wrong" for text in one.refused)
     if refused:
-        yield say("marks.not carried", lang, own=say("common.list", lang).join(refused))
+        yield say("marks.not carried", lang, own=between.join(refused))
 
 
-def _mistakes(marked: Marked, lang: Lang) -> Iterator[str]:
-    """Of numbers; a unit that alone is wrong has been told."""
+def _explanations(marked: Marked, lang: Lang) -> Iterator[str]:
+    """Of wrong numbers; a unit that alone is wrong stands in its verdict."""
     if not any(one.verdict in ("wrong", "carried") and one.unit_right for one in marked.judged):
         return
     if not marked.diagnosis.explanations:
         yield say("marks.none fits", lang)
     for explanation in marked.diagnosis.explanations:
-        told = "marks.consistent" if len(explanation.names) == 1 else "marks.cannot tell"
-        yield say(
-            told, lang, what=_set(explanation, lang),
-            probability=f"{explanation.probability:.0%}", explains=say("common.list", lang).join(explanation.explains),
-        )  # fmt: skip
+        key = "marks.consistent" if len(explanation.names) == 1 else "marks.cannot tell"
+        explains = say("common.list", lang).join(explanation.explains)
+        texts = distinct_mistakes(mistakes_together(names, lang) for names in explanation.names)
+        more = [say("marks.more", lang, count=len(texts) - _SETS)] if len(texts) > _SETS else []
+        what = say("marks.or", lang).join([*texts[:_SETS], *more])
+        yield say(key, lang, what=what, probability=f"{explanation.probability:.0%}", explains=explains)
 
 
-def _set(explanation: Explanation, lang: Lang) -> str:
-    texts = once(together(names, lang) for names in explanation.names)
-    more = [say("marks.more", lang, count=len(texts) - _SETS)] if len(texts) > _SETS else []
-    return say("marks.or", lang).join([*texts[:_SETS], *more])
+# --- verdicts -----------------------------------------------------------------------------------
+
+
+class VerdictData(Protocol):
+    """The data that a verdict is worded by."""
+
+    @property
+    def verdict(self) -> Verdict: ...
+    @property
+    def sense(self) -> Literal["right", "wrong"] | None: ...
+    @property
+    def unit(self) -> str: ...
+    @property
+    def unit_right(self) -> bool: ...
+    @property
+    def credit(self) -> float: ...
+
+
+def verdict(one: VerdictData, lang: Lang) -> str:
+    """A verdict, the same everywhere, with what is wrong where that is the unit or the sense alone."""
+    if one.verdict != "wrong":
+        return say(f"verdicts.verdict {one.verdict}", lang)
+    if not one.unit_right:
+        return say("verdicts.verdict wrong unit", lang)
+    if not (one.credit > 0 and one.sense == "wrong"):
+        return say("verdicts.verdict wrong", lang)
+    return say(f"verdicts.verdict wrong {'direction' if one.unit in ('m/s', 'm/s^2') else 'sense'}", lang)
+
+
+# --- mistakes -----------------------------------------------------------------------------------
+
+
+def mistake(name: Name, lang: Lang) -> str:
+    """A mistake as it was made, a noun phrase; one that is not known here by its id."""
+    id, way, of, form = name
+    for made in (f"mistakes.made {id} {way}", f"mistakes.made {id}"):
+        if is_phrase(made):
+            return say(made, lang, of=of, form=form)
+    return id
+
+
+def mistakes_together(names: tuple[Name, ...], lang: Lang) -> str:
+    """Mistakes that were made together."""
+    return say("marks.together", lang).join(mistake(name, lang) for name in names)
+
+
+def distinct_mistakes(texts: Iterable[str]) -> list[str]:
+    """Each once, and not again with more behind it, as `.., and carried on`: these cannot be told apart."""
+    each = list(dict.fromkeys(texts))
+    return [text for text in each if not any(text.startswith((f"{other}, ", f"{other}，")) for other in each)]
+
+
+def mistake_kind(id: str, lang: Lang) -> str:
+    """A mistake by itself, whatever it was made with."""
+    return say(f"mistakes.kind {id}", lang) if is_phrase(f"mistakes.kind {id}") else id
+
+
+def mistake_hint(topic: str, lang: Lang) -> str:
+    """The place to look at again, by a mistake's topic."""
+    return say(f"mistakes.look {topic}", lang)

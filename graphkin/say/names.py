@@ -1,4 +1,4 @@
-"""How points, vectors, links and quantities are written in plain text: `b3′`, `aᵏ_B3B2`, `ω3`, `l_BD`."""
+"""Points, vectors, links and quantities in plain text: `b3′`, `aᵏ_B3B2`, `ω3`, `l_BD`."""
 
 from __future__ import annotations
 
@@ -18,6 +18,13 @@ RATE: dict[Plane, str] = {"position": "θ", "velocity": "ω", "acceleration": "�
 SLIDING: dict[Plane, str] = {"position": "s", "velocity": "ṡ", "acceleration": "s̈"}
 
 _RAISED = {"n": "ⁿ", "t": "ᵗ", "k": "ᵏ", "r": "ʳ"}
+_GREEK = {"theta": "θ", "omega": "ω", "alpha": "α"}
+_COUNTED = re.compile(r"(?<=[a-z])(\w*\d)_(\d+)(?=')")
+"""The second corner of one letter and link: n4,1'."""
+_STARTS = " origin"
+_OPEN, _CLOSE = "\ue000", "\ue001"
+_MARKED = re.compile(f"{_OPEN}(.*?){_CLOSE}")
+_DEGREES = r" ?\bdeg\b"
 
 
 @lru_cache(4096)
@@ -32,25 +39,15 @@ def point(name: str) -> str:
     """
     if name.startswith("*") or name.endswith(_STARTS):
         return f"{_OPEN}{name}{_CLOSE}"
-    return _primed(_COUNTED.sub(r"\1,\2", spelled(name))).replace("@", "_")
-
-
-def _primed(name: str) -> str:
-    return name.replace("'''", "‴").replace("''", "″").replace("'", "′")
-
-
-_COUNTED = re.compile(r"(?<=[a-z])(\w*\d)_(\d+)(?=')")
-"""The second corner of one letter and link: n4,1'."""
-_STARTS = " origin"
-_OPEN, _CLOSE = "\ue000", "\ue001"
-_MARKED = re.compile(f"{_OPEN}(.*?){_CLOSE}")
+    text = _COUNTED.sub(r"\1,\2", spelled(name)).replace("@", "_")
+    return text.replace("'''", "‴").replace("''", "″").replace("'", "′")
 
 
 def lettered(text: str, letters: dict[str, str], free: Iterator[str]) -> str:
     """Points without a letter take the next that is free, and keep it."""
 
-    def letter(found: re.Match[str]) -> str:
-        return letters[found[1]] if found[1] in letters else letters.setdefault(found[1], next(free))
+    def letter(mark: re.Match[str]) -> str:
+        return letters[mark[1]] if mark[1] in letters else letters.setdefault(mark[1], next(free))
 
     return _MARKED.sub(letter, text)
 
@@ -72,26 +69,24 @@ def arrow(tail: str, head: str) -> str:
 
 def pair(first: str, second: str) -> str:
     """Two points of the mechanism in the order a textbook writes them: AB, BD, CD; OA, O1B."""
-    return "".join(point(name) for name in sorted((first, second), key=_place_in_line))
-
-
-def _place_in_line(name: str) -> tuple[bool, str]:
-    return not name.startswith("O"), name
+    return "".join(map(point, sorted((first, second), key=lambda name: (not name.startswith("O"), name))))
 
 
 def vector(name: str) -> str:
     """`a^k_B3B2` as `aᵏ_B3B2`; two on one line as `(v_DG + v_S4D)`."""
     if "+" in name:
         return "(" + " + ".join(vector(half) for half in name.split("+")) + ")"
-    letter, part, low = re.fullmatch(r"(\w)(?:\^(\w+))?_(.+)", name).groups()  # type: ignore[union-attr]
+    parts = re.fullmatch(r"(\w)(?:\^(\w+))?_(.+)", name)
+    assert parts is not None, name
+    letter, part, low = parts.groups()
     sites = f"{{{point(low)}}}" if "@" in low else point(low)
     return letter + "".join(_RAISED[c] for c in part or "") + "_" + sites
 
 
-def asked(text: str) -> str:
+def symbols(text: str) -> str:
     """A question as the field writes it: `aᵏ_B3B2` of `a_k B3B2`, `v_E,x` of `v_x E`, `ω3` of `omega 3`."""
     if " / " in text:
-        return " / ".join(map(asked, text.split(" / ")))
+        return " / ".join(map(symbols, text.split(" / ")))
     word, _, of = text.partition(" ")
     letter, _, part = word.partition("_")
     sign = _GREEK.get(letter, letter)
@@ -102,9 +97,6 @@ def asked(text: str) -> str:
     if part in ("x", "y"):
         return f"{sign}_{point(of)},{part}"
     return sign + "".join(_RAISED[c] for c in part) + "_" + point(of)
-
-
-_GREEK = {"theta": "θ", "omega": "ω", "alpha": "α"}
 
 
 def of_link(symbol: str, link: str) -> str:
@@ -123,11 +115,8 @@ def of_slide(symbol: str, slide: str) -> str:
     return f"{symbol}_{slide}"
 
 
-_DEGREES = r" ?\bdeg\b"
-
-
 def in_signs(text: str, lang: Lang) -> str:
     """Quantities and units as they are typed, in Chinese as they are written: `omega 3` as ω3, `rad/s^2` as rad/s²."""
     if lang != "zh":
         return text
-    return re.sub(_DEGREES, "°", rewritten(text, asked)).replace("/s^2", "/s²")
+    return re.sub(_DEGREES, "°", rewritten(text, symbols)).replace("/s^2", "/s²")

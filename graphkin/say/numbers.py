@@ -1,12 +1,12 @@
-"""How a figure is written: four significant digits where it is read off paper, six where it is computed.
+"""Figures in print: four significant digits where they are read off paper, six where they are computed.
 
 One rule for all: zeros at the end are kept, so that a figure of fewer digits is exact. 9.1 is 9.1; 9.1002 is 9.100.
 
     number, degrees             in a construction and about instant centres
-    given                       what a problem gives
+    given_figure, sensed        what a problem gives
     exact, quantity, at_edge    in tables and answers, in the units of the edge
     millimetres, angle          of a linkage
-    Figure                      in a sentence that says itself how its figures are written: `{theta:deg}`, `{a:mm}`
+    SentenceNumber              in a sentence that says itself how its figures are written: `{theta:deg}`, `{a:mm}`
 """
 
 from __future__ import annotations
@@ -17,14 +17,17 @@ import re
 from collections.abc import Callable
 from itertools import pairwise
 
+from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE, IN_GRAVITY
 from graphkin.model.quantities.digits import significant
+from graphkin.say.catalogue import say
 
 DIGITS = 4
 """Of what is read off paper."""
 _COMPUTED = 6
 _PLAIN = range(-6, 9)
 """Powers of ten that are still written out."""
+
 
 def number(value: float, zero: float = 0.0, digits: int = DIGITS) -> str:
     """`27.12`, `69.2`, `−3.919`, `0`; `1.2e−12` only where nobody would count the zeros.
@@ -35,22 +38,32 @@ def number(value: float, zero: float = 0.0, digits: int = DIGITS) -> str:
         return "0"
     text = significant(value, digits)
     mantissa, _, exponent = text.partition("e")
-    if exponent:
-        text = _in_full(text) if int(exponent) in _PLAIN else f"{mantissa}e{int(exponent)}"
+    if exponent and int(exponent) in _PLAIN:
+        from decimal import Decimal
+
+        text = format(Decimal(text), "f")  # with all its zeros
+    elif exponent:
+        text = f"{mantissa}e{int(exponent)}"
     return text.replace("-", "−")
 
 
-def _in_full(text: str) -> str:
-    """`1.20e-05` with all its zeros."""
-    from decimal import Decimal
-
-    return format(Decimal(text), "f")
-
-
-def given(value: float, zero: float = 0.0) -> str:
+def given_figure(value: float, zero: float = 0.0) -> str:
     """A figure of the problem itself: in full where six digits are all it has, `113.72`; else with four."""
     whole = math.isclose(float(f"{value:.{_COMPUTED}g}"), value, rel_tol=1e-9)
     return number(value, zero, _COMPUTED if whole else DIGITS)
+
+
+def sense(value: float, lang: Lang) -> str:
+    """The sense of a rotation in a word; never a sign with it."""
+    return say("common.ccw" if value > 0 else "common.cw", lang)
+
+
+def sensed(name: str, value: float, unit: str, lang: Lang) -> str:
+    """`ω1 = 10 rad/s (counter-clockwise)`; nothing has no sense."""
+    if value == 0:
+        return f"{name} = 0"
+    note = say("common.note", lang, note=sense(value, lang))
+    return f"{name} = {given_figure(abs(value))} {unit}{note}"
 
 
 def direction(vector: complex, read: Callable[[float], float] = float) -> float:

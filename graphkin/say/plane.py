@@ -1,4 +1,4 @@
-"""One polygon as its readers see it: arrows measured with the ruler, and what they are called."""
+"""One polygon as its readers see it: arrows measured with the ruler, their names, and the rows of an equation."""
 
 from __future__ import annotations
 
@@ -7,25 +7,10 @@ from functools import cached_property
 from typing import assert_never
 
 from graphkin.base.value import frozen
-from graphkin.construction import (
-    Across,
-    AcrossGuide,
-    Along,
-    AlongGuide,
-    Construction,
-    Direction,
-    Drawn,
-    Equation,
-    LayOff,
-    Measure,
-    Plane,
-    Quarter,
-    Step,
-    Term,
-)
+from graphkin.construction import Construction, Direction, Equation, Plane, Size, Step, Term, kinds, terms
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Sentence
-from graphkin.say.figures import Operand
+from graphkin.say.figures import Formula, Operand, squared
 from graphkin.say.reading import Reading
 
 
@@ -52,10 +37,10 @@ class PolygonReading:
 
     @property
     def scale(self) -> float:
-        """What one millimetre stands for."""
+        """SI units that one millimetre stands for."""
         return self.reading.scales[self.plane]
 
-    def told(self, step: Step, text: str) -> Sentence:
+    def sentence(self, step: Step, text: str) -> Sentence:
         """The sentence of an act of the pencil, with its number."""
         return Sentence(text, self.reading.act(self.plane, step))
 
@@ -77,9 +62,8 @@ class PolygonReading:
 
     def read(self, tail: str, head: str) -> float:
         """The size of an arrow as the ruler reads it [SI]."""
-        ruler, reading = self.reading.ruler, self.reading
-        exactly = self.size(tail, head)
-        return float(ruler.arrow(reading.plot, self.plane, tail, head)) if ruler and exactly else exactly
+        ruler, exactly = self.reading.ruler, self.size(tail, head)
+        return float(ruler.arrow(self.reading.plot, self.plane, tail, head).real) if ruler and exactly else exactly
 
     def length_mm(self, tail: str, head: str) -> float:
         return self.read(tail, head) / self.scale
@@ -92,18 +76,13 @@ class PolygonReading:
     @cached_property
     def _names(self) -> dict[tuple[str, str], str]:
         """The arrows of the equations by their ends."""
-        return {(term.tail, term.head): term.name(self.plane) for term in self._terms()}
-
-    def _terms(self) -> Iterator[Term]:
-        for part in self.parts:
-            if isinstance(part, LayOff):
-                yield part.term
-        for part in self.parts:
-            if isinstance(part, Equation):
-                yield from part.left + part.right
+        laid = [part.term for part in self.parts if isinstance(part, kinds.LayOff)]
+        equations = (part.left + part.right for part in self.parts if isinstance(part, Equation))
+        arrows = [*laid, *(term for equation in equations for term in equation)]
+        return {(term.tail, term.head): term.name(self.plane) for term in arrows}
 
     def written(self, tail: str, head: str) -> bool:
-        """Whether an equation, or a known arrow, has these ends."""
+        """True where an equation, or a known arrow, has these ends."""
         return (tail, head) in self._names
 
     def name(self, tail: str, head: str) -> str:
@@ -118,7 +97,11 @@ class PolygonReading:
 
     def seen(self, of: str, seen_from: str, part: str = "") -> str:
         """`aᵏ_B3B2` from its parts."""
-        return names.vector(Term(of, seen_from, part, None, None, "", "").name(self.plane))
+        return self.vector(Term(of, seen_from, part, None, None, "", ""))
+
+    def vector(self, term: Term) -> str:
+        """The name of a term in this plane."""
+        return names.vector(term.name(self.plane))
 
     def rate(self, link: str) -> str:
         """`ω3` in the velocity plane, `α3` in the acceleration plane."""
@@ -128,59 +111,59 @@ class PolygonReading:
     def rate_unit(self) -> str:
         return "rad/s" if self.plane == "velocity" else "rad/s²"
 
-    # --- rows -----------------------------------------------------------------------------------
+    # --- directions -----------------------------------------------------------------------------
 
     @cached_property
     def laid_off(self) -> dict[str, Term]:
         """Known absolute motions that are laid off by themselves, by the point at their tip."""
-        return {part.tip: part.term for part in self.parts if isinstance(part, LayOff)}
+        return {part.tip: part.term for part in self.parts if isinstance(part, kinds.LayOff)}
 
     @cached_property
-    def levers(self) -> dict[tuple[str, str], Measure]:
+    def levers(self) -> dict[tuple[str, str], kinds.Measure]:
         """The measurement of a rotation that each arrow gives, or would give if it were told."""
         steps = (*self.construction.steps, *self.parts)
-        return {(s.tail, s.head): s for s in steps if isinstance(s, Measure) and s.lever[0]}
+        return {(s.tail, s.head): s for s in steps if isinstance(s, kinds.Measure) and s.lever[0]}
 
     @cached_property
-    def first_lever(self) -> Measure | None:
+    def first_lever(self) -> kinds.Measure | None:
         """The first rotation that is told."""
-        return next((step for step in self.parts if isinstance(step, Measure) and step.lever[0]), None)
+        return next((step for step in self.parts if isinstance(step, kinds.Measure) and step.lever[0]), None)
 
     def direction(self, direction: Direction, among: tuple[Term, ...] = ()) -> str:
         """`⊥BD`, `∥BC`, `B→A`; a Coriolis term stands across its relative motion, one of the terms `among`."""
         match direction:
-            case Along(tail, head):
+            case terms.Along(tail, head):
                 return names.arrow(tail, head)
-            case Across(tail, head):
+            case terms.Across(tail, head):
                 return "⊥" + names.pair(tail, head)
-            case AlongGuide(slide):
+            case terms.AlongGuide(slide):
                 return "∥" + self.reading.line(slide)
-            case AcrossGuide(slide):
+            case terms.AcrossGuide(slide):
                 return "⊥" + self.reading.line(slide)
-            case Quarter():
+            case terms.Quarter():
                 return self._across_relative(direction, among)
             case _:
                 assert_never(direction)
 
     def line_direction(self, direction: Direction, among: tuple[Term, ...] = ()) -> str:
         """The same of an arrow that may point either way."""
-        if isinstance(direction, Along):
+        if isinstance(direction, terms.Along):
             return "∥" + names.pair(direction.tail, direction.head)
         return self.direction(direction, among)
 
-    def _across_relative(self, quarter: Quarter, among: tuple[Term, ...]) -> str:
+    def _across_relative(self, quarter: terms.Quarter, among: tuple[Term, ...]) -> str:
         """Across the line of the slide; for a driven rotation along its lever."""
         for term in among:
-            if term.part == "r" and isinstance(term.direction, AlongGuide):
+            if term.part == "r" and isinstance(term.direction, terms.AlongGuide):
                 return "⊥" + self.reading.line(term.direction.slide)
-            if term.part == "rt" and isinstance(term.direction, Across):
+            if term.part == "rt" and isinstance(term.direction, terms.Across):
                 return "∥" + names.pair(term.direction.tail, term.direction.head)
         velocity = PolygonReading(self.reading, "velocity")
         return "⊥" + velocity.name(quarter.tail, quarter.head)
 
     def direction_row(self, term: Term, equation: tuple[Term, ...]) -> str:
-        """What the row of directions says of a term."""
-        if isinstance(term.size, Drawn):
+        """The entry of a term in the row of directions."""
+        if isinstance(term.size, terms.Drawn):
             known = self.laid_off.get(term.head)
             return self.direction(known.direction) if known and known.direction else "√"
         if term.direction is None:
@@ -212,3 +195,105 @@ class PolygonReading:
         pole = self.construction.pole
         note = self.reading.say("derivation.at direction", angle=self.angle(pole, node))
         return self.measured(pole, node, self.seen(self.of(node), ""), note)
+
+
+# --- known sizes --------------------------------------------------------------------------------
+
+
+@frozen
+class KnownSize:
+    """A size as a formula, with its figures in it, and the direction of its arrow in words."""
+
+    formula: str
+    numbers: Formula | str
+    direction: str
+
+
+def size_row(polygon: PolygonReading, term: Term) -> str:
+    """The entry of a term in the row of sizes: `?`, `√`, `0` at rest, or the formula."""
+    if term.size is None:
+        return "?"
+    if isinstance(term.size, terms.Drawn):
+        return "√" if polygon.arrow(term.tail, term.head) else "0"
+    return _known_size(polygon, term, term.size, "").formula
+
+
+def size_calculation(polygon: PolygonReading, term: Term, equation: tuple[Term, ...]) -> Calculation:
+    """`aⁿ_B3D = ω3² l_BD = 3.919² × 0.0692 = 1.063 m/s²` of a term that is neither unknown nor drawn yet."""
+    assert term.size is not None
+    known = _known_size(polygon, term, term.size, polygon.direction_row(term, equation))
+    value, angle = polygon.size(term.tail, term.head), polygon.angle(term.tail, term.head)
+    note = polygon.reading.say("derivation.at angle", direction=known.direction, angle=angle) if value else ""
+    if not value and isinstance(term.size, terms.Coriolis):
+        note = _why_none(polygon.reading, term, term.size)
+    formulas = (*_other_names(polygon, term), known.formula)
+    return Calculation(polygon.vector(term), formulas, known.numbers, value, names.UNIT[polygon.plane], note)
+
+
+def _why_none(reading: Reading, term: Term, size: terms.Coriolis) -> str:
+    """The reason why there is no Coriolis acceleration."""
+    velocity = PolygonReading(reading, "velocity")
+    if not velocity.size(size.tail, size.head):
+        return reading.say("derivation.no sliding", relative=velocity.seen(term.of, term.seen_from))
+    return reading.say("derivation.no turning", rate=reading.rate("ω", size.link))
+
+
+def _other_names(polygon: PolygonReading, term: Term) -> Iterator[str]:
+    """`v_B2 = v_B1`: the hinge is a point of the driven link too; `a_B = aⁿ_BA`: without a tangential part."""
+    size = term.size
+    if not isinstance(size, terms.Turning | terms.Normal) or term.seen_from:
+        return
+    if term.of != size.head and (other := polygon.reading.numbered(size.head, size.link)) != term.of:
+        yield polygon.seen(other, "")
+    if isinstance(size, terms.Normal) and not term.part:
+        yield polygon.seen(term.of, size.tail, "n")
+
+
+def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str) -> KnownSize:
+    reading, plot = polygon.reading, polygon.reading.plot
+    match size:
+        case terms.Turning(link, tail, head):
+            return _times(polygon, reading.rate("ω", link), float(plot.omega[link]), (tail, head), direction)
+        case terms.Tangential(link, tail, head):
+            return _times(polygon, reading.rate("α", link), float(plot.alpha[link]), (tail, head), direction)
+        case terms.Normal(link, tail, head):
+            return _squared(polygon, reading.rate("ω", link), float(plot.omega[link]), (tail, head), direction)
+        case terms.Coriolis(link, tail, head):
+            rate, velocity = reading.rate("ω", link), PolygonReading(reading, "velocity")
+            relative = velocity.seen(term.of, term.seen_from)
+            numbers = Operand(2) * Operand(abs(float(plot.omega[link]))) * Operand(velocity.read(tail, head))
+            words = {"relative": relative, "rate": rate, "direction": direction}
+            return KnownSize(f"2 {rate} {relative}", numbers, reading.say("derivation.quarter turned", **words))
+        case terms.Driven(slide):
+            grows = (polygon.arrow(term.tail, term.head) * reading.guide(slide).conjugate()).real > 0
+            key = "derivation.slide grows" if grows else "derivation.slide shrinks"
+            along = reading.say(key, direction=direction, s=names.of_slide("s", slide))
+            return KnownSize(f"|{names.of_slide(names.SLIDING[polygon.plane], slide)}|", "", along)
+        case terms.Relative():
+            return _relative(polygon, size, direction)
+        case terms.Drawn() | terms.Span():
+            raise AssertionError("drawn arrows and lengths have no formula in a polygon")
+        case _:
+            assert_never(size)
+
+
+def _times(polygon: PolygonReading, rate: str, value: float, ends: tuple[str, str], direction: str) -> KnownSize:
+    numbers = Operand(abs(value)) * Operand(polygon.reading.distance(*ends))
+    way = polygon.reading.say("derivation.sense of", direction=direction, rate=rate)
+    return KnownSize(f"{rate} l_{names.pair(*ends)}", numbers, way)
+
+
+def _squared(polygon: PolygonReading, rate: str, value: float, ends: tuple[str, str], direction: str) -> KnownSize:
+    numbers = squared(abs(value)) * Operand(polygon.reading.distance(*ends))
+    return KnownSize(f"{rate}² l_{names.pair(*ends)}", numbers, direction)
+
+
+def _relative(polygon: PolygonReading, size: terms.Relative, direction: str) -> KnownSize:
+    """A driven rotation of one link against another: ω21 l, ω21² l, α21 l."""
+    reading, facts = polygon.reading, polygon.reading.plot.facts
+    order, symbol = (2, "α") if size.part == "t" else (1, "ω")
+    value = float(facts.relative_rate(size.link, order) - facts.relative_rate(size.seen_from, order))
+    called = reading.mechanism.called
+    rate = names.relative(symbol, called(reading.body(size.link)), called(reading.body(size.seen_from)))
+    known = _squared if size.part == "n" else _times
+    return known(polygon, rate, value, (size.tail, size.head), direction)

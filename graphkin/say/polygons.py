@@ -1,121 +1,281 @@
-"""The velocity and the acceleration polygon in words, one plane at a time."""
+"""The velocity and the acceleration polygon in words: the pole, equations, rotations and slidings read off, images."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from typing import assert_never
 
-from graphkin.construction import (
-    Arc,
-    Equation,
-    Fit,
-    Given,
-    Image,
-    LayOff,
-    Measure,
-    Meet,
-    Plane,
-    Ray,
-    Roll,
-    Simultaneous,
-    Step,
-    Swing,
-    Touch,
-)
+from graphkin.base.geometry import cross
+from graphkin.construction import Equation, Plane, Step, kinds
+from graphkin.model.mechanism import FRAME
 from graphkin.planning.held_still import held_points, standing
 from graphkin.say import names
-from graphkin.say.entry import Entry, Heading, Sentence
+from graphkin.say.entry import Calculation, Entry, Heading, Sentence
 from graphkin.say.equations import equation, known_arrow
+from graphkin.say.figures import Operand, figures, signed_sum
+from graphkin.say.numbers import number
 from graphkin.say.plane import PolygonReading
-from graphkin.say.reading import Reading
-from graphkin.say.rolling import rolling
-from graphkin.say.rotation import image, rotation, sliding, ties
-from graphkin.say.together import solved_together
+from graphkin.say.reading import Reading, aside
+from graphkin.say.rolling import checked, contacted, rolling, same_velocities
+from graphkin.say.simultaneous import solved_together
 
 
-def polygon(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], number: int) -> Iterator[Entry]:
+def polygon_entries(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], number: int) -> Iterator[Entry]:
     """Pole, known motions, equations, and what is read off each, in the order of the construction."""
-    drawn = PolygonReading(reading, plane, standing(reading.method, plane, parts, reading.rested))
+    polygon = PolygonReading(reading, plane, standing(reading.method, plane, parts, reading.rested))
     yield Heading(reading.say(f"derivation.plane {plane}", number=number), plane)
-    for part in drawn.parts:
-        if isinstance(part, Equation):
-            yield from equation(drawn, part)
-        else:
-            yield from _step(drawn, part)
+    for part in polygon.parts:
+        yield from equation(polygon, part) if isinstance(part, Equation) else _step(polygon, part)
 
 
-def _step(drawn: PolygonReading, step: Step) -> Iterator[Entry]:
+def _step(polygon: PolygonReading, step: Step) -> Iterator[Entry]:
     match step:
-        case Given():
-            yield from _renamed(drawn)
-            yield Sentence(_pole(drawn, step))
-            yield from _held(drawn)
-            yield from ties(drawn)
-        case LayOff():
-            yield from known_arrow(drawn, step)
-        case Image():
-            yield from image(drawn, step)
-        case Measure("omega" | "alpha"):
-            yield from rotation(drawn, step)
-        case Measure():
-            yield from sliding(drawn, step)
-        case Roll():
-            yield from rolling(drawn, step)
-        case Simultaneous():
-            yield from solved_together(drawn, step)
-        case Fit() | Touch():
+        case kinds.Given():
+            yield from _renamed(polygon)
+            yield Sentence(_pole(polygon, step))
+            yield from _held_still(polygon)
+            yield from _driven_groups(polygon)
+        case kinds.LayOff():
+            yield from known_arrow(polygon, step)
+        case kinds.Image():
+            yield from _image(polygon, step)
+        case kinds.Measure("omega" | "alpha"):
+            yield from _rotation(polygon, step)
+        case kinds.Measure():
+            yield from _sliding(polygon, step)
+        case kinds.Roll():
+            yield from rolling(polygon, step)
+        case kinds.Simultaneous():
+            yield from solved_together(polygon, step)
+        case kinds.Fit() | kinds.Touch():
             raise AssertionError("the mechanism itself is drawn before")
-        case Ray() | Arc() | Meet() | Swing():
+        case kinds.Ray() | kinds.Arc() | kinds.Meet() | kinds.Swing():
             raise AssertionError("lines cross inside an equation")
         case _:
             assert_never(step)
 
 
-def _renamed(drawn: PolygonReading) -> Iterator[Entry]:
-    """Where p belongs to a point P, the pole has another letter; said once, in the first polygon."""
-    pole = drawn.construction.pole
-    if drawn.plane == "velocity" and pole != "p":
-        yield Sentence(drawn.reading.say("derivation.renamed pole", letter="P", pole=names.point(pole)))
-    taken = {point[0] for point in drawn.reading.mechanism.points}
-    for part, tip in _tips(drawn).items():
-        if part.upper() in taken and not tip.startswith(part):
-            what = drawn.reading.say(f"derivation.tips {part}")
-            words = {"letter": part.upper(), "part": what, "tip": tip[0]}
-            yield Sentence(drawn.reading.say("derivation.renamed tips", **words))
+# --- the start ----------------------------------------------------------------------------------
 
 
-def _tips(drawn: PolygonReading) -> dict[str, str]:
-    """Where normal and Coriolis components end: the first of each that ends at a corner of its own."""
-    found, nodes = dict[str, str](), drawn.construction.nodes
-    for part in drawn.parts:
+def _renamed(polygon: PolygonReading) -> Iterator[Entry]:
+    """Letters that are taken: beside a point P the pole has another one; said once, in the first polygon."""
+    reading, pole, nodes = polygon.reading, polygon.construction.pole, polygon.construction.nodes
+    if polygon.plane == "velocity" and pole != "p":
+        yield Sentence(reading.say("derivation.renamed pole", letter="P", pole=names.point(pole)))
+    tips: dict[str, str] = {}  # of normal and Coriolis components: the first of each that ends at a corner of its own
+    for part in polygon.parts:
         for step in part.steps if isinstance(part, Equation) else (part,):
-            if isinstance(step, LayOff) and step.term.part in ("n", "k") and nodes[step.tip].site is None:
-                found.setdefault(step.term.part, step.tip)
-    return found
+            if isinstance(step, kinds.LayOff) and step.term.part in ("n", "k") and nodes[step.tip].site is None:
+                tips.setdefault(step.term.part, step.tip)
+    letters = {point[0] for point in reading.mechanism.points}
+    for kind, tip in tips.items():
+        if kind.upper() in letters and not tip.startswith(kind):
+            words = {"letter": kind.upper(), "part": reading.say(f"derivation.tips {kind}"), "tip": tip[0]}
+            yield Sentence(reading.say("derivation.renamed tips", **words))
 
 
-def _held(drawn: PolygonReading) -> Iterator[Entry]:
+def _held_still(polygon: PolygonReading) -> Iterator[Entry]:
     """The links that drivers at rest hold still: their points are fixed points."""
-    reading = drawn.reading
-    links = [reading.link(link) for link in reading.mechanism.moving if reading.stands(link)]
+    reading, owners = polygon.reading, polygon.reading.mechanism.owners
+    links = [link for link in reading.mechanism.moving if reading.stands(link)]
     if links:
-        held = held_points(reading.method, drawn.plane, reading.rested)
-        owners = reading.mechanism.owners
+        held = held_points(reading.method, polygon.plane, reading.rested)
         points = [names.point(p) for p in held if not all(map(reading.stands, owners.get(p, ())))]
         key = "derivation.as fixed" if len(points) == 1 else "derivation.as fixed, several"
-        fixed = reading.say(key, points=reading.listed(points), pole=names.point(drawn.construction.pole))
+        fixed = reading.say(key, points=reading.listed(points), pole=names.point(polygon.construction.pole))
         key = "derivation.held still" if len(links) == 1 else "derivation.held still, several"
-        yield Sentence(reading.say(key, links=reading.listed(links), fixed=fixed))
+        yield Sentence(reading.say(key, links=reading.links(links), fixed=fixed))
 
 
-def _pole(drawn: PolygonReading, step: Given) -> str:
-    reading, pole = drawn.reading, names.point(step.point)
-    first = next((part for part in drawn.parts if isinstance(part, Equation)), None)
-    if first is not None and any(isinstance(other, Given) for other in first.steps):
+def _pole(polygon: PolygonReading, step: kinds.Given) -> str:
+    reading, pole = polygon.reading, names.point(step.point)
+    first = next((part for part in polygon.parts if isinstance(part, Equation)), None)
+    if first is not None and any(isinstance(other, kinds.Given) for other in first.steps):
         return reading.say("derivation.pole last", pole=pole)
     if not step.also:
         return reading.say("derivation.pole", pole=pole)
     nodes = reading.listed([names.point(node) for node in step.also])
-    points = reading.listed([names.point(drawn.of(node)) for node in step.also])
+    points = reading.listed([names.point(polygon.of(node)) for node in step.also])
     key = "derivation.pole fixed" if len(step.also) == 1 else "derivation.pole fixed, several"
     return reading.say(key, pole=pole, points=points, nodes=nodes)
+
+
+# --- rotations ----------------------------------------------------------------------------------
+
+
+def _rotation(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
+    """omega or alpha of a link, then of those that keep their angle to it."""
+    reading, ends = polygon.reading, (step.tail, step.head)
+    if polygon.plane == "acceleration" and not polygon.written(*ends):
+        yield from _resolved(polygon, step)
+    else:
+        name, contacts = contacted(polygon, step)
+        name = name or polygon.name(*ends)
+        if contacts:
+            yield from same_velocities(polygon, step)
+        yield _rate(polygon, step, name, polygon.length_mm(*ends), direct=True)
+        if len(contacts) == 1 and (check := checked(polygon, contacts[0])):
+            yield Sentence(check)
+        if polygon.plane == "velocity" and not polygon.arrow(*ends):
+            key = "derivation.rest now" if step.tail == polygon.construction.pole else "derivation.translation now"
+            yield Sentence(reading.say(key, name=name, link=reading.link(step.of)))
+    others = reading.group(step.of)
+    held = [other for other in others if not _driven_between(polygon, other, step.of)]
+    if held and polygon.plane == "velocity":
+        yield Sentence(reading.say("derivation.held", links=reading.links((*held, step.of))))
+    for other in others:
+        yield _kept_angle(polygon, other, step.of)
+
+
+def _rate(polygon: PolygonReading, step: kinds.Measure, name: str, length: float, direct: bool = False) -> Calculation:
+    """`ω3 = v_B3/l_BD = μ_v·pb3/(μ_l·BD) = 0.01 × 27.12/(0.001 × 69.2) = 3.919 rad/s (clockwise)`; length in mm."""
+    reading, line = polygon.reading, names.pair(*step.lever)
+    lever, scale = reading.distance(*step.lever), reading.scales["length"]
+    measured = f"{names.SCALE[polygon.plane]}·{names.stretch(step.tail, step.head)}/(μ_l·{line})"
+    formulas = (f"{name}/l_{line}", measured) if direct else (f"{name}/l_{line}",)
+    numbers = Operand(polygon.scale) * Operand(length) / (Operand(scale) * Operand(lever / scale))
+    value, note = length * polygon.scale / lever, _sense_note(polygon, step) if length else ""
+    return Calculation(polygon.rate(step.of), formulas, numbers, value, polygon.rate_unit, note)
+
+
+def _sense_note(polygon: PolygonReading, step: kinds.Measure) -> str:
+    """The sense; the first time also how it is found."""
+    reading = polygon.reading
+    sense = reading.say("common.ccw" if _across_lever(polygon, step) > 0 else "common.cw")
+    if step != polygon.first_lever:
+        return sense
+    tail, head = (names.point(p) for p in step.lever)
+    words = {"stretch": names.stretch(step.tail, step.head), "rate": polygon.rate(step.of)}
+    return reading.say("derivation.sense rule", sense=sense, head=head, tail=tail, **words)
+
+
+def _across_lever(polygon: PolygonReading, step: kinds.Measure) -> float:
+    """Speed across the lever, positive where it turns it counter-clockwise."""
+    arm = polygon.reading.arm(*step.lever)
+    return float(cross(arm, polygon.arrow(step.tail, step.head))) / abs(arm)
+
+
+def _resolved(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
+    """Both ends are known from elsewhere: only the part across the lever turns the link."""
+    reading, plane = polygon.reading, polygon.plane
+    across = float(reading.usual.motion(abs(_across_lever(polygon, step)), plane).real)
+    across = float(reading.ruler.read(across, plane).real) if reading.ruler else across
+    length_mm, tail = across / polygon.scale, _own_node(polygon, step.tail, step.lever[0])
+    name = polygon.seen(polygon.of(step.head), polygon.of(tail), "t")
+    numbers = Operand(polygon.scale) * Operand(length_mm)
+    tangential = Calculation(name, (), numbers, across, names.UNIT[plane]).text
+    ends, line = names.stretch(step.tail, step.head), names.pair(*step.lever)
+    yield Sentence(reading.say("derivation.tangential part", ends=ends, line=line, tangential=tangential))
+    yield _rate(polygon, step, name, length_mm)
+
+
+# --- links that keep their angles ---------------------------------------------------------------
+
+
+def _driven_groups(polygon: PolygonReading) -> Iterator[Entry]:
+    """Before the first equation: links that cannot turn, and those that turn with the driven ones."""
+    reading, turns = polygon.reading, polygon.reading.plot.facts.turns
+    still = [link for link in reading.mechanism.moving if reading.translates(link)]
+    if still and polygon.plane == "velocity":
+        zero = [" = ".join([*(reading.rate(symbol, link) for link in still), "0"]) for symbol in ("ω", "α")]
+        key = "derivation.never turn" if len(still) == 1 else "derivation.never turn, several"
+        yield Sentence(reading.say(key, links=reading.links(still), rates=reading.joined(zero)))
+    driven = dict.fromkeys(d.link for d in reading.mechanism.drivers if d.kind != "slide" and d.from_link == FRAME)
+    for link in reading.mechanism.moving:
+        if turns[link].base == FRAME and turns[link].drivers and link not in driven:
+            like = [other for other in driven if turns[other].drivers == turns[link].drivers]
+            if like and polygon.plane == "velocity":
+                yield Sentence(reading.say("derivation.held", links=reading.links((link, *like))))
+            yield _kept_angle(polygon, link, FRAME)
+
+
+def _kept_angle(polygon: PolygonReading, link: str, other: str) -> Calculation:
+    """`ω2 = ω3`, or `ω2 = ω1 + ω21` with a driven rotation between them; the frame adds nothing."""
+    reading, plane = polygon.reading, polygon.plane
+    value, driven = reading.turning(link, plane), _driven_between(polygon, link, other)
+    parts = [] if other == FRAME else [(1, polygon.rate(other), reading.turning(reading.body(other), plane))]
+    for k, sign, rate in driven:
+        symbol = reading.against(reading.mechanism.drivers[k], names.RATE[plane])
+        parts.append((sign, symbol, float(reading.usual.rate(rate, plane).real)))
+    (sign, first, _), *more = parts
+    formula = ("−" if sign < 0 else "") + first + "".join(f" {'−' if s < 0 else '+'} {text}" for s, text, _ in more)
+    if not driven or (not more and sign > 0):
+        return Calculation(polygon.rate(link), (formula,), "", abs(value), polygon.rate_unit, reading.sense(value))
+    numbers = signed_sum([(sign, rate) for sign, _, rate in parts]) if more else ""
+    return Calculation(polygon.rate(link), (formula,), numbers, value, polygon.rate_unit, reading.signed(value))
+
+
+def _driven_between(polygon: PolygonReading, link: str, other: str) -> list[tuple[int, int, float]]:
+    """Drivers that turn `link` against `other`, each with its sign and its rate."""
+    facts = polygon.reading.plot.facts
+    rates = facts.rates if polygon.plane == "velocity" else facts.accelerations
+    count: dict[int, int] = {}
+    for member, way in ((link, 1), (other, -1)):
+        for k, sign in facts.turns[member].drivers:
+            count[k] = count.get(k, 0) + way * sign
+    return [(k, sign, float(rates[k])) for k, sign in count.items() if sign]
+
+
+# --- slides -------------------------------------------------------------------------------------
+
+
+def _sliding(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
+    """The speed at which a named displacement grows; of others, which distance grows or shrinks."""
+    reading, plane = polygon.reading, polygon.plane
+    pair = reading.method.structure.slides[step.of]
+    table = reading.plot.s_rate if plane == "velocity" else reading.plot.s_acceleration
+    value, size = float(table[step.of]), polygon.read(step.tail, step.head)
+    name = polygon.name(step.tail, step.head)
+    if pair.named:
+        formula = f"−{name}" if size and value <= 0 else name
+        symbol = names.of_slide(names.SLIDING[plane], step.of)
+        yield Calculation(symbol, (formula,), "", value if size else 0.0, names.UNIT[plane])
+    elif plane == "velocity" and size and pair.guide != FRAME and pair.line.named:
+        stretch = names.pair(pair.line.origin, pair.point)
+        key = "derivation.grows" if value * float(reading.plot.s[step.of]) > 0 else "derivation.shrinks"
+        yield Sentence(reading.say(key, stretch=stretch, size=number(size)))
+
+
+# --- images -------------------------------------------------------------------------------------
+
+
+def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
+    """A further point of a link by the figure similar to it, then its motion."""
+    reading = polygon.reading
+    first, second, third = step.corners
+    corners = [_own_node(polygon, node, corner) for node, corner in zip(step.base, step.corners, strict=False)]
+    words = {"image": reading.say(f"derivation.image {polygon.plane}"), "link": reading.link(step.link)}
+    words |= {"point": names.point(step.point), "corner": names.point(third)}
+    words |= {"small": names.stretch(*corners), "large": names.point(first) + names.point(second)}
+    one, other = (reading.arm(p, third) for p in (first, second))
+    if not polygon.arrow(*step.base):
+        sentence = reading.say("derivation.image point", **words)
+    elif aside(one, other) <= reading.noise * max(abs(one), abs(other)):
+        sentence = reading.say("derivation.image line", ratio=_ratio(polygon, step, corners), **words)
+    else:
+        words |= {"small": names.triangle(*corners, step.point), "large": names.triangle(*step.corners)}
+        ccw = float(cross(reading.arm(first, second), one)) > 0
+        sentence = reading.say("derivation.image triangle", sense=reading.sense(1 if ccw else -1), **words)
+    yield polygon.sentence(step, sentence)
+    yield polygon.measured_absolute(step.point)
+
+
+def _own_node(polygon: PolygonReading, node: str, corner: str) -> str:
+    """A fixed point's own letter rather than the pole's."""
+    if node != polygon.construction.pole:
+        return node
+    nodes = polygon.construction.nodes.values()
+    fixed = (n.name for n in nodes if n.site is not None and (n.site.point, n.site.link) == (corner, FRAME))
+    return next(fixed, node)
+
+
+def _ratio(polygon: PolygonReading, step: kinds.Image, corners: list[str]) -> str:
+    """`dc = db3 · CD/BD = 27.12 × 48/69.2 = 18.81 mm`."""
+    first, second, third = step.corners
+    lengths = [polygon.reading.distance(first, p) for p in (third, second)]
+    small, scale = polygon.length_mm(*step.base), polygon.reading.scales["length"]
+    one, other = figures(*(length / scale for length in lengths))
+    formula = f"{names.stretch(*corners)} × {names.pair(first, third)}/{names.pair(first, second)}"
+    name, value = names.stretch(corners[0], step.point), small * lengths[0] / lengths[1]
+    return Calculation(name, (formula,), Operand(small) * one / other, value, "mm").text

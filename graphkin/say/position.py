@@ -3,183 +3,246 @@
 from __future__ import annotations
 
 from cmath import rect
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field, replace
 from itertools import count
 from typing import assert_never
 
-from graphkin.base.geometry import dot
-from graphkin.construction import (
-    Arc,
-    Arm,
-    Equation,
-    Fit,
-    Given,
-    Image,
-    LayOff,
-    Measure,
-    Meet,
-    Ray,
-    Roll,
-    Simultaneous,
-    Step,
-    Swing,
-    Touch,
-)
+from graphkin.base.geometry import cross, dot
+from graphkin.construction import Equation, Step, kinds, terms
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.say import names
-from graphkin.say.drawn_points import DrawnPoints
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import equivalents
 from graphkin.say.numbers import degrees
+from graphkin.say.reading import Reading, aside, capitalized
 from graphkin.say.rolling import rolled, touched
-from graphkin.say.together import fitted, special_point
+from graphkin.say.simultaneous import fitted, link_angle, special_point
+from graphkin.say.tangents import Tangents
 
 _SPARE = "WXYHJ"
 """For points that nobody named."""
+_LEVEL = 0.5
+"""A line whose slope is above this part of its length is called upright."""
 
 
 @dataclass
-class PositionReader(DrawnPoints):
+class PositionReader(Tangents):
     """Reads the steps of the position plane in the order of the pencil.
 
     angles   links whose angles are asked for, None for all
     waiting  links whose angles can be measured as soon as their points are there
-    told     links whose angles are measured
+    measured_links  links whose angles are measured, or said to be driven
+    placed   points that are there by now
+    reached  corners of reaches of two arms, with their ends
+    ends     by link, the two points between which its angle has been found
     """
 
     angles: frozenset[str] | None = None
     waiting: list[str] = field(default_factory=list)
-    told: set[str] = field(default_factory=set)
+    measured_links: set[str] = field(default_factory=set)
+    placed: set[str] = field(default_factory=set)
+    reached: dict[str, tuple[str, str]] = field(default_factory=dict)
+    ends: dict[str, tuple[str, str]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.told |= {driver.link for _, driver in self._open() if driver.from_link == FRAME}  # told as driven
+        driven = (driver.link for _, driver in self._open() if driver.from_link == FRAME)
+        self.measured_links.update(driven)
 
     def entries(self) -> Iterator[Entry]:
-        """What is told, with letters for the points that have none."""
-        letters, free = dict[str, str](), self._free()
-        for entry in self._told():
-            text = names.lettered(entry.text, letters, free) if isinstance(entry, Sentence) else ""
-            yield replace(entry, text=text) if isinstance(entry, Sentence) else entry
-
-    def _free(self) -> Iterator[str]:
-        """Letters that nothing in the drawing has."""
+        """The part of the solution that draws the mechanism, with letters for the points that have none."""
         taken = {*self.reading.mechanism.points, *self.reading.method.position.nodes, self._foot_name}
-        return (mark for k in count() for letter in _SPARE if (mark := letter + "′" * k) not in taken)
+        free = (mark for k in count() for letter in _SPARE if (mark := letter + "′" * k) not in taken)
+        letters = dict[str, str]()
+        for entry in self._entries():
+            if isinstance(entry, Sentence):
+                entry = replace(entry, text=names.lettered(entry.text, letters, free))
+            yield entry
 
-    def _told(self) -> Iterator[Entry]:
-        construction = self.reading.method.position
+    def _entries(self) -> Iterator[Entry]:
         yield Heading(self.reading.say("derivation.plane position"), "position")
         yield from self._fixed()
         yield from equivalents(self.reading)
-        for part in construction.parts:
+        for part in self.reading.method.position.parts:
             for step in part.steps if isinstance(part, Equation) else (part,):
                 entries = list(self._step(step))
                 if entries and isinstance(entries[0], Sentence):  # the first tells what is drawn
                     entries[0] = Sentence(entries[0].text, self.reading.act("position", step))
                 yield from entries
-                self.drawn |= _made(step)
+                self.placed |= _made(step)
                 yield from self._angles()
-        yield from self._angles(True)
-        yield from self._read_off()
+        yield from self._angles(last=True)
+        values = self.moving.plot.facts.values
+        arrows = {self.reading.against(d, "φ"): rect(1.0, float(values[k])) for k, d in self._open()}
+        if arrows:  # drivers' values, measured where poses stand for them
+            yield self._measured_angles(f"{name} = {self.reading.angle(arrow)}" for name, arrow in arrows.items())
         yield from self._used()
+
+    def _step(self, step: Step) -> Iterator[Entry]:
+        match step:
+            case kinds.Given() | kinds.Ray() | kinds.Arc():
+                pass  # fixed points come together at the start, lines and circles where they cross
+            case kinds.LayOff():
+                yield Sentence(self._lay_off(step))
+            case kinds.Meet():
+                special = step.point in self.reading.method.special
+                yield Sentence(special_point(self.reading, step) if special else self._meet(step))
+            case kinds.Swing():
+                self.swung |= dict.fromkeys((step.link, *self.reading.group(step.link)), step)
+                yield Sentence(self._swing(step))
+                self.waiting.append(step.link)
+                if self.reading.method.structure.slides[step.slide].named:
+                    yield from self._slide(step.slide)
+            case kinds.Image(link, corners, _, point):
+                if self.reading.named(point):  # the start of a line that has no name is told where it is needed
+                    yield Sentence(self._corner(link, corners))
+            case kinds.Measure("theta", of):
+                self.waiting.append(of)
+                self.ends |= dict.fromkeys((of, *self.reading.group(of)), (step.tail, step.head))
+                self.reached |= _corner_between(step)
+            case kinds.Measure(_, of):
+                yield from self._slide(of)
+            case kinds.Roll():
+                yield from rolled(self.reading, step)
+            case kinds.Touch():
+                yield Sentence(touched(self.reading, step))
+            case kinds.Fit():
+                yield from fitted(self.reading, step)
+            case kinds.Simultaneous():
+                raise AssertionError("positions are fitted")
+            case _:
+                assert_never(step)
+
+    def _fixed(self) -> Iterator[Entry]:
+        """Fixed points and guides."""
+        reading = self.reading
+        shape = reading.plot.facts.shapes[FRAME]
+        fixed = [f"{names.point(p)}{reading.place_on_paper(shape[p])}" for p in shape if reading.named(p)]
+        if fixed:
+            yield Sentence(reading.say("derivation.fixed points", points=reading.joined(fixed)))
+        for slide in reading.mechanism.slides:
+            if slide.guide == FRAME:
+                origin = slide.line.origin
+                place = names.point(origin) if slide.line.named else reading.place_on_paper(shape[origin])
+                words = {"guide": reading.path(slide.name), "angle": degrees(slide.line.direction)}
+                yield Sentence(reading.say("derivation.fixed guide", place=place, **words))
+
+    # --- laid off -------------------------------------------------------------------------------
+
+    def _lay_off(self, step: kinds.LayOff) -> str:
+        reading = self.reading
+        assert isinstance(step.term.size, terms.Span)
+        if (text := self._beside_guide(step)) or (text := self._over_reach(step)):
+            return text
+        arrow, direction = reading.at(step.tip) - reading.at(step.start), step.term.direction
+        if isinstance(direction, terms.AlongGuide) and abs(arrow) <= reading.noise:
+            arrow = reading.guide(direction.slide)
+        nameless = "*" in step.start + step.tip
+        length = self._reach(step.term.size, names.stretch(step.start, step.tip) if nameless else "")
+        length = length if reading.named(step.start) or not nameless else length.partition(" = ")[2]
+        words = {"start": reading.place(step.start), "tip": reading.place(step.tip), "length": length}
+        words["angle"] = degrees(arrow)
+        if isinstance(direction, terms.AlongGuide):
+            return reading.say("derivation.lay off slide", guide=reading.path(direction.slide), **words)
+        if line := self._drawn_line(step):
+            return reading.say("derivation.lay off on line", line=line, **words)
+        return reading.say("derivation.lay off link", **words)
+
+    def _drawn_line(self, step: kinds.LayOff) -> str:
+        """Two points that are drawn, on whose line an arm of their link lies; "" of others."""
+        reading, part = self.reading, step.term.size.parts[0] if isinstance(step.term.size, terms.Span) else None
+        tail, head = self.ends.get(part.link, ("", "")) if isinstance(part, terms.Arm) else ("", "")
+        if not tail or not reading.named(tail) or not reading.named(head) or not {tail, head} <= self.placed:
+            return ""
+        line, arm = reading.arm(tail, head), reading.arm(step.start, step.tip)
+        return names.pair(tail, head) if aside(line, arm) <= reading.noise * abs(arm) else ""
+
+    def _over_reach(self, step: kinds.LayOff) -> str:
+        """A point between the ends of a reach made of several arms: by arcs about both ends; "" of others."""
+        reading, ends = self.reading, self.reached.get(step.tip, ("", ""))
+        if step.start not in ends:
+            return ""
+        end = ends[1] if step.start == ends[0] else ends[0]
+        ccw = float(cross(reading.arm(step.start, step.tip), reading.arm(step.start, end))) > 0
+        first = self._circle(step.start, self._arm(step.start, step.tip))
+        words = {"first": capitalized(first), "second": self._circle(end, self._arm(step.tip, end))}
+        order = reading.way_round((step.start, step.tip, end), ccw)
+        return reading.say("derivation.over reach", point=names.point(step.tip), way=order, **words)
+
+    def _corner(self, link: str, corners: tuple[str, str, str]) -> str:
+        """A third point of a link whose two points are drawn."""
+        reading = self.reading
+        first, second, third = corners
+        one, other = reading.arm(first, third), reading.arm(second, third)
+        lengths = [self._arm(first, third), self._arm(second, third)]
+        words = {"point": names.point(third), "link": reading.link(link)}
+        if aside(one, other) <= reading.noise * abs(one):
+            line = names.pair(first, second)
+            return reading.say("derivation.shape line", line=line, length=reading.joined(lengths), **words)
+        ccw = float(cross(reading.arm(first, second), one)) > 0
+        words |= {"first": lengths[0], "second": lengths[1], "way": reading.way_round(corners, ccw)}
+        return reading.say("derivation.shape corner", **words)
+
+    # --- where lines cross ----------------------------------------------------------------------
+
+    def _meet(self, step: kinds.Meet) -> str:
+        reading = self.reading
+        words = {"first": capitalized(self._locus(step.first)), "second": self._locus(step.second)}
+        words["point"] = names.point(step.point)
+        if not isinstance(step.second, kinds.Arc):
+            return reading.say("derivation.meet lines", **words)
+        where = reading.note(_crossing(reading, step, step.second))
+        return reading.say("derivation.meet circles", where=where, **words)
+
+    def _circle(self, about: str, length: str) -> str:
+        return self.reading.say("derivation.circle", about=self.reading.place(about), length=length)
+
+    def _locus(self, locus: kinds.Ray | kinds.Arc) -> str:
+        reading = self.reading
+        if isinstance(locus, kinds.Arc):
+            return self._circle(locus.about, self._reach(locus.reach))
+        match locus.direction:
+            case terms.AlongGuide(slide):
+                pair = reading.method.structure.slides[slide]
+                if pair.guide == FRAME and pair.line.origin == locus.through:
+                    return reading.say("derivation.take guide", guide=reading.path(slide))
+            case terms.Along() | terms.Across() | terms.AcrossGuide() | terms.Quarter():
+                pass
+            case _:
+                assert_never(locus.direction)
+        angle = degrees(complex(reading.plot.direction(locus.direction)))
+        at = reading.say("derivation.at direction", angle=angle)
+        return reading.say("derivation.line parallel", through=reading.place(locus.through), direction=at)
+
+    # --- measured -------------------------------------------------------------------------------
 
     def _open(self) -> Iterator[tuple[int, Driver]]:
         """The driven angles that the file leaves to a pose."""
         drivers = enumerate(self.reading.mechanism.drivers)
         return ((k, driver) for k, driver in drivers if driver.kind == "angle" and driver.value is None)
 
-    def _read_off(self) -> Iterator[Entry]:
-        """Drivers' values, measured where poses stand for them."""
-        reading, values = self.reading, self.moving.plot.facts.values
-        found = {reading.against(driver, "φ"): reading.angle(rect(1.0, values[k])) for k, driver in self._open()}
-        if found:
-            angles = reading.say("common.and").join(f"{name} = {angle}" for name, angle in found.items())
-            yield Sentence(reading.say("derivation.measured angles", angles=angles))
-
-    def _step(self, step: Step) -> Iterator[Entry]:
-        match step:
-            case Given() | Ray() | Arc():
-                pass  # fixed points come together at the start, lines and circles where they cross
-            case LayOff():
-                yield Sentence(self._lay_off(step))
-            case Meet():
-                special = step.point in self.reading.method.special
-                yield Sentence(special_point(self.reading, step) if special else self._meet(step))
-            case Swing():
-                self.swung |= dict.fromkeys((step.link, *self.reading.group(step.link)), step)
-                yield Sentence(self._swing(step))
-                self.waiting.append(step.link)
-                if self.reading.method.structure.slides[step.slide].named:
-                    yield from self._slide(step.slide)
-            case Image(link, corners, _, point):
-                if self.reading.named(point):  # the start of a line that has no name is told where it is needed
-                    yield Sentence(self._corner(link, corners))
-            case Measure("theta", of):
-                self.waiting.append(of)
-                self.ends |= dict.fromkeys((of, *self.reading.group(of)), (step.tail, step.head))
-                self.reached |= _corner_between(step)
-            case Measure(_, of):
-                yield from self._slide(of)
-            case Roll():
-                yield from rolled(self.reading, step)
-            case Touch():
-                yield Sentence(touched(self.reading, step))
-            case Fit():
-                yield from fitted(self.reading, step)
-            case Simultaneous():
-                raise AssertionError("positions are fitted")
-            case _:
-                assert_never(step)
-
-    # --- what stands still ----------------------------------------------------------------------
-
-    def _fixed(self) -> Iterator[Entry]:
-        reading = self.reading
-        shape = reading.plot.facts.shapes[FRAME]
-        fixed = [f"{names.point(p)}{self._paper(shape[p])}" for p in shape if reading.named(p)]
-        if fixed:
-            yield Sentence(reading.say("derivation.fixed points", points=reading.say("common.and").join(fixed)))
-        for slide in reading.mechanism.slides:
-            if slide.guide == FRAME:
-                origin = slide.line.origin
-                place = names.point(origin) if slide.line.named else self._paper(shape[origin])
-                guide = self.reading.path(slide.name)
-                angle = degrees(slide.line.direction)
-                yield Sentence(reading.say("derivation.fixed guide", guide=guide, place=place, angle=angle))
-
-    def _paper(self, place: complex) -> str:
-        """Coordinates on paper, in mm."""
-        x, y = (self.reading.on_paper(value) for value in (place.real, place.imag))
-        return f"({x}, {y})"
-
-    # --- measured -------------------------------------------------------------------------------
+    def _measured_angles(self, angles: Iterable[str]) -> Sentence:
+        return Sentence(self.reading.say("derivation.measured angles", angles=self.reading.joined(angles)))
 
     def _angles(self, last: bool = False) -> Iterator[Entry]:
         """Directions of links, and of those that keep their angles to them, once their first two points are there.
 
         last  nothing more is drawn
         """
-        reading, found, waiting = self.reading, list[str](), list[str]()
+        reading, angles, waiting = self.reading, list[str](), list[str]()
         members = (member for link in self.waiting for member in (reading.body(link), *reading.group(link)))
         for member in dict.fromkeys(members):
-            named = reading.method.structure.named(member)
-            if len(named) > 1 and not last and not {*named[:2]} <= self.drawn:
+            points = reading.method.structure.named(member)
+            if len(points) > 1 and not last and not {*points[:2]} <= self.placed:
                 waiting.append(member)
-            elif len(named) > 1 and not self._knows(member):
-                angle = reading.angle(reading.plot.arm(named[0], named[1]))
-                name, arrow = reading.rate("θ", member), names.arrow(named[0], named[1])
-                found.append(reading.say("derivation.angle of", name=name, angle=angle, arrow=arrow))
+            elif len(points) > 1:
+                asked = self.angles is None or member in self.angles
+                if member not in self.measured_links and asked:
+                    angles.append(link_angle(reading, member, reading.angle))
+                self.measured_links.add(member)
         self.waiting = waiting
-        if found:
-            angles = reading.say("common.and").join(dict.fromkeys(found))
-            yield Sentence(reading.say("derivation.measured angles", angles=angles))
-
-    def _knows(self, link: str) -> bool:
-        """Whether an angle is told already, or nobody asks for it."""
-        told = link in self.told or (self.angles is not None and link not in self.angles)
-        self.told.add(link)
-        return told
+        if angles:
+            yield self._measured_angles(dict.fromkeys(angles))
 
     def _slide(self, slide: str) -> Iterator[Entry]:
         """The displacement by its name, or as the distance of two points, or as where its point has come to lie."""
@@ -189,9 +252,8 @@ class PositionReader(DrawnPoints):
         if slide in reading.contact_slides and pair.guide != FRAME:
             return
         if pair.named:
-            along = dot(reading.plot.guide_direction(slide), reading.plot.arm(origin, point))
-            name = names.of_slide("s", slide)
-            text = self._ruler(name, "", reading.measured(float(along)))
+            along = float(dot(reading.guide(slide), reading.arm(origin, point)))
+            text = self._ruler(names.of_slide("s", slide), "", reading.measured(along))
         elif pair.line.named:
             self.measured.add(frozenset((origin, point)))
             line = names.pair(origin, point)
@@ -201,10 +263,10 @@ class PositionReader(DrawnPoints):
         yield Sentence(reading.say("derivation.measured slide", length=text))
 
 
-def _corner_between(step: Measure) -> dict[str, tuple[str, str]]:
+def _corner_between(step: kinds.Measure) -> dict[str, tuple[str, str]]:
     """The point at which both arms of a reach meet, with the ends of these."""
     parts = step.span.parts if step.span is not None else ()
-    if len(parts) != 2 or not (isinstance(parts[0], Arm) and isinstance(parts[1], Arm)):
+    if len(parts) != 2 or not (isinstance(parts[0], terms.Arm) and isinstance(parts[1], terms.Arm)):
         return {}
     return {parts[0].head: (step.tail, step.head)} if parts[0].head == parts[1].tail else {}
 
@@ -212,9 +274,39 @@ def _corner_between(step: Measure) -> dict[str, tuple[str, str]]:
 def _made(step: Step) -> set[str]:
     """The points a step draws."""
     match step:
-        case Given(point) | LayOff(tip=point) | Meet(point=point) | Image(point=point) | Touch(point=point):
+        case kinds.Given(point) | kinds.Touch(point=point) | kinds.Image(point=point):
             return {point}
-        case Ray() | Arc() | Swing() | Measure() | Roll() | Fit() | Simultaneous():
+        case kinds.Meet(point=point) | kinds.LayOff(tip=point):
+            return {point}
+        case kinds.Ray() | kinds.Arc() | kinds.Swing() | kinds.Measure():
+            return set()
+        case kinds.Roll() | kinds.Fit() | kinds.Simultaneous():
             return set()
         case _:
             assert_never(step)
+
+
+# --- which of two crossings ---------------------------------------------------------------------
+
+
+def _crossing(reading: Reading, step: kinds.Meet, circle: kinds.Arc) -> str:
+    """`C above BD` of two circles, `the upper one` of a line and a circle; "" where both crossings are one."""
+    here, about = reading.at(step.point), reading.at(circle.about)
+    least = max(reading.noise, 1e-6 * abs(here - about))
+    if isinstance(step.first, kinds.Ray):
+        along = complex(reading.plot.direction(step.first.direction))
+        chord = 2 * float(dot(along, here - about)) * along
+        return reading.say(f"derivation.which {_side(chord)}") if abs(chord) > least else ""
+    other = reading.at(step.first.about)
+    foot = other + float(dot(about - other, here - other)) / abs(about - other) ** 2 * (about - other)
+    if abs(here - foot) <= least:
+        return ""
+    ends = (step.first.about, circle.about)
+    line = names.pair(*ends) if all(map(reading.named, ends)) else "–".join(map(reading.place, ends))
+    return reading.say(f"derivation.side {_side(here - foot)}", point=names.point(step.point), line=line)
+
+
+def _side(away: complex) -> str:
+    if abs(away.imag) > _LEVEL * abs(away):
+        return "above" if away.imag > 0 else "below"
+    return "right" if away.real > 0 else "left"

@@ -1,34 +1,27 @@
-"""A problem in words: what is given, off the student's own mechanism file, what is asked, and how to hand it in."""
+"""A problem in words: the data of the student's own mechanism file, what is asked, and how to hand it in."""
 
 from __future__ import annotations
 
 import math
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, assert_never
+from typing import assert_never
 
 from graphkin.errors import Lang
 from graphkin.files.names import split_points
 from graphkin.marking.handed import asked_of
 from graphkin.model.mechanism import Driver, Mechanism
-from graphkin.model.quantities import (
-    Centre,
-    Component,
-    Displacement,
-    Moving,
-    Place,
-    Quantity,
-    Quotient,
-    Rotation,
-    Track,
-)
+from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.at_position import at_position
+from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import read
 from graphkin.model.quantities.units import EDGE
-from graphkin.running.assembled import DrawnSides
+from graphkin.running.assembled import DrawnSides, Lies
 from graphkin.say import names
-from graphkin.say.assembly import assembly
 from graphkin.say.catalogue import is_phrase, say
+
+MADE = "-- graphkin problems"
+"""The last line of a text that this program wrote."""
 
 
 def problem(
@@ -46,9 +39,13 @@ def problem(
     lines += ["", say("problems.find", lang)]
     marked = asked_of(mechanism)
     for question in mechanism.ask:
-        worth = _worth(points.get(question, 1.0), lang) if question in marked else ""
-        quantity = read(mechanism, question)
-        lines.append(f"  {_asked(question, quantity)}{worth}{_measured(mechanism, quantity, lang)}")
+        quantity, worth, credit = read(mechanism, question), "", points.get(question, 1.0)
+        if question in marked:
+            worth = say("problems.points one" if credit == 1 else "problems.points many", lang, points=credit)
+        halves = () if quantity is None else quantity.halves
+        thetas = [half for half in halves if isinstance(half, Rotation) and half.word == "theta"]
+        angles = "".join(dict.fromkeys(_angle_line(mechanism, theta, lang) for theta in thetas))
+        lines.append(f"  {question if quantity is None else _symbol_and_unit(quantity)}{worth}{angles}")
     lines += ["", say("problems.hand in", lang), "", f"  student = {_quoted(student)}", "  [answers]"]
     count = 1 + positions(mechanism)
     lines += [f"  {_quoted(at_position(question, at))} = " for at in range(1, count + 1) for question in marked]
@@ -57,39 +54,38 @@ def problem(
 
 
 def statement(mechanism: Mechanism, lang: Lang, drawn: DrawnSides | None = None) -> Iterator[str]:
-    """The mechanism and what is given of it, in lines; with the assembly it is drawn in."""
+    """The mechanism and its data, in lines; with the assembly it is drawn in."""
     yield from (mechanism.headline(lang), "", say("problems.given", lang))
-    yield from (f"  {line}" for line in _given(tomllib.loads(mechanism.text), lang))
-    if drawn is not None and (told := assembly(drawn, lang)):
-        yield f"  {told}"
-    yield from _positions(mechanism, lang)
+    yield from (f"  {line}" for line in _data(tomllib.loads(mechanism.text), lang))
+    if drawn is not None and (sentence := assembly_sentence(drawn, lang)):
+        yield f"  {sentence}"
+    yield from _driver_values(mechanism, lang)
 
 
 def positions(mechanism: Mechanism) -> int:
-    """How many further ones are asked for."""
+    """The number of further positions that are asked for."""
     return max((len(driver.also) for driver in mechanism.drivers), default=0)
 
 
-def _positions(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
-    """Where the drivers stand at each, by its number."""
+def _driver_values(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
+    """The values of the drivers at each position, by its number."""
     if not positions(mechanism):
         return
     yield ""
     yield say("problems.positions", lang)
     for at in range(positions(mechanism) + 1):
-        values = ((driver, _value_at(driver, at)) for driver in mechanism.drivers)
-        told = [f"{names.point(driver.name)} = {_driven(driver, x)}" for driver, x in values if x is not None]
-        told = told or [say("problems.as given", lang)]
-        yield f"  #{at + 1}{say('common.colon', lang)}{say('common.list', lang).join(told)}"
+        texts = [_driver_value(driver, at) for driver in mechanism.drivers]
+        shown = [text for text in texts if text] or [say("problems.as given", lang)]
+        yield f"  #{at + 1}{say('common.colon', lang)}{say('common.list', lang).join(shown)}"
 
 
-def _value_at(driver: Driver, at: int) -> float | None:
-    return driver.also[at - 1] if 0 < at <= len(driver.also) else driver.value
-
-
-def _driven(driver: Driver, value: float) -> str:
-    """`120°`, `25 mm`."""
-    return f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{math.degrees(value):.6g}°"
+def _driver_value(driver: Driver, at: int) -> str:
+    """`AB = 120°`, `ram = 25 mm`; "" where the file gives none."""
+    value = driver.also[at - 1] if 0 < at <= len(driver.also) else driver.value
+    if value is None:
+        return ""
+    size = f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{math.degrees(value):.6g}°"
+    return f"{names.point(driver.name)} = {size}"
 
 
 def remark(shared: Sequence[str], lang: Lang) -> str:
@@ -98,25 +94,17 @@ def remark(shared: Sequence[str], lang: Lang) -> str:
     return say("problems.shared", lang, count=len(shared), students=few)
 
 
-MADE = "-- graphkin problems"
-"""The last line of a text that this program wrote."""
-
-
 def _quoted(text: str) -> str:
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
-def _worth(points: float, lang: Lang) -> str:
-    return say("problems.points one" if points == 1 else "problems.points many", lang, points=points)
+# --- what is asked ----------------------------------------------------------------------------
 
 
-def _asked(question: str, quantity: Quantity | None) -> str:
+def _symbol_and_unit(quantity: Quantity) -> str:
     """`ω3 [rad/s]`, `aᵏ_B3B2 [m/s²]`."""
-    if quantity is None:
-        return question
     sign = EDGE[quantity.unit].sign
-    unit = f" [{sign}]" if sign else ""
-    return _symbol(quantity) + unit
+    return _symbol(quantity) + (f" [{sign}]" if sign else "")
 
 
 def _symbol(quantity: Quantity) -> str:
@@ -137,15 +125,8 @@ def _symbol(quantity: Quantity) -> str:
             assert_never(quantity)
 
 
-def _measured(mechanism: Mechanism, quantity: Quantity | None, lang: Lang) -> str:
-    """Along which line of its link an angle is measured, of all in what is asked."""
-    parts = () if quantity is None else quantity.halves
-    told = (_line(mechanism, part, lang) for part in parts if isinstance(part, Rotation) and part.word == "theta")
-    return "".join(dict.fromkeys(told))
-
-
-def _line(mechanism: Mechanism, angle: Rotation, lang: Lang) -> str:
-    """From the link's first point to its next; of a block or a cylinder, which has one, along its guide."""
+def _angle_line(mechanism: Mechanism, angle: Rotation, lang: Lang) -> str:
+    """The line along which a link's angle is measured: from its first point to the next; of one point, its guide."""
     symbol = _symbol(angle)
     if (axis := mechanism.links[angle.link].axis) is not None:
         tail, head = map(names.point, axis)
@@ -156,22 +137,25 @@ def _line(mechanism: Mechanism, angle: Rotation, lang: Lang) -> str:
     return say("problems.angle of guide", lang, angle=symbol, guide=mechanism.called(slide.guide))
 
 
-# --- what is given ----------------------------------------------------------------------------
+# --- data of the file -------------------------------------------------------------------------
 
 
-def _given(document: dict[str, Any], lang: Lang) -> Iterator[str]:
+def _data(document: Mapping[str, object], lang: Lang) -> Iterator[str]:
     """A line a link, pair and driver, in the file's order."""
     for table, content in document.items():
         if not is_phrase(f"problems.table {table}"):
             continue
-        rows = content.items() if table == "links" else [("", row) for row in _rows(content)]
+        if table == "links" and isinstance(content, dict):
+            rows = [*content.items()]
+        else:
+            rows = [("", row) for row in (content if isinstance(content, list) else [content])]
         for name, row in rows:
             head = say(f"problems.table {table}", lang) + (f" {name}" if name else "")
-            told = say("common.and", lang).join(_told(key, value, lang) for key, value in _named(row, lang).items())
-            yield f"{head}{say('common.colon', lang)}{told}"
+            entries = (_entry(key, value, lang) for key, value in _with_title(row, lang).items())
+            yield f"{head}{say('common.colon', lang)}{say('common.and', lang).join(entries)}"
 
 
-def _named(row: dict[str, Any], lang: Lang) -> dict[str, Any]:
+def _with_title(row: dict[str, object], lang: Lang) -> dict[str, object]:
     """With what a sliding pair is called behind its name, in this language."""
     title, rest = row.get("title"), {key: value for key, value in row.items() if key != "title"}
     called = title.get(lang) or next(iter(title.values()), "") if isinstance(title, dict) else title
@@ -180,26 +164,46 @@ def _named(row: dict[str, Any], lang: Lang) -> dict[str, Any]:
     return {**rest, "name": f"{row['name']} ({called})"} if "name" in row else {"name": called, **rest}
 
 
-def _rows(content: Any) -> list[Any]:
-    return content if isinstance(content, list) else [content]
-
-
-def _told(key: str, value: object, lang: Lang) -> str:
+def _entry(key: str, value: object, lang: Lang) -> str:
     if is_phrase(f"problems.key {key}"):
-        return f"{say(f'problems.key {key}', lang)} = {_shown(value, lang)}"
+        return f"{say(f'problems.key {key}', lang)} = {_value(value, lang)}"
     angle = "∠" if len(split_points(key)) == len(("tail", "corner", "head")) else ""
-    return f"{angle}{names.point(key)} = {_shown(value, lang)}"
+    return f"{angle}{names.point(key)} = {_value(value, lang)}"
 
 
-def _shown(value: object, lang: Lang) -> str:
+def _value(value: object, lang: Lang) -> str:
     match value:
         case bool():
             return str(value).lower()
         case dict():
-            return "(" + say("common.and", lang).join(_told(key, inner, lang) for key, inner in value.items()) + ")"
+            return "(" + say("common.and", lang).join(_entry(key, inner, lang) for key, inner in value.items()) + ")"
         case list():
-            return "(" + ", ".join(_shown(inner, lang) for inner in value) + ")"
+            return "(" + ", ".join(_value(inner, lang) for inner in value) + ")"
         case "frame":
             return say("problems.the frame", lang)
         case _:
             return str(value)
+
+
+# --- assembly ---------------------------------------------------------------------------------
+
+
+def assembly_sentence(sides: DrawnSides, lang: Lang) -> str:
+    """`Assembly: C above BD.`, one side after another; nothing where there is no choice."""
+    choices = []
+    for lies in sides.lies:
+        line = "".join(map(names.point, lies.line))
+        choices.append(say(f"assembly.side {_side(lies)}", lang, point=names.point(lies.point), line=line))
+    for point, place in sides.near:
+        x, y = (f"{1000 * part + 0.0:.4g}" for part in (place.real, place.imag))
+        choices.append(say("assembly.near", lang, point=names.point(point), x=x, y=y))
+    joined = say("common.and", lang).join(dict.fromkeys(choices))
+    return joined and say("assembly.drawn", lang, told=joined)
+
+
+def _side(lies: Lies) -> str:
+    if lies.by_distance:
+        return "far" if lies.to.real > 0 else "near"
+    if abs(lies.to.imag) >= abs(lies.to.real):
+        return "above" if lies.to.imag > 0 else "below"
+    return "right" if lies.to.real > 0 else "left"

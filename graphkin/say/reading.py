@@ -1,13 +1,13 @@
-"""What reads a construction: the method, its plot and its scales, with the names of all they hold."""
+"""A method, its plot and its scales at one position, with the names and the plain numbers of all they hold."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from graphkin.base.geometry import Value, cross, dot
+from graphkin.base.geometry import cross, dot
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot, Step
 from graphkin.errors import Lang, listed
@@ -30,6 +30,16 @@ TOO_SHORT_MM = 0.5
 """Shorter lines are not drawn on paper."""
 
 
+def aside(along: complex, arm: complex) -> float:
+    """The distance of the head of an arm from the line through its tail along a unit vector."""
+    return abs(float(cross(along, arm)))
+
+
+def capitalized(text: str) -> str:
+    """A text as the start of a sentence."""
+    return text[0].upper() + text[1:]
+
+
 @frozen
 class Reading:
     """A method and the plot of one position of it, about to be worded in one language.
@@ -46,16 +56,6 @@ class Reading:
     ruler: Ruler | None = None
     apart: bool = False
 
-    def say(self, key: str, /, **words: object) -> str:
-        return say_close(key, self.lang, **words)
-
-    def too_short(self, length_mm: float) -> str:
-        """A note on a length that no pencil draws."""
-        return self.say("derivation.too short") if 0 < length_mm < TOO_SHORT_MM else ""
-
-    def listed(self, parts: list[str]) -> str:
-        return listed(parts, self.lang)
-
     @property
     def mechanism(self) -> Mechanism:
         return self.method.mechanism
@@ -70,29 +70,60 @@ class Reading:
 
     @cached_property
     def rested(self) -> frozenset[Fact]:
-        """What drivers at rest hold still in both polygons."""
+        """Facts of both polygons that drivers at rest hold still."""
         return frozenset() if self.apart else at_rest(self.method, self.plot.facts)
+
+    # --- words --------------------------------------------------------------------------------
+
+    def say(self, key: str, /, **words: object) -> str:
+        return say_close(key, self.lang, **words)
+
+    def listed(self, parts: list[str]) -> str:
+        """`A, B and C`."""
+        return listed(parts, self.lang)
+
+    def joined(self, parts: Iterable[str]) -> str:
+        """`A, B, C`."""
+        return self.say("common.and").join(parts)
+
+    def note(self, text: str) -> str:
+        """A text in brackets; nothing of none."""
+        return self.say("common.note", note=text) if text else ""
+
+    def too_short(self, length_mm: float) -> str:
+        """A note on a length that no pencil draws."""
+        return self.say("derivation.too short") if 0 < length_mm < TOO_SHORT_MM else ""
+
+    def sense(self, value: float) -> str:
+        """The sense of a rotation in a word; nothing has no sense."""
+        return self.say("common.ccw" if value > 0 else "common.cw") if value else ""
+
+    def signed(self, value: float) -> str:
+        """The meaning of the sign of a sum, in which counter-clockwise is positive; nothing has no sense."""
+        return self.say("derivation.positive" if value > 0 else "derivation.negative") if value else ""
+
+    def way_round(self, points: Iterable[str], ccw: bool) -> str:
+        """`B→C→E counter-clockwise`: the sense in which corners follow one another."""
+        return self.say("common.way round", way="→".join(map(names.point, points)), sense=self.sense(1 if ccw else -1))
 
     # --- links --------------------------------------------------------------------------------
 
     def body(self, link: str) -> str:
         """The link that turns as this body does: a pin turns with its slot."""
         structure = self.method.structure
-        if not structure.is_pin(link):
-            return link
-        return structure.pins[link].guide
+        return structure.pins[link].guide if structure.is_pin(link) else link
 
     def link(self, link: str) -> str:
-        """What people call a link."""
+        """The name by which people call a link."""
         return names.point(self.mechanism.called(self.body(link)))
+
+    def links(self, links: Iterable[str]) -> str:
+        """`2, 3 and 4`."""
+        return self.listed([self.link(link) for link in links])
 
     def rate(self, symbol: str, link: str) -> str:
         """`ω3` of a link, from the symbol and the link."""
         return names.of_link(symbol, self.mechanism.called(self.body(link)))
-
-    def signed(self, value: float) -> str:
-        """What the sign of a sum means, in which counter-clockwise is positive; nothing has no sense."""
-        return self.say("derivation.positive" if value > 0 else "derivation.negative") if value else ""
 
     def group(self, link: str) -> list[str]:
         """The other links that hold their angles to this one; the frame and pins are none."""
@@ -101,7 +132,7 @@ class Reading:
         return [other for other in links if turns[other].base == base and other != self.body(link)]
 
     def stands(self, link: str) -> bool:
-        """Whether a driver at rest holds a link still."""
+        """True where a driver at rest holds a link still."""
         owners, nodes = self.mechanism.owners, self.method.velocity.nodes
         sites = {name: node.site for name, node in nodes.items() if node.site is not None and node.site.link != FRAME}
         own = (name for name, site in sites.items() if link in (site.link, *owners.get(site.point, ())))
@@ -109,7 +140,7 @@ class Reading:
         return still and self.rested.issuperset(turnings(self.method, "omega", link))
 
     def translates(self, link: str) -> bool:
-        """Whether a link cannot turn at all."""
+        """True of a link that cannot turn at all."""
         turn = self.plot.facts.turns[link]
         return turn.base == FRAME and not turn.drivers
 
@@ -140,10 +171,12 @@ class Reading:
         primes = "′" * [*sizes, round(size, 12)].index(round(size, 12)) if size else ""
         return names.of_link("r", self.mechanism.called(link)) + primes
 
-    @property
+    @cached_property
     def circles(self) -> tuple[tuple[str, float], ...]:
         """The centre and the radius of each round profile, and of each circular slot."""
-        return tuple(_circles(self.mechanism))
+        profiles = [profile for cam in self.mechanism.of(Cam) for profile in cam.profiles]
+        rounds = [(one.centre, one.radius) for one in profiles if one.centre is not None and one.radius]
+        return (*rounds, *((slot.centre, slot.radius) for slot in self.mechanism.of(CircularSlot)))
 
     def rim(self, pair: Pair) -> str:
         """The radius of the circle that touches a line: of a wheel, or of a profile."""
@@ -155,24 +188,15 @@ class Reading:
         sizes = dict.fromkeys(round(radius, 12) for about, radius in self.circles if about == centre)
         return f"r_{names.point(centre)}" + "′" * [*sizes].index(round(size, 12))
 
-    def way_round(self, points: tuple[str, ...], ccw: bool) -> str:
-        """`B→C→E counter-clockwise`: the sense in which corners follow one another."""
-        way = "→".join(names.point(point) for point in points)
-        return self.say("common.way round", way=way, sense=self.say("common.ccw" if ccw else "common.cw"))
-
-    def slide_name(self, slide: str) -> str:
-        """What people call a named slide or roll."""
-        return self.mechanism.slide_title(slide, self.lang)
-
     def numbered(self, point: str, link: str) -> str:
         """The point of a link as written where several links have one there: `B3`."""
         return Labels(self.method.structure, {}).numbered(point, self.body(link))
 
-    # --- lengths of the mechanism --------------------------------------------------------------
+    # --- numbers of the mechanism --------------------------------------------------------------
 
     @property
     def usual(self) -> Usual:
-        """What is usual here; what is far below is nothing."""
+        """Usual sizes of this mechanism; what is far below is nothing."""
         return self.mechanism.usual
 
     @property
@@ -180,21 +204,43 @@ class Reading:
         """Lengths up to this are none [m]."""
         return self.usual.least("m")
 
+    def at(self, point: str) -> complex:
+        """The place of a point of the mechanism [m]."""
+        return complex(self.plot.position[point])
+
+    def arm(self, tail: str, head: str) -> complex:
+        """The vector between two points of the mechanism [m]."""
+        return complex(self.plot.arm(tail, head))
+
+    def guide(self, slide: str) -> complex:
+        """The unit vector of a slide's line."""
+        return complex(self.plot.guide_direction(slide))
+
+    def turning(self, link: str, plane: Plane) -> float:
+        """omega or alpha of a link, as the plane has it, without noise."""
+        table = self.plot.omega if plane == "velocity" else self.plot.alpha
+        return float(self.usual.rate(float(table[link]), plane).real)
+
+    def sliding(self, slide: str, plane: Plane) -> float:
+        """The rate of a displacement, or its rate again, as the plane has it, without noise."""
+        table = self.plot.s_rate if plane == "velocity" else self.plot.s_acceleration
+        return float(self.usual.motion(float(table[slide]), plane).real)
+
     def distance(self, first: str, second: str) -> float:
-        """Between two points of the mechanism [m]."""
+        """Between two points of the mechanism [m]; as the ruler reads it."""
         ruler = self.ruler
-        length = float(ruler.distance(self.plot, first, second) if ruler else abs(self.plot.arm(first, second)))
+        length = float(ruler.distance(self.plot, first, second).real) if ruler else abs(self.arm(first, second))
         return length if length > self.noise else 0.0
 
     def measured(self, length: float) -> float:
         """A length of the mechanism, or a coordinate, that is read [m]."""
-        return float(self.ruler.read(length, "position")) if self.ruler else length
+        return float(self.ruler.read(length, "position").real) if self.ruler else length
 
-    def angle(self, vector: Value) -> str:
+    def angle(self, vector: complex) -> str:
         """A measured direction."""
         return degrees(vector, self.ruler.angle) if self.ruler else degrees(vector)
 
-    def direction(self, vector: Value) -> float:
+    def direction(self, vector: complex) -> float:
         """The same as a number [deg]."""
         return direction(vector, self.ruler.angle) if self.ruler else direction(vector)
 
@@ -202,14 +248,33 @@ class Reading:
         """A length of the mechanism in mm on paper, as a figure."""
         return number(length / self.scales["length"], self.noise / self.scales["length"])
 
+    def place_on_paper(self, place: complex) -> str:
+        """Coordinates on paper, in mm."""
+        return f"({self.on_paper(place.real)}, {self.on_paper(place.imag)})"
+
     # --- slides ---------------------------------------------------------------------------------
+
+    def slide_name(self, slide: str) -> str:
+        """The name by which people call a named slide or roll."""
+        return self.mechanism.slide_title(slide, self.lang)
+
+    def displacement(self, symbol: str, slide: str) -> str:
+        """The displacement of a slide, or of a wheel's centre: `s_ram`, `ṡ_ram`, `Δs_C`."""
+        pair = self.method.structure.slides[slide]
+        return names.of_slide(symbol, pair.name if pair.named else names.point(pair.point))
+
+    @cached_property
+    def contact_slides(self) -> frozenset[str]:
+        """Slides that stand for a cam's slot or for the path of a rolling wheel's centre."""
+        slides = self.method.structure.slides
+        return frozenset(name for name, slide in slides.items() if slide.stands_for is not None)
 
     def line(self, slide: str) -> str:
         """The line of a slide: two points on it (`BC`), or `guide ram`."""
         pair = self.method.structure.slides[slide]
         if pair.named and pair.guide == FRAME and slide not in self.contact_slides:
             return self.say("derivation.guide of", name=self.slide_name(slide))
-        on_it = self.points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
+        on_it = self._points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
         if on_it is None and slide in self.contact_slides:
             rolling = pair.stands_for.rolling if pair.stands_for is not None else None
             if len(self.contact_slides) == 1:
@@ -220,14 +285,8 @@ class Reading:
             return names.pair(*on_it)
         return self.say("derivation.guide of", name=self.slide_name(slide) if pair.named else pair.point)
 
-    @cached_property
-    def contact_slides(self) -> frozenset[str]:
-        """Slides that stand for a cam's slot or for the path of a rolling wheel's centre."""
-        slides = self.method.structure.slides
-        return frozenset(name for name, slide in slides.items() if slide.stands_for is not None)
-
     def path(self, slide: str) -> str:
-        """What the line of a slide is called in the drawing."""
+        """The name that the line of a slide has in the drawing."""
         pair = self.method.structure.slides[slide]
         if slide in self.contact_slides:
             return self.say("contacts.path of", name=names.point(pair.point))
@@ -237,51 +296,33 @@ class Reading:
 
     def points_along(self, slide: str) -> tuple[str, str] | None:
         """Two points of the guide whose line is parallel to the slide's."""
-        return self.points_parallel(self.method.structure.slides[slide].guide, self.plot.guide_direction(slide))
-
-    def points_parallel(self, link: str, along: Value) -> tuple[str, str] | None:
-        """Two points of a link whose line is parallel to a direction."""
-        points = self.method.structure.named(link)
-        for first, second in combinations(points, 2):
-            arm = self.plot.arm(first, second)
-            if abs(cross(along, arm)) <= self.noise < abs(arm):
+        structure, along = self.method.structure, self.guide(slide)
+        for first, second in combinations(structure.named(structure.slides[slide].guide), 2):
+            arm = self.arm(first, second)
+            if aside(along, arm) <= self.noise < abs(arm):
                 return first, second
         return None
 
-    def points_on(self, slide: str) -> tuple[str, str] | None:
+    def _points_on(self, slide: str) -> tuple[str, str] | None:
         """Two points that lie apart on the line, of those that the guide or the pair itself names."""
-        pair, along = self.method.structure.slides[slide], self.plot.guide_direction(slide)
-        named = dict.fromkeys((pair.line.origin, pair.point, *self.method.structure.bodies[pair.guide]))
-        on_it = [
-            point
-            for point in named
-            if self.named(point) and abs(cross(along, self.plot.arm(pair.point, point))) <= self.noise
-        ]
-        for first in on_it:
-            for second in on_it:
-                if abs(dot(along, self.plot.arm(first, second))) > self.noise:
-                    return first, second
-        return None
+        pair, along = self.method.structure.slides[slide], self.guide(slide)
+        points = dict.fromkeys((pair.line.origin, pair.point, *self.method.structure.bodies[pair.guide]))
+        on_it = [p for p in points if self.named(p) and aside(along, self.arm(pair.point, p)) <= self.noise]
+        pairs = ((first, second) for first in on_it for second in on_it)
+        apart = (ends for ends in pairs if abs(float(dot(along, self.arm(*ends)))) > self.noise)
+        return next(apart, None)
 
     def place(self, point: str) -> str:
         """A point of the drawing; the start of a line that has no name of its own is told by its guide."""
         if self.named(point):
             return names.point(point)
-        slides = self.method.structure.slides
-        slide = next(s for s in slides.values() if s.line.origin == point)
-        if slide.name in self.contact_slides:
-            if slide.guide != FRAME:
-                return names.point(point)
-            return self.say("contacts.path start", path=self.path(slide.name))
-        return self.say("derivation.origin of", name=self.slide_name(slide.name) if slide.named else slide.point)
+        slide = next(each for each in self.method.structure.slides.values() if each.line.origin == point)
+        if slide.name not in self.contact_slides:
+            return self.say("derivation.origin of", name=self.slide_name(slide.name) if slide.named else slide.point)
+        if slide.guide != FRAME:
+            return names.point(point)
+        return self.say("contacts.path start", path=self.path(slide.name))
 
     def named(self, point: str) -> bool:
-        """Whether a point has a letter: it is not merely where a line begins."""
+        """True of a point that has a letter: it is not merely where a line begins."""
         return point not in self.mechanism.unnamed
-
-
-def _circles(mechanism: Mechanism) -> Iterator[tuple[str, float]]:
-    for cam in mechanism.of(Cam):
-        yield from ((p.centre, p.radius) for p in cam.profiles if p.centre is not None and p.radius)
-    for slot in mechanism.of(CircularSlot):
-        yield slot.centre, slot.radius

@@ -1,4 +1,4 @@
-"""What `solve` found, for people: drawn beside analysed, and what was asked."""
+"""Everything that `solve` finds, for people: drawn beside analysed, and what was asked."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import EDGE, Unit, driven, read
 from graphkin.say.catalogue import say
-from graphkin.say.centre_explained import place
+from graphkin.say.centre_steps import centre_place
 from graphkin.say.names import in_signs, of_slide
 from graphkin.say.numbers import exact
 from graphkin.say.text_table import table
@@ -22,7 +22,23 @@ _SLIDING = (("s", "s", EDGE["m"]), ("v", "ṡ", EDGE["m/s"]), ("a", "s̈", EDGE[
 """A displacement and its rates: in the data, in print, their units."""
 
 
-def given_values(mechanism: Mechanism, values: Sequence[float], lang: Lang) -> str:
+def solve_lines(mechanism: Mechanism, results: Json, lang: Lang) -> Iterator[str]:
+    """A table of each position, with the answers under it."""
+    colon = say("common.colon", lang)
+    yield "  ".join(dict.fromkeys((results["name"], results["title"])))
+    for position in results["positions"]:
+        yield ""
+        yield f"{say('results.position', lang)}{colon}{_driver_values(mechanism, position['drivers'], lang)}"
+        heads = ("quantity", "graphical", "analytic", "difference", "unit")
+        rows = [[say(f"results.{head}", lang) for head in heads], *_rows(mechanism, position)]
+        yield from table([[in_signs(cell, lang) for cell in row] for row in rows])
+        if position["ask"]:
+            yield f"{say('results.asked', lang)}{colon}".rstrip()
+        yield from (f"  {_answer(question, entry, lang)}" for question, entry in position["ask"].items())
+        yield f"{say('results.worst', lang)}{colon}{position['worst']:.1e}"
+
+
+def _driver_values(mechanism: Mechanism, values: Sequence[float], lang: Lang) -> str:
     """`AB = 60 deg, ram = 90 mm`."""
     shown = []
     for driver, value in zip(mechanism.drivers, values, strict=True):
@@ -31,33 +47,19 @@ def given_values(mechanism: Mechanism, values: Sequence[float], lang: Lang) -> s
     return in_signs(say("common.and", lang).join(shown), lang)
 
 
-def solve_lines(mechanism: Mechanism, found: Json, lang: Lang) -> Iterator[str]:
-    """Everything `results` found, for people."""
-    yield "  ".join(dict.fromkeys((found["name"], found["title"])))
-    for position in found["positions"]:
-        yield ""
-        colon = say("common.colon", lang)
-        yield f"{say('results.position', lang)}{colon}{given_values(mechanism, position['drivers'], lang)}"
-        heads = ("quantity", "graphical", "analytic", "difference", "unit")
-        rows = [[say(f"results.{head}", lang) for head in heads], *_rows(mechanism, position)]
-        rows = [[in_signs(cell, lang) for cell in row] for row in rows]
-        yield from table(rows)
-        yield from _answers(position["ask"], lang)
-        yield f"{say('results.worst', lang)}{colon}{position['worst']:.1e}"
-
-
 def _rows(mechanism: Mechanism, position: Json) -> Iterator[list[str]]:
-    exact = position["analytic"]
+    analytic = position["analytic"]
     for link, motion in position["links"].items():
-        theta, right = math.degrees(motion["theta"]), math.degrees(exact["links"][link]["theta"])
+        theta, right = math.degrees(motion["theta"]), math.degrees(analytic["links"][link]["theta"])
         turned = (theta - right + 180) % 360 - 180
         yield _row(f"theta {link}", theta, right, EDGE["rad"], turned)
         for key, unit in (("omega", "rad/s"), ("alpha", "rad/s^2")):
-            yield _row(f"{key} {link}", motion[key], exact["links"][link][key], EDGE[unit])
+            yield _row(f"{key} {link}", motion[key], analytic["links"][link][key], EDGE[unit])
     for point, motion in position["points"].items():
         for key, unit in (("v", "m/s"), ("a", "m/s^2")):
-            arrow, other = complex(*motion[key]), complex(*exact["points"][point][key])
-            along = _along(mechanism, f"{key} {point}")
+            arrow, other = complex(*motion[key]), complex(*analytic["points"][point][key])
+            quantity = read(mechanism, f"{key} {point}")
+            along = None if quantity is None else quantity.along  # a guide of the frame gives a size its sign
             drawn, right = (abs(each) if along is None else float(dot(along, each)) for each in (arrow, other))
             yield _row(f"{key} {point}", drawn, right, EDGE[unit], abs(arrow - other))
     for slide, motion in position["slides"].items():
@@ -65,13 +67,8 @@ def _rows(mechanism: Mechanism, position: Json) -> Iterator[list[str]]:
             continue  # how far one point is along a line that has no name: its motion stands with the points
         for key, symbol, shown in _SLIDING:
             name = f"s {slide}" if key == "s" else of_slide(symbol, slide)
-            yield _row(name, motion[key] * shown.factor, exact["slides"][slide][key] * shown.factor, shown)
-
-
-def _along(mechanism: Mechanism, question: str) -> complex | None:
-    """Along which direction a size has a sign: of a point that a guide of the frame leads."""
-    quantity = read(mechanism, question)
-    return None if quantity is None else quantity.along
+            right = analytic["slides"][slide][key] * shown.factor
+            yield _row(name, motion[key] * shown.factor, right, shown)
 
 
 def _row(name: str, drawn: float, right: float, unit: Unit, off: float | None = None) -> list[str]:
@@ -79,24 +76,13 @@ def _row(name: str, drawn: float, right: float, unit: Unit, off: float | None = 
     return [name, exact(drawn), exact(right), f"{off:.1e}", unit.name]
 
 
-def _answers(asked: Json, lang: Lang) -> Iterator[str]:
-    if asked:
-        yield f"{say('results.asked', lang)}{say('common.colon', lang)}".rstrip()
-    for question, entry in asked.items():
-        name = in_signs(question, lang)
-        if "at" in entry or "direction" in entry:
-            yield f"  {name} = {place(entry, lang)}" + (" mm" if "at" in entry else "")
-            continue
-        if entry["value"] is None:
-            yield f"  {name}{say('common.colon', lang)}{say('results.not answered', lang)}"
-            continue
-        unit = EDGE[entry["unit"]]
-        value = f"{exact(entry['value'] * unit.factor)} {in_signs(unit.name, lang)}".rstrip()
-        yield f"  {name} = {value}{_components(entry)}"
-
-
-def _components(entry: Json) -> str:
-    if "vector" not in entry:
-        return ""
-    x, y = entry["vector"]
-    return f"  ({exact(x)}, {exact(y)})"
+def _answer(question: str, entry: Json, lang: Lang) -> str:
+    name = in_signs(question, lang)
+    if "at" in entry or "direction" in entry:
+        return f"{name} = {centre_place(entry, lang)}" + (" mm" if "at" in entry else "")
+    if entry["value"] is None:
+        return f"{name}{say('common.colon', lang)}{say('results.not answered', lang)}"
+    unit = EDGE[entry["unit"]]
+    value = f"{exact(entry['value'] * unit.factor)} {in_signs(unit.name, lang)}".rstrip()
+    components = f"  ({', '.join(map(exact, entry['vector']))})" if "vector" in entry else ""
+    return f"{name} = {value}{components}"

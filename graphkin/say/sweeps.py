@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any, assert_never
+from typing import assert_never
 
 import numpy as np
 
@@ -20,37 +20,41 @@ from graphkin.studies.sweeps import Course, Series, Sweep
 
 CONSTANT = 1e-9
 """Beside the value itself, less than this is no change."""
+_BOOK_UNITS = ("rad", "m", "rad/s", "m/s", "rad/s^2", "m/s^2", "1")
 
 
-def at(course: Course, t: float) -> str:
+def _at(course: Course, t: float) -> str:
     """`AB = 41.2°`, by where on the path."""
-    return named(course, float(course.value(t)))
+    return _named(course, float(course.value(t).real))
 
 
-def named(course: Course, value: float) -> str:
+def _named(course: Course, value: float) -> str:
     """`AB = 41.2°`, by the driver's value."""
     return f"{course.driver.name} = {at_edge(value, course.unit)}"
 
 
-def told(event: Event, lang: Lang) -> str:
-    """Why a path stops, or what happens at a change point."""
+def why(event: Event, lang: Lang) -> str:
+    """The reason why a path stops, or what happens at a change point."""
     return say(f"sweeps.event {event.kind}", lang, links=listed(event.links, lang))
 
 
 def remarks(course: Course, lang: Lang) -> Iterator[str]:
-    """How far the driver gets, and through what."""
+    """The range of the driver, and what it passes through."""
     unit = course.unit
     if not course.full_turn:
         low, high = (at_edge(value, unit) for value in course.reach)
         yield say("sweeps.range", lang, driver=course.driver.name, low=low, high=high)
         for stop in course.stops:
-            why = told(stop, lang)
+            reason = why(stop, lang)
             if stop.kind not in ("tangent", "parallel"):
-                why = say("sweeps.dead", lang, why=why)
-            yield say("sweeps.stop", lang, at=at(course, stop.at), why=why)
-        yield from _open_ends(course, lang)
+                reason = say("sweeps.dead", lang, why=reason)
+            yield say("sweeps.stop", lang, at=_at(course, stop.at), why=reason)
+        stops = [stop.at for stop in course.path.stops]
+        for end, side in ((course.path.low, -1), (course.path.high, 1)):
+            if not any(stop * side > 0 for stop in stops):  # nothing stops it there but that no one looked farther
+                yield say("sweeps.open", lang, at=_at(course, end))
     for change in course.changes:
-        yield say("sweeps.change", lang, at=at(course, change.at), why=told(change, lang))
+        yield say("sweeps.change", lang, at=_at(course, change.at), why=why(change, lang))
     if course.dropped.size:
         yield say("sweeps.dropped", lang, count=course.dropped.size)
     if sum(map(bool, course.path.pace)) > 1:
@@ -60,15 +64,7 @@ def remarks(course: Course, lang: Lang) -> Iterator[str]:
 def left_out(course: Course, undefined: np.ndarray, lang: Lang) -> Iterator[str]:
     """That positions were left out, by the driver's values there."""
     if undefined.size:
-        yield say("sweeps.undefined", lang, count=undefined.size, at=named(course, float(undefined[0])))
-
-
-def _open_ends(course: Course, lang: Lang) -> Iterator[str]:
-    """Ends of the path at which nothing stops it but that no one looked farther."""
-    stops = [stop.at for stop in course.path.stops]
-    for end, side in ((course.path.low, -1), (course.path.high, 1)):
-        if not any(stop * side > 0 for stop in stops):
-            yield say("sweeps.open", lang, at=at(course, end))
+        yield say("sweeps.undefined", lang, count=undefined.size, at=_named(course, float(undefined[0])))
 
 
 def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
@@ -78,16 +74,16 @@ def extremes(sweep: Sweep, lang: Lang) -> Iterator[str]:
         if entry.is_place or not np.isfinite(values).any():
             continue
         if np.nanmax(values) - np.nanmin(values) <= CONSTANT * np.nanmax(np.abs(values)):
-            value = _valued(entry, float(values[np.flatnonzero(np.isfinite(values))[0]]))
+            value = _value(entry, float(values[np.flatnonzero(np.isfinite(values))[0]]))
             yield say("sweeps.constant", lang, name=entry.name, value=value)
             continue
         for key, k in (("greatest", int(np.nanargmax(values))), ("least", int(np.nanargmin(values)))):
-            place = named(sweep.course, float(sweep.driven[k]))
-            name, value = in_signs(entry.name, lang), in_signs(_valued(entry, float(values[k])), lang)
+            place = _named(sweep.course, float(sweep.driven[k]))
+            name, value = in_signs(entry.name, lang), in_signs(_value(entry, float(values[k])), lang)
             yield say(f"sweeps.extreme {key}", lang, name=name, value=value, at=place)
 
 
-def _valued(entry: Series, value: float) -> str:
+def _value(entry: Series, value: float) -> str:
     text = at_edge(value, entry.unit)
     return text + (f" ({number(value * IN_GRAVITY.factor, 1e-9)} {IN_GRAVITY.name})" if entry.unit == "m/s^2" else "")
 
@@ -109,39 +105,26 @@ def sweep_lines(sweep: Sweep, lang: Lang) -> Iterator[str]:
     yield from table([names, [f"[{unit}]" for unit in units], *rows])
 
 
-UNITS = ("rad", "m", "rad/s", "m/s", "rad/s^2", "m/s^2", "1")
-
-
 def book_lines(sweep: Sweep) -> Iterator[str]:
     """As Sun Huan's table 3-1: positions, velocities, accelerations; deg and m, five decimals."""
     plain = [entry for entry in sweep.series if not entry.is_place]
-    entries = [entry for unit in UNITS for entry in plain if entry.unit == unit]
-    heads = [_driver_symbol(sweep), *(_symbol(entry) for entry in entries)]
-    units = [_book_unit(unit) for unit in (sweep.course.unit, *(entry.unit for entry in entries))]
-    values = [_book(entry.signed, entry.unit) for entry in entries]
-    first = _book(sweep.driven, sweep.course.unit)
+    columns = [
+        (_symbol(entry), unit, np.degrees(entry.signed) if unit == "rad" else entry.signed)
+        for unit in _BOOK_UNITS for entry in plain if entry.unit == unit
+    ]  # fmt: skip
     for entry in sweep.series:
-        if not entry.is_place or entry.vectors is None:
-            continue
-        heads += [f"{entry.name}_x", f"{entry.name}_y"]
-        units += [_book_unit("m")] * 2
-        values += [entry.vectors.real, entry.vectors.imag]
-    rows = [[exact(round(float(first[k]), 9)), *(_fixed(float(v[k])) for v in values)] for k in range(sweep.t.size)]
-    yield from table([heads, units, *rows])
-
-
-def _book(values: Any, unit: str) -> Any:
-    """Degrees, but metres."""
-    return values * EDGE[unit].factor if unit == "rad" else values
+        if entry.is_place and entry.vectors is not None:
+            columns += [(f"{entry.name}_x", "m", entry.vectors.real), (f"{entry.name}_y", "m", entry.vectors.imag)]
+    heads, units, values = zip(*columns) if columns else ((), (), ())
+    first = np.degrees(sweep.driven) if sweep.course.unit == "rad" else sweep.driven
+    shown = [[f"{v + 0.0:.5f}" if abs(v) >= 5e-6 else "0.00000" for v in column] for column in values]
+    rows = [[exact(round(float(first[k]), 9)), *(column[k] for column in shown)] for k in range(sweep.t.size)]
+    yield from table([[_driver_symbol(sweep), *heads], [*map(_book_unit, (sweep.course.unit, *units))], *rows])
 
 
 def _book_unit(unit: str) -> str:
     sign = unit if unit == "m" else EDGE[unit].sign
     return f"/({sign})" if any(mark in sign for mark in "°/") else f"/{sign}" if sign else ""
-
-
-def _fixed(value: float) -> str:
-    return f"{value + 0.0:.5f}" if abs(value) >= 5e-6 else "0.00000"
 
 
 def _symbol(entry: Series) -> str:

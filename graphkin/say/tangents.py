@@ -1,21 +1,107 @@
-"""A guide line turned about its pivot until it passes where it must: a tangent, and what lies along it."""
+"""Lengths of the mechanism on paper, and guide lines turned about their pivots until they pass where they must."""
 
 from __future__ import annotations
 
+from cmath import phase
+from collections.abc import Iterator
 from dataclasses import dataclass, field
-from math import degrees as in_degrees
-
-import numpy as np
+from math import copysign, degrees
 
 from graphkin.base.geometry import cross, dot
-from graphkin.construction import Arm, LayOff, Span, Swing
+from graphkin.construction import Arm, LayOff, Slid, Span, Swing
 from graphkin.model.pairs import Slide, Slot
+from graphkin.planning.position import touching
 from graphkin.say import names
-from graphkin.say.entry import Calculation
+from graphkin.say.dimensions import guide_angle
+from graphkin.say.entry import Calculation, Entry, Sentence
 from graphkin.say.figures import Formula, Operand, TrigFormula
-from graphkin.say.guide_angle import guide_angle
-from graphkin.say.numbers import degrees, number
-from graphkin.say.paper_lengths import PaperLengths
+from graphkin.say.numbers import degrees as degrees_of
+from graphkin.say.numbers import number
+from graphkin.say.reading import Reading, aside
+
+
+@dataclass
+class PaperLengths:
+    """Turns lengths into millimetres on paper, and back.
+
+    moving   the reading by which the mechanism moves: with its drivers, where poses give the drawn position
+    used     pairs of points whose distance the polygons need; those that nothing gives are measured at the end
+    measured pairs of points whose distance has been told
+    """
+
+    reading: Reading
+    moving: Reading
+    used: tuple[tuple[str, str], ...] = ()
+    measured: set[frozenset[str]] = field(default_factory=set)
+
+    def _length(self, name: str, symbol: str, metres: float) -> str:
+        """`AB = l_AB/μ_l = 0.024/0.001 = 24 mm`."""
+        scale = self.reading.scales["length"]
+        numbers = Operand(metres) / Operand(scale)
+        chain = (name, f"{symbol}/μ_l") if name else (f"{symbol}/μ_l",)
+        return Calculation(chain[0], chain[1:], numbers, metres / scale, "mm").text
+
+    def _arm(self, tail: str, head: str) -> str:
+        pair = names.pair(tail, head)
+        return self._length(pair, f"l_{pair}", self.reading.distance(tail, head))
+
+    def _reach(self, span: Span, name: str = "") -> str:
+        """A radius or a stretch: an arm, a displacement, or several of them end to end."""
+        reading, first, last = self.reading, span.parts[0], span.parts[-1]
+        metres = abs(complex(reading.plot.span(span)))
+        if len(span.parts) == 1 and not isinstance(first, Arm):
+            pair, symbol = reading.method.structure.slides[first.slide], reading.displacement("s", first.slide)
+            if not pair.named and pair.line.named:
+                ends = names.pair(pair.line.origin, pair.point)
+                return self._length(name or ends, f"l_{ends}", metres)
+            return self._length(name, f"|{symbol}|" if reading.plot.s[first.slide] < 0 else symbol, metres)
+        tail, head = self._ends(first)[0], self._ends(last)[1]
+        text = self._length(name or names.pair(tail, head), f"l_{names.pair(tail, head)}", metres)
+        if len(span.parts) > 1:
+            self.measured.add(frozenset((tail, head)))
+            parts = [
+                f"l_{names.pair(part.tail, part.head)}" if isinstance(part, Arm)
+                else reading.displacement("s", part.slide) for part in span.parts
+            ]  # fmt: skip
+            text += reading.note(reading.say("derivation.composed", parts=reading.listed(parts)))
+        return text
+
+    def _ends(self, part: Arm | Slid) -> tuple[str, str]:
+        """The points between which a part of a reach lies, in its direction."""
+        if isinstance(part, Arm):
+            return part.tail, part.head
+        pair = self.reading.method.structure.slides[part.slide]
+        return (pair.line.origin, pair.point) if part.sign > 0 else (pair.point, pair.line.origin)
+
+    def _ruler(self, name: str, line: str, metres: float) -> str:
+        """`BC = 58.87 mm, so l_BC = μ_l·BC = 0.001 × 58.87 = 0.05887 m`."""
+        reading, scale = self.reading, self.reading.scales["length"]
+        metres = metres if abs(metres) > reading.noise else 0.0
+        paper = Calculation(line or f"{name}/μ_l", (), "", metres / scale, "mm").text
+        formula = (f"μ_l·{line}",) if line else ()
+        figures = Operand(scale) * Operand(metres / scale)
+        return reading.say("derivation.ruled", paper=paper, real=Calculation(name, formula, figures, metres, "m").text)
+
+    def _used(self) -> Iterator[Entry]:
+        """The distances that the polygons divide by and that no link gives."""
+        reading, lengths = self.reading, list[str]()
+        for first, second in self.used:
+            pair = frozenset((first, second))
+            if pair not in self.measured and not self._given(first, second):
+                self.measured.add(pair)
+                line = names.pair(first, second)
+                lengths.append(self._ruler(f"l_{line}", line, reading.distance(first, second)))
+        if lengths:
+            said = reading.say("common.semicolon").join(lengths)
+            yield Sentence(reading.say("derivation.measured used", lengths=said))
+
+    def _given(self, first: str, second: str) -> bool:
+        """True where one link, or a contact, holds two points apart."""
+        structure = self.reading.method.structure
+        contact = {(letter, c) for letter, wheels in touching(structure) for c in wheels.centres}
+        links = (*(link.points for link in self.reading.mechanism.links.values()), *structure.bodies.values())
+        beside = (first, second) in contact or (second, first) in contact
+        return beside or any(first in points and second in points for points in links)
 
 
 @dataclass
@@ -28,43 +114,32 @@ class Tangents(PaperLengths):
     swung: dict[str, Swing] = field(default_factory=dict)
 
     def _swing(self, step: Swing) -> str:
-        reading = self.reading
-        along = reading.plot.guide_direction(step.slide)
-        arm = reading.plot.arm(step.pivot, step.through)
-        offset = self._distance_of(step)
-        words = {"pivot": reading.place(step.pivot), "through": reading.place(step.through),
-                 "link": reading.link(step.link)}  # fmt: skip
+        reading, along = self.reading, self.reading.guide(step.slide)
+        arm, offset, foot = reading.arm(step.pivot, step.through), self._offset(step), self._foot_name
+        words = {"pivot": reading.place(step.pivot), "through": reading.place(step.through)}
+        words["link"] = reading.link(step.link)
         if offset <= reading.noise:
             return reading.say("derivation.swing join", **words)
-        foot = self._foot_name
-        way = names.point(step.pivot), foot, names.point(step.through)
-        sense = reading.say("common.ccw" if float(cross(along, arm)) * float(dot(along, arm)) > 0 else "common.cw")
-        which = reading.say("common.way round", way="→".join(way), sense=sense)
-        length = self._distance(step, offset)
-        if abs(dot(along, arm)) <= reading.noise:
-            return reading.say("derivation.swing foot", length=length, foot=foot, **words)
-        key = "derivation.swing beside" if self._beside(step) else "derivation.swing tangent"
-        return reading.say(key, length=length, foot=foot, which=which, **words)
-
-    def _beside(self, step: Swing) -> bool:
-        """Whether the point lies beside the guide line, on a block that turns with it: a parallel line is drawn."""
-        plot, pair = self.reading.plot, self.reading.method.structure.slides[step.slide]
-        off = cross(plot.guide_direction(step.slide), plot.arm(pair.line.origin, step.through))
-        return float(abs(off)) > self.reading.noise
-
-    def _distance_of(self, step: Swing) -> float:
-        """How far the guide line passes from the pivot [m]."""
-        plot = self.reading.plot
-        return float(abs(cross(plot.guide_direction(step.slide), plot.arm(step.pivot, step.through))))
-
-    def _distance(self, step: Swing, offset: float) -> str:
-        """`h = l_CD sin γ = 0.048 × sin 100° = 0.04727 m`, and on paper; `h = r1 = 0.02 m` beside a face."""
-        formula, figures = self._sum(step, self.reading.method.structure.slides[step.slide], offset)
+        formula, figures = self._sum(step, reading.method.structure.slides[step.slide], offset)
         chain = Calculation("h", (formula,) if formula else (), figures, offset, "m").text
-        return f"{chain}{self.reading.say('derivation.on paper', length=self._length('', 'h', offset))}"
+        on_paper = reading.say("derivation.on paper", length=self._length("", "h", offset))
+        words |= {"length": f"{chain}{on_paper}", "foot": foot}
+        if abs(float(dot(along, arm))) <= reading.noise:
+            return reading.say("derivation.swing foot", **words)
+        path = "→".join((names.point(step.pivot), foot, names.point(step.through)))
+        ccw = float(cross(along, arm)) * float(dot(along, arm)) > 0
+        which = reading.say("common.way round", way=path, sense=reading.sense(1 if ccw else -1))
+        pair = reading.method.structure.slides[step.slide]
+        # the point may lie beside the guide line, on a block that turns with it: then a parallel line is drawn
+        parallel = aside(along, reading.arm(pair.line.origin, step.through)) > reading.noise
+        return reading.say("derivation.swing beside" if parallel else "derivation.swing tangent", which=which, **words)
+
+    def _offset(self, step: Swing) -> float:
+        """The distance at which the guide line passes the pivot [m]."""
+        return aside(self.reading.guide(step.slide), self.reading.arm(step.pivot, step.through))
 
     def _sum(self, step: Swing, pair: Slide, offset: float) -> tuple[str, Formula | str]:
-        """`l_CD sin γ`; `l_DM sin 20° + r_C` where a face passes the pivot at a distance; "" of what is neither."""
+        """`l_CD sin γ`; `l_DM sin 20° + r_C` or `r1` where a face passes the pivot at a distance; "" of others."""
         reading, slot = self.reading, pair.path if pair.stands_for is None else pair.stands_for.equivalent
         assert isinstance(slot, Slot), pair
         radius, link = abs(slot.offset), reading.mechanism.links[slot.line.link]
@@ -74,19 +149,18 @@ class Tangents(PaperLengths):
         if not slot.line.named or step.pivot not in link.points or step.pivot == slot.line.origin:
             return "", ""
         arm = link.arm(step.pivot, slot.line.origin)
-        turned, aside = abs(in_degrees(np.angle(slot.line.direction / arm))), abs(cross(slot.line.direction, arm))
+        turned, away = abs(degrees(phase(slot.line.direction / arm))), aside(slot.line.direction, arm)
         angle = guide_angle(reading, pair)
-        known = angle is not None and angle.corner == step.pivot and bool(angle.symbol)
-        sine = TrigFormula("sin", turned if known else min(turned, 180 - turned))
+        gamma = angle.symbol if angle is not None and angle.corner == step.pivot else ""
+        sine = TrigFormula("sin", turned if gamma else min(turned, 180 - turned))
         length, rim = Operand(abs(arm)), Operand(radius)
-        turn = f"sin {angle.symbol}" if angle is not None and known else sine.text()
-        name = f"l_{names.pair(step.pivot, slot.line.origin)} {turn}"
-        ways: dict[float, tuple[str, Formula | str]] = {
-            aside - radius: (f"{name} − {symbol}", length * sine - rim),
-            radius - aside: (f"{symbol} − {name}", rim - length * sine),
-            aside + radius: (f"{name} + {symbol}", length * sine + rim) if radius else (name, length * sine),
+        name = f"l_{names.pair(step.pivot, slot.line.origin)} {f'sin {gamma}' if gamma else sine.text()}"
+        sums: dict[float, tuple[str, Formula | str]] = {
+            away - radius: (f"{name} − {symbol}", length * sine - rim),
+            radius - away: (f"{symbol} − {name}", rim - length * sine),
+            away + radius: (f"{name} + {symbol}", length * sine + rim) if radius else (name, length * sine),
         }
-        return next((way for size, way in ways.items() if abs(size - offset) <= reading.noise), ("", ""))
+        return next((each for size, each in sums.items() if abs(size - offset) <= reading.noise), ("", ""))
 
     def _beside_guide(self, step: LayOff) -> str:
         """A further point of a link whose guide line has just been drawn, by how it lies to that line; "" of others."""
@@ -94,45 +168,39 @@ class Tangents(PaperLengths):
         if not isinstance(part, Arm) or part.link not in self.swung:
             return ""
         swing = self.swung[part.link]
-        along, arm = reading.plot.guide_direction(swing.slide), reading.plot.arm(step.start, step.tip)
-        words = {"start": reading.place(step.start), "tip": reading.place(step.tip),
-                 "length": self._arm(step.start, step.tip)}  # fmt: skip
-        if abs(cross(along, reading.plot.arm(swing.through, step.tip))) <= reading.noise:
+        along, arm = reading.guide(swing.slide), reading.arm(step.start, step.tip)
+        if aside(along, reading.arm(swing.through, step.tip)) <= reading.noise:
             return self._on_tangent(step, swing)
-        turned = float(np.angle(arm / along * np.sign(dot(along, arm) or 1.0)))
-        if abs(cross(along, arm)) <= reading.noise:
-            return reading.say("derivation.lay off parallel", angle=degrees(arm), **words)
-        sense = reading.say("common.ccw" if turned > 0 else "common.cw")
-        words["turned"] = f"{self._corner_of_link(part.link, step)}{number(abs(in_degrees(turned)))}°"
-        return reading.say("derivation.lay off turned", sense=sense, **words)
+        words = {"start": reading.place(step.start), "tip": reading.place(step.tip)}
+        words["length"] = self._arm(step.start, step.tip)
+        if aside(along, arm) <= reading.noise:
+            return reading.say("derivation.lay off parallel", angle=degrees_of(arm), **words)
+        ahead = along * copysign(1.0, float(dot(along, arm)) or 1.0)
+        turned = degrees(phase(arm / ahead))
+        corner = f"{self._corner_of_link(part.link, step, ahead)}{number(abs(turned))}°"
+        return reading.say("derivation.lay off turned", sense=reading.sense(turned), turned=corner, **words)
 
-    def _corner_of_link(self, link: str, step: LayOff) -> str:
+    def _corner_of_link(self, link: str, step: LayOff, ahead: complex) -> str:
         """`∠CDE = ` where another point of the link lies on the guide line from D, at less than 90 deg to DC."""
-        plot, along = self.reading.plot, self.reading.plot.guide_direction(self.swung[link].slide)
-        ahead = along * np.sign(dot(along, plot.arm(step.start, step.tip)) or 1.0)
-        arms = ((p, plot.arm(step.start, p)) for p in self.reading.mechanism.named(link))
-        on_it = (p for p, arm in arms if abs(cross(ahead, arm)) <= self.reading.noise < dot(ahead, arm))
+        noise = self.reading.noise
+        arms = ((p, self.reading.arm(step.start, p)) for p in self.reading.mechanism.named(link))
+        on_it = (p for p, arm in arms if aside(ahead, arm) <= noise < float(dot(ahead, arm)))
         return next((f"∠{''.join(map(names.point, (step.tip, step.start, p)))} = " for p in on_it), "")
 
     def _on_tangent(self, step: LayOff, swing: Swing) -> str:
         """A point of the guide line itself: how far from the foot, and which way."""
-        reading = self.reading
-        foot, at_pivot = self._foot(swing), self._distance_of(swing) <= reading.noise
-        length = reading.distance(step.start, step.tip)
-        words = {"start": reading.place(step.start), "tip": reading.place(step.tip),
-                 "length": self._arm(step.start, step.tip)}  # fmt: skip
-        if abs(reading.plot.position[step.tip] - foot) <= reading.noise or not length:
+        reading, along = self.reading, self.reading.guide(swing.slide)
+        through, tip = reading.at(swing.through), reading.at(step.tip)
+        foot = through - float(dot(along, reading.arm(swing.pivot, swing.through))) * along
+        words = {"start": reading.place(step.start), "tip": reading.place(step.tip)}
+        words["length"] = self._arm(step.start, step.tip)
+        if abs(tip - foot) <= reading.noise or not reading.distance(step.start, step.tip):
             return reading.say("derivation.at the foot", **words)
-        ahead = float(dot(reading.plot.position[swing.through] - foot, reading.plot.position[step.tip] - foot))
+        ahead = float(dot(through - foot, tip - foot))
         key = "derivation.on tangent" if ahead > 0 else "derivation.on tangent beyond"
-        named = reading.place(swing.pivot) if at_pivot else self._foot_name
-        return reading.say(key, foot=named, through=reading.place(swing.through), **words)
-
-    def _foot(self, swing: Swing) -> complex:
-        """Where the guide line is nearest to the pivot."""
-        plot = self.reading.plot
-        along, arm = complex(plot.guide_direction(swing.slide)), complex(plot.arm(swing.pivot, swing.through))
-        return complex(plot.position[swing.through] - dot(along, arm) * along)
+        at_pivot = self._offset(swing) <= reading.noise
+        name = reading.place(swing.pivot) if at_pivot else self._foot_name
+        return reading.say(key, foot=name, through=reading.place(swing.through), **words)
 
     @property
     def _foot_name(self) -> str:

@@ -1,66 +1,63 @@
-"""What paper allows, and how well mistakes are told apart."""
+"""Tolerances that paper allows, and mistakes that can be told apart: in trials, and by the answers to a set."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
 from graphkin.errors import Lang
-from graphkin.marking.key import Marking
 from graphkin.marking.power import MistakePower, Power
 from graphkin.marking.tellable import WELL
+from graphkin.marking.told import LOOKED_AT, SetTold
 from graphkin.marking.tolerances import Cost, Tolerances
 from graphkin.model.quantities import EDGE
 from graphkin.say.catalogue import is_phrase, say
-from graphkin.say.marks import shown, table
+from graphkin.say.marks import edge_value, marks_table
 from graphkin.say.names import in_signs
 from graphkin.say.numbers import number
 
-_TOLD = 10
-"""Steps that are told."""
+_MOST_STEPS = 10
+"""Steps that are printed."""
+_MOST_PAIRS = 10
+"""Pairs of mistakes that are printed."""
 _SCALES = {"length": "μ_l = {} m/mm", "velocity": "μ_v = {} (m/s)/mm", "acceleration": "μ_a = {} (m/s²)/mm"}
 
 
 # --- tolerances -------------------------------------------------------------------------------
 
 
-def tolerance_lines(found: Tolerances, lang: Lang) -> Iterator[str]:
+def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
     """The pencil, a row a quantity, and the steps that cost most."""
-    marking = found.key.marking
-    yield found.key.title.get(lang) or next(iter(found.key.title.values()), found.key.name)
-    yield from _pencil(marking, found.drawings, lang)
-    heads = (
-        "marks.column quantity", "marks.column right value", "tolerances.column scatter", "verdicts.tolerance",
-        "tolerances.column part", "marks.column unit", "tolerances.column worst step",
-    )  # fmt: skip
-    yield from table([[say(name, lang) for name in heads], *_rows(found, lang)])
-    yield say("tolerances.asked", lang)
-    yield ""
-    yield say("tolerances.costs", lang)
-    yield from (f"  {cost.over_all:6.1%}  {_step(cost, lang)}" for cost in found.costs[:_TOLD])
-
-
-def _pencil(marking: Marking, drawings: int, lang: Lang) -> Iterator[str]:
+    key, marking = tolerances.key, tolerances.key.marking
+    yield key.title.get(lang) or next(iter(key.title.values()), key.name)
     length, angle = marking.on_paper
-    yield say("tolerances.pencil", lang, length=f"{length:g}", angle=f"{angle:g}", count=drawings)
+    yield say("tolerances.pencil", lang, length=f"{length:g}", angle=f"{angle:g}", count=tolerances.drawings)
     scales = say("common.and", lang).join(_SCALES[key].format(f"{x:g}") for key, x in marking.scales.items())
     yield say("tolerances.scales", lang, scales=scales)
     allowed = "tolerances.allowed part" if marking.relative else "tolerances.allowed"
     yield say(allowed, lang, sigmas=f"{marking.sigmas:g}", part=f"{marking.relative:.3g}")
+    heads = ("marks.column quantity", "marks.column right value", "tolerances.column scatter", "verdicts.tolerance",
+             "tolerances.column part", "marks.column unit", "tolerances.column worst step")  # fmt: skip
+    yield from marks_table([[say(name, lang) for name in heads], *_rows(tolerances, lang)])
+    yield say("tolerances.asked", lang)
+    yield ""
+    yield say("tolerances.costs", lang)
+    yield from (f"  {cost.over_all:6.1%}  {_step(cost, lang)}" for cost in tolerances.costs[:_MOST_STEPS])
 
 
-def _rows(found: Tolerances, lang: Lang) -> Iterator[list[str]]:
-    for entry in sorted(found.entries, key=lambda entry: entry.points == 0):
+def _rows(tolerances: Tolerances, lang: Lang) -> Iterator[list[str]]:
+    for entry in sorted(tolerances.entries, key=lambda entry: entry.points == 0):
         name = f"{in_signs(entry.text, lang)}{' *' if entry.points else ''}"
-        right, scatter, unit = shown(entry.right, entry.unit), shown(entry.scatter, entry.unit), EDGE[entry.unit].sign
+        right, scatter = edge_value(entry.right, entry.unit), edge_value(entry.scatter, entry.unit)
+        unit = EDGE[entry.unit].sign
         if entry.doubt in ("dead point", "too small"):
             yield [name, right, scatter, "", "", unit, say(f"verdicts.verdict {entry.doubt}", lang)]
             continue
-        part, worst = f"{entry.tolerance / abs(entry.right):.1%}" if entry.right else "", found.worst(entry.text)
+        part, worst = f"{entry.tolerance / abs(entry.right):.1%}" if entry.right else "", tolerances.worst(entry.text)
         cost = "" if worst is None else f"{_step(worst, lang)} ({worst.parts[entry.text]:.0%})"
         steep = say("tolerances.steep", lang) if entry.doubt else ""
-        yield [name, right, scatter, f"±{shown(entry.tolerance, entry.unit)}", part, unit, f"{cost}{steep}"]
+        yield [name, right, scatter, f"±{edge_value(entry.tolerance, entry.unit)}", part, unit, f"{cost}{steep}"]
 
 
 def _step(cost: Cost, lang: Lang) -> str:
@@ -83,8 +80,8 @@ def power_lines(power: Power, lang: Lang) -> Iterator[str]:
     ids = list(dict.fromkeys(one.name[0] for one in power.found))
     rows = [_power_row(id, [one for one in power.found if one.name[0] == id]) for id in ids]
     head = [*(say(f"tolerances.column {key}", lang) for key in heads), ""]
-    yield from table([head, *rows, _power_row(say("tolerances.all", lang), power.found)])
-    yield from _told(power, lang)
+    yield from marks_table([head, *rows, _power_row(say("tolerances.all", lang), power.found)])
+    yield from _shares_named(power, lang)
     out = [one for one in power.found if not one.applicable]
     names = dict.fromkeys(one.name[0] for one in out)
     share = f"{len(out) / max(len(power.found), 1):.0%}"
@@ -95,30 +92,61 @@ def power_lines(power: Power, lang: Lang) -> Iterator[str]:
     yield say("tolerances.random", lang, named=f"{power.random:.2%}")
 
 
-def _told(power: Power, lang: Lang) -> Iterator[str]:
-    """How many mistakes are named as they should be; and those that paper cannot tell."""
+def _shares_named(power: Power, lang: Lang) -> Iterator[str]:
+    """The number of mistakes that are named as they should be; and of those that paper cannot tell."""
     some = [one for one in power.found if one.applicable]
-    told, rest = ([one for one in some if one.tellable is tellable] for tellable in (True, False))
+    tellable, rest = ([one for one in some if one.tellable is expected] for expected in (True, False))
     part, missed = f"{WELL:.0%}", f"{1 - WELL:.0%}"
-    if told:
-        yield say("tolerances.well named", lang, count=_well(told), all=len(told), part=part)
+    well, well_of_rest = (sum(one.named >= WELL for one in group) for group in (tellable, rest))
+    if tellable:
+        yield say("tolerances.well named", lang, count=well, all=len(tellable), part=part)
     if rest:
         hidden = sum(one.observed is not None and one.observed.beyond < WELL for one in rest)
-        yield say(
-            "tolerances.not tellable", lang, count=len(rest), all=len(some), share=f"{len(rest) / len(some):.0%}",
-            missed=missed, hidden=hidden, named=_well(rest), part=part,
-        )  # fmt: skip
+        yield say("tolerances.not tellable", lang, count=len(rest), all=len(some), missed=missed, hidden=hidden,
+                  share=f"{len(rest) / len(some):.0%}", named=well_of_rest, part=part)  # fmt: skip
 
 
-def _well(found: Sequence[MistakePower]) -> int:
-    return sum(one.named >= WELL for one in found)
-
-
-def _power_row(name: str, found: Sequence[MistakePower]) -> list[str]:
+def _power_row(name: str, powers: Sequence[MistakePower]) -> list[str]:
     """Parts and the least of those that paper can tell."""
-    some, told = [one for one in found if one.applicable], [one for one in found if one.tellable]
-    counts = [str(len(one)) for one in (found, some, told)]
-    if not told:
+    some, tellable = [one for one in powers if one.applicable], [one for one in powers if one.tellable]
+    counts = [str(len(one)) for one in (powers, some, tellable)]
+    if not tellable:
         return [name, *counts, "", "", "", "", ""]
-    parts = [float(np.mean([getattr(one, what) for one in told])) for what in ("wrong", "named", "alone")]
-    return [name, *counts, *(f"{part:.1%}" for part in parts), number(min(one.named for one in told)), ""]
+    parts = [float(np.mean([getattr(one, what) for one in tellable])) for what in ("wrong", "named", "alone")]
+    return [name, *counts, *(f"{part:.1%}" for part in parts), number(min(one.named for one in tellable)), ""]
+
+
+# --- the answers to a set of problems ---------------------------------------------------------
+
+
+def discriminability_lines(told: SetTold, lang: Lang) -> Iterator[str]:
+    """A row a mistake, then what is always one set, what the numbers make one, and false alarms."""
+
+    def problems(count: int) -> str:
+        one = "discriminability.problems one" if count == 1 else "discriminability.problems many"
+        return say(one, lang, count=count)
+
+    length, angle = (f"{error:g}" for error in told.pencil)
+    yield say("discriminability.head", lang, problems=problems(told.problems), length=length, angle=angle)
+    heads = [say(f"discriminability.column {name}", lang) for name in ("mistake", "places", "seen", "apart")]
+    counts = {**told.kinds, say("discriminability.all", lang): (told.places, told.seen, told.apart)}
+    rows = [[name, number(places), f"{seen:.0%}", f"{apart:.0%}", ""] for name, (places, seen, apart) in counts.items()]
+    yield from marks_table([[*heads, ""], *rows])
+    yield say("discriminability.not applicable", lang, share=f"{1 - told.seen:.0%}")
+    yield from _pairs("sets", told.sets, lang)
+    yield from _pairs("rivals", told.rivals, lang)
+    lost = "discriminability.lost" if told.lost else "discriminability.nothing lost"
+    yield say(lost, lang, share=f"{told.lost:.0%}", looked=LOOKED_AT)
+    if told.tried:
+        wrong, named = (f"{part:.2%}" for part in told.alarms)
+        yield say("discriminability.false alarms", lang, problems=problems(told.tried), wrong=wrong, named=named)
+
+
+def _pairs(what: str, pairs: Mapping[tuple[str, str], float], lang: Lang) -> Iterator[str]:
+    if not pairs:
+        return
+    yield say(f"discriminability.pairs {what}", lang)
+    for (first, second), share in list(pairs.items())[:_MOST_PAIRS]:
+        yield "  " + say("discriminability.pair", lang, first=first, second=second, share=f"{share:.0%}")
+    if len(pairs) > _MOST_PAIRS:
+        yield "  " + say("discriminability.more", lang, count=len(pairs) - _MOST_PAIRS)

@@ -1,15 +1,16 @@
-"""What every subject says: signs between, senses."""
+"""Phrases of every subject: signs between, senses."""
 
 from graphkin.say.catalogue import Phrases
 
+# fmt: off
 PHRASES: Phrases = {
-    "note": (" ({note})", "（{note}）"),
-    "and": (", ", "，"),
-    "broken off": ("Aborted!", "已中断。"),
-    "list": (", ", "、"),
-    "semicolon": ("; ", "；"),
-    "colon": (": ", "："),
-    "way round": ("{way} {sense}", "{way} {sense}"),
-    "ccw": ("counter-clockwise", "逆时针"),
-    "cw": ("clockwise", "顺时针"),
+    "common.note": (" ({note})", "（{note}）"),
+    "common.and": (", ", "，"),
+    "common.broken off": ("Aborted!", "已中断。"),
+    "common.list": (", ", "、"),
+    "common.semicolon": ("; ", "；"),
+    "common.colon": (": ", "："),
+    "common.way round": ("{way} {sense}", "{way} {sense}"),
+    "common.ccw": ("counter-clockwise", "逆时针"),
+    "common.cw": ("clockwise", "顺时针"),
 }

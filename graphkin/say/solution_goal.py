@@ -1,4 +1,4 @@
-"""What is asked of a mechanism: in the symbols of the field, and how far the solution has to go for it."""
+"""The goal of a solution: what is asked, in the symbols of the field, and how far one has to go for it."""
 
 from __future__ import annotations
 
@@ -7,19 +7,10 @@ from functools import cached_property
 from typing import TYPE_CHECKING, assert_never
 
 from graphkin.base.value import frozen
-from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Size, Tangential, Turning
+from graphkin.construction import Equation, Given, LayOff, Normal, Plane, Tangential, Turning
 from graphkin.model.mechanism import FRAME
-from graphkin.model.quantities import (
-    Centre,
-    Component,
-    Displacement,
-    Moving,
-    Place,
-    Quantity,
-    Quotient,
-    Rotation,
-    Track,
-)
+from graphkin.model.quantities import Quantity
+from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import read
 from graphkin.planning.held_still import standing
 from graphkin.planning.needed import Fact, Part, arms, needed, turning
@@ -28,19 +19,19 @@ from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.reading import Reading
 
 if TYPE_CHECKING:
-    from graphkin.say.asked_centres import AskedCentres
+    from graphkin.say.centre_steps import CentrePart
 
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
 
 
 @frozen
-class Asked:
-    """What a solution is to find, and how far it goes.
+class SolutionGoal:
+    """The quantities that a solution is to find, and how far it goes.
 
     wanted   what it answers; None for a text that is only shown
     texts    as the file asks
     parts    of both polygons what leads there; a polygon that leads to nothing is not among them
-    chosen   whether the file's questions decide how far it goes
+    chosen   the file's questions decide how far it goes
     """
 
     reading: Reading
@@ -49,19 +40,15 @@ class Asked:
     parts: dict[Plane, tuple[Part, ...]]
     chosen: bool
 
-    @property
-    def centres(self) -> tuple[Centre, ...]:
-        """The instant centres among what is asked for."""
-        return tuple(one for one in self.wanted if isinstance(one, Centre))
-
     @cached_property
-    def centred(self) -> AskedCentres | None:
-        """How they are found."""
-        if not self.centres:
+    def centred(self) -> CentrePart | None:
+        """The part of the solution that finds the instant centres asked for."""
+        centres = tuple(one for one in self.wanted if isinstance(one, Centre))
+        if not centres:
             return None
-        from graphkin.say.asked_centres import asked_centres
+        from graphkin.say.centre_steps import centre_part
 
-        return asked_centres(self.reading, self.centres)
+        return centre_part(self.reading, centres)
 
     @property
     def levers(self) -> tuple[tuple[str, str], ...]:
@@ -75,29 +62,27 @@ class Asked:
         if isinstance(part, Equation):
             for step in part.steps:
                 yield from self._arms(step)
-        elif not isinstance(part, LayOff) or not self._translating(part.term.size):
+            return
+        size = part.term.size if isinstance(part, LayOff) else None
+        if not isinstance(size, Turning | Normal | Tangential) or not self.reading.translates(size.link):
             yield from arms(part)
-
-    def _translating(self, size: Size | None) -> bool:
-        return isinstance(size, Turning | Normal | Tangential) and self.reading.translates(size.link)
 
     @property
     def angles(self) -> frozenset[str] | None:
         """The links whose angles are asked for; None for all."""
         halves = [half for one in self.wanted if one is not None for half in one.halves]
-        turned = frozenset(half.link for half in halves if isinstance(half, Rotation) and half.word == "theta")
-        return turned if self.chosen else None
-
-    # --- what is asked ------------------------------------------------------------------------------
+        rotations = [half for half in halves if isinstance(half, Rotation)]
+        return frozenset(half.link for half in rotations if half.word == "theta") if self.chosen else None
 
     def question(self) -> Iterator[Entry]:
+        """The part of a solution that says what is to be found."""
         say = self.reading.say
         if not self.wanted:
             return
         yield Heading(say("solution.find"))
         if self.chosen:
-            named = [self.symbol(one) if one else text for one, text in zip(self.wanted, self.texts, strict=True)]
-            yield Sentence(say("solution.find these", wanted=self.reading.listed(named)))
+            symbols = [self.symbol(one) if one else text for one, text in zip(self.wanted, self.texts, strict=True)]
+            yield Sentence(say("solution.find these", wanted=self.reading.listed(symbols)))
         else:
             yield Sentence(say("solution.find all" if "acceleration" in self.parts else "solution.find velocities"))
 
@@ -125,25 +110,30 @@ class Asked:
                 assert_never(quantity)
 
 
-def asked(reading: Reading, everything: bool = False, only: Plane = "acceleration") -> Asked:
+def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acceleration") -> SolutionGoal:
     """As far as the file asks; all there is with `everything`, or where it asks for nothing that moves.
 
     only  the last plane that is drawn
     """
     mechanism, planes = reading.mechanism, PLANES[1 : PLANES.index(only) + 1]
-    texts = {text: read(mechanism, text) for text in mechanism.ask}
-    texts = {text: one for text, one in texts.items() if one is None or _plane(one) in ("position", *planes)}
-    facts = {fact for one in texts.values() if one is not None for fact in _facts(reading, one)}
+    questions = {text: read(mechanism, text) for text in mechanism.ask}
+    questions = {text: one for text, one in questions.items() if one is None or _plane(one) in ("position", *planes)}
+    answerable = [one for one in questions.values() if one is not None]
+    facts = {fact for one in answerable for fact in _facts(reading, one)}
     if everything or not facts:
-        asked_for = (one for one in texts.values() if one is not None)
-        placed = (one for one in asked_for if isinstance(one, Centre) or _plane(one) == "position")
+        placed = (one for one in answerable if isinstance(one, Centre) or _plane(one) == "position")
         wanted = (*placed, *_all(reading, planes))
         constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
         parts = {plane: constructions[plane].parts for plane in planes}
-        return Asked(reading, wanted, tuple(one.text for one in wanted), parts, False)
+        return SolutionGoal(reading, wanted, tuple(one.text for one in wanted), parts, False)
     led = needed(reading.method, {*facts})
-    shown = {plane: led[plane] for plane in planes if _finds(led[plane]) or _direct(facts, plane)}
-    return Asked(reading, (*texts.values(),), (*texts,), shown, True)
+    shown: dict[Plane, tuple[Part, ...]] = {}
+    for plane in planes:  # in which something is drawn, or needs no step, as a driven rotation does
+        kinds = ("omega" if plane == "velocity" else "alpha", plane)
+        direct = any(kind.removeprefix("driven ") in kinds for kind, _ in facts)
+        if direct or any(not isinstance(part, Given) for part in led[plane]):
+            shown[plane] = led[plane]
+    return SolutionGoal(reading, (*questions.values(),), (*questions,), shown, True)
 
 
 def _all(reading: Reading, planes: tuple[Plane, ...]) -> Iterator[Quantity]:
@@ -163,24 +153,14 @@ def _plane(quantity: Quantity) -> Plane:
     """The plane in which a quantity is found."""
     if isinstance(quantity, Centre):
         return "velocity"
-    return {"rad/s": "velocity", "m/s": "velocity", "rad/s^2": "acceleration", "m/s^2": "acceleration"}.get(
-        max(quantity.halves, key=lambda half: half.unit.endswith("^2")).unit, "position"
-    )  # type: ignore[return-value]
-
-
-def _finds(parts: tuple[Part, ...]) -> bool:
-    """Whether anything is drawn from what is there at the start."""
-    return any(not isinstance(part, Given) for part in parts)
-
-
-def _direct(facts: set[Fact], plane: Plane) -> bool:
-    """Whether something of a plane is wanted that needs no step, as the rotation of a driven link does."""
-    quantity = "omega" if plane == "velocity" else "alpha"
-    return any(kind.removeprefix("driven ") in (quantity, plane) for kind, _ in facts)
+    unit = max(quantity.halves, key=lambda half: half.unit.endswith("^2")).unit
+    if unit in ("rad/s^2", "m/s^2"):
+        return "acceleration"
+    return "velocity" if unit in ("rad/s", "m/s") else "position"
 
 
 def _facts(reading: Reading, quantity: Quantity) -> Iterator[Fact]:
-    """What a construction has to give for a quantity of motion; a place and a centre need no polygon."""
+    """The facts that a quantity of motion takes from a construction; a place and a centre need no polygon."""
     match quantity:
         case Rotation(word=word, link=link):
             yield from (turning(reading.method, word, link),) if word != "theta" else ()
@@ -201,13 +181,13 @@ def _point(reading: Reading, plane: Plane, point: str, link: str) -> Iterator[Fa
     method, owners = reading.method, reading.method.mechanism.owners
     construction = method.velocity if plane == "velocity" else method.acceleration
     holding = [link, *(owners.get(point, ()) if link in owners.get(point, ()) else ())]
-    nodes = [node for node in construction.nodes.values() if node.site is not None]
-    there = [node.name for node in nodes if node.site and node.site.point == point and node.site.link in holding]
+    nodes = {node.name: node.site for node in construction.nodes.values() if node.site is not None}
+    there = [name for name, site in nodes.items() if site.point == point and site.link in holding]
     if there or link == FRAME:
         yield from ((plane, name) for name in there[:1])
         return
     yield turning(method, "omega", link)
     if plane == "acceleration":
         yield turning(method, "alpha", link)
-    on_link = (node.name for node in nodes if node.site and link in (node.site.link, *owners.get(node.site.point, ())))
+    on_link = (name for name, site in nodes.items() if link in (site.link, *owners.get(site.point, ())))
     yield from ((plane, name) for name in [*on_link][:1])

@@ -1,0 +1,184 @@
+"""The answers of a solution, and how far those that are read off a drawing are from the exact ones."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from math import degrees, radians
+from typing import assert_never
+
+from graphkin.base.value import frozen
+from graphkin.construction import Plane
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.quantities import Quantity
+from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
+from graphkin.model.quantities.units import EDGE
+from graphkin.proof.readings import readings
+from graphkin.say import names
+from graphkin.say.entry import Calculation, Entry, Heading, Sentence
+from graphkin.say.figures import Operand, TrigFormula
+from graphkin.say.numbers import number
+from graphkin.say.reading import Reading
+from graphkin.say.solution_goal import SolutionGoal
+
+_NO_DEVIATION = 1e-6
+"""Parts below this are none [%]."""
+
+
+@frozen
+class AnswerLines:
+    """The answers to what is asked for, about to be worded.
+
+    calculated  the sizes of the vectors that the solution has calculated [SI], by their names
+    """
+
+    goal: SolutionGoal
+    calculated: Mapping[str, float]
+
+    @property
+    def reading(self) -> Reading:
+        return self.goal.reading
+
+    @cached_property
+    def _motions(self) -> Motions:
+        return readings(self.reading.method, self.reading.plot)
+
+    @property
+    def answerable(self) -> list[Quantity]:
+        """The questions that can be answered."""
+        return [quantity for quantity in self.goal.wanted if quantity is not None]
+
+    def entries(self) -> Iterator[Entry]:
+        if self.goal.wanted:
+            yield Heading(self.reading.say("solution.answer"))
+        yield from map(self.entry, self.answerable)
+
+    def entry(self, quantity: Quantity) -> Sentence | Calculation:
+        """The answer to one question, with the figures it is worked out from where that is one step more."""
+        name, say, unit = self.goal.symbol(quantity), self.reading.say, EDGE[quantity.unit]
+        match quantity:
+            case Centre():
+                place = self._centre(quantity)
+                return Sentence("  " + say("solution.centre at", name=names.point(quantity.text), place=place))
+            case Track():
+                place = self._track(quantity)
+                return Sentence("  " + say("solution.place at", point=names.point(quantity.of), place=place))
+            case Moving():
+                size, vector = self.value(quantity), complex(quantity.vector(self._motions))
+                note = say("derivation.at direction", angle=self.reading.angle(vector)) if size else ""
+                return Calculation(name, (), "", size, unit.sign, note)
+            case Component():
+                return self._component(name, quantity)
+            case Quotient():
+                return self._quotient(name, quantity)
+            case Rotation() if quantity.word != "theta":
+                value = self.value(quantity)
+                return Calculation(name, (), "", abs(value), unit.sign, self.reading.sense(value))
+            case Rotation() | Displacement() | Place():
+                return Calculation(name, (), "", self.value(quantity) * unit.factor, unit.sign)
+            case _:
+                assert_never(quantity)
+
+    def result(self, quantity: Quantity) -> str:
+        """The answer without its name and without figures: `1.220 m/s (at 180° to +x)`."""
+        if isinstance(quantity, Centre):
+            return self._centre(quantity)
+        if isinstance(quantity, Track):
+            return f"{self._track(quantity)} mm"
+        entry = self.entry(quantity)
+        assert isinstance(entry, Calculation), quantity
+        return f"{entry.result}{self.reading.note(entry.note)}"
+
+    def signed(self, quantity: Quantity) -> float:
+        """The answer as a number, of a rotation with its sense."""
+        if isinstance(quantity, Rotation):
+            return self.value(quantity)
+        entry = self.entry(quantity)
+        return entry.value if isinstance(entry, Calculation) else 0.0
+
+    def value(self, quantity: Quantity) -> float:
+        """A quantity [SI], as it was read where a ruler reads; 0 where it is but rounding noise."""
+        exactly, ruler = float(quantity.answer(self._motions).value.real), self.reading.ruler
+        if not self.reading.usual.cut(exactly, quantity.unit):
+            return 0.0
+        match quantity:
+            case Moving():
+                return self._size(quantity, exactly)
+            case Component():
+                return self._component("", quantity).value
+            case Displacement() | Place() | Track() | Centre():
+                return self.reading.measured(exactly)
+            case Rotation(word="theta") if ruler is not None:
+                return radians(ruler.angle(degrees(exactly)))
+            case Rotation() | Quotient():
+                return exactly
+            case _:
+                assert_never(quantity)
+
+    def _size(self, quantity: Moving, exactly: float) -> float:
+        """The size of a vector as it was calculated; else as it is read off the polygon."""
+        site, method, ruler = quantity.site, self.reading.method, self.reading.ruler
+        owners = method.mechanism.owners.get(site.point, ())
+        links = {site.link, *(owners if site.link in owners else ())}
+        labels = [self.goal.symbol(quantity)]  # `v_C`, and `v_C4` of the point of one link
+        for node in method.velocity.nodes.values() if quantity.seen_from is None else ():
+            if node.site is not None and node.site.point == site.point and node.site.link in links:
+                labels.append(names.vector(f"{quantity.letter}_{node.of}"))
+        if (known := next((label for label in labels if label in self.calculated), None)) is not None:
+            return self.calculated[known]
+        plane: Plane = "velocity" if quantity.letter == "v" else "acceleration"
+        return exactly if ruler is None else float(ruler.read(exactly, plane).real)
+
+    def _component(self, name: str, quantity: Component) -> Calculation:
+        """`v_E,x = 0.3201 × cos 36.87° = 0.2561 m/s`."""
+        whole, vector = self.value(quantity.whole), complex(quantity.whole.vector(self._motions))
+        turned = TrigFormula("cos" if quantity.axis == "x" else "sin", self.reading.direction(vector))
+        value, unit = whole * turned.value, EDGE[quantity.unit].sign
+        if not self.reading.usual.cut(value, quantity.unit):
+            return Calculation(name, (), "", 0.0, unit)
+        return Calculation(name, (), Operand(whole) * turned, value, unit)
+
+    def _quotient(self, name: str, quantity: Quotient) -> Calculation:
+        """`ω1/ω3 = 10/18.69 = 0.5350 (same sense)`."""
+        top, bottom = self.value(quantity.top), self.value(quantity.bottom)
+        if not (top and bottom):
+            return Calculation(name, (), "", float(quantity.answer(self._motions).value.real), "")
+        turning = all(isinstance(half, Rotation) and half.word != "theta" for half in quantity.halves)
+        note = self.reading.say("centres.same" if top * bottom > 0 else "centres.opposite") if turning else ""
+        return Calculation(name, (), Operand(top) / Operand(bottom), top / bottom, "", note)
+
+    def _centre(self, quantity: Centre) -> str:
+        """The place of an instant centre."""
+        assert self.goal.centred is not None, quantity
+        return self.goal.centred.place(quantity)
+
+    def _track(self, quantity: Track) -> str:
+        """`(34.5, −20)`, in mm."""
+        place = complex(self._motions.position[quantity.site.point])
+        noise, read = self.reading.noise * 1000, self.reading.measured
+        x, y = (number(read(value) * 1000, noise) for value in (place.real, place.imag))
+        return f"({x}, {y})"
+
+
+def deviations(drawn: AnswerLines, exactly: SolutionGoal) -> Iterator[Entry]:
+    """Each answer read off a drawing beside its exact value.
+
+    exactly  the same questions of the drawing that was read
+    """
+    right = AnswerLines(exactly, {})
+    if drawn.answerable:
+        yield Heading(drawn.reading.say("solution.exactly"))
+    for quantity in drawn.answerable:
+        yield Sentence("  " + _beside(drawn, right, quantity))
+
+
+def _beside(drawn: AnswerLines, right: AnswerLines, quantity: Quantity) -> str:
+    """`v_C: as drawn 1.225 m/s (at 180° to +x), exactly 1.220 m/s (at 180° to +x), off by 0.44 %.`"""
+    shown = {"read": drawn.result(quantity), "exact": right.result(quantity)}
+    name, off = right.goal.symbol(quantity), ""
+    if quantity.is_place:
+        name = names.point(quantity.text.split()[-1])
+    elif exactly := right.signed(quantity):
+        part = abs(drawn.signed(quantity) / exactly - 1) * 100
+        off = drawn.reading.say("solution.off", part=number(part, _NO_DEVIATION, 2))
+    return drawn.reading.say("solution.beside", name=name, off=off, **shown)

@@ -1,0 +1,279 @@
+"""The head of a derivation: the title, the data of the problem in sentences, and the scales of the paper."""
+
+from __future__ import annotations
+
+from cmath import phase
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from itertools import combinations
+from math import degrees, remainder
+
+from graphkin.base.geometry import dot
+from graphkin.model.mechanism import FRAME, Driver, Pose
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
+from graphkin.say import names
+from graphkin.say.dimensions import Size, beside, circle, driven, guide_angle, millimetres, radius, sides
+from graphkin.say.entry import Entry, Heading, Sentence
+from graphkin.say.equivalents import points_of
+from graphkin.say.numbers import direction, given_figure, number, sensed
+from graphkin.say.reading import Reading, aside, capitalized
+from graphkin.say.structure import redundant_constraints
+
+_SCALES = (("length", "μ_l", "m/mm"), ("velocity", "μ_v", "(m/s)/mm"), ("acceleration", "μ_a", "(m/s²)/mm"))
+"""Each scale of the paper with its symbol and its unit."""
+
+
+def problem_data(reading: Reading) -> Iterator[Entry]:
+    """The title, and what is given: links, pairs, drivers, the drawn position."""
+    between = reading.say("common.semicolon")
+    yield Heading(reading.mechanism.headline(reading.lang))
+    yield Heading(reading.say("solution.given"))
+    for sentence in _dimensions(reading):
+        yield Sentence(sentence)
+    drivers = [_driver(reading, k, driver) for k, driver in enumerate(reading.mechanism.drivers)]
+    yield Sentence(reading.say("derivation.given", drivers=between.join(drivers)))
+    if reading.mechanism.poses:
+        poses = [_pose(reading, pose) for pose in reading.mechanism.poses]
+        yield Sentence(reading.say("derivation.posed", poses=between.join(poses)))
+
+
+def solution_head(reading: Reading, leaves_out: bool) -> Iterator[Entry]:
+    """The head of the solution itself: what plays no part in it, and the paper's scales.
+
+    leaves_out  some steps of the drawing are not told
+    """
+    yield Heading(reading.say("solution.solution"))
+    if idle := reading.method.structure.idle:
+        yield Sentence(reading.say("derivation.idle", links=reading.links(idle)))
+    for line in redundant_constraints(reading.method, reading.lang):
+        yield Sentence(reading.say("derivation.redundant", line=line))
+    scales = [f"{symbol} = {number(reading.scales[key])} {unit}" for key, symbol, unit in _SCALES]
+    yield Sentence(reading.say("derivation.scales", scales=reading.joined(scales)))
+    yield Sentence(reading.say("derivation.by hand" if reading.ruler else "derivation.exactly"))
+    if leaves_out:
+        yield Sentence(reading.say("derivation.numbers left out"))
+
+
+# --- drivers ------------------------------------------------------------------------------------
+
+
+def _points(line: tuple[str, str]) -> str:
+    """Two points of a link in the order of their direction."""
+    return "".join(map(names.point, line))
+
+
+def _pose(reading: Reading, pose: Pose) -> str:
+    """A condition that held when the mechanism was drawn."""
+    if pose.vector is None:
+        place = f"{names.of_slide('s', pose.link)} = {given_figure(pose.value * 1000)} mm"
+        slide = reading.slide_name(pose.link)
+        return reading.say(f"derivation.driven {_kind(reading, pose.link)}", slide=slide, place=place)
+    words = {"line": _points(pose.vector), "link": reading.link(pose.link)}
+    words["angle"] = f"{given_figure(degrees(pose.value))}°"
+    if pose.from_vector is None:
+        return reading.say("derivation.pose line", **words)
+    other, seen_from = _points(pose.from_vector), reading.link(pose.from_link)
+    return reading.say("derivation.pose joint", other=other, seen_from=seen_from, **words)
+
+
+def _kind(reading: Reading, slide: str) -> str:
+    """A sliding pair or a rolling contact."""
+    return "roll" if slide in reading.contact_slides else "slide"
+
+
+def _driver(reading: Reading, k: int, driver: Driver) -> str:
+    place, *rates = driven(reading, k, driver)
+    now, drawn = (float(facts.values[k]) for facts in (reading.plot.facts, reading.method.facts()))
+    shown = None if driver.value is None and abs(now - drawn) < 1e-12 else place
+    if driver.kind == "slide":
+        texts = [size.text if size.value else f"{size.symbol} = 0" for size in rates]
+        kind, slide = _kind(reading, driver.link), reading.slide_name(driver.link)
+        if shown is None:
+            start = reading.say(f"derivation.driven {kind} free", slide=slide)
+        else:
+            start = reading.say(f"derivation.driven {kind}", slide=slide, place=shown.text)
+        return reading.joined([start, *texts])
+    texts = [sensed(size.symbol, size.value, size.unit, reading.lang) for size in rates]
+    return reading.joined([_driven_line(reading, driver, shown), *texts])
+
+
+def _driven_line(reading: Reading, driver: Driver, place: Size | None) -> str:
+    """The driven line and its angle; no angle of a wheel, or of a line that a pose has fixed."""
+    link = reading.link(driver.link)
+    if driver.vector is None:
+        return reading.say("derivation.driven wheel", link=link)
+    line = _points(driver.vector)
+    if place is None:
+        return reading.say("derivation.driven line free", line=line, link=link)
+    if driver.from_vector is None:
+        return reading.say("derivation.driven link", line=line, link=link, angle=place.text)
+    words = {"other": _points(driver.from_vector), "seen_from": reading.link(driver.from_link)}
+    return reading.say("derivation.driven joint", line=line, link=link, angle=place.text, **words)
+
+
+# --- links --------------------------------------------------------------------------------------
+
+
+def _dimensions(reading: Reading) -> Iterator[str]:
+    """A sentence each: lengths, fixed points, guides, rolling circles, profiles."""
+    say, mechanism = reading.say, reading.mechanism
+    lengths = [Size(f"l_{side.name}", millimetres(reading, side.length), "mm").text
+               for link in mechanism.moving for side in sides(reading, link)]  # fmt: skip
+    if lengths:
+        yield say("solution.lengths", lengths=reading.joined(lengths))
+    shapes = [reading.way_round(*corners) for link in mechanism.moving for corners in beside(reading, link)]
+    if shapes:
+        yield say("solution.lettered", shapes=reading.joined(shapes))
+    shape, frame = mechanism.links[FRAME].points, names.point(mechanism.called(FRAME))
+    fixed = [f"{names.point(p)}{_place(reading, shape[p])}" for p in mechanism.named(FRAME)]
+    yield say("solution.frame points" if fixed else "solution.frame", link=frame, points=reading.joined(fixed))
+    for kind, sentence in PAIR_SENTENCES.items():
+        for pair in mechanism.of(kind):
+            yield sentence(reading, pair)
+
+
+def _place(reading: Reading, place: complex) -> str:
+    """Coordinates of the mechanism itself, in mm."""
+    x, y = (given_figure(millimetres(reading, value)) for value in (place.real, place.imag))
+    return f"({x}, {y})"
+
+
+# --- pairs --------------------------------------------------------------------------------------
+
+
+def _slide(reading: Reading, pair: Slide) -> str:
+    """The block and the guide on which it slides, by what the file says of the line."""
+    words = {"block": reading.link(pair.block) if pair.block is not None else "", "point": names.point(pair.point)}
+    words |= {"guide": _guide(reading, pair), "tilt": _tilt(reading, pair)}
+    kind, where = "pin" if pair.block is None else "block", _lying(reading, pair.line, pair)
+    if pair.guide == FRAME:
+        return reading.say(f"solution.{kind} on frame", line=where, **words)
+    return reading.say(f"solution.{kind} on link", link=reading.link(pair.guide), where=where, **words)
+
+
+def _tilt(reading: Reading, pair: Slide) -> str:
+    """`; the direction of A→B is the guide's turned by 30° ..`, of a block with a direction of its own."""
+    if not (line := _axis(reading, pair)):
+        return ""
+    turned = remainder(round(degrees(pair.tilt), 9), 360)
+    words = {"line": line, "angle": f"{given_figure(abs(turned))}°", "sense": reading.sense(turned)}
+    return reading.say("solution.tilt" if turned else "solution.tilt none", **words)
+
+
+def _axis(reading: Reading, pair: Slide) -> str:
+    """The direction of a block: of its points, +x of the frame, of one point that slid before the line it slid on."""
+    if pair.block is None or pair.block == FRAME:
+        return "+x" if pair.block else ""
+    if (axis := reading.mechanism.links[pair.block].axis) is not None:
+        return names.arrow(*axis)
+    first = next(slide for slide in reading.mechanism.slides if slide.block == pair.block)
+    return "" if first.name == pair.name else reading.say("solution.line of", link=reading.link(first.guide))
+
+
+def _guide(reading: Reading, pair: Slide) -> str:
+    """` (ram, displacement s_ram)`: the file's name of the pair, where its block is not called so."""
+    if not pair.named:
+        return ""
+    own = pair.block is not None and reading.link(pair.block) == reading.slide_name(pair.name)
+    displacement = reading.say("solution.displacement", s=names.of_slide("s", pair.name))
+    return reading.note(reading.joined([*([] if own else [reading.slide_name(pair.name)]), displacement]))
+
+
+def _circular_slot(reading: Reading, pair: CircularSlot) -> str:
+    words = {"pin": names.point(pair.point), "centre": names.point(pair.centre), "link": reading.link(pair.guide)}
+    return reading.say("solution.circular slot", radius=circle(reading, pair.centre, pair.radius).text, **words)
+
+
+def _gears(reading: Reading, pair: Gear) -> str:
+    words = {"wheels": reading.links(pair.links), "centres": reading.listed([*map(names.point, pair.centres)])}
+    words["radii"] = reading.joined(radius(reading, link, size).text for link, _, size in pair.circles)
+    return reading.say("solution.internal gears" if pair.internal else "solution.gears", **words)
+
+
+def _rolling(reading: Reading, pair: RollingContact) -> str:
+    words = {"wheel": reading.link(pair.wheel), "centre": names.point(pair.centre), "track": reading.link(pair.track)}
+    words["radius"] = radius(reading, pair.wheel, pair.radius).text
+    if pair.line is None:
+        about = names.point(pair.track_centre or "")
+        other = radius(reading, pair.track, pair.track_radius).text
+        where = reading.say("solution.inside" if pair.internal else "solution.outside")
+        return reading.say("solution.rolls on circle", about=about, other=other, where=where, **words)
+    side = reading.say("solution.wheel left" if pair.left else "solution.wheel right", centre=words["centre"])
+    return reading.say("solution.rolls on line", line=_track(reading, pair.line), side=side, **words)
+
+
+def _cam(reading: Reading, pair: Cam) -> str:
+    one, other = (_profile(reading, pair, k) for k in (0, 1))
+    where = reading.say("solution.inside" if pair.internal else "solution.outside")
+    touch = reading.note(where) if all(profile.radius for profile in pair.profiles) else ""
+    return reading.say("solution.cam", first=capitalized(one), second=other, where=touch)
+
+
+def _profile(reading: Reading, pair: Cam, k: int) -> str:
+    profile, link = pair.profiles[k], reading.link(pair.links[k])
+    if profile.line is not None:
+        centre = names.point(pair.profiles[1 - k].centre or "")
+        side = reading.say("solution.wheel left" if profile.left else "solution.wheel right", centre=centre)
+        return reading.say("solution.flat face", link=link, line=_track(reading, profile.line), side=side)
+    centre = names.point(profile.centre or "")
+    if not profile.radius:
+        return reading.say("solution.knife edge", link=link, point=centre)
+    size = circle(reading, profile.centre or "", profile.radius).text
+    return reading.say("solution.circle", link=link, centre=centre, radius=size)
+
+
+PAIR_SENTENCES: Mapping[type[Pair], Callable[..., str]] = {
+    Slide: _slide, CircularSlot: _circular_slot, Gear: _gears, RollingContact: _rolling, Cam: _cam,
+}  # fmt: skip
+"""The sentence of each kind that is no hinge, in this order."""
+
+
+# --- lines --------------------------------------------------------------------------------------
+
+
+def _track(reading: Reading, line: Line) -> str:
+    """` B→Q`, ` (through D at 30° to E→F)`: where a line lies in its link, and which way it points."""
+    ends = _points_along(reading, line)
+    return f" {names.arrow(*ends)}" if ends else reading.note(_lying(reading, line))
+
+
+def _lying(reading: Reading, line: Line, slide: Slide | None = None) -> str:
+    """`along DE`, `through C that makes γ = 100° with D→C (..)`, `through (0, 10) at 0° to +x`."""
+    angle = guide_angle(reading, slide) if slide is not None else None
+    either = slide is not None and not slide.named and not _axis(reading, slide)
+    place, line = reading.mechanism.links[line.link].points.get(line.origin), _carried(reading, line)
+    through = names.point(line.origin) if line.named or place is None else _place(reading, place)
+    if ends := _points_along(reading, line):
+        return reading.say("solution.along", line=(names.pair if either else names.arrow)(*ends))
+    if line.base is None and line.link == FRAME:
+        return reading.say("solution.line", start=through, angle=f"{given_figure(direction(line.direction))}°")
+    shape, points = reading.mechanism.links[line.link], reading.mechanism.named(line.link)
+    apart = (ends for ends in combinations(points, 2) if abs(shape.arm(*ends)) > reading.noise)
+    # where no file says it, a line is measured from the points of γ, else from the link's first
+    base = line.base or (next(apart, None) if angle is None else (angle.corner, angle.through))
+    if base is None:
+        return reading.say("solution.own axis", through=through)
+    turned = degrees(phase(line.direction / shape.arm(*base)))
+    symbol = f"{angle.symbol} = " if angle is not None and angle.symbol else ""
+    words = {"through": through, "arrow": names.arrow(*base), "angle": f"{symbol}{given_figure(abs(turned))}°"}
+    key = "solution.at angle" if abs(turned) > 1e-9 else "solution.parallel"
+    return reading.say(key, sense=reading.sense(turned), **words)
+
+
+def _points_along(reading: Reading, line: Line) -> tuple[str, str] | None:
+    """Two points on a line, in its direction: those from which the file measures it, else any of its moving link."""
+    link = reading.mechanism.links[line.link]
+    if line.base is None or line.origin not in link.points:
+        return points_of(reading, line) if line.origin in link.points else None
+    on_it = all(aside(line.direction, link.arm(line.origin, end)) <= reading.noise for end in line.base)
+    return line.base if on_it and dot(line.direction, link.arm(*line.base)) > 0 else None
+
+
+def _carried(reading: Reading, line: Line) -> Line:
+    """The line of a link of one point in the guide along which it slides, against which it does not turn."""
+    for _ in reading.mechanism.links:
+        held = next((slide for slide in reading.mechanism.slides if slide.block == line.link), None)
+        if line.link == FRAME or len(reading.mechanism.links[line.link].points) > 1 or held is None:
+            break
+        line = replace(line, link=held.guide, direction=line.direction * held.line.direction)
+    return line
