@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 import graphkin.errors as errors
 from graphkin.errors import GraphkinError, Several, Where
 from graphkin.files import load, loads
-from graphkin.files.positions import positions
 from graphkin.files.source import LARGEST_FILE
+from graphkin.files.toml import positions
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Cam, CircularSlot
 from graphkin.outputs.json_schema import json_schema_text

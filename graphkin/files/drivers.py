@@ -15,11 +15,10 @@ from graphkin.errors import (
     SayValue,
     UnknownSlide,
     WhatIsDriven,
-)
+)  # fmt: skip
 from graphkin.files.draft import Draft
-from graphkin.files.positions import Path
 from graphkin.files.schema import DriverTable, PoseTable
-from graphkin.model.mechanism import FRAME, Driver, Pose
+from graphkin.model.mechanism import FRAME, Driver, KeyPath, Pose
 
 Vector = tuple[str, str]
 
@@ -27,13 +26,13 @@ Vector = tuple[str, str]
 def read_drivers(draft: Draft, tables: Sequence[DriverTable], poses: int) -> tuple[Driver, ...]:
     """The drivers; as many may leave their value out as there are poses."""
     drivers: list[Driver] = []
-    seen: set[tuple[str, str]] = set()
+    freedoms: set[tuple[str, str]] = set()
     for number, table in enumerate(tables):
         with draft.noting():
             driver = _driver(draft, table, ("driver", number))
-            if (freedom := _freedom(driver)) in seen:
+            if (freedom := _freedom(driver)) in freedoms:
                 raise DrivenTwice(draft.where("driver", number), driver.name)
-            seen.add(freedom)
+            freedoms.add(freedom)
             if driver.value is None and driver.kind != "spin":
                 poses -= 1
                 if poses < 0:
@@ -55,7 +54,7 @@ def _freedom(driver: Driver) -> tuple[str, str]:
     return ("slide", driver.link) if driver.kind == "slide" else (driver.link, driver.from_link)
 
 
-def _driver(draft: Draft, table: DriverTable, path: Path) -> Driver:
+def _driver(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
     subjects = {"vector": table.vector, "link": table.link, "slide": table.slide}
     match _only(draft, subjects, path):
         case "vector":
@@ -66,7 +65,7 @@ def _driver(draft: Draft, table: DriverTable, path: Path) -> Driver:
             return _slide_driver(draft, table, path)
 
 
-def _only(draft: Draft, subjects: Mapping[str, object], path: Path) -> str:
+def _only(draft: Draft, subjects: Mapping[str, object], path: KeyPath) -> str:
     """The one of these keys that is there."""
     there = [key for key, value in subjects.items() if value is not None]
     if not there:
@@ -76,7 +75,7 @@ def _only(draft: Draft, subjects: Mapping[str, object], path: Path) -> str:
     return there[0]
 
 
-def _vector_driver(draft: Draft, table: DriverTable, path: Path) -> Driver:
+def _vector_driver(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
     link, vector, from_link = _turning(draft, table, path)
     length = abs(draft.links[link].arm(*vector))
     rates = (("omega", table.omega, "velocity", table.velocity),
@@ -89,7 +88,7 @@ def _vector_driver(draft: Draft, table: DriverTable, path: Path) -> Driver:
     return Driver("angle", link, vector, from_link, table.from_, table.angle, rate, acceleration, also)
 
 
-def _turning(draft: Draft, table: PoseTable, path: Path) -> tuple[str, Vector, str]:
+def _turning(draft: Draft, table: PoseTable, path: KeyPath) -> tuple[str, Vector, str]:
     """The link a vector belongs to, the vector, and the link it is measured from."""
     assert table.vector is not None
     if table.at is not None:
@@ -105,7 +104,7 @@ def _turning(draft: Draft, table: PoseTable, path: Path) -> tuple[str, Vector, s
     return owners[0], table.vector, others[0]
 
 
-def _owners(draft: Draft, vector: Vector, path: Path) -> list[str]:
+def _owners(draft: Draft, vector: Vector, path: KeyPath) -> list[str]:
     """The links that have both points at different places, moving ones first."""
     for point in vector:
         draft.known(point, *path)
@@ -116,7 +115,7 @@ def _owners(draft: Draft, vector: Vector, path: Path) -> list[str]:
     return owners
 
 
-def _spin(draft: Draft, table: DriverTable, path: Path) -> Driver:
+def _spin(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
     """A wheel whose own direction does not matter."""
     assert table.link is not None
     given = {"angle": table.angle, "from": table.from_, "at": table.at, "also": table.also or None}
@@ -128,14 +127,14 @@ def _spin(draft: Draft, table: DriverTable, path: Path) -> Driver:
     return Driver("spin", link, rate=table.omega or 0.0, acceleration=table.alpha or 0.0)
 
 
-def _slide_driver(draft: Draft, table: DriverTable, path: Path) -> Driver:
+def _slide_driver(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
     _refuse(draft, {"omega": table.omega, "alpha": table.alpha}, "slide", path)
     slide = _slide(draft, table, path)
     rate, acceleration = table.velocity or 0.0, table.acceleration or 0.0
     return Driver("slide", slide, value=table.at, rate=rate, acceleration=acceleration, also=tuple(table.also))
 
 
-def _slide(draft: Draft, table: PoseTable, path: Path) -> str:
+def _slide(draft: Draft, table: PoseTable, path: KeyPath) -> str:
     """The name of a pair whose displacement is meant."""
     assert table.slide is not None
     _refuse(draft, {"angle": table.angle, "from": table.from_}, "slide", path)
@@ -144,13 +143,13 @@ def _slide(draft: Draft, table: PoseTable, path: Path) -> str:
     return table.slide
 
 
-def _refuse(draft: Draft, given: Mapping[str, object], why: str, path: Path) -> None:
+def _refuse(draft: Draft, given: Mapping[str, object], why: str, path: KeyPath) -> None:
     for key, value in given.items():
         if value is not None:
             raise NoMeaning(draft.where(*path, key), key, why)
 
 
-def _pose(draft: Draft, table: PoseTable, path: Path) -> Pose:
+def _pose(draft: Draft, table: PoseTable, path: KeyPath) -> Pose:
     if _only(draft, {"vector": table.vector, "slide": table.slide}, path) == "slide":
         slide = _slide(draft, table, path)
         if table.at is None:

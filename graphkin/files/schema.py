@@ -5,11 +5,12 @@ What needs knowledge of other tables (does the point exist?) is not asked here.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any, Literal
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Literal
 
-from pydantic_core import SchemaValidator
+from pydantic_core import SchemaValidator, ValidationError
 
+from graphkin.errors import GraphkinError, MissingKey, UnitAsKey, UnknownKey, Where, WrongCount, WrongType
 from graphkin.files.fields import (
     ALSO,
     ANCHOR,
@@ -35,6 +36,7 @@ from graphkin.files.fields import (
     entry,
     further,
     key,
+    keys,
     kind_of,
     list_of,
     mapping,
@@ -44,7 +46,12 @@ from graphkin.files.fields import (
     tables,
     title,
     two,
-)
+)  # fmt: skip
+from graphkin.files.values import UNITS, quantity, short_number, shown, split_points, tidy
+from graphkin.model.mechanism import Dimension, GivenValue, KeyPath
+
+if TYPE_CHECKING:
+    from pydantic_core import ErrorDetails
 
 FURTHER = "*"
 """Stands for the keys of a table that are not named one by one: points, lengths and angles."""
@@ -62,6 +69,7 @@ class Titles:
 
 TITLES = title(Titles)
 
+
 @table
 class FrameTable:
     """`[frame]`: its own name, and the fixed points by theirs."""
@@ -77,7 +85,7 @@ class LinkTable:
     points: Sequence[str] | None = key(list_of(POINT_NAME), default=None)
     ccw: Sequence[Sequence[str]] | None = key(TRIPLES, default=None)
     shape: Mapping[str, Place] | None = key(mapping(POINT_NAME, PLACE), default=None)
-    measures: Mapping[str, Any] = further(MEASURE_PATTERN, anything(NUMBER))
+    measures: Mapping[str, object] = further(MEASURE_PATTERN, anything(NUMBER))
 
 
 @table
@@ -201,10 +209,104 @@ TABLES: Mapping[str, type] = {
 }  # fmt: skip
 """The tables as they are called in the file, in the order in which one writes them."""
 
+TABLES_AT: Mapping[tuple[str, ...], type] = {
+    (): File, ("title",): Titles, ("source",): Titles, ("slide", "title"): Titles, ("slide",): SlideTable,
+    ("gear",): GearTable, ("roll",): RollTable, ("cam",): CamTable, ("cam", "profiles"): ProfileTable,
+    ("driver",): DriverTable, ("pose",): PoseTable, ("scales",): ScalesTable,
+}  # fmt: skip
+"""The table at a path, item numbers left out, where its keys are known."""
+
 _VALIDATOR = SchemaValidator(kind_of(File).core)
 
 
-def read_tables(document: Mapping[str, Any]) -> File:
+def read_tables(document: Mapping[str, object]) -> File:
     """The tables of a file. Raises pydantic's ValidationError with all that is wrong in them."""
     tables: File = _VALIDATOR.validate_python(document)
     return tables
+
+
+# --- complaints -------------------------------------------------------------------------------
+
+_DRIVER_KEYS: Mapping[Dimension, str] = {
+    "length": "at", "angle": "angle", "angular velocity": "omega", "angular acceleration": "alpha",
+    "velocity": "velocity", "acceleration": "acceleration",
+}  # fmt: skip
+"""The key of a driver that takes a quantity."""
+
+
+def complaints(
+    error: ValidationError, where: Callable[..., Where], lines: Mapping[KeyPath, int]
+) -> Iterator[GraphkinError]:
+    """What pydantic's core finds wrong, as graphkin's own errors; what it adds to the paths of `lines` is left out."""
+    for detail in error.errors(include_url=False):
+        path = detail["loc"]
+        while path and path not in lines and detail["type"] != "missing":
+            path = path[:-1]
+        yield _complaint(detail, where(*path))
+
+
+def _complaint(detail: ErrorDetails, where: Where) -> GraphkinError:
+    context = detail.get("ctx", {})
+    key = str(detail["loc"][-1]) if detail["loc"] else ""
+    match detail["type"]:
+        case "graphkin":
+            problem: GraphkinError = context["problem"]
+            return problem.at(where)
+        case "missing":
+            return MissingKey(where, key)
+        case "extra_forbidden":
+            table = TABLES_AT.get(tuple(part for part in detail["loc"][:-1] if isinstance(part, str)))
+            return _unknown_key(where, key, detail["input"], tuple(keys(table)) if table else ())
+        case "too_short" | "too_long":
+            expected = context.get("min_length", context.get("max_length"))
+            return WrongCount(where, int(expected or 0), len(detail["input"]))
+        case kind:
+            return WrongType(where, "list" if kind == "list_type" else "table", shown(detail["input"]))
+
+
+def _unknown_key(where: Where, key: str, value: object, possible: tuple[str, ...]) -> GraphkinError:
+    """A unit that stands where the key does (`rpm = 95`) is said by the key that takes it."""
+    meant = next((_DRIVER_KEYS[dimension] for dimension, units in UNITS.items() if key in units), None)
+    if meant in possible and isinstance(value, int | float) and not isinstance(value, bool):
+        return UnitAsKey(where, key, meant, f"{short_number(value)} {key}")
+    return UnknownKey(where, key[:40], possible)
+
+
+# --- values as they are stated ----------------------------------------------------------------
+
+
+def stated(document: Mapping[str, object]) -> dict[KeyPath, GivenValue]:
+    """All that a file states, by place and in its order: tables and lists, each followed by what is in it."""
+    return {value.path: value for value in _stated_in(document, (), None)}
+
+
+def _stated_in(
+    content: Mapping[str, object] | Sequence[object], path: KeyPath, around: object
+) -> Iterator[GivenValue]:
+    """The values of a table or a list at a path; `around` is the table or list that it is in."""
+    items: Iterable[tuple[str | int, object]] = content.items() if isinstance(content, Mapping) else enumerate(content)
+    for part, written in items:
+        place = (*path, tidy(part) if isinstance(part, str) else part)
+        if isinstance(written, dict | list):
+            yield GivenValue(place, written)
+            yield from _stated_in(written, place, content)
+        else:
+            dimension = _dimension(place, around)
+            yield GivenValue(place, written, dimension, None if dimension is None else quantity(written, dimension))
+
+
+def _dimension(path: KeyPath, around: object) -> Dimension | None:
+    """What a single value measures; None for a name, a flag, a scale."""
+    match path:
+        case ("links", _, str(key)):
+            measures: Mapping[int, Dimension] = {2: "length", 3: "angle"}
+            return measures.get(len(split_points(key)))
+        case ("links", _, "shape", _, int()) | ("frame" | "sketch", _, int()) | (*_, "through" | "centre", int()):
+            return "length"
+        case ("driver", int(), "also", int()):
+            return "length" if isinstance(around, dict) and "slide" in around else "angle"
+        case _:
+            *above, name = [part for part in path if isinstance(part, str)]
+            kind = keys(TABLES_AT[tuple(above)]).get(name) if tuple(above) in TABLES_AT else None
+            dimension: Dimension | None = None if kind is None else kind.metadata["kind"].dimension
+            return dimension

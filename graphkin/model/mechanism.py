@@ -11,14 +11,17 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import field
 from functools import cached_property
-from typing import TypeVar
+from typing import Literal, TypeAlias, TypeVar
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang, Where
 from graphkin.model.pairs import Pair, Revolute, Slide, Slot, start_name
 from graphkin.model.usual import Usual
 
-__all__ = ["FRAME", "Driver", "Link", "Mechanism", "Pose"]
+KeyPath: TypeAlias = tuple[str | int, ...]
+"""The place of a key in a mechanism file, from the top: `("slide", 0, "angle")`; primes in names are typed ones."""
+
+Dimension = Literal["length", "angle", "angular velocity", "angular acceleration", "velocity", "acceleration"]
 
 FRAME = "frame"
 """The fixed link's own name in every mapping by link; `Mechanism.frame` is what people call it."""
@@ -92,6 +95,27 @@ class Pose:
 
 
 @frozen
+class GivenValue:
+    """One value that a mechanism's file states.
+
+    path       its place, as `with_` names it with dots between: ("links", "2", "AB"), ("driver", 0, "angle")
+    written    the value as the file has it: a number, a text, a list, a table
+    dimension  what a number, or a text with a unit, measures there; None where it is no quantity
+    si         the quantity in SI [m, rad, rad/s, ..]
+    """
+
+    path: KeyPath
+    written: object
+    dimension: Dimension | None = None
+    si: float | None = None
+
+    @property
+    def name(self) -> str:
+        """`links.2.AB`, `driver.0.angle`."""
+        return ".".join(map(str, self.path))
+
+
+@frozen
 class Mechanism:
     """A planar mechanism.
 
@@ -102,6 +126,7 @@ class Mechanism:
     replaced  the pairs of the file for which others stand, in a lower-pair equivalent
     scales    given paper scales: "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s^2)/mm]
     text      the file, to be put into drawings and shown; `lines` gives the line of each of its keys
+    given     what the file states, by place and in its order: tables and lists, each followed by what is in it
     """
 
     name: str
@@ -117,9 +142,10 @@ class Mechanism:
     ask: tuple[str, ...] = ()
     text: str = ""
     file: str = ""
-    lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict)
+    lines: Mapping[KeyPath, int] = field(default_factory=dict)
     replaced: tuple[Pair, ...] = ()
     slide_titles: Mapping[str, Mapping[Lang, str]] = field(default_factory=dict)
+    given: Mapping[KeyPath, GivenValue] = field(default_factory=dict)
 
     @cached_property
     def owners(self) -> dict[str, tuple[str, ...]]:

@@ -8,8 +8,7 @@ from collections.abc import Iterator, Sequence
 from graphkin.construction import Plot
 from graphkin.files import loads
 from graphkin.files.changing import rewritten
-from graphkin.files.positions import Path
-from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
+from graphkin.model.mechanism import FRAME, Driver, KeyPath, Mechanism, Pose
 from graphkin.planning import Method
 from graphkin.planning.drawn_position import value_of
 from graphkin.running import replay_all
@@ -35,7 +34,7 @@ def standing(method: Method, values: Sequence[float]) -> Mechanism:
     return loads(text, name=machine.name, file=machine.file)
 
 
-def _changes(machine: Mechanism, plot: Plot, values: Sequence[float]) -> Iterator[tuple[Path, object]]:
+def _changes(machine: Mechanism, plot: Plot, values: Sequence[float]) -> Iterator[tuple[KeyPath, object]]:
     for number, (driver, value) in enumerate(zip(machine.drivers, values, strict=True)):
         if driver.value is not None and driver.kind != "spin":
             yield ("driver", number, "at" if driver.kind == "slide" else "angle"), _edge(driver, value)

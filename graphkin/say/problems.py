@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, assert_never
 
 from graphkin.errors import Lang
-from graphkin.files.names import split_points
+from graphkin.files.values import split_points
 from graphkin.marking.handed import asked_of
 from graphkin.model.mechanism import Driver, Mechanism
 from graphkin.model.quantities import (
