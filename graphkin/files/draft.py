@@ -8,23 +8,9 @@ from dataclasses import field
 from itertools import combinations, islice
 from typing import TYPE_CHECKING
 
+from graphkin import errors
 from graphkin.base.value import filled
-from graphkin.errors import (
-    NOWHERE,
-    CannotMove,
-    DuplicateName,
-    GraphkinError,
-    LooseLink,
-    NoDriver,
-    NoQuestion,
-    NoRate,
-    OutOfRange,
-    RigidlyJoined,
-    Several,
-    UnknownLink,
-    UnknownPoint,
-    Where,
-)  # fmt: skip
+from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.files.toml import tidied
 from graphkin.model.mechanism import FRAME, Driver, KeyPath, Link, Mechanism
 from graphkin.model.pairs import Pair
@@ -95,7 +81,7 @@ class Draft:
 
         first = sorted(self.problems, key=line)[:MOST_PROBLEMS]
         problems = list({problem.message(): problem for problem in first}.values())
-        raise problems[0] if len(problems) == 1 else Several(tuple(problems))
+        raise problems[0] if len(problems) == 1 else errors.Several(tuple(problems))
 
     def link(self, name: str, *path: str | int) -> str:
         """The link of this name; the frame may go by its own."""
@@ -103,21 +89,21 @@ class Draft:
             return FRAME
         if name not in self.links:
             moving = tuple(link for link in self.links if link != FRAME)
-            raise UnknownLink(self.where(*path), name, (*moving, FRAME))
+            raise errors.UnknownLink(self.where(*path), name, (*moving, FRAME))
         return name
 
     def point(self, link: str, point: str, *path: str | int) -> str:
         """A point of the link."""
         self.known(point, *path)
         if point not in self.links[link].points:
-            raise UnknownPoint(self.where(*path), point, self.named(link))
+            raise errors.UnknownPoint(self.where(*path), point, self.named(link))
         return point
 
     def known(self, point: str, *path: str | int) -> str:
         """A point of any link."""
         if not any(point in link.points for link in self.links.values()):
             points = dict.fromkeys(each for link in self.links for each in self.named(link))
-            raise UnknownPoint(self.where(*path), point, tuple(points))
+            raise errors.UnknownPoint(self.where(*path), point, tuple(points))
         return point
 
     def named(self, link: str) -> tuple[str, ...]:
@@ -143,7 +129,7 @@ class Draft:
                 default += "_"
             return default
         if given in self._used_names:
-            raise DuplicateName(self.where(*path, "name"), given)
+            raise errors.DuplicateName(self.where(*path, "name"), given)
         self._used_names.add(given)
         return given
 
@@ -172,15 +158,17 @@ def check_joints(draft: Draft, pairs: Sequence[Pair], drivers: int) -> None:
     tied |= {link for links in shared for link in links}
     for name in draft.links:
         if name not in tied and name != FRAME:
-            draft.problems.append(LooseLink(draft.where("links", name), name))
+            draft.problems.append(errors.LooseLink(draft.where("links", name), name))
     twice = ((links, points) for links, points in shared.items() if len(points) > 1)
     for (first, second), points in islice(twice, MOST_PROBLEMS):
         where = draft.where("links", second)
-        fixed = first == FRAME
-        problem = CannotMove(where, second, points) if fixed else RigidlyJoined(where, first, second, points)
-        draft.problems.append(problem)
+        to_frame = first == FRAME
+        draft.problems.append(
+            errors.CannotMove(where, second, points) if to_frame
+            else errors.RigidlyJoined(where, first, second, points)
+        )  # fmt: skip
     if not drivers:
-        draft.problems.append(NoDriver(Where(draft.file)))
+        draft.problems.append(errors.NoDriver(Where(draft.file)))
 
 
 def check_sizes(draft: Draft) -> None:
@@ -194,7 +182,7 @@ def check_sizes(draft: Draft) -> None:
     places |= {draft.starts.get(name, ("frame", name)): abs(place) for name, place in fixed}
     for path, size in places.items():
         if size > UNEVEN * shortest:
-            draft.problems.append(OutOfRange(draft.where(*path), f"{size * 1e3:.6g} mm"))
+            draft.problems.append(errors.OutOfRange(draft.where(*path), f"{size * 1e3:.6g} mm"))
 
 
 def _arms(link: Link) -> list[float]:
@@ -232,18 +220,18 @@ def check_questions(draft: Draft, mechanism: Mechanism) -> None:
         try:
             quantity = read(mechanism, question, NOWHERE)
             if quantity is None and not formed(question) and question[-1:] not in ("?", "？"):
-                raise NoQuestion(NOWHERE, question, meant(mechanism, question) or "")
+                raise errors.NoQuestion(NOWHERE, question, meant(mechanism, question) or "")
         except GraphkinError as problem:
             draft.problems.append(problem.at(draft.where("ask", number)))
 
 
-def remarks(mechanism: Mechanism) -> Iterator[NoRate]:
+def remarks(mechanism: Mechanism) -> Iterator[errors.NoRate]:
     """Notes on drivers that stand still because nothing is said of how fast they move."""
     for number, driver in enumerate(mechanism.drivers):
         if driver.rate or not mechanism.lines:
             continue
         if not any(("driver", number, key) in mechanism.lines for key in RATES):
-            yield NoRate(mechanism.where("driver", number), driver.name, rate_keys(driver))
+            yield errors.NoRate(mechanism.where("driver", number), driver.name, rate_keys(driver))
 
 
 def rate_keys(driver: Driver) -> str:

@@ -15,19 +15,8 @@ from pydantic_core import PydanticCustomError
 
 from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, BadName, GraphkinError, NotOneOf, WrongType
-from graphkin.files.values import (
-    LINK,
-    POINT,
-    SLIDE,
-    above_zero,
-    formed,
-    quantity,
-    scale,
-    shown,
-    split_points,
-    tidy,
-    zero_or_more,
-)  # fmt: skip
+from graphkin.files import values
+from graphkin.files.values import formed, quantity, shown
 from graphkin.model.mechanism import Dimension
 
 if TYPE_CHECKING:
@@ -102,7 +91,7 @@ def quantity_of(dimension: Dimension, check: Callable[[float], float] = float) -
     return _kind(lambda value: check(quantity(value, dimension)), NUMBER, dimension)
 
 
-def _text(kind: str, read: Callable[[str], str] = tidy, **json: str) -> FieldKind:
+def _text(kind: str, read: Callable[[str], str] = values.tidy, **json: str) -> FieldKind:
     """A text; `kind` says in a message what is expected."""
 
     def checked(value: object) -> str:
@@ -134,23 +123,23 @@ def _vector(value: object) -> tuple[str, str]:
     """Two different points: `AB`."""
     if not isinstance(value, str):
         raise WrongType(NOWHERE, "vector", shown(value))
-    points = split_points(tidy(value))
+    points = values.split_points(values.tidy(value))
     if len(points) != 2 or points[0] == points[1]:
         raise BadName(NOWHERE, "vector", shown(value))
     return points[0], points[1]
 
 
 LENGTH, ANGLE = quantity_of("length"), quantity_of("angle")
-RADIUS, EDGE_RADIUS = quantity_of("length", above_zero), quantity_of("length", zero_or_more)
+RADIUS, EDGE_RADIUS = quantity_of("length", values.above_zero), quantity_of("length", values.zero_or_more)
 ALSO = FieldKind(
     {"type": "function-plain", "function": {"type": "with-info", "function": _guarded(_further_value)}}, NUMBER
 )
-SCALE = _kind(scale, {"type": "number", "exclusiveMinimum": 0})
+SCALE = _kind(values.scale, {"type": "number", "exclusiveMinimum": 0})
 FLAG = _kind(_flag, {"type": "boolean"})
 TEXT = _text("text", lambda text: " ".join(text.split()))
-NAME, NEW_NAME = _text("name"), _text("name", formed(SLIDE, "slide"))
-LINK_KEY = _text("name", formed(LINK, "link"), pattern=r"^[\w']+$")
-POINT_NAME = _text("name", formed(POINT, "point"), type="string", pattern=POINT_PATTERN)
+NAME, NEW_NAME = _text("name"), _text("name", formed(values.SLIDE, "slide"))
+LINK_KEY = _text("name", formed(values.LINK, "link"), pattern=r"^[\w']+$")
+POINT_NAME = _text("name", formed(values.POINT, "point"), type="string", pattern=POINT_PATTERN)
 VECTOR = _kind(_vector, {"type": "string", "pattern": r"^([A-Z][0-9]*'*){2}$"})
 SIDE = _text("name", _side)
 SIDE.json["enum"] = ["left", "right"]
@@ -172,16 +161,16 @@ def two(item: FieldKind) -> FieldKind:
     return list_of(item, count=2)
 
 
-def mapping(names: FieldKind, values: FieldKind) -> FieldKind:
-    """A table whose keys are names themselves."""
-    core = _of_type("table", dict, {"type": "dict", "keys_schema": names.core, "values_schema": values.core})
-    json = {"type": "object", "patternProperties": {names.json["pattern"]: values.json}}
-    return FieldKind(core, json, values.dimension)
+def mapping(names: FieldKind, kind: FieldKind) -> FieldKind:
+    """A table whose keys are names themselves, each with a value of one kind."""
+    core = _of_type("table", dict, {"type": "dict", "keys_schema": names.core, "values_schema": kind.core})
+    json = {"type": "object", "patternProperties": {names.json["pattern"]: kind.json}}
+    return FieldKind(core, json, kind.dimension)
 
 
 def _point_or_place() -> FieldKind:
     """A point's name, or a place."""
-    name = _text("anchor", formed(POINT, "point"), **POINT_NAME.json)
+    name = _text("anchor", formed(values.POINT, "point"), **POINT_NAME.json)
     core = {
         "type": "tagged-union",
         "choices": {"a point": name.core, "a place": PLACE.core},

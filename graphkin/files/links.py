@@ -6,22 +6,9 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
+from graphkin import errors
 from graphkin.base.value import Lazy
-from graphkin.errors import (
-    NOWHERE,
-    AngleRange,
-    BadName,
-    DuplicateName,
-    FrameNameTaken,
-    GraphkinError,
-    KeyClash,
-    MissingKey,
-    NoPoints,
-    ShapeAndMeasures,
-    TooFewMeasures,
-    UnknownKey,
-    Where,
-)  # fmt: skip
+from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.files.draft import Draft
 from graphkin.files.schema import File, LinkTable
 from graphkin.files.shapes import AngleMeasure, Length, Measure, ShapeMeasures, check_round, own_axes, solve_shape
@@ -44,7 +31,7 @@ def frame_problems(frame: object, where: Placing) -> Iterator[GraphkinError]:
     yield from _same_but_for_primes(frame, where, "frame")
     for key in frame:
         if key != "name" and POINT.fullmatch(tidy(key)) is None:
-            yield BadName(where("frame", key), "point", key)
+            yield errors.BadName(where("frame", key), "point", key)
 
 
 def read_measures(links: object, where: Placing) -> tuple[dict[str, list[Measure]], list[GraphkinError]]:
@@ -62,7 +49,7 @@ def read_measures(links: object, where: Placing) -> tuple[dict[str, list[Measure
                 measure = _measure(key, table[key])
                 same = min(measure.points, measure.points[::-1])  # `AB` and `BA` are the same length
                 if (first := keys_by_points.setdefault(same, measure.key)) != measure.key:
-                    raise KeyClash(NOWHERE, first, measure.key)
+                    raise errors.KeyClash(NOWHERE, first, measure.key)
             except GraphkinError as problem:
                 problems.append(problem.at(where("links", link, key)))
             else:
@@ -89,11 +76,11 @@ def _measure(key: str, value: object) -> Measure:
         case (a, b, c) if len({a, b, c}) == 3:
             angle = quantity(value, "angle")
             if not 0 <= angle <= math.pi:
-                raise AngleRange(NOWHERE, math.degrees(angle))
+                raise errors.AngleRange(NOWHERE, math.degrees(angle))
             return AngleMeasure(key, (a, b, c), angle)
     if key[:1].islower():
-        raise UnknownKey(NOWHERE, shown(key), (*OWN_KEYS, "AB", "BDE"))
-    raise BadName(NOWHERE, "measure", shown(key))
+        raise errors.UnknownKey(NOWHERE, shown(key), (*OWN_KEYS, "AB", "BDE"))
+    raise errors.BadName(NOWHERE, "measure", shown(key))
 
 
 def _same_but_for_primes(table: Mapping[str, object], where: Placing, above: str) -> Iterator[GraphkinError]:
@@ -101,7 +88,7 @@ def _same_but_for_primes(table: Mapping[str, object], where: Placing, above: str
     names: set[str] = set()
     for key in table:
         if tidy(key) in names:
-            yield DuplicateName(where(above, key), tidy(key))
+            yield errors.DuplicateName(where(above, key), tidy(key))
         names.add(tidy(key))
 
 
@@ -113,7 +100,7 @@ def read_links(
 ) -> None:
     """Put the frame and all links into the draft. `raw` is the file's own data: it keeps the order of the keys."""
     if not file.links:
-        draft.problems.append(MissingKey(draft.where("links"), "[links.NAME]"))
+        draft.problems.append(errors.MissingKey(draft.where("links"), "[links.NAME]"))
     draft.frame = file.frame.name
     draft.frame_points = {tidy(point): complex(*place) for point, place in file.frame.points.items()}
     draft.links[FRAME] = Link(FRAME, draft.frame_points)
@@ -132,17 +119,17 @@ def _shape(
 ) -> dict[str, complex]:
     """The link's points in its own axes."""
     if name in (FRAME, draft.frame):
-        raise FrameNameTaken(draft.where("links", name), name)
+        raise errors.FrameNameTaken(draft.where("links", name), name)
     if not points:
-        raise NoPoints(draft.where("links", name), name)
+        raise errors.NoPoints(draft.where("links", name), name)
     shape = _shape_measures(draft, name, table, points, measures)
     if table.shape is None:
         return solve_shape(shape)
     if measures:
-        raise ShapeAndMeasures(draft.where("links", name, measures[0].key), name, measures[0].key)
+        raise errors.ShapeAndMeasures(draft.where("links", name, measures[0].key), name, measures[0].key)
     places = {tidy(point): complex(*place) for point, place in table.shape.items()}
     if missing := tuple(point for point in points if point not in places):
-        raise TooFewMeasures(shape.where, name, missing)
+        raise errors.TooFewMeasures(shape.where, name, missing)
     check_round(shape, places)
     return own_axes(places, shape)
 

@@ -5,22 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from itertools import count
 
-from graphkin.errors import (
-    BlockOrPin,
-    CircleOrLine,
-    KeyClash,
-    LineOnLine,
-    MissingKey,
-    NeedsTilt,
-    NoMeaning,
-    PinInCircle,
-    PointOnPoint,
-    RigidlyJoined,
-    SameCircles,
-    SameTwice,
-    SlidesOnItself,
-    UnknownPoint,
-)  # fmt: skip
+from graphkin import errors
 from graphkin.files.draft import Draft
 from graphkin.files.lines import has_line, read_line
 from graphkin.files.schema import CamTable, File, GearTable, ProfileTable, RollTable, SlideTable
@@ -57,16 +42,16 @@ def _circular(draft: Draft, table: SlideTable, path: KeyPath) -> CircularSlot:
     """A pin in a circular slot. A block there would turn about the slot's centre: that is a hinge."""
     guide = draft.link(table.guide, *path, "guide")
     if has_line(table):
-        raise CircleOrLine(draft.where(*path), "centre, radius", _LINE_KEYS)
+        raise errors.CircleOrLine(draft.where(*path), "centre, radius", _LINE_KEYS)
     if table.name is not None:
-        raise NoMeaning(draft.where(*path, "name"), "name", "circle")
+        raise errors.NoMeaning(draft.where(*path, "name"), "name", "circle")
     if table.block is not None or table.pin is None:
-        raise PinInCircle(draft.where(*path, "block"))
+        raise errors.PinInCircle(draft.where(*path, "block"))
     if table.centre is None or table.radius is None:
-        raise MissingKey(draft.where(*path), "radius" if table.radius is None else "centre")
+        raise errors.MissingKey(draft.where(*path), "radius" if table.radius is None else "centre")
     point = _pin(draft, table, table.pin, guide, path)
     if guide in draft.owners(point):
-        raise SlidesOnItself(draft.where(*path, "pin"), guide)
+        raise errors.SlidesOnItself(draft.where(*path, "pin"), guide)
     centre = _slot_centre(draft, table.centre, guide, path)
     return CircularSlot(draft.numbered("c"), guide, centre, table.radius, draft.owners(point)[0], point)
 
@@ -76,7 +61,7 @@ def _slot_centre(draft: Draft, centre: str | Sequence[float], guide: str, path: 
     if isinstance(centre, str):
         return draft.point(guide, centre, *path, "centre")
     if guide != FRAME:
-        raise UnknownPoint(draft.where(*path, "centre"), "[x, y]", draft.named(guide))
+        raise errors.UnknownPoint(draft.where(*path, "centre"), "[x, y]", draft.named(guide))
     place = complex(*centre)
     there = (point for point in draft.named(FRAME) if draft.frame_points[point] == place)
     free = (name for primes in count() if not draft.owners(name := "O" + "'" * primes))
@@ -102,28 +87,29 @@ def _pin(draft: Draft, table: SlideTable, pin: str, guide: str, path: KeyPath) -
     """The point of a pin in a slot: any point of another link than the guide."""
     for key, value in (("block", table.block), ("point", table.point)):
         if value is not None:
-            raise KeyClash(draft.where(*path, key), "pin", key)
+            raise errors.KeyClash(draft.where(*path, key), "pin", key)
     if table.tilt is not None:
-        raise NoMeaning(draft.where(*path, "tilt"), "tilt", "pin")
+        raise errors.NoMeaning(draft.where(*path, "tilt"), "tilt", "pin")
     draft.known(pin, *path, "pin")
     if set(draft.owners(pin)) == {guide}:
-        raise SlidesOnItself(draft.where(*path, "pin"), guide)
+        raise errors.SlidesOnItself(draft.where(*path, "pin"), guide)
     return pin
 
 
 def _block(draft: Draft, table: SlideTable, guide: str, path: KeyPath) -> tuple[str, str]:
     """The block and its point that stays on the line."""
     if table.block is None:
-        raise BlockOrPin(draft.where(*path)) if table.point is None else MissingKey(draft.where(*path), "block")
+        where = draft.where(*path)
+        raise errors.BlockOrPin(where) if table.point is None else errors.MissingKey(where, "block")
     block = draft.link(table.block, *path, "block")
     if block == guide:
-        raise SlidesOnItself(draft.where(*path, "block"), block)
+        raise errors.SlidesOnItself(draft.where(*path, "block"), block)
     if table.point is None:
-        raise MissingKey(draft.where(*path), "point")
+        raise errors.MissingKey(draft.where(*path), "point")
     point = draft.point(block, table.point, *path, "point")
     shared = tuple(point for point in draft.named(block) if point in draft.links[guide].points)
     if shared:
-        raise RigidlyJoined(draft.where(*path), guide, block, shared)
+        raise errors.RigidlyJoined(draft.where(*path), guide, block, shared)
     return block, point
 
 
@@ -133,9 +119,9 @@ def _tilt(draft: Draft, table: SlideTable, block: str, before: Sequence[Pair], p
     slid_before = any(isinstance(pair, Slide) and pair.block == block for pair in before)
     has_direction = block == FRAME or len(draft.links[block].points) > 1 or slid_before
     if has_direction and table.tilt is None:
-        raise NeedsTilt(draft.where(*path), block)
+        raise errors.NeedsTilt(draft.where(*path), block)
     if table.tilt and not has_direction:
-        raise NoMeaning(draft.where(*path, "tilt"), "tilt", "tilt")
+        raise errors.NoMeaning(draft.where(*path, "tilt"), "tilt", "tilt")
     return table.tilt or 0.0
 
 
@@ -145,7 +131,7 @@ def _tilt(draft: Draft, table: SlideTable, block: str, before: Sequence[Pair], p
 def _two_links(draft: Draft, names: Sequence[str], path: KeyPath) -> tuple[str, str]:
     first, second = (draft.link(name, *path, "links", n) for n, name in enumerate(names))
     if first == second:
-        raise SameTwice(draft.where(*path, "links"), names[0])
+        raise errors.SameTwice(draft.where(*path, "links"), names[0])
     return first, second
 
 
@@ -162,10 +148,10 @@ def _gear(draft: Draft, table: GearTable, path: KeyPath) -> Gear:
         draft.point(link, centre, *path, "centres", n) for n, (link, centre) in enumerate(zip(links, table.centres))
     )
     if first == second:
-        raise SameTwice(draft.where(*path, "centres"), first)
+        raise errors.SameTwice(draft.where(*path, "centres"), first)
     one, other = table.radii
     if table.internal and one == other:
-        raise SameCircles(draft.where(*path, "radii"))
+        raise errors.SameCircles(draft.where(*path, "radii"))
     return Gear(draft.name(None, f"g{path[1]}", *path), links, (first, second), (one, other), table.internal)
 
 
@@ -185,13 +171,13 @@ def _roll(draft: Draft, table: RollTable, path: KeyPath) -> RollingContact:
     wheel = draft.link(table.wheel, *path, "wheel")
     track = draft.link(table.on, *path, "on")
     if wheel == track:
-        raise SameTwice(draft.where(*path, "on"), table.wheel)
+        raise errors.SameTwice(draft.where(*path, "on"), table.wheel)
     centre = draft.point(wheel, table.centre, *path, "centre")
     if not on_line:
         rim, internal = _track_circle(draft, table, track, path), bool(table.internal)
         return RollingContact(own, False, wheel, centre, table.radius, track, None, True, *rim, internal)
     if table.internal is not None:
-        raise NoMeaning(draft.where(*path, "internal"), "internal", "line")
+        raise errors.NoMeaning(draft.where(*path, "internal"), "internal", "line")
     line = read_line(draft, table, track, own, path)
     left, named = table.side != "right", table.name is not None
     return RollingContact(name, named, wheel, centre, table.radius, track, line, left, None, 0.0, False)
@@ -200,17 +186,17 @@ def _roll(draft: Draft, table: RollTable, path: KeyPath) -> RollingContact:
 def _track_circle(draft: Draft, table: RollTable, track: str, path: KeyPath) -> tuple[str, float]:
     """Centre and radius of the circle a wheel rolls on."""
     if has_line(table):
-        raise CircleOrLine(draft.where(*path), "on_centre, on_radius", _LINE_KEYS)
+        raise errors.CircleOrLine(draft.where(*path), "on_centre, on_radius", _LINE_KEYS)
     for key, value in (("name", table.name), ("side", table.side)):
         if value is not None:
-            raise NoMeaning(draft.where(*path, key), key, "circle")
+            raise errors.NoMeaning(draft.where(*path, key), key, "circle")
     if table.on_centre is None or table.on_radius is None:
-        raise MissingKey(draft.where(*path), "on_radius" if table.on_radius is None else "on_centre")
+        raise errors.MissingKey(draft.where(*path), "on_radius" if table.on_radius is None else "on_centre")
     centre = draft.point(track, table.on_centre, *path, "on_centre")
     if centre == table.centre:
-        raise SameTwice(draft.where(*path, "on_centre"), centre)
+        raise errors.SameTwice(draft.where(*path, "on_centre"), centre)
     if table.internal and table.radius == table.on_radius:
-        raise SameCircles(draft.where(*path, "on_radius"))
+        raise errors.SameCircles(draft.where(*path, "on_radius"))
     return centre, table.on_radius
 
 
@@ -228,14 +214,14 @@ def _cam(draft: Draft, table: CamTable, path: KeyPath) -> Cam:
         for n, (link, profile) in enumerate(zip(links, table.profiles))
     )
     if first.line is not None and second.line is not None:
-        raise LineOnLine(draft.where(*path, "profiles"))
+        raise errors.LineOnLine(draft.where(*path, "profiles"))
     circles = first.line is None and second.line is None
     if table.internal and not circles:
-        raise NoMeaning(draft.where(*path, "internal"), "internal", "line")
+        raise errors.NoMeaning(draft.where(*path, "internal"), "internal", "line")
     if circles and first.radius == second.radius == 0:
-        raise PointOnPoint(draft.where(*path, "profiles"))
+        raise errors.PointOnPoint(draft.where(*path, "profiles"))
     if table.internal and first.radius == second.radius:
-        raise SameCircles(draft.where(*path, "profiles"))
+        raise errors.SameCircles(draft.where(*path, "profiles"))
     return Cam(draft.numbered("c"), links, (first, second), table.internal)
 
 
@@ -243,14 +229,14 @@ def _profile(draft: Draft, table: ProfileTable, link: str, number: int, path: Ke
     """A circle has `centre` and `radius`, a line the keys of a line."""
     circle = table.centre is not None or table.radius is not None
     if circle == has_line(table):
-        raise CircleOrLine(draft.where(*path), "centre, radius", _LINE_KEYS)
+        raise errors.CircleOrLine(draft.where(*path), "centre, radius", _LINE_KEYS)
     if not circle:
         line = read_line(draft, table, link, f"c{path[1]}_{number}", path)
         return Profile(None, 0.0, line, table.side != "right")
     if table.centre is None or table.radius is None:
-        raise MissingKey(draft.where(*path), "radius" if table.radius is None else "centre")
+        raise errors.MissingKey(draft.where(*path), "radius" if table.radius is None else "centre")
     if table.side is not None:
-        raise NoMeaning(draft.where(*path, "side"), "side", "circle")
+        raise errors.NoMeaning(draft.where(*path, "side"), "side", "circle")
     return Profile(draft.point(link, table.centre, *path, "centre"), table.radius, None, True)
 
 

@@ -11,42 +11,8 @@ from typing import TYPE_CHECKING, Literal
 from pydantic_core import SchemaValidator, ValidationError
 
 from graphkin.errors import GraphkinError, MissingKey, UnitAsKey, UnknownKey, Where, WrongCount, WrongType
-from graphkin.files.fields import (
-    ALSO,
-    ANCHOR,
-    ANGLE,
-    EDGE_RADIUS,
-    FLAG,
-    LENGTH,
-    LINK_KEY,
-    MEASURE_PATTERN,
-    NAME,
-    NEW_NAME,
-    NUMBER,
-    PLACE,
-    POINT_NAME,
-    POINT_PATTERN,
-    RADIUS,
-    SCALE,
-    SIDE,
-    TEXT,
-    TRIPLES,
-    VECTOR,
-    anything,
-    entry,
-    further,
-    key,
-    keys,
-    kind_of,
-    list_of,
-    mapping,
-    one_table,
-    quantity_of,
-    table,
-    tables,
-    title,
-    two,
-)  # fmt: skip
+from graphkin.files import fields
+from graphkin.files.fields import further, key, keys, kind_of, table
 from graphkin.files.values import UNITS, quantity, short_number, shown, split_points, tidy
 from graphkin.model.mechanism import Dimension, GivenValue, KeyPath
 
@@ -63,124 +29,124 @@ Side = Literal["left", "right"]
 
 @table
 class Titles:
-    en: str | None = key(TEXT, default=None)
-    zh: str | None = key(TEXT, default=None)
+    en: str | None = key(fields.TEXT, default=None)
+    zh: str | None = key(fields.TEXT, default=None)
 
 
-TITLES = title(Titles)
+TITLES = fields.title(Titles)
 
 
 @table
 class FrameTable:
     """`[frame]`: its own name, and the fixed points by theirs."""
 
-    name: str = key(LINK_KEY, default="0")
-    points: Mapping[str, Place] = further(POINT_PATTERN, PLACE)
+    name: str = key(fields.LINK_KEY, default="0")
+    points: Mapping[str, Place] = further(fields.POINT_PATTERN, fields.PLACE)
 
 
 @table
 class LinkTable:
     """`[links.X]`: lengths and angles stand as further keys, read in `links`."""
 
-    points: Sequence[str] | None = key(list_of(POINT_NAME), default=None)
-    ccw: Sequence[Sequence[str]] | None = key(TRIPLES, default=None)
-    shape: Mapping[str, Place] | None = key(mapping(POINT_NAME, PLACE), default=None)
-    measures: Mapping[str, object] = further(MEASURE_PATTERN, anything(NUMBER))
+    points: Sequence[str] | None = key(fields.list_of(fields.POINT_NAME), default=None)
+    ccw: Sequence[Sequence[str]] | None = key(fields.TRIPLES, default=None)
+    shape: Mapping[str, Place] | None = key(fields.mapping(fields.POINT_NAME, fields.PLACE), default=None)
+    measures: Mapping[str, object] = further(fields.MEASURE_PATTERN, fields.anything(fields.NUMBER))
 
 
 @table
 class LineTable:
     """What says where a line lies in its link; a slide, a track on a line and a flat profile share it."""
 
-    through: str | Place | None = key(ANCHOR, default=None)
-    toward: str | None = key(POINT_NAME, default=None)
-    from_: Vector | None = key(VECTOR, default=None)
-    angle: float | None = key(ANGLE, default=None)
+    through: str | Place | None = key(fields.ANCHOR, default=None)
+    toward: str | None = key(fields.POINT_NAME, default=None)
+    from_: Vector | None = key(fields.VECTOR, default=None)
+    angle: float | None = key(fields.ANGLE, default=None)
 
 
 @table
 class SlideTable(LineTable):
     """A block, or a pin, on a line of the guide; with `centre` and `radius`, a pin in a circular slot of the guide."""
 
-    name: str | None = key(NEW_NAME, default=None)
+    name: str | None = key(fields.NEW_NAME, default=None)
     title: Titles = key(TITLES, default=Titles())
-    block: str | None = key(NAME, default=None)
-    point: str | None = key(POINT_NAME, default=None)
-    pin: str | None = key(POINT_NAME, default=None)
-    guide: str = key(NAME)
-    tilt: float | None = key(ANGLE, default=None)
-    centre: str | Place | None = key(ANCHOR, default=None)
-    radius: float | None = key(RADIUS, default=None)
+    block: str | None = key(fields.NAME, default=None)
+    point: str | None = key(fields.POINT_NAME, default=None)
+    pin: str | None = key(fields.POINT_NAME, default=None)
+    guide: str = key(fields.NAME)
+    tilt: float | None = key(fields.ANGLE, default=None)
+    centre: str | Place | None = key(fields.ANCHOR, default=None)
+    radius: float | None = key(fields.RADIUS, default=None)
 
 
 @table
 class GearTable:
-    links: Sequence[str] = key(two(NAME))
-    centres: Sequence[str] = key(two(POINT_NAME))
-    radii: Sequence[float] = key(two(RADIUS))
-    internal: bool = key(FLAG, default=False)
+    links: Sequence[str] = key(fields.two(fields.NAME))
+    centres: Sequence[str] = key(fields.two(fields.POINT_NAME))
+    radii: Sequence[float] = key(fields.two(fields.RADIUS))
+    internal: bool = key(fields.FLAG, default=False)
 
 
 @table
 class RollTable(LineTable):
-    name: str | None = key(NEW_NAME, default=None)
-    wheel: str = key(NAME)
-    centre: str = key(POINT_NAME)
-    radius: float = key(RADIUS)
-    on: str = key(NAME)
-    side: Side | None = key(SIDE, default=None)
-    on_centre: str | None = key(POINT_NAME, default=None)
-    on_radius: float | None = key(RADIUS, default=None)
-    internal: bool | None = key(FLAG, default=None)
+    name: str | None = key(fields.NEW_NAME, default=None)
+    wheel: str = key(fields.NAME)
+    centre: str = key(fields.POINT_NAME)
+    radius: float = key(fields.RADIUS)
+    on: str = key(fields.NAME)
+    side: Side | None = key(fields.SIDE, default=None)
+    on_centre: str | None = key(fields.POINT_NAME, default=None)
+    on_radius: float | None = key(fields.RADIUS, default=None)
+    internal: bool | None = key(fields.FLAG, default=None)
 
 
 @table
 class ProfileTable(LineTable):
-    centre: str | None = key(POINT_NAME, default=None)
-    radius: float | None = key(EDGE_RADIUS, default=None)
-    side: Side | None = key(SIDE, default=None)
+    centre: str | None = key(fields.POINT_NAME, default=None)
+    radius: float | None = key(fields.EDGE_RADIUS, default=None)
+    side: Side | None = key(fields.SIDE, default=None)
 
 
 @table
 class CamTable:
-    links: Sequence[str] = key(two(NAME))
-    profiles: Sequence[ProfileTable] = key(two(entry(ProfileTable)))
-    internal: bool = key(FLAG, default=False)
+    links: Sequence[str] = key(fields.two(fields.NAME))
+    profiles: Sequence[ProfileTable] = key(fields.two(fields.entry(ProfileTable)))
+    internal: bool = key(fields.FLAG, default=False)
 
 
 @table
 class PoseTable:
-    vector: Vector | None = key(VECTOR, default=None)
-    angle: float | None = key(ANGLE, default=None)
-    from_: Vector | None = key(VECTOR, default=None)
-    slide: str | None = key(NAME, default=None)
-    at: float | None = key(LENGTH, default=None)
+    vector: Vector | None = key(fields.VECTOR, default=None)
+    angle: float | None = key(fields.ANGLE, default=None)
+    from_: Vector | None = key(fields.VECTOR, default=None)
+    slide: str | None = key(fields.NAME, default=None)
+    at: float | None = key(fields.LENGTH, default=None)
 
 
 @table
 class DriverTable(PoseTable):
-    link: str | None = key(NAME, default=None)
-    omega: float | None = key(quantity_of("angular velocity"), default=None)
-    alpha: float | None = key(quantity_of("angular acceleration"), default=None)
-    velocity: float | None = key(quantity_of("velocity"), default=None)
-    acceleration: float | None = key(quantity_of("acceleration"), default=None)
-    also: Sequence[float] = key(list_of(ALSO), default=())
+    link: str | None = key(fields.NAME, default=None)
+    omega: float | None = key(fields.quantity_of("angular velocity"), default=None)
+    alpha: float | None = key(fields.quantity_of("angular acceleration"), default=None)
+    velocity: float | None = key(fields.quantity_of("velocity"), default=None)
+    acceleration: float | None = key(fields.quantity_of("acceleration"), default=None)
+    also: Sequence[float] = key(fields.list_of(fields.ALSO), default=())
 
 
 @table
 class ScalesTable:
     """Metres (m/s, m/s²) on one millimetre of paper."""
 
-    length: float | None = key(SCALE, default=None)
-    velocity: float | None = key(SCALE, default=None)
-    acceleration: float | None = key(SCALE, default=None)
+    length: float | None = key(fields.SCALE, default=None)
+    velocity: float | None = key(fields.SCALE, default=None)
+    acceleration: float | None = key(fields.SCALE, default=None)
 
 
 @table
 class SketchTable:
     """`[sketch]`: points by their names."""
 
-    points: Mapping[str, Place] = further(POINT_PATTERN, PLACE)
+    points: Mapping[str, Place] = further(fields.POINT_PATTERN, fields.PLACE)
 
 
 @table
@@ -189,17 +155,17 @@ class File:
 
     title: Titles = key(TITLES, default=Titles())
     source: Titles = key(TITLES, default=Titles())
-    ask: Sequence[str] = key(list_of(TEXT), default=())
-    frame: FrameTable = key(one_table(FrameTable), default=FrameTable(points={}))
-    links: Mapping[str, LinkTable] = key(mapping(LINK_KEY, entry(LinkTable)))
-    slide: Sequence[SlideTable] = key(tables(SlideTable), default=())
-    gear: Sequence[GearTable] = key(tables(GearTable), default=())
-    roll: Sequence[RollTable] = key(tables(RollTable), default=())
-    cam: Sequence[CamTable] = key(tables(CamTable), default=())
-    driver: Sequence[DriverTable] = key(tables(DriverTable), default=())
-    pose: Sequence[PoseTable] = key(tables(PoseTable), default=())
-    sketch: Mapping[str, Place] = key(mapping(POINT_NAME, PLACE), default_factory=dict)
-    scales: ScalesTable = key(one_table(ScalesTable), default=ScalesTable())
+    ask: Sequence[str] = key(fields.list_of(fields.TEXT), default=())
+    frame: FrameTable = key(fields.one_table(FrameTable), default=FrameTable(points={}))
+    links: Mapping[str, LinkTable] = key(fields.mapping(fields.LINK_KEY, fields.entry(LinkTable)))
+    slide: Sequence[SlideTable] = key(fields.tables(SlideTable), default=())
+    gear: Sequence[GearTable] = key(fields.tables(GearTable), default=())
+    roll: Sequence[RollTable] = key(fields.tables(RollTable), default=())
+    cam: Sequence[CamTable] = key(fields.tables(CamTable), default=())
+    driver: Sequence[DriverTable] = key(fields.tables(DriverTable), default=())
+    pose: Sequence[PoseTable] = key(fields.tables(PoseTable), default=())
+    sketch: Mapping[str, Place] = key(fields.mapping(fields.POINT_NAME, fields.PLACE), default_factory=dict)
+    scales: ScalesTable = key(fields.one_table(ScalesTable), default=ScalesTable())
 
 
 TABLES: Mapping[str, type] = {
@@ -221,8 +187,8 @@ _VALIDATOR = SchemaValidator(kind_of(File).core)
 
 def read_tables(document: Mapping[str, object]) -> File:
     """The tables of a file. Raises pydantic's ValidationError with all that is wrong in them."""
-    tables: File = _VALIDATOR.validate_python(document)
-    return tables
+    file: File = _VALIDATOR.validate_python(document)
+    return file
 
 
 # --- complaints -------------------------------------------------------------------------------

@@ -16,20 +16,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from itertools import combinations, islice
 
+from graphkin import errors
 from graphkin.base.tolerances import ROUNDED
 from graphkin.base.value import frozen
-from graphkin.errors import (
-    CcwContradicts,
-    CcwOnLine,
-    Contradiction,
-    GraphkinError,
-    MissingCcw,
-    NoTriangle,
-    OneSpot,
-    TooFewMeasures,
-    TooManyPoints,
-    Where,
-)  # fmt: skip
+from graphkin.errors import GraphkinError, Where
 
 MOST_POINTS = 50
 """Links of more points than this need coordinates."""
@@ -139,7 +129,7 @@ def solve_shape(shape: ShapeMeasures) -> dict[str, complex]:
     if len(shape.points) == 1:
         return {shape.points[0]: 0j}
     if len(shape.points) > MOST_POINTS:
-        raise TooManyPoints(shape.where, shape.link, MOST_POINTS)
+        raise errors.TooManyPoints(shape.where, shape.link, MOST_POINTS)
     layouts = _LayoutSearch(shape, shape.ccw).first_two()
     if not layouts:
         raise _why_not_round(shape)
@@ -155,7 +145,7 @@ def own_axes(places: Places, shape: ShapeMeasures) -> dict[str, complex]:
     size = max(abs(arm) for arm in arms.values())
     axis = next((arm for arm in arms.values() if abs(arm) > 1e-9 * size), 0j)
     if axis == 0 and len(arms) > 1:
-        raise OneSpot(shape.where, shape.link)
+        raise errors.OneSpot(shape.where, shape.link)
     turn = axis.conjugate() / abs(axis) if axis.imag or axis.real < 0 else 1 + 0j
     return {point: complex(abs(arm), 0) if arm == axis else arm * turn for point, arm in arms.items()}
 
@@ -188,7 +178,7 @@ class _LayoutSearch:
             if self.problem is not None:
                 raise self.problem
         if self.stuck or not starts:
-            raise TooFewMeasures(self.shape.where, self.shape.link, self.stuck or self.shape.points)
+            raise errors.TooFewMeasures(self.shape.where, self.shape.link, self.stuck or self.shape.points)
         return []
 
     def _complete(self, placed: Places) -> Iterator[Places]:
@@ -258,12 +248,12 @@ class _LayoutSearch:
         placed = (triple for triple in self.ccw if all(point in layout for point in triple))
         return all(orientation(layout, triple) > 0 for triple in placed)
 
-    def _worst(self, point: str, places: list[complex], fixing: list[Measure], placed: Places) -> Contradiction:
+    def _worst(self, point: str, places: list[complex], fixing: list[Measure], placed: Places) -> errors.Contradiction:
         """Of the best layout, the measure that is furthest off."""
         layouts = [{**placed, point: place} for place in places]
         best = min(layouts, key=lambda layout: max(measure.miss(layout) for measure in fixing))
         worst = max(fixing, key=lambda measure: measure.miss(best))
-        return Contradiction(self.shape.place(worst.key), self.shape.link, worst.key, worst.miss(best) * 1e3)
+        return errors.Contradiction(self.shape.place(worst.key), self.shape.link, worst.key, worst.miss(best) * 1e3)
 
     def _no_crossing(self, point: str, fixing: list[Measure], placed: Places) -> GraphkinError:
         """The two measures that leave least place for the point."""
@@ -277,8 +267,8 @@ class _LayoutSearch:
         gap_mm = apart((one, other)) * 1e3
         if isinstance(one, Length) and isinstance(other, Length):
             a, b = (next(end for end in length.points if end != point) for length in (one, other))
-            return NoTriangle(self.shape.place(last.key), (self._key(a, b), one.key, other.key), gap_mm)
-        return Contradiction(self.shape.place(last.key), self.shape.link, last.key, gap_mm)
+            return errors.NoTriangle(self.shape.place(last.key), (self._key(a, b), one.key, other.key), gap_mm)
+        return errors.Contradiction(self.shape.place(last.key), self.shape.link, last.key, gap_mm)
 
     def _key(self, a: str, b: str) -> str:
         """The distance ab as the file writes it, if it does."""
@@ -303,7 +293,7 @@ def check_round(shape: ShapeMeasures, places: Places) -> None:
     for number, triple in enumerate(shape.ccw):
         turn = orientation(places, triple)
         if turn != 1:
-            raise (CcwContradicts if turn else CcwOnLine)(shape.place(f"ccw {number}"), triple)
+            raise (errors.CcwContradicts if turn else errors.CcwOnLine)(shape.place(f"ccw {number}"), triple)
 
 
 def _why_not_round(shape: ShapeMeasures) -> GraphkinError:
@@ -312,13 +302,13 @@ def _why_not_round(shape: ShapeMeasures) -> GraphkinError:
     for number, triple in enumerate(shape.ccw):
         where = shape.place(f"ccw {number}")
         if all(orientation(layout, triple) == 0 for layout in layouts):
-            return CcwOnLine(where, triple)
+            return errors.CcwOnLine(where, triple)
     done: list[Triple] = []
     for number, triple in enumerate(shape.ccw):
         done.append(triple)
         if not _LayoutSearch(shape, done).first_two():
-            return CcwContradicts(shape.place(f"ccw {number}"), triple)
-    return CcwContradicts(shape.where, shape.ccw[-1])
+            return errors.CcwContradicts(shape.place(f"ccw {number}"), triple)
+    return errors.CcwContradicts(shape.where, shape.ccw[-1])
 
 
 def _what_is_open(shape: ShapeMeasures, one: Places, other: Places) -> GraphkinError:
@@ -326,9 +316,9 @@ def _what_is_open(shape: ShapeMeasures, one: Places, other: Places) -> GraphkinE
     for a, b, c in combinations(shape.points, 3):
         turns = orientation(one, (a, b, c)), orientation(other, (a, b, c))
         if turns[0] != turns[1] and 0 not in turns:
-            return MissingCcw(shape.where, (a, b, c))
+            return errors.MissingCcw(shape.where, (a, b, c))
     moved = tuple(p for p in shape.points if abs(one[p] - other[p]) > ROUNDED * _size(one))
-    return TooFewMeasures(shape.where, shape.link, moved)
+    return errors.TooFewMeasures(shape.where, shape.link, moved)
 
 
 # --- curves -----------------------------------------------------------------------------------

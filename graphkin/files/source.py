@@ -9,20 +9,8 @@ from functools import cached_property, partial
 from pathlib import Path
 from typing import IO, Any, TypeVar
 
-from graphkin.errors import (
-    BrokenToml,
-    ControlCharacter,
-    EmptyFile,
-    FileTooLarge,
-    IsFolder,
-    NoFile,
-    NotUtf8,
-    StrayLetter,
-    TooDeep,
-    Unreadable,
-    Where,
-    steers,
-)  # fmt: skip
+from graphkin import errors
+from graphkin.errors import Where
 from graphkin.files.toml import positions, tidied
 from graphkin.files.values import tidy
 from graphkin.model.mechanism import GivenValue, KeyPath
@@ -52,13 +40,13 @@ def read_text(path: Path) -> str:
     where = Where(str(path))
     try:
         if path.is_dir():
-            raise IsFolder(where)
+            raise errors.IsFolder(where)
         with path.open("rb") as stream:
             return decoded(read_bytes(stream, where.file), where.file)
     except FileNotFoundError:
-        raise NoFile(where, path.name, _files_beside(path)) from None
+        raise errors.NoFile(where, path.name, _files_beside(path)) from None
     except (OSError, ValueError) as problem:
-        raise Unreadable(where, getattr(problem, "strerror", None) or str(problem)) from None
+        raise errors.Unreadable(where, getattr(problem, "strerror", None) or str(problem)) from None
 
 
 def read_bytes(stream: IO[bytes], file: str) -> bytes:
@@ -66,12 +54,12 @@ def read_bytes(stream: IO[bytes], file: str) -> bytes:
     try:
         return stream.read(LARGEST_FILE + 1)
     except OSError as problem:
-        raise Unreadable(Where(file), problem.strerror or str(problem)) from None
+        raise errors.Unreadable(Where(file), problem.strerror or str(problem)) from None
 
 
 def named(path: Path) -> str:
     """What a mechanism is called after its file; a character that no text may hold becomes an underscore."""
-    return "".join("_" if steers(letter) else letter for letter in path.stem)
+    return "".join("_" if errors.steers(letter) else letter for letter in path.stem)
 
 
 def decoded(content: bytes, file: str) -> str:
@@ -81,9 +69,9 @@ def decoded(content: bytes, file: str) -> str:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
         if content.startswith(_WIDE_MARKS):
-            raise NotUtf8(Where(file), "UTF-16") from None
+            raise errors.NotUtf8(Where(file), "UTF-16") from None
         line = content.count(b"\n", 0, problem.start) + 1
-        raise NotUtf8(Where(file, line), "") from None
+        raise errors.NotUtf8(Where(file, line), "") from None
 
 
 class Deferred(Mapping[KeyPath, _T]):
@@ -118,7 +106,7 @@ def key_lines(text: str, file: str) -> dict[KeyPath, int]:
     try:
         return {tidied(path): line for path, line in positions(text).items()}
     except RecursionError:
-        raise TooDeep(Where(file)) from None
+        raise errors.TooDeep(Where(file)) from None
 
 
 def read_toml(text: str, file: str) -> tuple[dict[str, Any], Mapping[KeyPath, int]]:
@@ -126,34 +114,35 @@ def read_toml(text: str, file: str) -> tuple[dict[str, Any], Mapping[KeyPath, in
     _check_size(len(text), file)
     text = text.removeprefix("\ufeff")
     if any(line.count(".") >= _PARTS and re.search(_DEEP, line) is not None for line in text.split("\n")):
-        raise TooDeep(Where(file))
+        raise errors.TooDeep(Where(file))
     try:
         document = tomllib.loads(text)
         lines = Deferred(partial(key_lines, text, file))
         _refuse_control(document, lines, text, file)
     except RecursionError:
-        raise TooDeep(Where(file)) from None
+        raise errors.TooDeep(Where(file)) from None
     except ValueError as problem:
         raise _broken(str(problem), text, file) from None
     if not document:
-        raise EmptyFile(Where(file))
+        raise errors.EmptyFile(Where(file))
     return document, lines
 
 
 def _refuse_control(document: dict[str, object], lines: Mapping[KeyPath, int], text: str, file: str) -> None:
     """Texts and names go to terminals, into XML, TeX and tables: no character in them may mean more than itself."""
     if (match := _NO_XML.search(text)) is not None:
-        raise ControlCharacter(Where(file, text.count("\n", 0, match.start()) + 1), f"U+{ord(match.group()):04X}")
+        line = text.count("\n", 0, match.start()) + 1
+        raise errors.ControlCharacter(Where(file, line), f"U+{ord(match.group()):04X}")
     if "\\" not in text and text.translate(_WITHOUT_BLANKS).isprintable():
         return
     for path, word in _words(document, ()):
         if word.isprintable():
             continue
-        bad = next((letter for letter in word if steers(letter) and letter not in _BLANKS), None)
+        bad = next((letter for letter in word if errors.steers(letter) and letter not in _BLANKS), None)
         if bad is not None:
             line = next((lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in lines), None)
-            place = "".join(letter for letter in ".".join(map(str, path)) if not steers(letter))
-            raise ControlCharacter(Where(file, line, place), f"U+{ord(bad):04X}")
+            place = "".join(letter for letter in ".".join(map(str, path)) if not errors.steers(letter))
+            raise errors.ControlCharacter(Where(file, line, place), f"U+{ord(bad):04X}")
 
 
 def _words(value: object, path: KeyPath) -> Iterator[tuple[KeyPath, str]]:
@@ -172,15 +161,15 @@ def _words(value: object, path: KeyPath) -> Iterator[tuple[KeyPath, str]]:
             pass
 
 
-def _broken(reason: str, text: str, file: str) -> BrokenToml | StrayLetter:
+def _broken(reason: str, text: str, file: str) -> errors.BrokenToml | errors.StrayLetter:
     place = re.search(_PLACE, reason)
     line = None
     if place is not None:
         line = int(place[1]) if place[1] else text.rstrip("\n").count("\n") + 1
         stray = re.search(r"[^\x00-\x7f]", re.sub(_QUOTED, "", text.split("\n")[line - 1]))
         if stray is not None:
-            return StrayLetter(Where(file, line), stray.group(), f"U+{ord(stray.group()):04X}")
-    return BrokenToml(Where(file, line), re.sub(_PLACE, "", reason))
+            return errors.StrayLetter(Where(file, line), stray.group(), f"U+{ord(stray.group()):04X}")
+    return errors.BrokenToml(Where(file, line), re.sub(_PLACE, "", reason))
 
 
 def _files_beside(path: Path) -> tuple[str, ...]:
@@ -193,4 +182,4 @@ def _files_beside(path: Path) -> tuple[str, ...]:
 
 def _check_size(size: int, file: str) -> None:
     if size > LARGEST_FILE:
-        raise FileTooLarge(Where(file), LARGEST_FILE / 1e6)
+        raise errors.FileTooLarge(Where(file), LARGEST_FILE / 1e6)

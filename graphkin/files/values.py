@@ -11,19 +11,8 @@ import re
 from collections.abc import Callable, Mapping
 from datetime import date, datetime, time
 
-from graphkin.errors import (
-    NOWHERE,
-    BadName,
-    LongName,
-    Negative,
-    NotANumber,
-    NoUnit,
-    OtherDimension,
-    OutOfRange,
-    TooSmall,
-    UnknownUnit,
-    WrongType,
-)  # fmt: skip
+from graphkin import errors
+from graphkin.errors import NOWHERE
 from graphkin.model.mechanism import Dimension
 
 # --- names ------------------------------------------------------------------------------------
@@ -57,9 +46,9 @@ def formed(pattern: re.Pattern[str], kind: str) -> Callable[[str], str]:
     def checked(value: str) -> str:
         name = tidy(value)
         if pattern.fullmatch(name) is None:
-            raise BadName(NOWHERE, kind, shown(value))
+            raise errors.BadName(NOWHERE, kind, shown(value))
         if _letters(name) > LONGEST:
-            raise LongName(NOWHERE, shown(value), LONGEST)
+            raise errors.LongName(NOWHERE, shown(value), LONGEST)
         return name
 
     return checked
@@ -106,7 +95,7 @@ _QUANTITY = r"(?s)\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(
 def quantity(value: object, dimension: Dimension) -> float:
     """A number or a text with a unit, in SI."""
     if isinstance(value, bool) or not isinstance(value, int | float | str):
-        raise WrongType(NOWHERE, "quantity", shown(value))
+        raise errors.WrongType(NOWHERE, "quantity", shown(value))
     return read_quantity(value, dimension)
 
 
@@ -122,7 +111,7 @@ def read_quantity(written: float | str, dimension: Dimension) -> float:
     except OverflowError:
         value = math.inf
     if not abs(value) <= (LARGEST_ANGLE if dimension == "angle" else LARGEST):
-        raise OutOfRange(NOWHERE, written.strip() if isinstance(written, str) else short_number(number))
+        raise errors.OutOfRange(NOWHERE, written.strip() if isinstance(written, str) else short_number(number))
     return value
 
 
@@ -130,42 +119,42 @@ def _number_and_unit(text: str, dimension: Dimension) -> tuple[float, str]:
     """`"120 r/min"` -> (120.0, "r/min")."""
     match = re.fullmatch(_QUANTITY, text)
     if match is None:
-        raise NotANumber(NOWHERE, text[:40])
+        raise errors.NotANumber(NOWHERE, text[:40])
     number, unit = match.groups()
     unit = re.sub(r"\^?2$", "²", "".join(unit.split()))
     possible = tuple(UNITS[dimension])
     if not unit:
-        raise NoUnit(NOWHERE, text.strip()[:40], possible)
+        raise errors.NoUnit(NOWHERE, text.strip()[:40], possible)
     if unit in possible:
         return float(number), unit
     for other, units in UNITS.items():
         if unit in units:
-            raise OtherDimension(NOWHERE, unit, possible, dimension, other)
-    raise UnknownUnit(NOWHERE, unit[:40], possible, dimension)
+            raise errors.OtherDimension(NOWHERE, unit, possible, dimension, other)
+    raise errors.UnknownUnit(NOWHERE, unit[:40], possible, dimension)
 
 
 def above_zero(value: float) -> float:
     """A length that is no rounding noise [m]."""
     if value < SMALLEST_LENGTH:
-        raise TooSmall(NOWHERE, f"{value * 1e3:.6g} mm", "0.000001 mm")
+        raise errors.TooSmall(NOWHERE, f"{value * 1e3:.6g} mm", "0.000001 mm")
     return value
 
 
 def zero_or_more(value: float) -> float:
     """A length that may be 0 [m]."""
     if value < 0:
-        raise Negative(NOWHERE, f"{value * 1e3:.6g} mm")
+        raise errors.Negative(NOWHERE, f"{value * 1e3:.6g} mm")
     return value
 
 
 def scale(value: object) -> float:
     """A scale of the paper: a plain number above zero."""
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise WrongType(NOWHERE, "number", shown(value))
+        raise errors.WrongType(NOWHERE, "number", shown(value))
     if not value >= SMALLEST_SCALE:
-        raise (TooSmall(NOWHERE, shown(value), "1e-12") if value == value else OutOfRange(NOWHERE, "nan"))
+        raise (errors.TooSmall(NOWHERE, shown(value), "1e-12") if value == value else errors.OutOfRange(NOWHERE, "nan"))
     if value > LARGEST:
-        raise OutOfRange(NOWHERE, shown(value))
+        raise errors.OutOfRange(NOWHERE, shown(value))
     return float(value)
 
 

@@ -7,17 +7,8 @@ from __future__ import annotations
 
 import re
 
-from graphkin.errors import (
-    NOWHERE,
-    GraphkinError,
-    NeedsTwo,
-    NotOneOf,
-    UnknownLink,
-    UnknownPoint,
-    UnknownQuantity,
-    UnknownSlide,
-    Where,
-)
+from graphkin import errors
+from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import Seen, pair, seen
 from graphkin.model.pairs import RollingContact, Slide
@@ -51,7 +42,7 @@ _OF_TWO = ("a_n", "a_t", "a_k", "a_r")
 def named(mechanism: Mechanism, text: str, where: Where) -> Quantity:
     """The quantity that must be there. Raises UnknownQuantity and what `read` raises."""
     if (found := read(mechanism, text, where)) is None:
-        raise UnknownQuantity(where, text, ())
+        raise errors.UnknownQuantity(where, text, ())
     return found
 
 
@@ -152,13 +143,13 @@ def _refuse_misspelt(mechanism: Mechanism, where: Where, word: str, of: str) -> 
 
     near = len(word) > 3 and difflib.get_close_matches(word, WORDS, 1, 0.7)
     if near and (of in mechanism.links or seen(mechanism, of) is not None):
-        raise NotOneOf(where, word, WORDS)
+        raise errors.NotOneOf(where, word, WORDS)
 
 
 def _rotation(mechanism: Mechanism, where: Where, word: str, of: str) -> Rotation | None:
     """Of a moving link; the frame's is only shown."""
     if of not in mechanism.moving and of != mechanism.frame:
-        raise UnknownLink(where, of, mechanism.moving)
+        raise errors.UnknownLink(where, of, mechanism.moving)
     return Rotation(word, of, of) if of in mechanism.moving else None
 
 
@@ -166,14 +157,14 @@ def _displacement(mechanism: Mechanism, where: Where, of: str) -> Displacement |
     """Of a sliding pair, or of a wheel on a line; that of a wheel on a circle is only shown."""
     way = {pair.name: pair.path for pair in mechanism.pairs if isinstance(pair, Slide | RollingContact)}
     if of not in way:
-        raise UnknownSlide(where, of, tuple(way))
+        raise errors.UnknownSlide(where, of, tuple(way))
     return Displacement("s", of, of) if way[of] is not None else None
 
 
 def _site(mechanism: Mechanism, where: Where, of: str) -> Seen:
     site = seen(mechanism, of)
     if site is None:
-        raise UnknownPoint(where, of, _moving_there(mechanism, of) or mechanism.points)
+        raise errors.UnknownPoint(where, of, _moving_there(mechanism, of) or mechanism.points)
     return site
 
 
@@ -182,12 +173,12 @@ def _moving(mechanism: Mechanism, where: Where, word: str, of: str) -> Moving | 
     alone, two, part = seen(mechanism, of), pair(mechanism, of), word.partition("_")[2]
     if word in _OF_TWO:
         if alone is not None and two is None:
-            raise NeedsTwo(where, word, of, _others(mechanism, alone, word))
+            raise errors.NeedsTwo(where, word, of, _others(mechanism, alone, word))
         alone = None
     if alone is not None:
         return Moving(word, of, alone, guide=_guide(mechanism, alone))
     if two is None:
-        raise UnknownPoint(where, of, _meant_points(mechanism, of, word))
+        raise errors.UnknownPoint(where, of, _meant_points(mechanism, of, word))
     return Moving(word, of, *two, part) if has_part(mechanism, part, *two) else None
 
 
