@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Callable
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,9 +31,9 @@ Value: TypeAlias = float | complex | Array
 Leg = Callable[[Real, Real], Real]
 """How the other leg of a right-angled triangle is found: `leg`, or what stands for it where values are no numbers."""
 
-ROUNDING = 4e-15
+_ROUNDING = 4e-15
 """What squares may be off, as part of their size, by rounding."""
-HALF_TURN = 1e-9
+_HALF_TURN = 1e-9
 """Angles as near to a half turn are one, whichever way they turn [rad]."""
 
 
@@ -56,6 +56,10 @@ def unit(a: Value) -> Value:
             return complex(np.nan, np.nan)
 
 
+@overload
+def phase(a: complex) -> float: ...
+@overload
+def phase(a: Value) -> Real: ...
 def phase(a: Value) -> Real:
     """The angle of a vector from +x, above -pi [rad]."""
     return np.angle(a) if isinstance(a, np.ndarray) else cmath.phase(a)
@@ -64,14 +68,14 @@ def phase(a: Value) -> Real:
 def wrapped(angle: Real) -> Real:
     """An angle without whole turns, above -pi to pi; what is -pi but for rounding is pi [rad]."""
     turned = np.angle(np.exp(1j * angle))
-    return np.where(turned < HALF_TURN - np.pi, turned + 2 * np.pi, turned)[()]
+    return np.where(turned < _HALF_TURN - np.pi, turned + 2 * np.pi, turned)[()]
 
 
 def leg(hypotenuse: Real, other: Real) -> Real:
     """The other leg of a right-angled triangle; 0 where it is 0 but for rounding, NaN where there is none."""
     square = np.asarray((hypotenuse - other) * (hypotenuse + other), dtype=float)
     with np.errstate(invalid="ignore"):
-        return np.sqrt(np.where((square < 0) & (square > -ROUNDING * hypotenuse * hypotenuse), 0.0, square))[()]
+        return np.sqrt(np.where((square < 0) & (square > -_ROUNDING * hypotenuse * hypotenuse), 0.0, square))[()]
 
 
 def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Real]:

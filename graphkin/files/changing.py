@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from graphkin.errors import NoSuchValue, Where
 from graphkin.files.source import Deferred, key_lines, stated_in
-from graphkin.files.toml import rewritten
+from graphkin.files.toml import replaced_values
 from graphkin.files.values import POINT, read_quantity, split_points, tidy
 from graphkin.model.mechanism import Driver, KeyPath, Mechanism, Pose
 from graphkin.model.naming import driver_number
@@ -29,7 +29,8 @@ def changed_text(mechanism: Mechanism, values: Mapping[str, object]) -> str:
 
     Raises NoSuchValue for a name that means nothing in this file, or more than one thing.
     """
-    return rewritten(mechanism.text, {_path(mechanism, tidy(name.strip())): value for name, value in values.items()})
+    changes = {_path(mechanism, tidy(name.strip())): value for name, value in values.items()}
+    return replaced_values(mechanism.text, changes)
 
 
 def reposed(mechanism: _M, drivers: Sequence[float], poses: Sequence[float], sketch: Mapping[str, complex]) -> _M:
@@ -48,7 +49,7 @@ def reposed(mechanism: _M, drivers: Sequence[float], poses: Sequence[float], ske
         x, y = (round(part * 1000, _DIGITS) for part in (place.real, place.imag))
         changes["sketch", point] = [x, y]
         places[point] = complex(read_quantity(x, "length"), read_quantity(y, "length"))
-    text = rewritten(mechanism.text, changes)
+    text = replaced_values(mechanism.text, changes)
     return replace(
         mechanism, drivers=tuple(moved), poses=tuple(held), sketch=places, text=text,
         lines=Deferred(partial(key_lines, text, mechanism.file)), given=Deferred(partial(stated_in, text)),

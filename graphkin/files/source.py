@@ -131,8 +131,8 @@ def read_toml(text: str, file: str) -> tuple[dict[str, Any], Mapping[KeyPath, in
 def _refuse_control(document: dict[str, object], lines: Mapping[KeyPath, int], text: str, file: str) -> None:
     """Texts and names go to terminals, into XML, TeX and tables: no character in them may mean more than itself."""
     if (match := _NO_XML.search(text)) is not None:
-        line = text.count("\n", 0, match.start()) + 1
-        raise errors.ControlCharacter(Where(file, line), f"U+{ord(match.group()):04X}")
+        above = text.count("\n", 0, match.start())
+        raise errors.ControlCharacter(Where(file, above + 1), f"U+{ord(match.group()):04X}")
     if "\\" not in text and text.translate(_WITHOUT_BLANKS).isprintable():
         return
     for path, word in _words(document, ()):

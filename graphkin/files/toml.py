@@ -114,7 +114,7 @@ def _rows(table: Mapping[str, object], place: str) -> Iterator[str]:
 # --- other values in a text -------------------------------------------------------------------
 
 
-def rewritten(text: str, values: Mapping[KeyPath, object]) -> str:
+def replaced_values(text: str, values: Mapping[KeyPath, object]) -> str:
     """The text with other values at these places; a key that is not there is added at the end of its table.
 
     Comments and layout stay, unless a whole table is missing.

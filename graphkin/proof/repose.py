@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from graphkin.construction import Plot
 from graphkin.files import loads
-from graphkin.files.changing import rewritten
+from graphkin.files.toml import replaced_values
 from graphkin.model.mechanism import FRAME, Driver, KeyPath, Mechanism, Pose
 from graphkin.planning import Method
 from graphkin.planning.drawn_position import value_of
@@ -30,7 +30,7 @@ def standing(method: Method, values: Sequence[float]) -> Mechanism:
     (True, '71.5045+47.5585j')
     """
     machine, plot = method.mechanism, replay_all(method, values)
-    text = rewritten(machine.text, dict(_changes(machine, plot, values)))
+    text = replaced_values(machine.text, dict(_changes(machine, plot, values)))
     return loads(text, name=machine.name, file=machine.file)
 
 

@@ -21,7 +21,7 @@ from graphkin.model.quantities import (
     Rotation,
     Track,
 )
-from graphkin.model.quantities.units import EDGE
+from graphkin.model.units import EDGE
 from graphkin.proof.readings import readings
 from graphkin.say import names
 from graphkin.say.asked import Asked

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE
-from graphkin.model.quantities.typed import rewritten
+from graphkin.model.quantities.reading import respelled
 from graphkin.say.catalogue import say
 from graphkin.say.finding import heading
 from graphkin.say.names import asked
@@ -22,7 +22,7 @@ def table_lines(found: VaryingTable, lang: Lang = "en") -> Iterator[str]:
     """A row for each value."""
     unit = {"length": "mm", "angle": "deg"}.get(found.place.kind)
     shown = [entry.found for entry in found.rows if entry.found is not None]
-    yield rewritten(heading(shown[0].condition, lang), asked) if shown else found.condition
+    yield respelled(heading(shown[0].condition, lang), asked) if shown else found.condition
     heads = [f"{found.name} [{unit}]" if unit else found.name, *(header(shown[0], lang) if shown else [])]
     rows = [heads]
     for row in found.rows:

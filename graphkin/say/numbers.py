@@ -18,7 +18,7 @@ from collections.abc import Callable
 from itertools import pairwise
 
 from graphkin.model.quantities import EDGE, IN_GRAVITY
-from graphkin.model.quantities.digits import significant
+from graphkin.model.units import significant
 
 DIGITS = 4
 """Of what is read off paper."""

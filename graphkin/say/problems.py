@@ -22,9 +22,8 @@ from graphkin.model.quantities import (
     Rotation,
     Track,
 )
-from graphkin.model.quantities.at_position import at_position
-from graphkin.model.quantities.reading import read
-from graphkin.model.quantities.units import EDGE
+from graphkin.model.quantities.reading import at_position, read
+from graphkin.model.units import EDGE
 from graphkin.running.assembled import DrawnSides
 from graphkin.say import names
 from graphkin.say.assembly import assembly

@@ -13,7 +13,7 @@ from graphkin.homework.platforms.result import Result, ResultLine, ResultPicture
 from graphkin.marking.habits import Habit
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
-from graphkin.model.quantities.typed import rewritten
+from graphkin.model.quantities.reading import respelled
 from graphkin.say.catalogue import say
 from graphkin.say.mistakes import hint, kind, once, together
 from graphkin.say.names import asked
@@ -56,7 +56,7 @@ def _in_signs(result: Result, text: str) -> str:
     """A text with the quantities of the problem as the sheets write them: ω3, aᵏ_B3B2."""
     known = {name for line in result.lines for name in (line.name, line.name.split(" #")[0].split(" @")[0])}
     turning = ("theta ", "omega ", "alpha ")
-    return rewritten(text, lambda typed: asked(typed) if typed in known or typed.startswith(turning) else typed)
+    return respelled(text, lambda typed: asked(typed) if typed in known or typed.startswith(turning) else typed)
 
 
 def _points(line: ResultLine, lang: Lang) -> str:
