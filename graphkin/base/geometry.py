@@ -14,11 +14,6 @@ from typing import Any, TypeAlias, overload
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = [
-    "Array", "Leg", "Real", "Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines",
-    "number", "phase", "place", "third_corner", "unit", "weights_of", "wrapped",
-]  # fmt: skip
-
 Array: TypeAlias = NDArray[Any]
 """An array over positions, pencils, students."""
 
@@ -32,7 +27,7 @@ Leg = Callable[[Real, Real], Real]
 """How the other leg of a right-angled triangle is found: `leg`, or what stands for it where values are no numbers."""
 
 _ROUNDING = 4e-15
-"""What squares may be off, as part of their size, by rounding."""
+"""Rounding of squares, as part of their size."""
 _HALF_TURN = 1e-9
 """Angles as near to a half turn are one, whichever way they turn [rad]."""
 
@@ -88,9 +83,7 @@ def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Real]:
         return p + u * (cross(q - p, w) / sine), np.abs(sine)
 
 
-def meet_line_circle(
-    p: Value, u: Value, c: Value, r: Real, side: Real, leg: Leg = leg
-) -> tuple[Value, Real, Real]:
+def meet_line_circle(p: Value, u: Value, c: Value, r: Real, side: Real, leg: Leg = leg) -> tuple[Value, Real, Real]:
     """Where the line through p along u meets the circle about c; side +1 is the crossing farther along u.
 
     Returns the point, the sine of the angle between line and circle, and by how much they miss each
