@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Hashable, Iterable, Iterator
-from concurrent.futures import Executor, Future
 from heapq import heapify, heappop, heappush
 from itertools import islice
-from typing import Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, TypeVar
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor, Future
 
 _Item = TypeVar("_Item")
 _Done = TypeVar("_Done")
@@ -76,7 +78,8 @@ def ahead(
     executor: Executor, work: Callable[[list[_Item]], list[_Done]], batches: Iterable[list[_Item]], most: int
 ) -> Iterator[_Done]:
     """The results of `work` for each batch on an executor, in order; at most so many batches are out at once."""
-    waiting, out = iter(batches), deque[Future[list[_Done]]]()
+    waiting = iter(batches)
+    out: deque[Future[list[_Done]]] = deque()
     try:
         while True:
             out.extend(executor.submit(work, some) for some in islice(waiting, most - len(out)))

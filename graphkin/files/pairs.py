@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import count
+from typing import Any
 
 from graphkin import errors
 from graphkin.files.draft import Draft
@@ -21,21 +22,20 @@ def read_pairs(draft: Draft, file: File) -> tuple[Pair, ...]:
     draft.given_names = {name for name in named if name}
     draft.slides = file.slide
     pairs: list[Pair] = []
-    for read in READERS.values():
-        read(draft, file, pairs)
+    for name, read in READERS.items():
+        for number, table in enumerate(getattr(file, name)):
+            with draft.noting():
+                pairs.append(read(draft, table, (name, number), pairs))
     return tuple(pairs)
 
 
 # --- slides -----------------------------------------------------------------------------------
 
 
-def read_slides(draft: Draft, file: File, pairs: list[Pair]) -> None:
-    """Prismatic pairs, and pins in slots: on a line, or on a circle if any key of a circle is there."""
-    for number, table in enumerate(file.slide):
-        path = ("slide", number)
-        on_circle = table.centre is not None or table.radius is not None
-        with draft.noting():
-            pairs.append(_circular(draft, table, path) if on_circle else _straight(draft, table, pairs, path))
+def _slide(draft: Draft, table: SlideTable, path: KeyPath, before: Sequence[Pair]) -> Slide | CircularSlot:
+    """A block or a pin on a line, or a pin on a circle if any key of a circle is there."""
+    on_circle = table.centre is not None or table.radius is not None
+    return _circular(draft, table, path) if on_circle else _straight(draft, table, before, path)
 
 
 def _circular(draft: Draft, table: SlideTable, path: KeyPath) -> CircularSlot:
@@ -135,14 +135,8 @@ def _two_links(draft: Draft, names: Sequence[str], path: KeyPath) -> tuple[str, 
     return first, second
 
 
-def read_gears(draft: Draft, file: File, pairs: list[Pair]) -> None:
+def _gear(draft: Draft, table: GearTable, path: KeyPath, before: Sequence[Pair]) -> Gear:
     """Pitch circles of two links in mesh."""
-    for number, table in enumerate(file.gear):
-        with draft.noting():
-            pairs.append(_gear(draft, table, ("gear", number)))
-
-
-def _gear(draft: Draft, table: GearTable, path: KeyPath) -> Gear:
     links = _two_links(draft, table.links, path)
     first, second = (
         draft.point(link, centre, *path, "centres", n) for n, (link, centre) in enumerate(zip(links, table.centres))
@@ -155,14 +149,7 @@ def _gear(draft: Draft, table: GearTable, path: KeyPath) -> Gear:
     return Gear(draft.name(None, f"g{path[1]}", *path), links, (first, second), (one, other), table.internal)
 
 
-def read_rolls(draft: Draft, file: File, pairs: list[Pair]) -> None:
-    """Wheels that roll on a line or on a circle."""
-    for number, table in enumerate(file.roll):
-        with draft.noting():
-            pairs.append(_roll(draft, table, ("roll", number)))
-
-
-def _roll(draft: Draft, table: RollTable, path: KeyPath) -> RollingContact:
+def _roll(draft: Draft, table: RollTable, path: KeyPath, before: Sequence[Pair]) -> RollingContact:
     """A wheel on a line if any key of a line is there, on a circle if any of a circle is."""
     own, on_line = f"r{path[1]}", table.on_centre is None and table.on_radius is None
     name = draft.name(table.name, own, *path) if on_line else own
@@ -200,14 +187,8 @@ def _track_circle(draft: Draft, table: RollTable, track: str, path: KeyPath) -> 
     return centre, table.on_radius
 
 
-def read_cams(draft: Draft, file: File, pairs: list[Pair]) -> None:
+def _cam(draft: Draft, table: CamTable, path: KeyPath, before: Sequence[Pair]) -> Cam:
     """Two profiles that touch and slide."""
-    for number, table in enumerate(file.cam):
-        with draft.noting():
-            pairs.append(_cam(draft, table, ("cam", number)))
-
-
-def _cam(draft: Draft, table: CamTable, path: KeyPath) -> Cam:
     links = _two_links(draft, table.links, path)
     first, second = (
         _profile(draft, profile, link, n, (*path, "profiles", n))
@@ -240,7 +221,8 @@ def _profile(draft: Draft, table: ProfileTable, link: str, number: int, path: Ke
     return Profile(draft.point(link, table.centre, *path, "centre"), table.radius, None, True)
 
 
-READERS: Mapping[str, Callable[[Draft, File, list[Pair]], None]] = {
-    "slide": read_slides, "gear": read_gears, "roll": read_rolls, "cam": read_cams,
+READERS: Mapping[str, Callable[[Draft, Any, KeyPath, Sequence[Pair]], Pair]] = {
+    "slide": _slide, "gear": _gear, "roll": _roll, "cam": _cam,
 }  # fmt: skip
-"""By table, in the order in which a mechanism lists its pairs; each reader adds its pairs to those before."""
+"""By table, in the order in which a mechanism lists its pairs; each reader has the place in the file and the pairs
+before."""

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar, assert_never
+from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar, assert_never
 
 import numpy as np
 
@@ -70,6 +70,23 @@ class NamedValues(Mapping[str, _M]):
         return "{" + ", ".join(f"{name!r}: {self[name]!r}" for name in self) + "}"
 
 
+class _Table(Generic[_M]):
+    """A table of a readable, by the word of its quantities."""
+
+    def __init__(self, word: str) -> None:
+        self._word = word
+
+    def __get__(self, owner: Readable, kind: type) -> NamedValues[_M]:
+        return NamedValues(owner, self._word)
+
+    def __set__(self, owner: Readable, value: object) -> None:
+        raise AttributeError(f"{self._word} is read off and cannot be set")
+
+
+_Signed = _Table[Number | Numbers]
+_Vectorial = _Table[Vector | Vectors]
+
+
 class Readable:
     """What can be read by name: a drawing, a sweep, a state.
 
@@ -89,41 +106,9 @@ class Readable:
     def quantity(self, text: str) -> MeasuredValue:
         raise NotImplementedError
 
-    @property
-    def theta(self) -> NamedValues[Number | Numbers]:
-        return NamedValues(self, "theta")
-
-    @property
-    def omega(self) -> NamedValues[Number | Numbers]:
-        return NamedValues(self, "omega")
-
-    @property
-    def alpha(self) -> NamedValues[Number | Numbers]:
-        return NamedValues(self, "alpha")
-
-    @property
-    def s(self) -> NamedValues[Number | Numbers]:
-        return NamedValues(self, "s")
-
-    @property
-    def position(self) -> NamedValues[Vector | Vectors]:
-        return NamedValues(self, "path")
-
-    @property
-    def x(self) -> NamedValues[Number | Numbers]:
-        return NamedValues(self, "x")
-
-    @property
-    def y(self) -> NamedValues[Number | Numbers]:
-        return NamedValues(self, "y")
-
-    @property
-    def v(self) -> NamedValues[Vector | Vectors]:
-        return NamedValues(self, "v")
-
-    @property
-    def a(self) -> NamedValues[Vector | Vectors]:
-        return NamedValues(self, "a")
+    theta, omega, alpha = _Signed("theta"), _Signed("omega"), _Signed("alpha")
+    s, x, y = _Signed("s"), _Signed("x"), _Signed("y")
+    position, v, a = _Vectorial("path"), _Vectorial("v"), _Vectorial("a")
 
 
 class ReadableAt(Readable):
