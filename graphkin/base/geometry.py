@@ -24,7 +24,7 @@ Value: TypeAlias = float | complex | Array
 """A real or a complex number, or an array of either: x + iy is a vector of the plane."""
 
 Leg = Callable[[Real, Real], Real]
-"""How the other leg of a right-angled triangle is found: `leg`, or what stands for it where values are no numbers."""
+"""A function for the other leg of a right-angled triangle: `leg`, or its stand-in where values are no numbers."""
 
 _ROUNDING = 4e-15
 """Rounding of squares, as part of their size."""
@@ -74,7 +74,7 @@ def leg(hypotenuse: Real, other: Real) -> Real:
 
 
 def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Real]:
-    """Where the line through p along u meets the line through q along w (u, w of length 1).
+    """The point in which the line through p along u meets the line through q along w (u, w of length 1).
 
     Returns the point and the sine of the angle between the lines.
     """
@@ -84,7 +84,7 @@ def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Real]:
 
 
 def meet_line_circle(p: Value, u: Value, c: Value, r: Real, side: Real, leg: Leg = leg) -> tuple[Value, Real, Real]:
-    """Where the line through p along u meets the circle about c; side +1 is the crossing farther along u.
+    """A point in which the line through p along u meets the circle about c; side +1 is the crossing farther along u.
 
     Returns the point, the sine of the angle between line and circle, and by how much they miss each
     other (0 or less where they meet).
@@ -99,7 +99,7 @@ def meet_line_circle(p: Value, u: Value, c: Value, r: Real, side: Real, leg: Leg
 def meet_circles(
     c1: Value, r1: Real, c2: Value, r2: Real, side: Real, leg: Leg = leg
 ) -> tuple[Value, Real, Real]:
-    """Where two circles meet; side +1 is the crossing to the left of the way from c1 to c2.
+    """A point in which two circles meet; side +1 is the crossing to the left of the way from c1 to c2.
 
     Returns the point, the sine of the angle between the circles, and by how much they miss each other.
     """

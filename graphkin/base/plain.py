@@ -12,7 +12,7 @@ except ImportError:
     from hashlib import sha256
 
 Plain: TypeAlias = Union[bool, int, float, str, "Sequence[Plain]", "Mapping[str, Plain]", None]
-"""What JSON can hold, to be written; what is read is `object` until it is looked at."""
+"""Data that JSON can hold, to be written; what is read is `object` until it is looked at."""
 
 
 def seal(claims: Mapping[str, object]) -> str:

@@ -54,12 +54,12 @@ class NothingToMeasure(LocatedError):
 
     style: str = "given"
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: nothing of this drawing is judged: {told}",
-        "zh": "{where}：本图不作任何判断：{told}",
+        "en": "{where}: nothing of this drawing is judged: {reason}",
+        "zh": "{where}：本图不作任何判断：{reason}",
     }
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        return super()._words(lang) | {"told": _UNJUDGED[self.style][lang]}
+        return super()._words(lang) | {"reason": _UNJUDGED[self.style][lang]}
 
 
 _UNJUDGED: dict[str, dict[Lang, str]] = {
@@ -85,12 +85,12 @@ class BadDrawing(LocatedError):
     reason: str
     what: str = ""
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this is not a drawing that graphkin can measure: {told}. Draw it anew with `graphkin draw`.",
-        "zh": "{where}：这不是 graphkin 能测量的图：{told}。请用 `graphkin draw` 重新作图。",
+        "en": "{where}: this is not a drawing that graphkin can measure: {reason}. Draw it anew with `graphkin draw`.",
+        "zh": "{where}：这不是 graphkin 能测量的图：{reason}。请用 `graphkin draw` 重新作图。",
     }
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        return super()._words(lang) | {"told": REASONS[self.reason][lang].format(what=self.what)}
+        return super()._words(lang) | {"reason": REASONS[self.reason][lang].format(what=self.what)}
 
 
 REASONS: dict[str, dict[Lang, str]] = {

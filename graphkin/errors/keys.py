@@ -36,7 +36,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "slide": ("letters, digits, _, - and '; c0, c1, .. are taken",
               "字母、数字、_、- 和 '；c0、c1 等为保留名"),
 }  # fmt: skip
-"""What can be expected somewhere, in words."""
+"""The kinds of value that can be expected somewhere, in words."""
 
 QUANTITIES: dict[str, tuple[str, str]] = {
     "length": ("a length", "长度"),
@@ -267,10 +267,10 @@ class BadName(WrongType):
     }
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        """A letter of another alphabet may look as it should: it is told by its number."""
+        """A letter of another alphabet may look as it should: its number shows the difference."""
         odd = next((letter for letter in str(self.given) if not letter.isascii()), "")
-        told = f"（其中 {odd} 是 U+{ord(odd):04X}）" if lang == "zh" and odd else f" ({odd} is U+{ord(odd):04X})" if odd else ""
-        return {**super()._words(lang), "odd": told}
+        code = f"（其中 {odd} 是 U+{ord(odd):04X}）" if lang == "zh" and odd else f" ({odd} is U+{ord(odd):04X})" if odd else ""
+        return {**super()._words(lang), "odd": code}
 
 
 class LongName(LocatedError):

@@ -77,7 +77,7 @@ class NoMarks(LocatedError):
 
 
 class SaidBefore(GraphkinError):
-    """What was said of a submission when it was marked first."""
+    """The sentence about a submission from when it was marked first."""
 
     told: str
     text: ClassVar[dict[Lang, str]] = {"en": "{told}", "zh": "{told}"}

@@ -152,11 +152,11 @@ class OffTrack(LocatedError):
 
     def _words(self, lang: Lang) -> dict[str, object]:
         sides = {"en": ("{} mm to the left", "{} mm to the right"), "zh": ("左侧 {} mm 处", "右侧 {} mm 处")}[lang]
-        told = {
+        places = {
             name: sides[value < 0].format(f"{abs(value):.6g}")
             for name, value in (("distance", self.distance_mm), ("wanted", self.wanted_mm))
         }
-        return super()._words(lang) | told | {"gap_mm": abs(self.distance_mm - self.wanted_mm)}
+        return super()._words(lang) | places | {"gap_mm": abs(self.distance_mm - self.wanted_mm)}
 
 
 class OtherSide(LocatedError):
@@ -278,7 +278,7 @@ class SingularPosition(LocatedError):
 class NoAssembly(LocatedError):
     """No position meets all lengths, angles and driver values at once.
 
-    gap_mm   the smallest gap found that stays open [mm]
+    gap_mm   the smallest gap that stays open [mm]
     """
 
     gap_mm: float

@@ -41,8 +41,8 @@ class NoVariant(LocatedError):
     }
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        told = {"en": ", ", "zh": "，"}[lang].join(f"{_REFUSED[what][lang]}: {times}" for what, times in self.refused)
-        return {**super()._words(lang), "refused": told}
+        reasons = {"en": ", ", "zh": "，"}[lang].join(f"{_REFUSED[what][lang]}: {times}" for what, times in self.refused)
+        return {**super()._words(lang), "refused": reasons}
 
 
 _REFUSED: dict[str, dict[Lang, str]] = {

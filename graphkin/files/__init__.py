@@ -20,7 +20,7 @@ __all__ = ["MechanismFile", "from_dict", "load", "load_stream", "loads", "remark
 
 
 def __getattr__(name: str) -> object:
-    """What is asked for, when it is: names of the library are listed without reading a file."""
+    """Names are imported when first used: those of the library are listed without reading a file."""
     if name not in __all__:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(import_module(f"{__name__}.{'draft' if name == 'remarks' else 'loader'}"), name)

@@ -11,7 +11,7 @@ from graphkin.files.toml import toml
 from graphkin.files.values import split_points
 
 Made = TypeVar("Made")
-"""What is built: whatever reads the tables says."""
+"""The type of what is built, given by whatever reads the tables."""
 Number = float | str
 """mm, deg, rad/s as in the file; or a text with a unit."""
 Point = tuple[float, float]
@@ -21,7 +21,7 @@ _ONE_LINK = ("block", "guide", "wheel", "on", "link")
 
 @frozen
 class Builder(Generic[Made]):
-    """What is written so far. Every method gives a new one, so that mechanisms can share a beginning.
+    """The tables written so far. Every method gives a new one, so that mechanisms can share a beginning.
 
     The methods are the tables of the file, their keywords its keys; `from_` is `from`, and names with a prime go as
     `**{"DE'": 40}`. `done()` reads it all and says what is wrong.
@@ -45,7 +45,7 @@ class Builder(Generic[Made]):
     read: Callable[..., Made]
 
     def titled(self, en: str = "", zh: str = "", source: str = "") -> Self:
-        """What it is called, and where it is from."""
+        """Its title in both languages, and its source."""
         title = {lang: text for lang, text in (("en", en), ("zh", zh)) if text}
         return self._with({**({"title": title} if title else {}), **({"source": source} if source else {})})
 
@@ -78,7 +78,7 @@ class Builder(Generic[Made]):
         return self._more("cam", keys)
 
     def pose(self, **keys: object) -> Self:
-        """What stands how at the drawn position only."""
+        """A value that holds at the drawn position only."""
         return self._more("pose", keys)
 
     def drive(self, vector: str | None = None, **keys: object) -> Self:
@@ -94,7 +94,7 @@ class Builder(Generic[Made]):
         return self._extended("scales", scales)
 
     def asking(self, *quantities: str) -> Self:
-        """What the problem wants."""
+        """The quantities that the problem asks for."""
         return self._with({"ask": [*self._listed("ask"), *quantities]})
 
     def to_toml(self) -> str:

@@ -64,7 +64,7 @@ class Draft:
 
     @contextmanager
     def noting(self) -> Iterator[None]:
-        """What is wrong inside is noted, and reading goes on behind it."""
+        """A block in which an error is noted, and reading goes on behind it."""
         try:
             yield
         except GraphkinError as problem:
@@ -139,7 +139,7 @@ class Draft:
         return f"{letter}{self._numbers[letter]}"
 
     def can_be_driven(self, given: str) -> bool:
-        """Whether a sliding or rolling pair has this name."""
+        """True of the name of a sliding or rolling pair."""
         return given in self._used_names or given in self.unnamed
 
     @property

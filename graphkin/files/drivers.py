@@ -39,7 +39,7 @@ def read_poses(draft: Draft, tables: Sequence[PoseTable]) -> tuple[Pose, ...]:
 
 
 def _freedom(driver: Driver) -> tuple[str, str]:
-    """What a driver takes: a slide's displacement, or the turning of one link against another."""
+    """The freedom a driver takes: a slide's displacement, or the turning of one link against another."""
     return ("slide", driver.link) if driver.kind == "slide" else (driver.link, driver.from_link)
 
 

@@ -1,7 +1,7 @@
 """The kinds of value a mechanism file has: quantities with units, names, places, points' triples, tables.
 
-A kind says what a value must be twice: to pydantic's core, which checks whole files and collects what is
-wrong, and to JSON Schema, which editors read. Complaints are graphkin's own errors. (The core alone is
+A kind has the rule for a value twice: for pydantic's core, which checks whole files and collects what is
+wrong, and for JSON Schema, which editors read. Complaints are graphkin's own errors. (The core alone is
 imported: with pydantic's models around it, reading a file would take ten times as long as checking it.)
 """
 
@@ -25,16 +25,16 @@ if TYPE_CHECKING:
 MEASURE_PATTERN = r"^([A-Z][0-9]*'*){2,3}$"
 POINT_PATTERN = r"^[A-Z][0-9]*'*$"
 Schema = dict[str, Any]
-"""What a value must be, as pydantic's core or as JSON Schema reads it: `type`, and what belongs to that type."""
+"""The rule for a value, as pydantic's core or as JSON Schema reads it: `type`, and what belongs to that type."""
 NUMBER: Schema = {"type": ["number", "string"]}
-"""What JSON Schema says of any quantity."""
+"""The rule of JSON Schema for any quantity."""
 
 _T = TypeVar("_T")
 
 
 @frozen
 class FieldKind:
-    """What a value must be: for pydantic's core, and for JSON Schema; of what dimension, where it is a quantity."""
+    """The rule for a value, for pydantic's core and for JSON Schema, and its dimension where it is a quantity."""
 
     core: Schema
     json: Schema

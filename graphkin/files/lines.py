@@ -21,7 +21,7 @@ from graphkin.model.pairs import Cam, Line, Pair, Profile, RollingContact, Slide
 
 
 def has_line(table: LineTable) -> bool:
-    """Whether any key of a line is there."""
+    """True of a table that has any key of a line."""
     return any(value is not None for value in (table.through, table.toward, table.from_, table.angle))
 
 

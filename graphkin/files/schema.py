@@ -56,7 +56,7 @@ class LinkTable:
 
 @table
 class LineTable:
-    """What says where a line lies in its link; a slide, a track on a line and a flat profile share it."""
+    """The keys that place a line in its link; a slide, a track on a line and a flat profile share them."""
 
     through: str | Place | None = key(fields.ANCHOR, default=None)
     toward: str | None = key(fields.POINT_NAME, default=None)
@@ -203,7 +203,7 @@ _DRIVER_KEYS: Mapping[Dimension, str] = {
 def complaints(
     error: ValidationError, where: Callable[..., Where], lines: Mapping[KeyPath, int]
 ) -> Iterator[GraphkinError]:
-    """What pydantic's core finds wrong, as graphkin's own errors; what it adds to the paths of `lines` is left out."""
+    """The findings of pydantic's core as graphkin's own errors; what it adds to the paths of `lines` is left out."""
     for detail in error.errors(include_url=False):
         path = detail["loc"]
         while path and path not in lines and detail["type"] != "missing":
@@ -262,7 +262,7 @@ def _stated_in(
 
 
 def _dimension(path: KeyPath, around: object) -> Dimension | None:
-    """What a single value measures; None for a name, a flag, a scale."""
+    """The dimension of a single value; None for a name, a flag, a scale."""
     match path:
         case ("links", _, str(key)):
             measures: Mapping[int, Dimension] = {2: "length", 3: "angle"}

@@ -2,7 +2,7 @@
 
 Two points with a known distance are put down first. Then every further point is put where two curves cross: a
 length is a circle about a placed point, an angle at a placed point is a line through it, an angle at the new
-point is the circle of equal angles over two placed ones. Mirror images are told apart by `ccw`.
+point is the circle of equal angles over two placed ones. Mirror images are distinguished by `ccw`.
 
 Unlike `graphkin.base.geometry` this works on one layout at a time and must decide: curves that touch within 1e-9
 of their size touch in one point, as three collinear points want it.
@@ -65,12 +65,12 @@ class Length:
     value: float
 
     def curves(self, point: str, placed: Places) -> list[Curve]:
-        """Where `point` may lie, the other point being placed."""
+        """The curves on which `point` may lie, the other point being placed."""
         other = self.points[1] if point == self.points[0] else self.points[0]
         return [CircleCurve(placed[other], self.value)]
 
     def miss(self, placed: Places) -> float:
-        """How far a layout is off this length [m]."""
+        """The distance of a layout from this length [m]."""
         a, b = (placed[point] for point in self.points)
         return abs(abs(b - a) - self.value)
 
@@ -84,7 +84,7 @@ class AngleMeasure:
     value: float
 
     def curves(self, point: str, placed: Places) -> list[Curve]:
-        """Where `point` may lie, the other two points being placed."""
+        """The curves on which `point` may lie, the other two points being placed."""
         first, vertex, last = self.points
         if point == vertex:
             return _equal_angles(placed[first], placed[last], self.value)
@@ -95,7 +95,7 @@ class AngleMeasure:
         return [StraightLine(placed[vertex], along / abs(along) * turn) for turn in turns]
 
     def miss(self, placed: Places) -> float:
-        """How far the end of the shorter arm is off this angle [m]."""
+        """The distance of the end of the shorter arm from this angle [m]."""
         first, vertex, last = (placed[point] for point in self.points)
         one, other = first - vertex, last - vertex
         if one == 0 or other == 0:
@@ -208,7 +208,7 @@ class _LayoutSearch:
         return best
 
     def _candidates(self, point: str, placed: Places) -> list[complex] | None:
-        """Where the point can lie; None while fewer than two measures fix it."""
+        """The places at which the point can lie; None while fewer than two measures fix it."""
         fixing = self._fixing(point, placed)
         options = [measure.curves(point, placed) for measure in fixing]
         apart, crossed = 0.0, False
@@ -289,7 +289,7 @@ def orientation(layout: Places, triple: Sequence[str]) -> int:
 
 
 def check_round(shape: ShapeMeasures, places: Places) -> None:
-    """Whether given coordinates run the way `ccw` says."""
+    """Raise an error where coordinates do not run the way round that `ccw` says."""
     for number, triple in enumerate(shape.ccw):
         turn = orientation(places, triple)
         if turn != 1:
@@ -342,7 +342,7 @@ def crossings(one: Curve, other: Curve) -> list[complex]:
 
 
 def gap(one: Curve, other: Curve) -> float:
-    """How far two curves that do not cross stay apart; 0 if they coincide."""
+    """The distance of two curves that do not cross; 0 if they coincide."""
     if isinstance(one, StraightLine):
         return one.distance(other.point) if isinstance(other, StraightLine) else gap(other, one)
     if isinstance(other, StraightLine):

@@ -50,7 +50,7 @@ def read_text(path: Path) -> str:
 
 
 def read_bytes(stream: IO[bytes], file: str) -> bytes:
-    """What comes in, and no more of it than a mechanism file may have."""
+    """The bytes that come in, and no more of them than a mechanism file may have."""
     try:
         return stream.read(LARGEST_FILE + 1)
     except OSError as problem:
@@ -58,7 +58,7 @@ def read_bytes(stream: IO[bytes], file: str) -> bytes:
 
 
 def named(path: Path) -> str:
-    """What a mechanism is called after its file; a character that no text may hold becomes an underscore."""
+    """The name of a mechanism after its file; a character that no text may hold becomes an underscore."""
     return "".join("_" if errors.steers(letter) else letter for letter in path.stem)
 
 

@@ -89,7 +89,7 @@ def value_text(value: object, place: str = "") -> str:
 
 
 def _has_header(name: str, value: object) -> bool:
-    """Whether it is a table, or tables; a title of two languages stands on one line."""
+    """True of a table, or of tables; a title of two languages stands on one line."""
     several = isinstance(value, list | tuple) and bool(value) and all(isinstance(entry, Mapping) for entry in value)
     return several or (isinstance(value, Mapping) and name != "title")
 
@@ -137,7 +137,7 @@ def replaced_values(text: str, values: Mapping[KeyPath, object]) -> str:
 
 @lru_cache(maxsize=16)
 def _value_spans(text: str) -> tuple[dict[KeyPath, tuple[int, int]], dict[KeyPath, int]]:
-    """Where each value begins and ends, and where the last thing ends that each table with a header has."""
+    """The span of each value, and the end of the last thing that each table with a header has."""
     walk = _TextWalk(text)
     return ({tidied(path): span for path, span in walk.values.items()},
             {tidied(path): end for path, end in walk.ends.items()})  # fmt: skip
@@ -197,7 +197,7 @@ class _TextWalk:
         self.values: dict[KeyPath, tuple[int, int]] = {}
         self.ends: dict[KeyPath, int] = {}
         self._counts: dict[KeyPath, int] = {}
-        """How many times each [[table]] has stood so far, less one."""
+        """The number of the last [[table]] of each name so far, from 0."""
         table: KeyPath = ()
         at = self._after(_BLANK, 0)
         while at < len(text):

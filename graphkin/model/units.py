@@ -60,7 +60,7 @@ EDGE = {
 """By SI unit, how results are shown."""
 
 IN_GRAVITY = Unit("g", "g", 1 / GRAVITY)
-"""How accelerations are shown beside."""
+"""The second unit in which accelerations are shown."""
 
 
 def driven(slides: bool) -> str:
@@ -122,7 +122,7 @@ class Measured:
 
     @property
     def direction(self) -> Real:
-        """Where a vector points, in degrees from +x, counter-clockwise, from 0 to below 360."""
+        """The direction of a vector, in degrees from +x, counter-clockwise, from 0 to below 360."""
         degrees = np.mod(np.degrees(np.angle(self._vector("direction"))), 360.0) % 360.0
         return degrees if np.ndim(degrees) else float(degrees)
 
@@ -230,7 +230,7 @@ class Numbers(Measured, np.ndarray):
         return self.view(np.ndarray)
 
     def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
-        """What is calculated from it, as a plain number or array: it has no unit any more."""
+        """The result of a calculation as a plain number or array: it has no unit any more."""
         return np.asarray(array)[()]
 
     def __getitem__(self, key: Any) -> Any:

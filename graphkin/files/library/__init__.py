@@ -1,6 +1,6 @@
 """The textbook's mechanisms, one file each, in a folder for each source. `load("ex3-1")`.
 
-A new mechanism is a new file `NAME.toml` in one of the folders; nothing else has to be told.
+A new mechanism is a new file `NAME.toml` in one of the folders; nothing else has to be changed.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["KINDS", "chosen", "groups", "has", "load", "names", "text", "titles"]
 
 KINDS = ("hinge", "slide", "gear", "roll", "cam")
-"""What `chosen` tells apart."""
+"""The kinds of pair that `chosen` looks for."""
 
 _SUFFIX = ".toml"
 
@@ -45,7 +45,7 @@ def text(name: str) -> str:
 
 
 def has(name: str) -> bool:
-    """Whether there is a mechanism of this name."""
+    """True of the name of a mechanism that is there."""
     return _file(name) is not None
 
 

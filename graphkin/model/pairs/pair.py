@@ -32,7 +32,7 @@ class Line:
 
     @property
     def on_axis(self) -> bool:
-        """Whether it is its link's own axis, as the line of a link of one point where nothing else is said."""
+        """True of its link's own axis, as the line of a link of one point where nothing else is said."""
         return bool(np.all(np.equal(self.direction, 1)))  # of many mechanisms at once, an array
 
 
@@ -116,7 +116,7 @@ class Pair:
 
     @property
     def lower(self) -> bool:
-        """Whether it takes two freedoms; a higher pair takes one."""
+        """True of a pair that takes two freedoms; a higher pair takes one."""
         return False
 
     @property

@@ -303,7 +303,7 @@ def absolute(motions: Motions, plane: Plane, site: Seen) -> Value:
 
 
 def has_part(mechanism: Mechanism, part: str, of: Seen, seen_from: Seen) -> bool:
-    """Whether there is such a part: n and t of points of one link, or of centres that profiles keep apart; k and r of
+    """True of a part that there is: n and t of points of one link, or of centres that profiles keep apart; k and r of
     coincident points."""
     if part in ("n", "t"):
         apart = (pair.equivalent for pair in mechanism.pairs)

@@ -20,7 +20,7 @@ WORDS = (
     "theta", "omega", "alpha", "s", "v", "a", "a_n", "a_t", "a_k", "a_r", "x", "y", "path", "v_x", "v_y", "a_x", "a_y"
 )  # fmt: skip
 SHAPE = r"\S+ \S+(?: ?/ ?\S+ \S+)?"
-"""What a quantity or a quotient looks like, as a regular expression."""
+"""A quantity or a quotient, as a regular expression."""
 
 _ONE = re.compile(r"(\w+) +(\S+)")
 _COMMA = r",\s*(?=[a-z]\w* |P[\w@']+\s*(?:,|$))"
@@ -56,7 +56,7 @@ def read(mechanism: Mechanism, text: str, where: Where = NOWHERE) -> Quantity | 
 
 
 def formed(text: str) -> bool:
-    """Whether a text is written as a quantity or a quotient is, though this mechanism may have none of it."""
+    """True of a text that is written as a quantity or a quotient is, though this mechanism may have none of it."""
     words = [_ONE.fullmatch(half.strip()) for half in text.split("/")]
     return len(words) <= 2 and all(match is not None and match[1] in WORDS for match in words)
 
