@@ -173,22 +173,19 @@ def check_joints(draft: Draft, pairs: Sequence[Pair], drivers: int) -> None:
 
 def check_sizes(draft: Draft) -> None:
     """Note what lies so far off, or is so long, that beside it the shortest link has no digit left."""
-    arms = {name: _arms(link) for name, link in draft.links.items() if name != FRAME}
+    arms: dict[str, list[float]] = {}
+    for name, link in draft.links.items():
+        first, *others = link.points.values() if name != FRAME and link.points else (0j,)
+        arms[name] = [length for place in others if (length := abs(place - first)) > 0]
     shortest = min((min(lengths) for lengths in arms.values() if lengths), default=0.0)
     if not shortest:
         return
-    places: dict[KeyPath, float] = {("links", name): max(lengths, default=0.0) for name, lengths in arms.items()}
+    places: dict[KeyPath, float] = {("links", name): max(lengths) for name, lengths in arms.items() if lengths}
     fixed = draft.frame_points.items()
     places |= {draft.starts.get(name, ("frame", name)): abs(place) for name, place in fixed}
     for path, size in places.items():
         if size > UNEVEN * shortest:
             draft.problems.append(errors.OutOfRange(draft.where(*path), f"{size * 1e3:.6g} mm"))
-
-
-def _arms(link: Link) -> list[float]:
-    """Distances of a link's points from its first, those that are not zero [m]."""
-    places = list(link.points.values())
-    return [distance for place in places[1:] if (distance := abs(place - places[0])) > 0]
 
 
 def check_sketch(draft: Draft, points: list[str]) -> None:

@@ -16,10 +16,12 @@ def read_drivers(draft: Draft, tables: Sequence[DriverTable], poses: int) -> tup
     """The drivers; as many may leave their value out as there are poses."""
     drivers: list[Driver] = []
     freedoms: set[tuple[str, str]] = set()
+    """A slide's displacement, or the turning of one link against another."""
     for number, table in enumerate(tables):
         with draft.noting():
             driver = _driver(draft, table, ("driver", number))
-            if (freedom := _freedom(driver)) in freedoms:
+            freedom = ("slide", driver.link) if driver.kind == "slide" else (driver.link, driver.from_link)
+            if freedom in freedoms:
                 raise errors.DrivenTwice(draft.where("driver", number), driver.name)
             freedoms.add(freedom)
             if driver.value is None and driver.kind != "spin":
@@ -38,30 +40,27 @@ def read_poses(draft: Draft, tables: Sequence[PoseTable]) -> tuple[Pose, ...]:
     return tuple(poses)
 
 
-def _freedom(driver: Driver) -> tuple[str, str]:
-    """The freedom a driver takes: a slide's displacement, or the turning of one link against another."""
-    return ("slide", driver.link) if driver.kind == "slide" else (driver.link, driver.from_link)
-
-
 def _driver(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
-    subjects = {"vector": table.vector, "link": table.link, "slide": table.slide}
-    match _only(draft, subjects, path):
+    match _only(draft, {"vector": table.vector, "link": table.link, "slide": table.slide}, path):
         case "vector":
             return _vector_driver(draft, table, path)
         case "link":
             return _spin(draft, table, path)
         case _:
-            return _slide_driver(draft, table, path)
+            _refuse(draft, {"omega": table.omega, "alpha": table.alpha}, "slide", path)
+            rate, acceleration = table.velocity or 0.0, table.acceleration or 0.0
+            slide, also = _slide(draft, table, path), tuple(table.also)
+            return Driver("slide", slide, value=table.at, rate=rate, acceleration=acceleration, also=also)
 
 
 def _only(draft: Draft, subjects: Mapping[str, object], path: KeyPath) -> str:
     """The one of these keys that is there."""
-    there = [key for key, value in subjects.items() if value is not None]
-    if not there:
+    stated = [key for key, value in subjects.items() if value is not None]
+    if not stated:
         raise errors.WhatIsDriven(draft.where(*path), tuple(subjects))
-    if len(there) > 1:
-        raise errors.KeyClash(draft.where(*path, there[1]), there[0], there[1])
-    return there[0]
+    if len(stated) > 1:
+        raise errors.KeyClash(draft.where(*path, stated[1]), stated[0], stated[1])
+    return stated[0]
 
 
 def _vector_driver(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
@@ -107,20 +106,12 @@ def _owners(draft: Draft, vector: Vector, path: KeyPath) -> list[str]:
 def _spin(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
     """A wheel whose own direction does not matter."""
     assert table.link is not None
-    given = {"angle": table.angle, "from": table.from_, "at": table.at, "also": table.also or None}
-    given |= {"velocity": table.velocity, "acceleration": table.acceleration}
-    _refuse(draft, given, "spin", path)
+    others = {"angle": table.angle, "from": table.from_, "at": table.at, "also": table.also or None}
+    _refuse(draft, others | {"velocity": table.velocity, "acceleration": table.acceleration}, "spin", path)
     link = draft.link(table.link, *path, "link")
     if link == FRAME:
         raise errors.DrivenFrame(draft.where(*path, "link"), table.link)
     return Driver("spin", link, rate=table.omega or 0.0, acceleration=table.alpha or 0.0)
-
-
-def _slide_driver(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
-    _refuse(draft, {"omega": table.omega, "alpha": table.alpha}, "slide", path)
-    slide = _slide(draft, table, path)
-    rate, acceleration = table.velocity or 0.0, table.acceleration or 0.0
-    return Driver("slide", slide, value=table.at, rate=rate, acceleration=acceleration, also=tuple(table.also))
 
 
 def _slide(draft: Draft, table: PoseTable, path: KeyPath) -> str:
@@ -132,8 +123,8 @@ def _slide(draft: Draft, table: PoseTable, path: KeyPath) -> str:
     return table.slide
 
 
-def _refuse(draft: Draft, given: Mapping[str, object], why: str, path: KeyPath) -> None:
-    for key, value in given.items():
+def _refuse(draft: Draft, keys: Mapping[str, object], why: str, path: KeyPath) -> None:
+    for key, value in keys.items():
         if value is not None:
             raise errors.NoMeaning(draft.where(*path, key), key, why)
 

@@ -10,14 +10,14 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property, partial
+from functools import partial
 
 from graphkin.base.worklist import Rounds, Waiting
 from graphkin.errors import KeyClash, MissingKey, NeedsDirection, NoLine, NoMeaning, UnknownPoint
 from graphkin.files.draft import Draft
 from graphkin.files.schema import File, LineTable
 from graphkin.model.mechanism import FRAME, Driver, KeyPath, Link, Pose
-from graphkin.model.pairs import Cam, Line, Pair, Profile, RollingContact, Slide
+from graphkin.model.pairs import Cam, Line, Pair, RollingContact, Slide
 
 
 def has_line(table: LineTable) -> bool:
@@ -150,16 +150,15 @@ def as_sketched(
             pair = replace(pair, left=layout.on_left(pair.line, pair.centre))
         elif isinstance(pair, Cam):
             profiles = zip(pair.profiles, pair.profiles[::-1], next(touching), strict=True)
-            first, second = (_sided(face, other, layout) if is_open else face for face, other, is_open in profiles)
+            first, second = (
+                replace(face, left=layout.on_left(face.line, other.centre))
+                if is_open and face.line is not None and other.centre is not None
+                else face
+                for face, other, is_open in profiles
+            )
             pair = replace(pair, profiles=(first, second))
         sided.append(pair)
     return tuple(sided)
-
-
-def _sided(face: Profile, other: Profile, layout: _RoughLayout) -> Profile:
-    if face.line is None or other.centre is None:
-        return face
-    return replace(face, left=layout.on_left(face.line, other.centre))
 
 
 class _RoughLayout:
@@ -173,6 +172,10 @@ class _RoughLayout:
         self.turns: dict[str, complex] = {FRAME: 1 + 0j}
         self.places: dict[str, complex] = dict(links[FRAME].points)
         self.listed = [*links.values()]
+        self.links_at: dict[str, list[int]] = {}
+        for number, link in enumerate(self.listed):
+            for point in link.points:
+                self.links_at.setdefault(point, []).append(number)
         self.rules = Rounds(self._exact())
         self.open = Waiting(len(links))
         self._settle()
@@ -206,7 +209,7 @@ class _RoughLayout:
                 table[name] = value
                 self.rules.call(name if table is self.turns else (name,))
                 if table is self.places:
-                    self.open.call(self._links_at.get(name, ()))
+                    self.open.call(self.links_at.get(name, ()))
 
     def _exact(self) -> Iterator[Rule]:
         """The rules in their order, each with the links whose direction and the points whose place it starts from."""
@@ -220,15 +223,6 @@ class _RoughLayout:
         for each in self.held:
             if each.kind == "slide" and (moved := slides.get(each.link)) is not None:
                 yield (moved.guide, (moved.line.origin,)), partial(self._displaced, each, moved)
-
-    @cached_property
-    def _links_at(self) -> dict[str, list[int]]:
-        """By point, the numbers of the links that have it."""
-        numbers: dict[str, list[int]] = {}
-        for k, link in enumerate(self.listed):
-            for point in link.points:
-                numbers.setdefault(point, []).append(k)
-        return numbers
 
     def _driven(self, each: Driver | Pose) -> Iterator[Learnt]:
         if each.kind != "angle" or each.vector is None or each.value is None or each.from_link not in self.turns:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Any
 
 from graphkin import errors
 from graphkin.base.value import Lazy
@@ -12,6 +11,7 @@ from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.files.draft import Draft
 from graphkin.files.schema import File, LinkTable
 from graphkin.files.shapes import AngleMeasure, Length, Measure, ShapeMeasures, check_round, own_axes, solve_shape
+from graphkin.files.toml import Document
 from graphkin.files.values import POINT, above_zero, quantity, shown, split_points, tidy
 from graphkin.model.mechanism import FRAME, KeyPath, Link
 
@@ -96,7 +96,7 @@ def _same_but_for_primes(table: Mapping[str, object], where: Placing, above: str
 
 
 def read_links(
-    draft: Draft, file: File, raw: Mapping[str, Any], measures: Mapping[str, Sequence[Measure]]
+    draft: Draft, file: File, raw: Document, measures: Mapping[str, Sequence[Measure]]
 ) -> None:
     """Put the frame and all links into the draft. `raw` is the file's own data: it keeps the order of the keys."""
     if not file.links:

@@ -8,11 +8,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING
 
 from graphkin.errors import Lang
 from graphkin.files.draft import Draft, check_joints, check_questions, check_sizes, check_sketch
 from graphkin.files.source import Deferred, decoded, named, read_bytes, read_text, read_toml
+from graphkin.files.toml import Document
 from graphkin.model import mechanism
 
 if TYPE_CHECKING:
@@ -113,7 +114,7 @@ def load_stream(stream: IO[bytes], *, name: str, file: str) -> MechanismFile:
     return loads(decoded(read_bytes(stream, file), file), name=name, file=file)
 
 
-def _drawn_up(draft: Draft, document: dict[str, Any], name: str, text: str) -> MechanismFile:
+def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> MechanismFile:
     """The tables by themselves, then against each other."""
     from pydantic_core import ValidationError
 

@@ -227,11 +227,8 @@ class _LayoutSearch:
 
     def _fixing(self, point: str, placed: Places) -> list[Measure]:
         """The measures whose only point not placed is this one."""
-        return [
-            measure
-            for measure in self.by_point.get(point, ())
-            if all(other in placed or other == point for other in measure.points)
-        ]
+        measures = self.by_point.get(point, ())
+        return [each for each in measures if all(other in placed or other == point for other in each.points)]
 
     def _fitting(self, point: str, places: list[complex], fixing: list[Measure], placed: Places) -> list[complex]:
         """Those of the places, each once, that all measures agree with."""
@@ -267,12 +264,9 @@ class _LayoutSearch:
         gap_mm = apart((one, other)) * 1e3
         if isinstance(one, Length) and isinstance(other, Length):
             a, b = (next(end for end in length.points if end != point) for length in (one, other))
-            return errors.NoTriangle(self.shape.place(last.key), (self._key(a, b), one.key, other.key), gap_mm)
+            base = next((measure.key for measure in self.shape.measures if set(measure.points) == {a, b}), a + b)
+            return errors.NoTriangle(self.shape.place(last.key), (base, one.key, other.key), gap_mm)
         return errors.Contradiction(self.shape.place(last.key), self.shape.link, last.key, gap_mm)
-
-    def _key(self, a: str, b: str) -> str:
-        """The distance ab as the file writes it, if it does."""
-        return next((m.key for m in self.shape.measures if set(m.points) == {a, b}), a + b)
 
 
 def _size(layout: Places) -> float:

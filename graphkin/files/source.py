@@ -7,11 +7,11 @@ import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property, partial
 from pathlib import Path
-from typing import IO, Any, TypeVar
+from typing import IO, TypeVar
 
 from graphkin import errors
 from graphkin.errors import Where
-from graphkin.files.toml import positions, tidied
+from graphkin.files.toml import Document, positions, tidied
 from graphkin.files.values import tidy
 from graphkin.model.mechanism import GivenValue, KeyPath
 
@@ -109,7 +109,7 @@ def key_lines(text: str, file: str) -> dict[KeyPath, int]:
         raise errors.TooDeep(Where(file)) from None
 
 
-def read_toml(text: str, file: str) -> tuple[dict[str, Any], Mapping[KeyPath, int]]:
+def read_toml(text: str, file: str) -> tuple[Document, Mapping[KeyPath, int]]:
     """The data, and the line of each key."""
     _check_size(len(text), file)
     text = text.removeprefix("\ufeff")
@@ -128,7 +128,7 @@ def read_toml(text: str, file: str) -> tuple[dict[str, Any], Mapping[KeyPath, in
     return document, lines
 
 
-def _refuse_control(document: dict[str, object], lines: Mapping[KeyPath, int], text: str, file: str) -> None:
+def _refuse_control(document: Document, lines: Mapping[KeyPath, int], text: str, file: str) -> None:
     """Texts and names go to terminals, into XML, TeX and tables: no character in them may mean more than itself."""
     if (match := _NO_XML.search(text)) is not None:
         above = text.count("\n", 0, match.start())

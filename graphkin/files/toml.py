@@ -15,15 +15,19 @@ from collections.abc import Callable, Iterator, Mapping
 from datetime import date, datetime, time
 from functools import lru_cache
 from numbers import Integral, Real
+from typing import Any, TypeAlias
 
 from graphkin.errors import Where, WrongType
 from graphkin.files.values import shown, tidy
 from graphkin.model.mechanism import KeyPath
 
+Document: TypeAlias = dict[str, Any]
+"""The data of a file, as `tomllib` gives them."""
+
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 
-def parsed(text: str) -> dict[str, object]:
+def parsed(text: str) -> Document:
     """The data of a TOML text. Raises ValueError for a text that is none, RecursionError for one nested too deeply."""
     return tomllib.loads(text)
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,9 @@ from numpy.typing import NDArray
 from graphkin.base.geometry import Array, Value
 from graphkin.model.mechanism import Driver, Link, Mechanism
 from graphkin.model.pairs import Pair, Slide
+
+Stacked: TypeAlias = Any
+"""A number of each mechanism as an array (n,), or one that all share, to stand where a class declares a number."""
 
 SAME_PLACE = 1e-9
 """Points of a link nearer than this to each other do not give its axis [size]; as `Link.axis` has it."""
@@ -89,8 +92,7 @@ def _drivers(drivers: Sequence[Driver]) -> Driver:
     )  # fmt: skip
 
 
-def _array(numbers: Iterable[complex]) -> Any:
-    """The numbers of several mechanisms, to stand where one has one."""
+def _array(numbers: Iterable[complex]) -> Stacked:
     return np.array([*numbers])
 
 
@@ -107,7 +109,7 @@ def count_of(mechanism: Mechanism) -> int:
     """The number of mechanisms that lie side by side."""
     shapes: list[tuple[int, ...]] = []
 
-    def noted(value: Any) -> Any:
+    def noted(value: Stacked) -> Stacked:
         shapes.append(np.shape(value))
         return value
 
@@ -120,7 +122,7 @@ def single(mechanism: Mechanism, row: int) -> Mechanism:
     return _with_numbers(mechanism, lambda value: value[row].item() if np.ndim(value) else value)
 
 
-def _with_numbers(mechanism: Mechanism, make: Callable[[Any], Any]) -> Mechanism:
+def _with_numbers(mechanism: Mechanism, make: Callable[[Stacked], Stacked]) -> Mechanism:
     """The mechanism with other values for all numbers that may be arrays."""
     links = {
         name: replace(link, points={point: make(z) for point, z in link.points.items()})
