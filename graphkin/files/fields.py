@@ -16,7 +16,7 @@ from pydantic_core import PydanticCustomError
 from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, BadName, GraphkinError, NotOneOf, WrongType
 from graphkin.files import values
-from graphkin.files.values import formed, quantity, shown
+from graphkin.files.values import name_reader, shown_value, si_quantity
 from graphkin.model.mechanism import Dimension
 
 if TYPE_CHECKING:
@@ -72,7 +72,7 @@ def _of_type(kind: str, expected: type, inner: Schema) -> Schema:
 
     def checked(value: object) -> object:
         if not isinstance(value, expected):
-            raise WrongType(NOWHERE, kind, shown(value))
+            raise WrongType(NOWHERE, kind, shown_value(value))
         return value
 
     return _before(checked, inner)
@@ -88,7 +88,7 @@ def anything(json: Schema) -> FieldKind:
 
 def quantity_of(dimension: Dimension, check: Callable[[float], float] = float) -> FieldKind:
     """A number or a text with a unit."""
-    return _kind(lambda value: check(quantity(value, dimension)), NUMBER, dimension)
+    return _kind(lambda value: check(si_quantity(value, dimension)), NUMBER, dimension)
 
 
 def _text(kind: str, read: Callable[[str], str] = values.tidy, **json: str) -> FieldKind:
@@ -96,7 +96,7 @@ def _text(kind: str, read: Callable[[str], str] = values.tidy, **json: str) -> F
 
     def checked(value: object) -> str:
         if not isinstance(value, str):
-            raise WrongType(NOWHERE, kind, shown(value))
+            raise WrongType(NOWHERE, kind, shown_value(value))
         return read(value)
 
     return _kind(checked, json or {"type": "string"})
@@ -104,28 +104,28 @@ def _text(kind: str, read: Callable[[str], str] = values.tidy, **json: str) -> F
 
 def _further_value(value: object, info: ValidationInfo) -> float:
     """A further value of what the driver drives: a length for a slide, else an angle."""
-    return quantity(value, "length" if info.data.get("slide") else "angle")
+    return si_quantity(value, "length" if info.data.get("slide") else "angle")
 
 
 def _flag(value: object) -> bool:
     if not isinstance(value, bool):
-        raise WrongType(NOWHERE, "flag", shown(value))
+        raise WrongType(NOWHERE, "flag", shown_value(value))
     return value
 
 
 def _side(value: str) -> str:
     if value not in ("left", "right"):
-        raise NotOneOf(NOWHERE, shown(value), ("left", "right"))
+        raise NotOneOf(NOWHERE, shown_value(value), ("left", "right"))
     return value
 
 
 def _vector(value: object) -> tuple[str, str]:
     """Two different points: `AB`."""
     if not isinstance(value, str):
-        raise WrongType(NOWHERE, "vector", shown(value))
+        raise WrongType(NOWHERE, "vector", shown_value(value))
     points = values.split_points(values.tidy(value))
     if len(points) != 2 or points[0] == points[1]:
-        raise BadName(NOWHERE, "vector", shown(value))
+        raise BadName(NOWHERE, "vector", shown_value(value))
     return points[0], points[1]
 
 
@@ -134,12 +134,12 @@ RADIUS, EDGE_RADIUS = quantity_of("length", values.above_zero), quantity_of("len
 ALSO = FieldKind(
     {"type": "function-plain", "function": {"type": "with-info", "function": _guarded(_further_value)}}, NUMBER
 )
-SCALE = _kind(values.scale, {"type": "number", "exclusiveMinimum": 0})
+SCALE = _kind(values.scale_value, {"type": "number", "exclusiveMinimum": 0})
 FLAG = _kind(_flag, {"type": "boolean"})
 TEXT = _text("text", lambda text: " ".join(text.split()))
-NAME, NEW_NAME = _text("name"), _text("name", formed(values.SLIDE, "slide"))
-LINK_KEY = _text("name", formed(values.LINK, "link"), pattern=r"^[\w']+$")
-POINT_NAME = _text("name", formed(values.POINT, "point"), type="string", pattern=POINT_PATTERN)
+NAME, NEW_NAME = _text("name"), _text("name", name_reader(values.SLIDE, "slide"))
+LINK_KEY = _text("name", name_reader(values.LINK, "link"), pattern=r"^[\w']+$")
+POINT_NAME = _text("name", name_reader(values.POINT, "point"), type="string", pattern=POINT_PATTERN)
 VECTOR = _kind(_vector, {"type": "string", "pattern": r"^([A-Z][0-9]*'*){2}$"})
 SIDE = _text("name", _side)
 SIDE.json["enum"] = ["left", "right"]
@@ -170,7 +170,7 @@ def mapping(names: FieldKind, kind: FieldKind) -> FieldKind:
 
 def _point_or_place() -> FieldKind:
     """A point's name, or a place."""
-    name = _text("anchor", formed(values.POINT, "point"), **POINT_NAME.json)
+    name = _text("anchor", name_reader(values.POINT, "point"), **POINT_NAME.json)
     core = {
         "type": "tagged-union",
         "choices": {"a point": name.core, "a place": PLACE.core},
@@ -182,7 +182,7 @@ def _point_or_place() -> FieldKind:
 def _as_triples(value: object) -> object:
     """One triple or a list of them: a list of them."""
     if not isinstance(value, list):
-        raise WrongType(NOWHERE, "triple", shown(value))
+        raise WrongType(NOWHERE, "triple", shown_value(value))
     return [value] if value and all(not isinstance(item, list) for item in value) else value
 
 
@@ -261,7 +261,7 @@ def title(cls: type) -> FieldKind:
     def in_both(value: object) -> object:
         """One title serves both languages."""
         if not isinstance(value, str | dict):
-            raise WrongType(NOWHERE, "title", shown(value))
+            raise WrongType(NOWHERE, "title", shown_value(value))
         return {"en": value, "zh": value} if isinstance(value, str) else value
 
     return FieldKind(_before(in_both, kind_of(cls).core), {"anyOf": [{"type": "string"}, kind_of(cls).json]})

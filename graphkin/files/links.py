@@ -12,7 +12,7 @@ from graphkin.files.draft import Draft
 from graphkin.files.schema import File, LinkTable
 from graphkin.files.shapes import AngleMeasure, Length, Measure, ShapeMeasures, check_round, own_axes, solve_shape
 from graphkin.files.toml import Document
-from graphkin.files.values import POINT, above_zero, quantity, shown, split_points, tidy
+from graphkin.files.values import POINT, above_zero, shown_value, si_quantity, split_points, tidy
 from graphkin.model.mechanism import FRAME, KeyPath, Link
 
 OWN_KEYS = ("points", "ccw", "shape")
@@ -72,15 +72,15 @@ def _measure(key: str, value: object) -> Measure:
     """`AB = 24` or `BDE = 90`; raises without a place."""
     match split_points(tidy(key)):
         case (a, b) if a != b:
-            return Length(key, (a, b), above_zero(quantity(value, "length")))
+            return Length(key, (a, b), above_zero(si_quantity(value, "length")))
         case (a, b, c) if len({a, b, c}) == 3:
-            angle = quantity(value, "angle")
+            angle = si_quantity(value, "angle")
             if not 0 <= angle <= math.pi:
                 raise errors.AngleRange(NOWHERE, math.degrees(angle))
             return AngleMeasure(key, (a, b, c), angle)
     if key[:1].islower():
-        raise errors.UnknownKey(NOWHERE, shown(key), (*OWN_KEYS, "AB", "BDE"))
-    raise errors.BadName(NOWHERE, "measure", shown(key))
+        raise errors.UnknownKey(NOWHERE, shown_value(key), (*OWN_KEYS, "AB", "BDE"))
+    raise errors.BadName(NOWHERE, "measure", shown_value(key))
 
 
 def _same_but_for_primes(table: Mapping[str, object], where: Placing, above: str) -> Iterator[GraphkinError]:

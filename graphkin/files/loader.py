@@ -12,7 +12,7 @@ from typing import IO, TYPE_CHECKING
 
 from graphkin.errors import Lang
 from graphkin.files.draft import Draft, check_joints, check_questions, check_sizes, check_sketch
-from graphkin.files.source import Deferred, decoded, named, read_bytes, read_text, read_toml
+from graphkin.files.source import Deferred, decoded_text, mechanism_name, read_bytes, read_text, read_toml
 from graphkin.files.toml import Document
 from graphkin.model import mechanism
 
@@ -85,7 +85,7 @@ def load(source: str | Path) -> MechanismFile:
     Raises a `GraphkinError`: the one thing that is wrong, or `Several` with all of them in the order of the lines.
     """
     path = Path(source)
-    return loads(read_text(path), name=named(path), file=str(path))
+    return loads(read_text(path), name=mechanism_name(path), file=str(path))
 
 
 def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> MechanismFile:
@@ -111,7 +111,7 @@ def from_dict(document: Mapping[str, object], *, name: str = "mechanism") -> Mec
 
 def load_stream(stream: IO[bytes], *, name: str, file: str) -> MechanismFile:
     """The mechanism that comes in through a pipe."""
-    return loads(decoded(read_bytes(stream, file), file), name=name, file=file)
+    return loads(decoded_text(read_bytes(stream, file), file), name=name, file=file)
 
 
 def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> MechanismFile:
@@ -122,7 +122,7 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
     from graphkin.files.lines import as_sketched
     from graphkin.files.links import frame_problems, read_links, read_measures
     from graphkin.files.pairs import read_pairs
-    from graphkin.files.schema import complaints, read_tables, stated
+    from graphkin.files.schema import complaints, read_tables, stated_values
 
     draft.problems.extend(frame_problems(document.get("frame"), draft.where))
     measures, problems = read_measures(document.get("links"), draft.where)
@@ -148,7 +148,7 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
         name, draft.frame, draft.links, pairs, drivers, poses, sketch, scales,
         _titles(file.title), _titles(file.source), tuple(file.ask), text, draft.file, draft.lines,
         slide_titles={name: title for name, title in titled.items() if title},
-        given=Deferred(partial(stated, document)),
+        given=Deferred(partial(stated_values, document)),
     )  # fmt: skip
     check_questions(draft, machine)
     draft.stop_if_wrong()

@@ -13,7 +13,7 @@ from pydantic_core import SchemaValidator, ValidationError
 from graphkin.errors import GraphkinError, MissingKey, UnitAsKey, UnknownKey, Where, WrongCount, WrongType
 from graphkin.files import fields
 from graphkin.files.fields import further, key, keys, kind_of, table
-from graphkin.files.values import UNITS, quantity, short_number, shown, split_points, tidy
+from graphkin.files.values import UNITS, short_number, shown_value, si_quantity, split_points, tidy
 from graphkin.model.mechanism import Dimension, GivenValue, KeyPath
 
 if TYPE_CHECKING:
@@ -227,7 +227,7 @@ def _complaint(detail: ErrorDetails, where: Where) -> GraphkinError:
             expected = context.get("min_length", context.get("max_length"))
             return WrongCount(where, int(expected or 0), len(detail["input"]))
         case kind:
-            return WrongType(where, "list" if kind == "list_type" else "table", shown(detail["input"]))
+            return WrongType(where, "list" if kind == "list_type" else "table", shown_value(detail["input"]))
 
 
 def _unknown_key(where: Where, key: str, value: object, possible: tuple[str, ...]) -> GraphkinError:
@@ -241,7 +241,7 @@ def _unknown_key(where: Where, key: str, value: object, possible: tuple[str, ...
 # --- values as they are stated ----------------------------------------------------------------
 
 
-def stated(document: Mapping[str, object]) -> dict[KeyPath, GivenValue]:
+def stated_values(document: Mapping[str, object]) -> dict[KeyPath, GivenValue]:
     """All that a file states, by place and in its order: tables and lists, each followed by what is in it."""
     return {value.path: value for value in _stated_in(document, (), None)}
 
@@ -258,7 +258,7 @@ def _stated_in(
             yield from _stated_in(written, place, content)
         else:
             dimension = _dimension(place, around)
-            yield GivenValue(place, written, dimension, None if dimension is None else quantity(written, dimension))
+            yield GivenValue(place, written, dimension, None if dimension is None else si_quantity(written, dimension))
 
 
 def _dimension(path: KeyPath, around: object) -> Dimension | None:

@@ -213,7 +213,7 @@ class _LayoutSearch:
         options = [measure.curves(point, placed) for measure in fixing]
         apart, crossed = 0.0, False
         for one, other in combinations(options[:MOST_CURVES], 2):
-            places = [place for a in one for b in other for place in crossings(a, b)]
+            places = [place for a in one for b in other for place in curve_crossings(a, b)]
             if good := self._fitting(point, places, fixing, placed):
                 return [place for place in good if self._right_way_round({**placed, point: place})]
             if places and not crossed:
@@ -328,7 +328,7 @@ def _equal_angles(a: complex, b: complex, angle: float) -> list[Curve]:
     return [CircleCurve((a + b) / 2 + side * offset, abs(b - a) / 2 / math.sin(angle)) for side in (1, -1)]
 
 
-def crossings(one: Curve, other: Curve) -> list[complex]:
+def curve_crossings(one: Curve, other: Curve) -> list[complex]:
     """The points two curves share: none, one or two; none if they coincide."""
     if isinstance(one, CircleCurve):
         return _two_circles(one, other) if isinstance(other, CircleCurve) else _line_and_circle(other, one)

@@ -11,7 +11,7 @@ from typing import IO, TypeVar
 
 from graphkin import errors
 from graphkin.errors import Where
-from graphkin.files.toml import Document, positions, tidied
+from graphkin.files.toml import Document, key_positions, tidied
 from graphkin.files.values import tidy
 from graphkin.model.mechanism import GivenValue, KeyPath
 
@@ -42,7 +42,7 @@ def read_text(path: Path) -> str:
         if path.is_dir():
             raise errors.IsFolder(where)
         with path.open("rb") as stream:
-            return decoded(read_bytes(stream, where.file), where.file)
+            return decoded_text(read_bytes(stream, where.file), where.file)
     except FileNotFoundError:
         raise errors.NoFile(where, path.name, _files_beside(path)) from None
     except (OSError, ValueError) as problem:
@@ -57,12 +57,12 @@ def read_bytes(stream: IO[bytes], file: str) -> bytes:
         raise errors.Unreadable(Where(file), problem.strerror or str(problem)) from None
 
 
-def named(path: Path) -> str:
+def mechanism_name(path: Path) -> str:
     """The name of a mechanism after its file; a character that no text may hold becomes an underscore."""
     return "".join("_" if errors.steers(letter) else letter for letter in path.stem)
 
 
-def decoded(content: bytes, file: str) -> str:
+def decoded_text(content: bytes, file: str) -> str:
     """The text of a file's bytes; a byte order mark is not part of it."""
     _check_size(len(content), file)
     try:
@@ -96,15 +96,15 @@ class Deferred(Mapping[KeyPath, _T]):
 
 def stated_in(text: str) -> dict[KeyPath, GivenValue]:
     """All that a mechanism file's text states, by place and in its order."""
-    from graphkin.files.schema import stated
+    from graphkin.files.schema import stated_values
 
-    return stated(tomllib.loads(text.removeprefix("\ufeff")))
+    return stated_values(tomllib.loads(text.removeprefix("\ufeff")))
 
 
 def key_lines(text: str, file: str) -> dict[KeyPath, int]:
     """The line of each key of a text that `tomllib` accepts, counted from 1; primes in names are tidied."""
     try:
-        return {tidied(path): line for path, line in positions(text).items()}
+        return {tidied(path): line for path, line in key_positions(text).items()}
     except RecursionError:
         raise errors.TooDeep(Where(file)) from None
 

@@ -18,7 +18,7 @@ from numbers import Integral, Real
 from typing import Any, TypeAlias
 
 from graphkin.errors import Where, WrongType
-from graphkin.files.values import shown, tidy
+from graphkin.files.values import shown_value, tidy
 from graphkin.model.mechanism import KeyPath
 
 Document: TypeAlias = dict[str, Any]
@@ -89,7 +89,7 @@ def value_text(value: object, place: str = "") -> str:
         return value_text(value.tolist(), place)
     if isinstance(value, list | tuple):
         return f"[{', '.join(value_text(entry, f'{place}.{k}') for k, entry in enumerate(value))}]"
-    raise WrongType(Where("", None, place), "quantity", shown(value))
+    raise WrongType(Where("", None, place), "quantity", shown_value(value))
 
 
 def _has_header(name: str, value: object) -> bool:
@@ -181,7 +181,7 @@ _PLAIN = r"[^,\]}#\n]+"
 _STRING = r'(?s:"""(?:\\.|[^\\])*?"{3,5}' r"|'''.*?'{3,5}" r'|"(?:\\.|[^"\\])*"' r"|'[^']*')"
 
 
-def positions(text: str) -> dict[KeyPath, int]:
+def key_positions(text: str) -> dict[KeyPath, int]:
     """The line of each key, list items included, counted from 1."""
     starts = [0, *(match.end() for match in re.finditer("\n", text))]
     return {path: bisect_right(starts, offset) for path, offset in _TextWalk(text).keys.items()}

@@ -40,15 +40,15 @@ def split_points(word: str) -> tuple[str, ...]:
     return tuple(POINT.findall(word)) if _POINTS.fullmatch(word) else ()
 
 
-def formed(pattern: re.Pattern[str], kind: str) -> Callable[[str], str]:
+def name_reader(pattern: re.Pattern[str], kind: str) -> Callable[[str], str]:
     """A reader of names that must match a pattern, and that a drawing has room for."""
 
     def checked(value: str) -> str:
         name = tidy(value)
         if pattern.fullmatch(name) is None:
-            raise errors.BadName(NOWHERE, kind, shown(value))
+            raise errors.BadName(NOWHERE, kind, shown_value(value))
         if _letters(name) > LONGEST:
-            raise errors.LongName(NOWHERE, shown(value), LONGEST)
+            raise errors.LongName(NOWHERE, shown_value(value), LONGEST)
         return name
 
     return checked
@@ -92,10 +92,10 @@ SMALLEST_SCALE = 1e-12
 _QUANTITY = r"(?s)\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(.*?)\s*"
 
 
-def quantity(value: object, dimension: Dimension) -> float:
+def si_quantity(value: object, dimension: Dimension) -> float:
     """A number or a text with a unit, in SI."""
     if isinstance(value, bool) or not isinstance(value, int | float | str):
-        raise errors.WrongType(NOWHERE, "quantity", shown(value))
+        raise errors.WrongType(NOWHERE, "quantity", shown_value(value))
     return read_quantity(value, dimension)
 
 
@@ -147,21 +147,22 @@ def zero_or_more(value: float) -> float:
     return value
 
 
-def scale(value: object) -> float:
+def scale_value(value: object) -> float:
     """A scale of the paper: a plain number above zero."""
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise errors.WrongType(NOWHERE, "number", shown(value))
+        raise errors.WrongType(NOWHERE, "number", shown_value(value))
     if not value >= SMALLEST_SCALE:
-        raise (errors.TooSmall(NOWHERE, shown(value), "1e-12") if value == value else errors.OutOfRange(NOWHERE, "nan"))
+        is_number = value == value
+        raise errors.TooSmall(NOWHERE, shown_value(value), "1e-12") if is_number else errors.OutOfRange(NOWHERE, "nan")
     if value > LARGEST:
-        raise errors.OutOfRange(NOWHERE, shown(value))
+        raise errors.OutOfRange(NOWHERE, shown_value(value))
     return float(value)
 
 
 # --- in messages ------------------------------------------------------------------------------
 
 
-def shown(value: object) -> str:
+def shown_value(value: object) -> str:
     """A wrong value in a message: short, and the same in every language."""
     match value:
         case bool():

@@ -13,10 +13,6 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME, Mechanism
 
-__all__ = [
-    "PairName", "Seen", "common_link", "driver_number", "image_name", "named", "pair", "primes", "seen", "spelled",
-]  # fmt: skip
-
 PairName = tuple[str, int | str]
 """A pair by its table in the file and its number there; a hinge by its point, a link by its name."""
 
@@ -37,7 +33,7 @@ def seen(mechanism: Mechanism, text: str, more: Collection[str] = ()) -> Seen | 
 
     more  points that a construction has added: a special point S, a rolling contact K
     """
-    if _named(mechanism, text):
+    if text in mechanism.points:
         owners = mechanism.owners[text]
         return Seen(text, next((link for link in owners if link != FRAME), FRAME), False)
     if text in more:
@@ -52,13 +48,9 @@ def seen(mechanism: Mechanism, text: str, more: Collection[str] = ()) -> Seen | 
 
 def _site(mechanism: Mechanism, point: str, link: str, more: Collection[str]) -> Seen | None:
     name = FRAME if link == mechanism.frame else link
-    if name not in mechanism.links or not (_named(mechanism, point) or point in more):
+    if name not in mechanism.links or not (point in mechanism.points or point in more):
         return None
     return Seen(point, name, True)
-
-
-def _named(mechanism: Mechanism, point: str) -> bool:
-    return point in mechanism.owners and point not in mechanism.unnamed
 
 
 def pair(mechanism: Mechanism, text: str, more: Collection[str] = ()) -> tuple[Seen, Seen] | None:
