@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, assert_never
 
@@ -58,7 +57,7 @@ def problem(
 def statement(mechanism: Mechanism, lang: Lang, drawn: DrawnSides | None = None) -> Iterator[str]:
     """The mechanism and what is given of it, in lines; with the assembly it is drawn in."""
     yield from (mechanism.headline(lang), "", say("problems.given", lang))
-    yield from (f"  {line}" for line in _given(tomllib.loads(mechanism.text), lang))
+    yield from (f"  {line}" for line in _given(mechanism, lang))
     if drawn is not None and (told := assembly(drawn, lang)):
         yield f"  {told}"
     yield from _positions(mechanism, lang)
@@ -158,11 +157,12 @@ def _line(mechanism: Mechanism, angle: Rotation, lang: Lang) -> str:
 # --- what is given ----------------------------------------------------------------------------
 
 
-def _given(document: dict[str, Any], lang: Lang) -> Iterator[str]:
+def _given(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
     """A line a link, pair and driver, in the file's order."""
-    for table, content in document.items():
-        if not is_phrase(f"problems.table {table}"):
+    for (table, *inner), stated in mechanism.given.items():
+        if inner or not is_phrase(f"problems.table {table}"):
             continue
+        content: Any = stated.written
         rows = content.items() if table == "links" else [("", row) for row in _rows(content)]
         for name, row in rows:
             head = say(f"problems.table {table}", lang) + (f" {name}" if name else "")

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 import re
-import tomllib
 from collections.abc import Iterator, Mapping
 from typing import Any
 
 from graphkin.base.value import frozen
 from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, TooMuch, Where
+from graphkin.files.toml import parsed
 from graphkin.submissions.answers import Entry
 from graphkin.submissions.spelling import short
 from graphkin.submissions.submission import Limits
@@ -37,7 +37,7 @@ def read_toml(text: str, where: Where, limits: Limits) -> StudentDocument:
     if _DEEP.search(text) is not None:
         raise TooMuch(where, "depth", limits.depth)
     try:
-        document = tomllib.loads(text)
+        document = parsed(text)
     except RecursionError:
         raise TooMuch(where, "depth", limits.depth) from None
     except ValueError as problem:

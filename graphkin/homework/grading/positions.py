@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Iterator
 from copy import deepcopy
 from typing import Any
@@ -48,7 +47,8 @@ def further_methods(method: Method) -> Iterator[Method]:
 def _moved(method: Method, plot: Plot, values: tuple[float, ...]) -> Mechanism:
     """The mechanism file with what tells its position changed: drivers, poses, sketch."""
     mechanism = method.mechanism
-    found, document = readings(method, plot), deepcopy(tomllib.loads(mechanism.text))
+    found = readings(method, plot)
+    document: Any = deepcopy({path[0]: stated.written for path, stated in mechanism.given.items() if len(path) == 1})
     for table, driver, value in zip(document["driver"], mechanism.drivers, values, strict=True):
         table.pop("also", None)
         if driver.value is not None:

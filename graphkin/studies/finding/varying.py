@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -21,7 +20,7 @@ from graphkin.running import replay_all
 from graphkin.studies.finding import conditions
 from graphkin.studies.finding.answers import Findings
 from graphkin.studies.finding.data import as_json
-from graphkin.studies.finding.dimensions import WHERE, DimensionPlace, dimension, replaced, value_at
+from graphkin.studies.finding.dimensions import WHERE, DimensionPlace, dimension, replaced
 from graphkin.studies.finding.find import find
 from graphkin.studies.finding.points import line_of
 from graphkin.studies.finding.quantities import checked
@@ -165,7 +164,9 @@ def _measured(
 
 def _now(mechanism: Mechanism, place: DimensionPlace) -> float:
     """The value in the file [SI]."""
-    return read_quantity(value_at(tomllib.loads(mechanism.text), place.path), place.kind)
+    value = mechanism.given[place.path].si
+    assert value is not None, "a dimension is a quantity"
+    return value
 
 
 def _with(mechanism: Mechanism, place: DimensionPlace, value: float, sketch: dict[str, complex]) -> Mechanism:
