@@ -37,7 +37,7 @@ from graphkin.equations.text import symbol_text
 from graphkin.equations.written import written
 from graphkin.errors import DeadPoint
 from graphkin.files import library
-from graphkin.model.usual import ROUNDING
+from graphkin.model.mechanism import ROUNDING
 from graphkin.planning.stages import Group
 
 EPS = 1e-9

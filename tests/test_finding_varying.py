@@ -117,7 +117,7 @@ def test_only_the_one_number_of_a_file_changes() -> None:
 
 
 def loading_points(name: str) -> tuple[str, ...]:
-    from graphkin.files.names import split_points, tidy
+    from graphkin.files.values import split_points, tidy
 
     return split_points(tidy(name.split(".")[-1]))
 

@@ -28,7 +28,7 @@ from random_mechanisms import (
 import graphkin
 from graphkin.errors import Lang
 from graphkin.files import library
-from graphkin.files.names import split_points
+from graphkin.files.values import split_points
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.planning import plan

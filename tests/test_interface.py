@@ -21,8 +21,7 @@ from graphkin.cli import main, reference
 from graphkin.errors import BadValues, GraphkinError, NoSuchDriver, NoSuchValue, UnknownQuantity, WrongType
 from graphkin.files import library
 from graphkin.files.builder import Builder
-from graphkin.files.changing import rewritten
-from graphkin.files.toml import toml
+from graphkin.files.toml import replaced_values, toml
 
 FEW = int(os.environ.get("GRAPHKIN_RANDOM", "40"))
 
@@ -219,7 +218,7 @@ def test_primes_as_they_were_printed():
 
 def test_nothing_else_of_a_text_changes():
     text = graphkin.load("ex3-7").text
-    assert rewritten(text, {}) == text
+    assert replaced_values(text, {}) == text
 
 
 # --- by name ----------------------------------------------------------------------------------

@@ -16,8 +16,8 @@ from hypothesis import strategies as st
 import graphkin.errors as errors
 from graphkin.errors import GraphkinError, Several, Where
 from graphkin.files import load, loads
-from graphkin.files.positions import positions
 from graphkin.files.source import LARGEST_FILE
+from graphkin.files.toml import key_positions
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Cam, CircularSlot
 from graphkin.outputs.json_schema import json_schema_text
@@ -723,7 +723,7 @@ def test_a_file_that_is_too_large_or_unreadable(tmp_path: Path) -> None:
 
 def test_every_key_has_its_line() -> None:
     text = 'a.b = [1, # x\n 2,\n {c = """q\n"""""}]\n[[x]]\n[x.y]\nz = \'1\'\n[[x]]\n"k\'" = 1979-05-27 07:32:00\n'
-    found = positions(text)
+    found = key_positions(text)
     assert set(_paths(tomllib.loads(text))) == set(found)
     assert found["a", "b", 2, "c"] == 3
     assert found["x", 0, "y", "z"] == 7

@@ -16,9 +16,8 @@ from test_mistakes_everywhere import REPEATING, from_text, repeated
 
 from graphkin.cli import main as graphkin
 from graphkin.files import library
-from graphkin.model.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism, Usual
 from graphkin.model.quantities import EDGE
-from graphkin.model.usual import Usual
 
 COMMANDS = (
     "solve @", "solve @ --json", "explain @ --all", "explain @ --all --lang zh", "equations @",

@@ -21,7 +21,7 @@ from graphkin.errors import (
     TooManyPoints,
     Where,
 )
-from graphkin.files.measures import link_points, read_measures
+from graphkin.files.links import link_points, read_measures
 from graphkin.files.shapes import ShapeMeasures, solve_shape
 
 

@@ -20,7 +20,7 @@ import pytest
 from test_read_back import FAMILIES, drawn, make, read_back, wrong
 
 from graphkin import Drawing
-from graphkin.base.checksum import seal
+from graphkin.base.plain import seal
 from graphkin.check import measure
 from graphkin.errors import BadDrawing
 from graphkin.files import library

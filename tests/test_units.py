@@ -7,7 +7,8 @@ import math
 import pytest
 
 from graphkin.errors import GraphkinError, NotANumber, NoUnit, OtherDimension, OutOfRange, UnknownUnit
-from graphkin.files.units import UNITS, Dimension, read_quantity
+from graphkin.files.values import UNITS, read_quantity
+from graphkin.model.mechanism import Dimension
 
 GOOD: list[tuple[float | str, Dimension, float]] = [
     (24, "length", 0.024),

@@ -1,1 +1,1 @@
-"""What everything stands on: value classes, caches, work lists, complex numbers as vectors, tolerances, checksums."""
+"""Value classes, caches, work lists, complex numbers as vectors, tolerances, plain data: all else stands on these."""

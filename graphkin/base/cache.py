@@ -1,4 +1,4 @@
-"""What was worked out of an object, kept for when it is asked for again.
+"""Results worked out of an object, kept for when they are asked for again.
 
 Mechanisms, methods and paths are too large to be hashed. They cannot be changed, so one and the same object gives the
 same again: it is told by its identity, and held as long as what is kept of it.
@@ -10,26 +10,24 @@ from collections.abc import Callable, Hashable
 from functools import wraps
 from typing import ParamSpec, TypeVar
 
-__all__ = ["kept"]
-
-_Asked = ParamSpec("_Asked")
-_Found = TypeVar("_Found")
+_Args = ParamSpec("_Args")
+_Result = TypeVar("_Result")
 
 
-def kept(most: int, objects: int = 1) -> Callable[[Callable[_Asked, _Found]], Callable[_Asked, _Found]]:
+def kept(most: int, objects: int = 1) -> Callable[[Callable[_Args, _Result]], Callable[_Args, _Result]]:
     """A function of some objects first, then of small values, that keeps what it gave the last `most` times."""
 
-    def keeping(make: Callable[_Asked, _Found]) -> Callable[_Asked, _Found]:
-        found: dict[Hashable, tuple[object, _Found]] = {}
+    def keeping(make: Callable[_Args, _Result]) -> Callable[_Args, _Result]:
+        results: dict[Hashable, tuple[object, _Result]] = {}
 
         @wraps(make)
-        def get(*args: _Asked.args, **named: _Asked.kwargs) -> _Found:
+        def get(*args: _Args.args, **named: _Args.kwargs) -> _Result:
             place = (*map(id, args[:objects]), *args[objects:], *sorted(named.items()))
-            entry = found.pop(place, None) or (args[:objects], make(*args, **named))
-            found[place] = entry
-            if len(found) > most:
-                for oldest in [*found][:-most]:
-                    found.pop(oldest, None)
+            entry = results.pop(place, None) or (args[:objects], make(*args, **named))
+            results[place] = entry
+            if len(results) > most:
+                for oldest in [*results][:-most]:
+                    results.pop(oldest, None)
             return entry[1]
 
         return get

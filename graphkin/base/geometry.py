@@ -9,15 +9,10 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Callable
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, overload
 
 import numpy as np
 from numpy.typing import NDArray
-
-__all__ = [
-    "Array", "Leg", "Real", "Value", "cross", "dot", "leg", "meet_circles", "meet_line_circle", "meet_lines",
-    "number", "phase", "place", "third_corner", "unit", "weights_of", "wrapped",
-]  # fmt: skip
 
 Array: TypeAlias = NDArray[Any]
 """An array over positions, pencils, students."""
@@ -29,11 +24,11 @@ Value: TypeAlias = float | complex | Array
 """A real or a complex number, or an array of either: x + iy is a vector of the plane."""
 
 Leg = Callable[[Real, Real], Real]
-"""How the other leg of a right-angled triangle is found: `leg`, or what stands for it where values are no numbers."""
+"""A function for the other leg of a right-angled triangle: `leg`, or its stand-in where values are no numbers."""
 
-ROUNDING = 4e-15
-"""What squares may be off, as part of their size, by rounding."""
-HALF_TURN = 1e-9
+_ROUNDING = 4e-15
+"""Rounding of squares, as part of their size."""
+_HALF_TURN = 1e-9
 """Angles as near to a half turn are one, whichever way they turn [rad]."""
 
 
@@ -56,6 +51,10 @@ def unit(a: Value) -> Value:
             return complex(np.nan, np.nan)
 
 
+@overload
+def phase(a: complex) -> float: ...
+@overload
+def phase(a: Value) -> Real: ...
 def phase(a: Value) -> Real:
     """The angle of a vector from +x, above -pi [rad]."""
     return np.angle(a) if isinstance(a, np.ndarray) else cmath.phase(a)
@@ -64,18 +63,18 @@ def phase(a: Value) -> Real:
 def wrapped(angle: Real) -> Real:
     """An angle without whole turns, above -pi to pi; what is -pi but for rounding is pi [rad]."""
     turned = np.angle(np.exp(1j * angle))
-    return np.where(turned < HALF_TURN - np.pi, turned + 2 * np.pi, turned)[()]
+    return np.where(turned < _HALF_TURN - np.pi, turned + 2 * np.pi, turned)[()]
 
 
 def leg(hypotenuse: Real, other: Real) -> Real:
     """The other leg of a right-angled triangle; 0 where it is 0 but for rounding, NaN where there is none."""
     square = np.asarray((hypotenuse - other) * (hypotenuse + other), dtype=float)
     with np.errstate(invalid="ignore"):
-        return np.sqrt(np.where((square < 0) & (square > -ROUNDING * hypotenuse * hypotenuse), 0.0, square))[()]
+        return np.sqrt(np.where((square < 0) & (square > -_ROUNDING * hypotenuse * hypotenuse), 0.0, square))[()]
 
 
 def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Real]:
-    """Where the line through p along u meets the line through q along w (u, w of length 1).
+    """The point in which the line through p along u meets the line through q along w (u, w of length 1).
 
     Returns the point and the sine of the angle between the lines.
     """
@@ -84,10 +83,8 @@ def meet_lines(p: Value, u: Value, q: Value, w: Value) -> tuple[Value, Real]:
         return p + u * (cross(q - p, w) / sine), np.abs(sine)
 
 
-def meet_line_circle(
-    p: Value, u: Value, c: Value, r: Real, side: Real, leg: Leg = leg
-) -> tuple[Value, Real, Real]:
-    """Where the line through p along u meets the circle about c; side +1 is the crossing farther along u.
+def meet_line_circle(p: Value, u: Value, c: Value, r: Real, side: Real, leg: Leg = leg) -> tuple[Value, Real, Real]:
+    """A point in which the line through p along u meets the circle about c; side +1 is the crossing farther along u.
 
     Returns the point, the sine of the angle between line and circle, and by how much they miss each
     other (0 or less where they meet).
@@ -102,7 +99,7 @@ def meet_line_circle(
 def meet_circles(
     c1: Value, r1: Real, c2: Value, r2: Real, side: Real, leg: Leg = leg
 ) -> tuple[Value, Real, Real]:
-    """Where two circles meet; side +1 is the crossing to the left of the way from c1 to c2.
+    """A point in which two circles meet; side +1 is the crossing to the left of the way from c1 to c2.
 
     Returns the point, the sine of the angle between the circles, and by how much they miss each other.
     """

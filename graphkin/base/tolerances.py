@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-__all__ = ["CLOSED", "RANK", "ROUNDED", "STILL", "TOUCH"]
-
 ROUNDED = 1e-6
 """Figures in files are rounded: lengths that differ by less than this part, and angles [rad], are one."""
 CLOSED = 1e-9

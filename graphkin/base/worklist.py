@@ -1,14 +1,19 @@
-"""What waits to be looked at, first things first."""
+"""Work that waits: to be looked at, first things first, or sent ahead to other processes."""
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Hashable, Iterable, Iterator
 from heapq import heapify, heappop, heappush
-from typing import Generic, TypeVar
+from itertools import islice
+from typing import TYPE_CHECKING, Generic, TypeVar
 
-__all__ = ["Rounds", "Waiting"]
+if TYPE_CHECKING:
+    from concurrent.futures import Executor, Future
 
-_Found = TypeVar("_Found")
+_Item = TypeVar("_Item")
+_Done = TypeVar("_Done")
+_Result = TypeVar("_Result")
 _Rule = TypeVar("_Rule")
 
 
@@ -20,11 +25,11 @@ class Waiting:
         self._called = set(self._numbers)
         heapify(self._numbers)
 
-    def first(self, look: Callable[[int], _Found | None]) -> _Found | None:
-        """What the first number gives that gives anything."""
+    def first(self, look: Callable[[int], _Result | None]) -> _Result | None:
+        """The result of the first number that gives one."""
         while self._numbers:
-            if (found := look(self._numbers[0])) is not None:
-                return found
+            if (result := look(self._numbers[0])) is not None:
+                return result
             self._called.remove(heappop(self._numbers))
         return None
 
@@ -67,3 +72,27 @@ class Rounds(Generic[_Rule]):
             if number not in self._called:
                 self._called.add(number)
                 heappush(self._now if number > self._at else self._next, number)
+
+
+def ahead(
+    executor: Executor, work: Callable[[list[_Item]], list[_Done]], batches: Iterable[list[_Item]], most: int
+) -> Iterator[_Done]:
+    """The results of `work` for each batch on an executor, in order; at most so many batches are out at once."""
+    waiting = iter(batches)
+    out: deque[Future[list[_Done]]] = deque()
+    try:
+        while True:
+            out.extend(executor.submit(work, some) for some in islice(waiting, most - len(out)))
+            if not out:
+                return
+            yield from out.popleft().result()
+    finally:
+        for future in out:
+            future.cancel()
+
+
+def batched(items: Iterable[_Item], size: int) -> Iterator[list[_Item]]:
+    """Lists of so many; the last may be shorter."""
+    waiting = iter(items)
+    while some := list(islice(waiting, size)):
+        yield some

@@ -1,15 +1,14 @@
-"""What a user can get wrong, as data; the sentences stand here once, in both languages.
+"""Mistakes that a user can make, as data; the sentences stand here once, in both languages.
 
 Every error says three things: where (file, line, key), what is wrong, what to do. Code raises
 the data; only the edge (the command line, a notebook) asks for the words.
 
-`base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys and values, `names`
-about what things may be called, `shapes` about a link's measures, `pairs` about sliding pairs, gears, rolling and cams,
-`drivers` about drivers and poses, `motion` about assembly and movement, `drawings` about what is measured or written,
-`singular` about the analysis, `marking`, `submissions`, `answers`, `problem_sets` and `platforms` about homework,
-`handouts` about their fonts, `asking` about what is asked for, `finding` about conditions. A new error is a class in one
-of them, and a name in its `__all__`: this module passes on all that those hold, and loads each where something of it is
-first asked for.
+`base` has the classes all others come from; `files` is about the file as a whole, `keys` about keys, values and names,
+`shapes` about a link's measures, `pairs` about sliding pairs, gears, rolling and cams, `drivers` about drivers and
+poses, `motion` about assembly and movement, `drawings` about what is measured or written, `marking`, `submissions`,
+`answers` and `problem_sets` about homework, `asking` about what is asked for, `finding` about conditions. A new error is
+a class in one of them, and a name in its `__all__`: this module passes on all that those hold, and loads each where
+something of it is first asked for.
 """
 
 from __future__ import annotations
@@ -27,22 +26,18 @@ if TYPE_CHECKING:
     from graphkin.errors.drivers import *  # noqa: F403
     from graphkin.errors.files import *  # noqa: F403
     from graphkin.errors.finding import *  # noqa: F403
-    from graphkin.errors.handouts import *  # noqa: F403
     from graphkin.errors.keys import *  # noqa: F403
     from graphkin.errors.linkages import *  # noqa: F403
     from graphkin.errors.marking import *  # noqa: F403
     from graphkin.errors.motion import *  # noqa: F403
-    from graphkin.errors.names import *  # noqa: F403
     from graphkin.errors.pairs import *  # noqa: F403
-    from graphkin.errors.platforms import *  # noqa: F403
     from graphkin.errors.problem_sets import *  # noqa: F403
     from graphkin.errors.shapes import *  # noqa: F403
-    from graphkin.errors.singular import *  # noqa: F403
     from graphkin.errors.submissions import *  # noqa: F403
 
 _FILES = (
-    "base", "drawings", "files", "keys", "names", "shapes", "drivers", "pairs", "motion", "singular", "asking",
-    "centring", "finding", "linkages", "design", "marking", "submissions", "answers", "problem_sets", "platforms", "handouts",
+    "base", "drawings", "files", "keys", "shapes", "drivers", "pairs", "motion", "asking", "centring", "finding",
+    "linkages", "design", "marking", "submissions", "answers", "problem_sets",
 )  # fmt: skip
 """In the order in which a name is looked for: what every command and every mechanism file may meet comes first."""
 
@@ -52,8 +47,8 @@ if not TYPE_CHECKING:
         files = (import_module(f"{__name__}.{file}") for file in _FILES)
         if name == "__all__":
             return [each for file in files for each in file.__all__]
-        found = None if name.startswith("__") else next((file for file in files if name in file.__all__), None)
-        if found is None:
+        owner = None if name.startswith("__") else next((file for file in files if name in file.__all__), None)
+        if owner is None:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        globals()[name] = getattr(found, name)
+        globals()[name] = getattr(owner, name)
         return globals()[name]

@@ -2,53 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, GraphkinError, Lang, Where, listed
+from graphkin.errors.base import Choice, Lang, LocatedError
 
 __all__ = [
-    "AnsweredTwice",
-    "LetterTwice",
-    "NoLetters",
-    "NoPaperScale",
-    "NoScaleDrawn",
-    "NoSenseDrawn",
-    "NotAQuestion",
-    "NotAnAnswer",
-    "OffTheDrawing",
-    "SenseDisputed",
-]
-
-Words = Mapping[str, Mapping[Lang, str]]
+    "AnsweredTwice", "LetterTwice", "NoLetters", "NoPaperScale", "NoScaleDrawn", "NoSenseDrawn", "NotAQuestion",
+    "NotAnAnswer", "OffTheDrawing", "SenseDisputed",
+]  # fmt: skip
 
 
-class OffTheDrawing(GraphkinError):
+class OffTheDrawing(LocatedError):
     """Quantities that nobody wrote down, and that the drawing determines: no fault, but said."""
 
-    where: Where
     quantities: tuple[str, ...]
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: read from the drawing: {listed} (its arrow over the length of the link, with the arrow's sense).",
-        "zh": "{where}：由图量得：{listed}（所画矢量的大小除以杆长，转向由矢量判定）。",
+        "en": "{where}: read from the drawing: {quantities} (its arrow over the length of the link, with the arrow's sense).",
+        "zh": "{where}：由图量得：{quantities}（所画矢量的大小除以杆长，转向由矢量判定）。",
     }
 
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "listed": listed(self.quantities, lang)}
 
-
-class NoSenseDrawn(GraphkinError):
+class NoSenseDrawn(LocatedError):
     """Rotations whose arrow is drawn along the link, where it turns the link neither way."""
 
-    where: Where
     quantities: tuple[str, ...]
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {listed} cannot be read from the drawing: its arrow lies along the link.",
-        "zh": "{where}：无法由图量得 {listed}：所画矢量沿杆的方向。",
+        "en": "{where}: {quantities} cannot be read from the drawing: its arrow lies along the link.",
+        "zh": "{where}：无法由图量得 {quantities}：所画矢量沿杆的方向。",
     }
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "listed": listed(self.quantities, lang)}
 
 
 class NotAQuestion(Choice):
@@ -60,20 +41,18 @@ class NotAQuestion(Choice):
     }
 
 
-class NotAnAnswer(GraphkinError):
-    where: Where
+class NotAnAnswer(LocatedError):
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given!r} does not read as a value. Write a number, with its unit and sense where wanted: "
         "\"62.2 rad/s^2 ccw\".",
         "zh": "{where}：{given!r} 不能读作数值。请写数，必要时带单位和转向，例如 \"62.2 rad/s^2 逆时针\"。",
-    }  # fmt: skip
+    }
 
 
-class AnsweredTwice(GraphkinError):
+class AnsweredTwice(LocatedError):
     """Two different values for one question."""
 
-    where: Where
     question: str
     first: str
     second: str
@@ -83,10 +62,9 @@ class AnsweredTwice(GraphkinError):
     }
 
 
-class SenseDisputed(GraphkinError):
+class SenseDisputed(LocatedError):
     """A word for the sense that contradicts the sign, or both words."""
 
-    where: Where
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: sign and words of {given!r} say different senses. Counter-clockwise is positive; write one of both.",
@@ -94,10 +72,9 @@ class SenseDisputed(GraphkinError):
     }
 
 
-class NoPaperScale(GraphkinError):
+class NoPaperScale(LocatedError):
     """A length on paper, and no scale to read it with."""
 
-    where: Where
     given: str
     key: str
     text: ClassVar[dict[Lang, str]] = {
@@ -106,10 +83,9 @@ class NoPaperScale(GraphkinError):
     }
 
 
-class NoLetters(GraphkinError):
+class NoLetters(LocatedError):
     """A drawing none of whose polygon points is lettered."""
 
-    where: Where
     letters: tuple[str, ...]
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: no point of a polygon is lettered here. Letter them {letters} and hand the drawing in anew.",
@@ -120,10 +96,9 @@ class NoLetters(GraphkinError):
         return {**super()._words(lang), "letters": ", ".join(self.letters[:12])}
 
 
-class LetterTwice(GraphkinError):
+class LetterTwice(LocatedError):
     """A letter that stands at two places, or beside two points alike."""
 
-    where: Where
     letter: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: it is not clear which point the letter {letter} belongs to. Put it beside its point, and only there.",
@@ -131,10 +106,9 @@ class LetterTwice(GraphkinError):
     }
 
 
-class NoScaleDrawn(GraphkinError):
+class NoScaleDrawn(LocatedError):
     """A polygon whose scale is neither stated nor to be had from its known first vector."""
 
-    where: Where
     plane: str
     key: str
     text: ClassVar[dict[Lang, str]] = {
@@ -146,7 +120,7 @@ class NoScaleDrawn(GraphkinError):
         return {**super()._words(lang), "plane": _PLANES[self.plane][lang]}
 
 
-_PLANES: Words = {
+_PLANES: dict[str, dict[Lang, str]] = {
     "position": {"en": "position", "zh": "位置"},
     "velocity": {"en": "velocity", "zh": "速度"},
     "acceleration": {"en": "acceleration", "zh": "加速度"},

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+from graphkin.errors.base import Choice, Lang, LocatedError
 
 __all__ = [
     "BadPair", "BadRange", "BadValues", "GivenTwice", "NeedsTwo", "NoPosition", "NoQuestion", "NoRate", "NoSpeed",
@@ -13,10 +13,9 @@ __all__ = [
 ]  # fmt: skip
 
 
-class BadRange(GraphkinError):
+class BadRange(LocatedError):
     """A range of driver values that is none."""
 
-    where: Where
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given!r} is no range. Write FROM:TO:STEP (0:360:10, or 50 mm:90 mm:5 mm), with FROM and TO "
@@ -26,24 +25,21 @@ class BadRange(GraphkinError):
     }
 
 
-class BadValues(GraphkinError):
+class BadValues(LocatedError):
     """Numbers that are no values of a driver, or of drivers together."""
 
-    where: Where
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given!r} are no values to move through. Give finite numbers in deg or mm, a list or an array (n,) "
-        "of at most ten million and 1000 turns, or a text FROM:TO:STEP; drivers that move together take equally many, which "
-        "rise and fall in proportion.",
-        "zh": "{where}：{given!r} 不能作为运动的取值。请给出以 deg 或 mm 为单位的有限数（列表或一维数组，最多一千万个、1000 转），"
-        "或写成 起:止:步长；同时运动的各原动件取值个数相同，并按比例变化。",
+        "of at most ten million and 1000 turns, or a text FROM:TO:STEP; drivers that move together take equally many, "
+        "which rise and fall in proportion.",
+        "zh": "{where}：{given!r} 不能作为运动的取值。请给出以 deg 或 mm 为单位的有限数（列表或一维数组，最多一千万个、1000 转），或写成 起:止:步长；同时运动的各原动件取值个数相同，并按比例变化。",
     }
 
 
-class BadPair(GraphkinError):
+class BadPair(LocatedError):
     """Two values that belong together, written otherwise."""
 
-    where: Where
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given!r} does not read as a pair. Write a point as X,Y (10,40), two points as 'X,Y X,Y', "
@@ -52,10 +48,9 @@ class BadPair(GraphkinError):
     }
 
 
-class GivenTwice(GraphkinError):
+class GivenTwice(LocatedError):
     """A driver with two ranges."""
 
-    where: Where
     driver: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: driver {driver} is given twice. Give each driver one range or one value.",
@@ -63,10 +58,9 @@ class GivenTwice(GraphkinError):
     }
 
 
-class TooManyRows(GraphkinError):
+class TooManyRows(LocatedError):
     """More positions than can be shown in that way."""
 
-    where: Where
     rows: int
     most: int
     text: ClassVar[dict[Lang, str]] = {
@@ -114,10 +108,9 @@ class NotSwept(Choice, KeyError):
     }
 
 
-class NoPosition(GraphkinError):
+class NoPosition(LocatedError):
     """A sweep none of whose positions is reached."""
 
-    where: Where
     driver: str
     low: str
     high: str
@@ -128,10 +121,9 @@ class NoPosition(GraphkinError):
     }
 
 
-class ValueForEach(GraphkinError, ValueError):
+class ValueForEach(LocatedError, ValueError):
     """So many values for drivers, of which there are more or fewer."""
 
-    where: Where
     count: int
     drivers: tuple[str, ...]
     text: ClassVar[dict[Lang, str]] = {
@@ -143,10 +135,9 @@ class ValueForEach(GraphkinError, ValueError):
         return {**super()._words(lang), "needed": len(self.drivers), "names": ", ".join(self.drivers)}
 
 
-class StandsStill(GraphkinError):
+class StandsStill(LocatedError):
     """A point whose path is asked for, and that stays where it is."""
 
-    where: Where
     point: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {point} stays where it is as the mechanism moves, so it has no path. Name a point that moves.",
@@ -154,10 +145,9 @@ class StandsStill(GraphkinError):
     }
 
 
-class NoSpeed(GraphkinError):
+class NoSpeed(LocatedError):
     """Velocities are to be drawn along a path, and the driver says nothing of how fast it moves."""
 
-    where: Where
     driver: str
     keys: str
     text: ClassVar[dict[Lang, str]] = {
@@ -176,10 +166,9 @@ class UnknownQuantity(Choice):
     }
 
 
-class NeedsTwo(GraphkinError):
+class NeedsTwo(LocatedError):
     """Part of a relative acceleration, asked of one point; `pairs` have it as their first."""
 
-    where: Where
     quantity: str
     point: str
     pairs: tuple[str, ...]
@@ -195,10 +184,9 @@ class NeedsTwo(GraphkinError):
         return {**super()._words(lang), "hint": hint}
 
 
-class NoQuestion(GraphkinError):
+class NoQuestion(LocatedError):
     """A text of `ask` that names nothing, and is no question in words either; `meant` is the nearest that does."""
 
-    where: Where
     given: str
     meant: str
     text: ClassVar[dict[Lang, str]] = {
@@ -213,10 +201,9 @@ class NoQuestion(GraphkinError):
         return {**super()._words(lang), "advice": chinese if lang == "zh" else english}
 
 
-class NoRate(GraphkinError):
+class NoRate(LocatedError):
     """A driver that says nothing of how fast it moves; said as a note, no command stops for it."""
 
-    where: Where
     driver: str
     keys: str
     text: ClassVar[dict[Lang, str]] = {

@@ -1,15 +1,15 @@
-"""What every error has: a place, data, and one sentence a language made of them."""
+"""The base of all errors: a place, data, and one sentence a language made of them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from typing import Any, ClassVar, Literal, dataclass_transform
+from collections.abc import Callable, Iterable, Sequence
+from typing import ClassVar, Literal, dataclass_transform
 
 from graphkin.base.value import filled, frozen
 
 Lang = Literal["en", "zh"]
 
-__all__ = ["NOWHERE", "AboutLinks", "Choice", "GraphkinError", "Lang", "Several", "Where", "listed", "steers"]
+__all__ = ["NOWHERE", "AboutLinks", "Choice", "GraphkinError", "Lang", "LocatedError", "Several", "Where", "listed", "steers"]
 
 
 @frozen
@@ -51,12 +51,17 @@ class GraphkinError(Exception):
 
     def at(self, where: Where) -> GraphkinError:
         """The same error at a place, for those that were raised with `NOWHERE`."""
-        return type(self)(**{**self._data(), "where": where})
+        moved: Callable[..., GraphkinError] = type(self)
+        return moved(**{**self._data(), "where": where})
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        return self._data()
+        """The data as the sentence takes them: names are listed as the language does."""
+        return {
+            name: listed(value, lang) if isinstance(value, tuple) and all(isinstance(x, str) for x in value) else value
+            for name, value in self._data().items()
+        }
 
-    def _data(self) -> dict[str, Any]:
+    def _data(self) -> dict[str, object]:
         return {name: getattr(self, name) for name in self.__match_args__}
 
     def __str__(self) -> str:
@@ -74,7 +79,7 @@ def _plain(text: str) -> str:
 
 
 def steers(letter: str) -> bool:
-    """Whether a character steers a screen or a printer instead of showing something, or may stand in no text at all.
+    """True of a character that steers a screen or a printer instead of showing something, or may stand in no text.
 
     Controls, lone halves of characters, ends of lines and paragraphs, marks that turn the direction of reading, and
     what Unicode calls noncharacters. Letters too new for this Python are not among them.
@@ -90,10 +95,15 @@ _STEERING = (
 )  # fmt: skip
 
 
-class Choice(GraphkinError):
-    """Something named that is not there: `{hint}` says what is, the nearest first."""
+class LocatedError(GraphkinError):
+    """An error at a place: in a file, in an option of a command, in an argument of a call."""
 
     where: Where
+
+
+class Choice(LocatedError):
+    """Something named that is not there: `{hint}` says what is, the nearest first."""
+
     given: str
     possible: tuple[str, ...]
 
@@ -123,14 +133,10 @@ def listed(names: Iterable[str], lang: Lang) -> str:
     return ", ".join(names[:-1]) + " and " + names[-1]
 
 
-class AboutLinks(GraphkinError):
+class AboutLinks(LocatedError):
     """An error about several links, listed as the language does."""
 
-    where: Where
     links: tuple[str, ...]
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return super()._words(lang) | {"links": listed(self.links, lang)}
 
 
 class Several(GraphkinError):

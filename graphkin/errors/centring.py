@@ -4,61 +4,52 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+from graphkin.errors.base import Choice, Lang, LocatedError
 
 __all__ = ["BadVelocities", "FrameStands", "NoBobillier", "NoCentrode", "NotOneBody", "OnePlace", "UnknownCentre"]
 
 
-class NotOneBody(GraphkinError):
+class NotOneBody(LocatedError):
     """Two velocities whose components along the line that joins their points differ."""
 
-    where: Where
     first: str
     second: str
     one: float
     other: float
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {first} and {second} are not points of one rigid body: along {first}{second} the velocity of "
-        "{first} "
-        "has the component {one:.4g} m/s, that of {second} {other:.4g} m/s, and they must be equal. Correct one of "
-        "them.",
-        "zh": "{where}：{first}、{second} 不是同一刚体上的点：沿 {first}{second} 连线方向，v_{first} 的投影为 "
-        "{one:.4g} m/s，"
-        "v_{second} 的投影为 {other:.4g} m/s，二者必须相等（速度投影定理）。请改正其中之一。",
+        "{first} has the component {one:.4g} m/s, that of {second} {other:.4g} m/s, and they must be equal. Correct "
+        "one of them.",
+        "zh": "{where}：{first}、{second} 不是同一刚体上的点：沿 {first}{second} 连线方向，v_{first} 的投影为 {one:.4g} m/s，v_{second} 的投影为 "
+        "{other:.4g} m/s，二者必须相等（速度投影定理）。请改正其中之一。",
     }
 
 
-class OnePlace(GraphkinError):
+class OnePlace(LocatedError):
     """Two points at one place, which tell no rotation."""
 
-    where: Where
     first: str
     second: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {first} and {second} lie at one place, so they do not tell how the body turns. Give another "
-        "point.",
+        "en": "{where}: {first} and {second} lie at one place, so they do not tell how the body turns. Give another point.",
         "zh": "{where}：{first} 与 {second} 位于同一处，不能确定刚体的转动。请改用另一点。",
     }
 
 
-class BadVelocities(GraphkinError):
+class BadVelocities(LocatedError):
     """A text that gives no two points with their velocities."""
 
-    where: Where
     given: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} does not give two points with their velocities. Write NAME x,y vx,vy for each, in "
-        "mm and "
+        "en": "{where}: {given!r} does not give two points with their velocities. Write NAME x,y vx,vy for each, in mm and "
         "m/s, with a semicolon between: `A 0,0 1,0.5; B 100,0 1,-0.2`.",
-        "zh": "{where}：{given!r} 没有给出两点及其速度。请对每点写 名称 x,y vx,vy（单位 mm、m/s），两点间用分号隔开："
-        "`A 0,0 1,0.5; B 100,0 1,-0.2`。",
+        "zh": "{where}：{given!r} 没有给出两点及其速度。请对每点写 名称 x,y vx,vy（单位 mm、m/s），两点间用分号隔开：`A 0,0 1,0.5; B 100,0 1,-0.2`。",
     }
 
 
-class FrameStands(GraphkinError):
+class FrameStands(LocatedError):
     """The frame, asked about as if it moved."""
 
-    where: Where
     link: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: link {link} is the frame; it does not move, so it has no absolute instant centre. Name a "
@@ -67,24 +58,21 @@ class FrameStands(GraphkinError):
     }
 
 
-class NoCentrode(GraphkinError):
+class NoCentrode(LocatedError):
     """Two links whose centre is nowhere on the paper over a whole motion."""
 
-    where: Where
     first: str
     second: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: links {first} and {second} have no centrodes: they have no relative rotation, so their "
-        "instant centre stays at infinity, or there is none. Name two links that turn relative to each other.",
-        "zh": "{where}：构件 {first} 与 {second} 没有瞬心线：二者无相对转动，瞬心始终在无穷远处或不存在。"
-        "请另选两个有相对转动的构件。",
+        "en": "{where}: links {first} and {second} have no centrodes: they have no relative rotation, so their instant "
+        "centre stays at infinity, or there is none. Name two links that turn relative to each other.",
+        "zh": "{where}：构件 {first} 与 {second} 没有瞬心线：二者无相对转动，瞬心始终在无穷远处或不存在。请另选两个有相对转动的构件。",
     }
 
 
-class NoBobillier(GraphkinError):
+class NoBobillier(LocatedError):
     """A link at a position where Bobillier's construction gives nothing."""
 
-    where: Where
     link: str
     reason: str
     text: ClassVar[dict[Lang, str]] = {

@@ -1,12 +1,14 @@
-"""Errors of drawings: one that is measured, and a file that is to be written."""
+"""Errors of drawings: one that is measured, a file that is to be written, the fonts a handout is set with."""
 
 from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import GraphkinError, Lang, Where
+from graphkin.errors.base import GraphkinError, Lang, LocatedError
 
-__all__ = ["BadDrawing", "CannotWrite", "NoDrawing", "NoFolder", "NothingToMeasure"]
+__all__ = [
+    "BadDrawing", "CannotWrite", "NoChineseLetters", "NoDrawing", "NoFolder", "NoFont", "NoLetter", "NothingToMeasure",
+]  # fmt: skip
 
 
 class NoFolder(GraphkinError):
@@ -38,28 +40,26 @@ class CannotWrite(GraphkinError):
         return cls(str(path), error.strerror or str(error))
 
 
-class NoDrawing(GraphkinError):
+class NoDrawing(LocatedError):
     """A drawing that is not there."""
 
-    where: Where
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: there is no such file. Check the path.",
         "zh": "{where}：没有这个文件，请检查路径。",
     }
 
 
-class NothingToMeasure(GraphkinError):
+class NothingToMeasure(LocatedError):
     """A drawing of graphkin's that a ruler does not judge: `style` is a key of `_UNJUDGED`."""
 
-    where: Where
     style: str = "given"
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: nothing of this drawing is judged: {told}",
-        "zh": "{where}：本图不作任何判断：{told}",
+        "en": "{where}: nothing of this drawing is judged: {reason}",
+        "zh": "{where}：本图不作任何判断：{reason}",
     }
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        return super()._words(lang) | {"told": _UNJUDGED[self.style][lang]}
+        return super()._words(lang) | {"reason": _UNJUDGED[self.style][lang]}
 
 
 _UNJUDGED: dict[str, dict[Lang, str]] = {
@@ -79,19 +79,18 @@ _UNJUDGED: dict[str, dict[Lang, str]] = {
 }
 
 
-class BadDrawing(GraphkinError):
+class BadDrawing(LocatedError):
     """A file that is no drawing of graphkin's, or no longer one; `reason` is a key of `REASONS`."""
 
-    where: Where
     reason: str
     what: str = ""
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this is not a drawing that graphkin can measure: {told}. Draw it anew with `graphkin draw`.",
-        "zh": "{where}：这不是 graphkin 能测量的图：{told}。请用 `graphkin draw` 重新作图。",
+        "en": "{where}: this is not a drawing that graphkin can measure: {reason}. Draw it anew with `graphkin draw`.",
+        "zh": "{where}：这不是 graphkin 能测量的图：{reason}。请用 `graphkin draw` 重新作图。",
     }
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        return super()._words(lang) | {"told": REASONS[self.reason][lang].format(what=self.what)}
+        return super()._words(lang) | {"reason": REASONS[self.reason][lang].format(what=self.what)}
 
 
 REASONS: dict[str, dict[Lang, str]] = {
@@ -109,3 +108,36 @@ REASONS: dict[str, dict[Lang, str]] = {
     },
     "value": {"en": "{what} means nothing here", "zh": "{what} 没有意义"},
 }
+
+
+class NoChineseLetters(GraphkinError):
+    """A Chinese handout on a machine without Chinese letters."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "No Chinese font was found, so Chinese text would be printed as boxes. Install one (on Debian: apt install "
+        "fonts-noto-cjk), or name a font file: --font PATH, or the environment variable GRAPHKIN_FONT.",
+        "zh": "未找到中文字体，中文会印成方框。请安装中文字体（Debian：apt install fonts-noto-cjk），或用 --font 路径（或环境变量 GRAPHKIN_FONT）指定字体文件。",
+    }
+
+
+class NoFont(GraphkinError):
+    """A font that is named and is not there, or is none."""
+
+    path: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{path} is not a font file (.ttf, .otf, .ttc) that can be read. Name another, or leave --font out.",
+        "zh": "{path} 不是可读取的字体文件（.ttf、.otf、.ttc）。请另行指定，或不用 --font。",
+    }
+
+
+class NoLetter(GraphkinError):
+    """A letter that no font here has."""
+
+    letter: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "No font here has the character {letter!r}, which would be printed as a box. Install one that has (on Debian: "
+        "apt install fonts-noto-core fonts-noto-cjk), or name its file with --font PATH.",
+        "zh": "现有字体都没有字符 {letter!r}，会印成方框。请安装含该字符的字体（Debian：apt install fonts-noto-core fonts-noto-cjk），或用 --font 路径指定字体文件。",
+    }

@@ -4,36 +4,24 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import AboutLinks, Choice, GraphkinError, Lang, Where, listed
+from graphkin.errors.base import AboutLinks, Choice, Lang, LocatedError
 
 __all__ = [
-    "DrivenFrame",
-    "DrivenTwice",
-    "JoinedToNothing",
-    "NoDriver",
-    "NoVector",
-    "RepeatedDriver",
-    "SameLink",
-    "SayValue",
-    "TooFewDrivers",
-    "TooManyDrivers",
-    "WhatIsDriven",
-]
+    "DrivenFrame", "DrivenTwice", "JoinedToNothing", "NoDriver", "NoVector", "RepeatedDriver", "SameLink", "SayValue",
+    "TooFewDrivers", "TooManyDrivers", "WhatIsDriven",
+]  # fmt: skip
 
 
-class NoDriver(GraphkinError):
-    where: Where
+class NoDriver(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: nothing is driven. Add a [[driver]], for example vector = \"AB\", angle = 60, "
-        "omega = 10.",
+        "en": "{where}: nothing is driven. Add a [[driver]], for example vector = \"AB\", angle = 60, omega = 10.",
         "zh": "{where}：没有原动件，请添加 [[driver]]，例如 vector = \"AB\"、angle = 60、omega = 10。",
-    }  # fmt: skip
+    }
 
 
-class WhatIsDriven(GraphkinError):
+class WhatIsDriven(LocatedError):
     """None of the keys that say what a driver or a pose is about; `keys` could."""
 
-    where: Where
     keys: tuple[str, ...]
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: say what this is about with one of: {keys}.",
@@ -53,8 +41,7 @@ class NoVector(Choice):
     }
 
 
-class DrivenFrame(GraphkinError):
-    where: Where
+class DrivenFrame(LocatedError):
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given} belongs to the frame, which does not move. Name a moving link's.",
@@ -62,8 +49,7 @@ class DrivenFrame(GraphkinError):
     }
 
 
-class SameLink(GraphkinError):
-    where: Where
+class SameLink(LocatedError):
     link: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: both directions belong to link {link}, so the angle between them never changes. "
@@ -72,10 +58,9 @@ class SameLink(GraphkinError):
     }
 
 
-class SayValue(GraphkinError):
+class SayValue(LocatedError):
     """A driver without its value, and no pose to stand for it."""
 
-    where: Where
     key: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the drawn position is open. Say {key}, or fix it with a [[pose]].",
@@ -83,8 +68,7 @@ class SayValue(GraphkinError):
     }
 
 
-class DrivenTwice(GraphkinError):
-    where: Where
+class DrivenTwice(LocatedError):
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given} is driven twice: two drivers on one freedom. Remove one.",
@@ -116,14 +100,10 @@ class JoinedToNothing(TooFewDrivers):
         "构件 {links} 仍可自由运动。两构件共有的字母即为转动副：请用同一字母，或增加 [[driver]]。",
     }
 
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "points": listed(self.points, lang)}
 
-
-class TooManyDrivers(GraphkinError):
+class TooManyDrivers(LocatedError):
     """More drivers than freedoms."""
 
-    where: Where
     freedoms: int
     drivers: int
     driver: str

@@ -4,21 +4,12 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+from graphkin.errors.base import Choice, Lang, LocatedError
 
 __all__ = [
-    "BrokenToml",
-    "ControlCharacter",
-    "EmptyFile",
-    "FileTooLarge",
-    "IsFolder",
-    "NoFile",
-    "NotUtf8",
-    "StrayLetter",
-    "TooDeep",
-    "UnknownMechanism",
-    "Unreadable",
-]
+    "BrokenToml", "ControlCharacter", "EmptyFile", "FileTooLarge", "IsFolder", "NoFile", "NotUtf8", "StrayLetter",
+    "TooDeep", "UnknownMechanism", "Unreadable",
+]  # fmt: skip
 
 
 class NoFile(Choice):
@@ -39,18 +30,16 @@ class UnknownMechanism(Choice):
     }
 
 
-class IsFolder(GraphkinError):
-    where: Where
+class IsFolder(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: this is a folder. Name a mechanism file (.toml) in it.",
         "zh": "{where}：这是文件夹，请给出其中的机构文件（.toml）。",
     }
 
 
-class Unreadable(GraphkinError):
+class Unreadable(LocatedError):
     """The operating system refuses; `reason` is its own word."""
 
-    where: Where
     reason: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the file cannot be read ({reason}). Check its name and permissions.",
@@ -58,16 +47,14 @@ class Unreadable(GraphkinError):
     }
 
 
-class EmptyFile(GraphkinError):
-    where: Where
+class EmptyFile(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the file is empty. Write at least [frame], one [links.NAME] and a [[driver]].",
         "zh": "{where}：文件是空的，至少应写出 [frame]、一个 [links.名称] 和一个 [[driver]]。",
     }
 
 
-class FileTooLarge(GraphkinError):
-    where: Where
+class FileTooLarge(LocatedError):
     limit_mb: float
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the file is larger than {limit_mb:g} MB, so it is hardly a mechanism file. Name another.",
@@ -75,10 +62,9 @@ class FileTooLarge(GraphkinError):
     }
 
 
-class NotUtf8(GraphkinError):
+class NotUtf8(LocatedError):
     """`encoding` is what it is instead, where that is plain; PowerShell's `>` writes UTF-16."""
 
-    where: Where
     encoding: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: this is not UTF-8 text but {encoding}. Save the file with the encoding UTF-8.",
@@ -90,8 +76,7 @@ class NotUtf8(GraphkinError):
         return {**super()._words(lang), "encoding": self.encoding or unknown}
 
 
-class ControlCharacter(GraphkinError):
-    where: Where
+class ControlCharacter(LocatedError):
     code: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the character {code} steers a screen or printer and shows nothing. Remove it from this text.",
@@ -99,10 +84,9 @@ class ControlCharacter(GraphkinError):
     }
 
 
-class BrokenToml(GraphkinError):
+class BrokenToml(LocatedError):
     """`reason` is the TOML reader's own sentence."""
 
-    where: Where
     reason: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: this is not valid TOML: {reason}. Mend this line, or the one above it.",
@@ -110,10 +94,9 @@ class BrokenToml(GraphkinError):
     }
 
 
-class StrayLetter(GraphkinError):
+class StrayLetter(LocatedError):
     """A letter of another alphabet, or a full-width sign, that looks as it should."""
 
-    where: Where
     letter: str
     code: str
     text: ClassVar[dict[Lang, str]] = {
@@ -123,8 +106,7 @@ class StrayLetter(GraphkinError):
     }
 
 
-class TooDeep(GraphkinError):
-    where: Where
+class TooDeep(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: brackets or dotted keys are nested far too deep. A mechanism file needs three levels at most.",
         "zh": "{where}：括号或带点的键嵌套过深，机构文件最多只需三层。",

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+from graphkin.errors.base import Choice, Lang, LocatedError
 
-__all__ = ["BadCondition", "CannotScale", "NegativeSize", "NoDimension", "NoLineOf", "NoUnitHere", "NotScaled", "OtherUnits"]
+__all__ = [
+    "BadCondition", "CannotScale", "NegativeSize", "NoDimension", "NoLineOf", "NoUnitHere", "NotScaled", "OtherUnits",
+]  # fmt: skip
 
 
-class BadCondition(GraphkinError):
+class BadCondition(LocatedError):
     """A text that is no condition."""
 
-    where: Where
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given!r} is no condition. Write for example `v C = 0`, `theta 5 = 30`, `omega 2 = omega 3`, "
@@ -22,10 +23,9 @@ class BadCondition(GraphkinError):
     }
 
 
-class OtherUnits(GraphkinError):
+class OtherUnits(LocatedError):
     """Two quantities that cannot be equal, or a bare number with a unit."""
 
-    where: Where
     first: str
     first_unit: str
     second: str
@@ -42,10 +42,9 @@ class OtherUnits(GraphkinError):
         return words | {key: bare for key in ("first_unit", "second_unit") if words[key] == "1"}
 
 
-class NegativeSize(GraphkinError):
+class NegativeSize(LocatedError):
     """A size that is to be negative."""
 
-    where: Where
     quantity: str
     given: str
     text: ClassVar[dict[Lang, str]] = {
@@ -65,10 +64,9 @@ class NoLineOf(Choice):
     }
 
 
-class NoUnitHere(GraphkinError):
+class NoUnitHere(LocatedError):
     """A unit after the value of a quotient."""
 
-    where: Where
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: a quotient is a plain number, and {given} is none. Leave the unit out.",
@@ -76,10 +74,9 @@ class NoUnitHere(GraphkinError):
     }
 
 
-class NotScaled(GraphkinError):
+class NotScaled(LocatedError):
     """A quantity that does not depend on how fast the mechanism is driven."""
 
-    where: Where
     quantity: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {quantity} does not depend on the speed of the drivers, so no speed gives it another value. "
@@ -88,10 +85,9 @@ class NotScaled(GraphkinError):
     }
 
 
-class CannotScale(GraphkinError):
+class CannotScale(LocatedError):
     """A value that no speed of the driver gives at this position."""
 
-    where: Where
     quantity: str
     value: str
     wanted: str
@@ -99,8 +95,7 @@ class CannotScale(GraphkinError):
         "en": "{where}: here {quantity} is {value}, and no speed of the drivers makes it {wanted}: it grows with their "
         "speed (accelerations with its square) from nothing and keeps its sense. Ask for another value, or at another "
         "position.",
-        "zh": "{where}：此位置 {quantity} 为 {value}，原动件取任何速度都不能使它等于 {wanted}：它与速度成正比（加速度与速度的平方成正比）"
-        "，方向不变。请改用其他值或其他位置。",
+        "zh": "{where}：此位置 {quantity} 为 {value}，原动件取任何速度都不能使它等于 {wanted}：它与速度成正比（加速度与速度的平方成正比），方向不变。请改用其他值或其他位置。",
     }
 
 

@@ -1,32 +1,16 @@
-"""Errors of single keys and values: unknown, missing, of the wrong type or unit; things not there."""
+"""Errors of single keys and values: unknown, missing, of the wrong type or unit, names badly formed; things not there."""
 
 from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+from graphkin.errors.base import Choice, Lang, LocatedError
 
 __all__ = [
-    "AngleRange",
-    "KeyClash",
-    "MissingKey",
-    "Negative",
-    "NoMeaning",
-    "NoUnit",
-    "NotANumber",
-    "NotOneOf",
-    "OtherDimension",
-    "OutOfRange",
-    "TooSmall",
-    "UnitAsKey",
-    "UnknownKey",
-    "UnknownLink",
-    "UnknownPoint",
-    "UnknownSlide",
-    "UnknownUnit",
-    "WrongCount",
-    "WrongType",
-]
+    "AngleRange", "BadName", "DuplicateName", "KeyClash", "LongName", "MissingKey", "Negative", "NoMeaning", "NoUnit",
+    "NotANumber", "NotOneOf", "OtherDimension", "OutOfRange", "TooSmall", "UnitAsKey", "UnknownKey", "UnknownLink",
+    "UnknownPoint", "UnknownSlide", "UnknownUnit", "WrongCount", "WrongType",
+]  # fmt: skip
 
 KINDS: dict[str, tuple[str, str]] = {
     "text": ("a text in quotes", "带引号的文字"),
@@ -52,7 +36,7 @@ KINDS: dict[str, tuple[str, str]] = {
     "slide": ("letters, digits, _, - and '; c0, c1, .. are taken",
               "字母、数字、_、- 和 '；c0、c1 等为保留名"),
 }  # fmt: skip
-"""What can be expected somewhere, in words."""
+"""The kinds of value that can be expected somewhere, in words."""
 
 QUANTITIES: dict[str, tuple[str, str]] = {
     "length": ("a length", "长度"),
@@ -75,10 +59,9 @@ class UnknownKey(Choice):
     }
 
 
-class UnitAsKey(GraphkinError):
+class UnitAsKey(LocatedError):
     """A unit that stands where the key of its quantity does."""
 
-    where: Where
     given: str
     key: str
     value: str
@@ -106,8 +89,7 @@ class UnknownLink(Choice):
 
 class UnknownSlide(Choice):
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: no sliding pair or rolling pair on a line has the name {given}; give it one with "
-        "name = .. {hint}",
+        "en": "{where}: no sliding pair or rolling pair on a line has the name {given}; give it one with name = .. {hint}",
         "zh": "{where}：没有名为 {given} 的移动副或直线滚动副，请用 name = .. 为其命名。{hint}",
     }
 
@@ -153,23 +135,20 @@ class NoUnit(Choice):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: \"{given}\" has no unit. Leave the quotes out, or add a unit. {hint}",
         "zh": "{where}：“{given}”没有单位，请去掉引号或加上单位。{hint}",
-    }  # fmt: skip
+    }
 
 
-class NotANumber(GraphkinError):
-    where: Where
+class NotANumber(LocatedError):
     given: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: \"{given}\" does not read as a number with a unit. Write it like \"24 in\" or "
-        "\"120 r/min\".",
+        "en": "{where}: \"{given}\" does not read as a number with a unit. Write it like \"24 in\" or \"120 r/min\".",
         "zh": "{where}：“{given}”不能读作带单位的数，请写成 \"24 in\" 或 \"120 r/min\" 的形式。",
-    }  # fmt: skip
+    }
 
 
-class OutOfRange(GraphkinError):
+class OutOfRange(LocatedError):
     """Not a number, infinite, or beyond anything that can be drawn."""
 
-    where: Where
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given} is not a finite number of reasonable size. Write an ordinary number.",
@@ -177,10 +156,9 @@ class OutOfRange(GraphkinError):
     }
 
 
-class TooSmall(GraphkinError):
+class TooSmall(LocatedError):
     """Zero, negative, or too small; `least` is the smallest that will do."""
 
-    where: Where
     given: str
     least: str
     text: ClassVar[dict[Lang, str]] = {
@@ -189,8 +167,7 @@ class TooSmall(GraphkinError):
     }
 
 
-class Negative(GraphkinError):
-    where: Where
+class Negative(LocatedError):
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given} is negative; a radius is 0 (a knife edge) or more. Correct it.",
@@ -198,8 +175,7 @@ class Negative(GraphkinError):
     }
 
 
-class AngleRange(GraphkinError):
-    where: Where
+class AngleRange(LocatedError):
     given_deg: float
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given_deg:g} deg; an angle between two lines of a link lies between 0 and 180 deg. "
@@ -208,10 +184,9 @@ class AngleRange(GraphkinError):
     }
 
 
-class MissingKey(GraphkinError):
+class MissingKey(LocatedError):
     """`key` has to be there."""
 
-    where: Where
     key: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {key} is missing. Add it.",
@@ -219,10 +194,9 @@ class MissingKey(GraphkinError):
     }
 
 
-class KeyClash(GraphkinError):
+class KeyClash(LocatedError):
     """Two keys that say the same thing twice, or two different things."""
 
-    where: Where
     first: str
     second: str
     text: ClassVar[dict[Lang, str]] = {
@@ -231,10 +205,9 @@ class KeyClash(GraphkinError):
     }
 
 
-class NoMeaning(GraphkinError):
+class NoMeaning(LocatedError):
     """A key of the format that says nothing in this place; `why` chooses the reason."""
 
-    where: Where
     key: str
     why: str
     text: ClassVar[dict[Lang, str]] = {
@@ -256,16 +229,15 @@ class NoMeaning(GraphkinError):
                    "它用于移动副；转动原动件用 angle、omega、alpha 驱动"),
         "spin": ("a wheel whose own direction does not matter has omega and alpha only",
                  "不计自身方位的轮只需 omega 和 alpha"),
-    }  # fmt: skip
+    }
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return {**super()._words(lang), "why": _pick(self.reasons[self.why], lang)}
 
 
-class WrongType(GraphkinError):
+class WrongType(LocatedError):
     """`expected` is one of `KINDS`."""
 
-    where: Where
     expected: str
     given: str
     text: ClassVar[dict[Lang, str]] = {
@@ -277,11 +249,44 @@ class WrongType(GraphkinError):
         return {**super()._words(lang), "expected": _pick(KINDS[self.expected], lang)}
 
 
-class WrongCount(GraphkinError):
-    where: Where
+class WrongCount(LocatedError):
     expected: int
     given: int
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the list needs {expected} items, not {given}. Add or remove some.",
         "zh": "{where}：列表有 {given} 项，应为 {expected} 项，请增减。",
+    }
+
+
+class BadName(WrongType):
+    """A name or key that is not formed as its kind is."""
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: {given}{odd} is not formed as it must be: {expected}. Rename it.",
+        "zh": "{where}：{given}{odd} 的写法不对，应为：{expected}。请改名。",
+    }
+
+    def _words(self, lang: Lang) -> dict[str, object]:
+        """A letter of another alphabet may look as it should: its number shows the difference."""
+        odd = next((letter for letter in str(self.given) if not letter.isascii()), "")
+        code = f"（其中 {odd} 是 U+{ord(odd):04X}）" if lang == "zh" and odd else f" ({odd} is U+{ord(odd):04X})" if odd else ""
+        return {**super()._words(lang), "odd": code}
+
+
+class LongName(LocatedError):
+    """A name that no drawing has room for."""
+
+    given: str
+    most: int
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the name {given} is too long for a drawing. Shorten it to {most} letters.",
+        "zh": "{where}：名称 {given} 太长，图上写不下。请缩短到 {most} 个字母（汉字按两个计）以内。",
+    }
+
+
+class DuplicateName(LocatedError):
+    given: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the name {given} is used already. Choose another.",
+        "zh": "{where}：名称 {given} 已被使用，请另取一个。",
     }

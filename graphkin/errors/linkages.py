@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+from graphkin.errors.base import Choice, Lang, LocatedError
 
 __all__ = ["CannotClose", "CannotDriveBy", "NoFixing", "NoLinkage", "NotALength", "OnlyStretched"]
 
 
-class NotALength(GraphkinError):
+class NotALength(LocatedError):
     """A length that is not positive, or no number."""
 
-    where: Where
     what: str
     given: str
     text: ClassVar[dict[Lang, str]] = {
@@ -21,10 +20,9 @@ class NotALength(GraphkinError):
     }
 
 
-class CannotClose(GraphkinError):
+class CannotClose(LocatedError):
     """Lengths that never make a closed loop."""
 
-    where: Where
     long: str
     long_mm: float
     rest: str
@@ -36,10 +34,9 @@ class CannotClose(GraphkinError):
     }
 
 
-class OnlyStretched(GraphkinError):
+class OnlyStretched(LocatedError):
     """Lengths that close in one position only."""
 
-    where: Where
     long: str
     rest: str
     long_mm: float
@@ -50,16 +47,14 @@ class OnlyStretched(GraphkinError):
     }
 
 
-class NoLinkage(GraphkinError):
+class NoLinkage(LocatedError):
     """A mechanism without any such linkage."""
 
-    where: Where
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: no four-bar, slider-crank or guide-bar linkage on the frame was found: no loop of the frame and three "
-        "moving links with four revolute pairs, or three and one sliding pair. Mechanisms with cams, gears or two sliding "
-        "pairs in the loop have no such report.",
-        "zh": "{where}：没有找到以机架为一构件的铰链四杆机构、曲柄滑块机构或导杆机构：没有由机架和三个活动构件组成、含四个转动副"
-        "（或三个转动副和一个移动副）的闭环。环中含凸轮副、齿轮副或两个移动副的机构不作此分析。",
+        "en": "{where}: no four-bar, slider-crank or guide-bar linkage on the frame was found: no loop of the frame and "
+        "three moving links with four revolute pairs, or three and one sliding pair. Mechanisms with cams, gears or "
+        "two sliding pairs in the loop have no such report.",
+        "zh": "{where}：没有找到以机架为一构件的铰链四杆机构、曲柄滑块机构或导杆机构：没有由机架和三个活动构件组成、含四个转动副（或三个转动副和一个移动副）的闭环。环中含凸轮副、齿轮副或两个移动副的机构不作此分析。",
     }
 
 

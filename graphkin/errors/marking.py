@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, GraphkinError, Lang, Where
+from graphkin.errors.base import Choice, GraphkinError, Lang, LocatedError
 
 __all__ = ["BadKey", "BadPencil", "NoKeyAtPosition", "NoMarks", "NoSuchProblem", "NothingToMark", "SaidBefore"]
 
 
-class BadKey(GraphkinError):
+class BadKey(LocatedError):
     """A file that is no key, or one that was cut or changed; `what` is the place in it."""
 
-    where: Where
     what: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: this is no whole key of graphkin ({what}). Name a key.json that graphkin wrote, or a mechanism.",
@@ -24,20 +23,18 @@ def _sentence(problem: GraphkinError, lang: Lang) -> str:
     return problem.message(lang).rstrip(".。")
 
 
-class NothingToMark(GraphkinError):
+class NothingToMark(LocatedError):
     """A mechanism that asks for no number, and has none on the way."""
 
-    where: Where
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: nothing here can be marked as a number. Write for example ask = [\"omega 3\", \"alpha 3\"].",
         "zh": "{where}：没有可以按数值评阅的量。请写成如 ask = [\"omega 3\", \"alpha 3\"]。",
     }
 
 
-class NoKeyAtPosition(GraphkinError):
+class NoKeyAtPosition(LocatedError):
     """A further position (`also`) that cannot be marked: it is not reached, or not told by where points are."""
 
-    where: Where
     number: int
     problem: GraphkinError | None = None
     text: ClassVar[dict[Lang, str]] = {
@@ -50,10 +47,9 @@ class NoKeyAtPosition(GraphkinError):
         return {**super()._words(lang), "because": "" if self.problem is None else colon + _sentence(self.problem, lang)}
 
 
-class BadPencil(GraphkinError):
+class BadPencil(LocatedError):
     """Errors of a pencil that are none."""
 
-    where: Where
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given!r} is no pencil. Write what a length and a direction may be off, in mm and deg: 0.25,0.25.",
@@ -71,10 +67,9 @@ class NoSuchProblem(Choice):
     }
 
 
-class NoMarks(GraphkinError):
+class NoMarks(LocatedError):
     """A line of a file of marks that graphkin cannot have written."""
 
-    where: Where
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: this is no record of graphkin's marks. Mark the submissions themselves.",
         "zh": "{where}：这不是 graphkin 的评阅记录，请重新评阅提交的文件。",
@@ -82,7 +77,7 @@ class NoMarks(GraphkinError):
 
 
 class SaidBefore(GraphkinError):
-    """What was said of a submission when it was marked first."""
+    """The sentence about a submission from when it was marked first."""
 
     told: str
     text: ClassVar[dict[Lang, str]] = {"en": "{told}", "zh": "{told}"}

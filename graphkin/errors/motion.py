@@ -1,29 +1,16 @@
-"""Errors of assembly and movement: links that do not reach, dead points, ways that are left."""
+"""Errors of assembly and movement, by construction and by analysis."""
 
 from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import AboutLinks, GraphkinError, Lang, Where, listed
+from graphkin.errors.base import AboutLinks, Lang, LocatedError, Where, listed
 
 __all__ = [
-    "AlongOwnAxis",
-    "AmbiguousSketch",
-    "CannotAssemble",
-    "DeadPoint",
-    "FarFromSketch",
-    "GearsApart",
-    "HigherClass",
-    "NotPlaced",
-    "NotReached",
-    "NotRepeated",
-    "OffTrack",
-    "OtherSide",
-    "PosesDiffer",
-    "RoadsDiffer",
-    "TooFar",
-    "called_pair",
-]
+    "AlongOwnAxis", "AmbiguousSketch", "CannotAssemble", "DeadPoint", "FarFromSketch", "GearsApart", "HigherClass",
+    "NoAssembly", "NotJoined", "NotPlaced", "NotReached", "NotRepeated", "OffTrack", "OtherSide", "PosesDiffer",
+    "RoadsDiffer", "SingularPosition", "TooFar", "called_pair",
+]  # fmt: skip
 
 
 class HigherClass(AboutLinks):
@@ -93,10 +80,9 @@ class AlongOwnAxis(DeadPoint):
     }
 
 
-class GearsApart(GraphkinError):
+class GearsApart(LocatedError):
     """Two gears whose centres are not as far apart as their radii want."""
 
-    where: Where
     centres: tuple[str, str]
     distance_mm: float
     wanted_mm: float
@@ -127,14 +113,13 @@ def called_pair(kind: str, name: str, lang: Lang) -> str:
     return PAIRS[kind][lang].format(name=name)
 
 
-class NotRepeated(GraphkinError):
+class NotRepeated(LocatedError):
     """A constraint that comes close to repeating those of other pairs, and contradicts them by the rest.
 
     pair, held   kind and name of each
     off, unit    by how much it does not repeat them, in mm or deg
     """
 
-    where: Where
     pair: tuple[str, str]
     held: tuple[tuple[str, str], ...]
     off: float
@@ -151,10 +136,9 @@ class NotRepeated(GraphkinError):
         return super()._words(lang) | {"pair": called_pair(*self.pair, lang), "held": held, "unit": unit}
 
 
-class OffTrack(GraphkinError):
+class OffTrack(LocatedError):
     """A wheel whose centre other pairs hold where its rim does not touch its track."""
 
-    where: Where
     centre: str
     track: str
     distance_mm: float
@@ -168,17 +152,16 @@ class OffTrack(GraphkinError):
 
     def _words(self, lang: Lang) -> dict[str, object]:
         sides = {"en": ("{} mm to the left", "{} mm to the right"), "zh": ("左侧 {} mm 处", "右侧 {} mm 处")}[lang]
-        told = {
+        places = {
             name: sides[value < 0].format(f"{abs(value):.6g}")
             for name, value in (("distance", self.distance_mm), ("wanted", self.wanted_mm))
         }
-        return super()._words(lang) | told | {"gap_mm": abs(self.distance_mm - self.wanted_mm)}
+        return super()._words(lang) | places | {"gap_mm": abs(self.distance_mm - self.wanted_mm)}
 
 
-class OtherSide(GraphkinError):
+class OtherSide(LocatedError):
     """A mechanism that closes with a wheel or a profile on the other side of its line only."""
 
-    where: Where
     side: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the links do not close as the file has it, and they do on the other side of this line. "
@@ -197,10 +180,9 @@ class NotPlaced(AboutLinks):
     }
 
 
-class PosesDiffer(GraphkinError):
+class PosesDiffer(LocatedError):
     """A pose that says another thing of the drawn position than drivers, poses and pairs without it do."""
 
-    where: Where
     line: str
     said: str
     holds: str
@@ -226,10 +208,9 @@ class PosesDiffer(GraphkinError):
         return {"en": "by {names}", "zh": "由 {names} 得"}[lang].format(names=listed(named, lang))
 
 
-class NotReached(GraphkinError):
+class NotReached(LocatedError):
     """A position that lies beyond a dead point, or beyond what can be assembled, on the way from the drawn one."""
 
-    where: Where
     driver: str
     start: str
     end: str
@@ -241,24 +222,21 @@ class NotReached(GraphkinError):
     }
 
 
-class RoadsDiffer(GraphkinError):
+class RoadsDiffer(LocatedError):
     """The drawing and the analytic solution give different numbers: neither is to be trusted."""
 
-    where: Where
     worst: float
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the drawing and the analytic solution differ by {worst:.1e} of the largest value, so neither "
-        "is given. Where the mechanism stands near a dead point, move the driver a little; anywhere else the fault is "
+        "en": "{where}: the drawing and the analytic solution differ by {worst:.1e} of the largest value, so neither is "
+        "given. Where the mechanism stands near a dead point, move the driver a little; anywhere else the fault is "
         "graphkin's: please report the file.",
-        "zh": "{where}：图解结果与解析结果相差 {worst:.1e}（相对值），故均不予给出。"
-        "机构若接近死点，请稍微改变原动件的位置；否则为 graphkin 的错误，请将该文件报告给开发者。",
+        "zh": "{where}：图解结果与解析结果相差 {worst:.1e}（相对值），故均不予给出。机构若接近死点，请稍微改变原动件的位置；否则为 graphkin 的错误，请将该文件报告给开发者。",
     }
 
 
-class TooFar(GraphkinError):
+class TooFar(LocatedError):
     """A driver that is to move farther than anyone can look along."""
 
-    where: Where
     driver: str
     start: str
     end: str
@@ -269,20 +247,54 @@ class TooFar(GraphkinError):
     }
 
 
-class AmbiguousSketch(GraphkinError):
+class AmbiguousSketch(LocatedError):
     """A sketch as near to one assembly as to the other."""
 
-    where: Where
     points: tuple[str, ...]
     point: str
     first: str
     second: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the sketch fits two assemblies equally well; they differ in {points}. "
-        "Say in [sketch] where {point} is: near {first} or near {second} (mm).",
-        "zh": "{where}：草图与两种装配形式同样接近，二者的区别在于 {points}。"
-        "请在 [sketch] 中写明 {point} 的大致位置：靠近 {first} 还是 {second}（mm）。",
+        "en": "{where}: the sketch fits two assemblies equally well; they differ in {points}. Say in [sketch] where {point} "
+        "is: near {first} or near {second} (mm).",
+        "zh": "{where}：草图与两种装配形式同样接近，二者的区别在于 {points}。请在 [sketch] 中写明 {point} 的大致位置：靠近 {first} 还是 {second}（mm）。",
     }
 
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return super()._words(lang) | {"points": listed(self.points, lang)}
+
+class SingularPosition(LocatedError):
+    """The drivers do not move the mechanism in one definite way here: a dead point or a change point.
+
+    condition   reciprocal condition number of A in A y' = B, with lengths in units of the mechanism's size
+    """
+
+    condition: float
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the mechanism stands at a dead point or a change point (reciprocal condition {condition:.1e}), "
+        "where the drivers give it no definite velocity. Move the driver a little.",
+        "zh": "{where}：机构正处于死点或变点位置（条件数倒数 {condition:.1e}），原动件不能给出确定的速度。请稍微改变原动件的位置。",
+    }
+
+
+class NoAssembly(LocatedError):
+    """No position meets all lengths, angles and driver values at once.
+
+    gap_mm   the smallest gap that stays open [mm]
+    """
+
+    gap_mm: float
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: the mechanism cannot be assembled with these lengths and driver values; "
+        "a gap of {gap_mm:.3g} mm stays open. Change a length or move the driver.",
+        "zh": "{where}：按给定的长度和原动件位置无法装配，最小缺口为 {gap_mm:.3g} mm。请改变某一长度或原动件的位置。",
+    }
+
+
+class NotJoined(LocatedError):
+    """No chain of pairs joins this link to the frame."""
+
+    link: str
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: no chain of pairs joins link {link} to the frame. "
+        "Let it share a point with another link, or add a slide.",
+        "zh": "{where}：构件 {link} 没有通过任何运动副与机架相连。请让它与另一构件共用一点，或加一个移动副。",
+    }

@@ -4,35 +4,24 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import GraphkinError, Lang, Where
+from graphkin.errors.base import Lang, LocatedError
 
 __all__ = [
-    "BlockOrPin",
-    "CircleOrLine",
-    "LineOnLine",
-    "NeedsDirection",
-    "NeedsTilt",
-    "NoLine",
-    "PinInCircle",
-    "PointOnPoint",
-    "SameCircles",
-    "SameTwice",
-    "SlidesOnItself",
-]
+    "BlockOrPin", "CircleOrLine", "LineOnLine", "NeedsDirection", "NeedsTilt", "NoLine", "PinInCircle", "PointOnPoint",
+    "SameCircles", "SameTwice", "SlidesOnItself",
+]  # fmt: skip
 
 
-class BlockOrPin(GraphkinError):
-    where: Where
+class BlockOrPin(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: say what slides: block and point for a sliding pair, or pin for a pin in a slot.",
         "zh": "{where}：请说明什么在滑动：移动副写 block 和 point，销槽写 pin。",
     }
 
 
-class PinInCircle(GraphkinError):
+class PinInCircle(LocatedError):
     """A circular slot with a block in it, or with nothing."""
 
-    where: Where
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: centre and radius make a circular slot, in which a pin moves: give pin and guide. A block that "
         "slides in such a slot turns about its centre: leave the slide out and let the block's link have the centre, too.",
@@ -41,8 +30,7 @@ class PinInCircle(GraphkinError):
     }
 
 
-class SlidesOnItself(GraphkinError):
-    where: Where
+class SlidesOnItself(LocatedError):
     link: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: link {link} would slide on itself. Name another guide, or another block or pin.",
@@ -50,8 +38,7 @@ class SlidesOnItself(GraphkinError):
     }
 
 
-class NeedsTilt(GraphkinError):
-    where: Where
+class NeedsTilt(LocatedError):
     link: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: block {link} has a direction of its own already. "
@@ -60,8 +47,7 @@ class NeedsTilt(GraphkinError):
     }
 
 
-class NeedsDirection(GraphkinError):
-    where: Where
+class NeedsDirection(LocatedError):
     link: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the direction of the line on link {link} is open. "
@@ -70,8 +56,7 @@ class NeedsDirection(GraphkinError):
     }
 
 
-class NoLine(GraphkinError):
-    where: Where
+class NoLine(LocatedError):
     first: str
     second: str
     text: ClassVar[dict[Lang, str]] = {
@@ -80,10 +65,9 @@ class NoLine(GraphkinError):
     }
 
 
-class SameTwice(GraphkinError):
+class SameTwice(LocatedError):
     """A pair needs two different links (or centres)."""
 
-    where: Where
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given} stands there twice; a pair joins two different ones. Correct one.",
@@ -91,16 +75,14 @@ class SameTwice(GraphkinError):
     }
 
 
-class SameCircles(GraphkinError):
-    where: Where
+class SameCircles(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: one circle cannot lie inside another of the same radius. Correct a radius, or internal.",
         "zh": "{where}：半径相等的两圆不能内切，请改正半径或 internal。",
     }
 
 
-class CircleOrLine(GraphkinError):
-    where: Where
+class CircleOrLine(LocatedError):
     circle: str
     line: str
     text: ClassVar[dict[Lang, str]] = {
@@ -109,16 +91,14 @@ class CircleOrLine(GraphkinError):
     }
 
 
-class LineOnLine(GraphkinError):
-    where: Where
+class LineOnLine(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: a line against a line touches along its length. Make it a [[slide]], or one profile a circle.",
         "zh": "{where}：直线与直线是面接触，请改用 [[slide]]，或将其中一个廓线改为圆。",
     }
 
 
-class PointOnPoint(GraphkinError):
-    where: Where
+class PointOnPoint(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: two knife edges cannot stay in contact. Give one profile a radius, or make it a hinge.",
         "zh": "{where}：两个尖点不能保持接触，请给其中一个廓线以半径，或改为铰链。",

@@ -4,30 +4,17 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import GraphkinError, Lang, Where
+from graphkin.errors.base import Lang, LocatedError
 
 __all__ = [
-    "CannotMove",
-    "CcwContradicts",
-    "CcwOnLine",
-    "Contradiction",
-    "FrameNameTaken",
-    "LooseLink",
-    "MissingCcw",
-    "NoPoints",
-    "NoTriangle",
-    "OneSpot",
-    "RigidlyJoined",
-    "ShapeAndMeasures",
-    "TooFewMeasures",
-    "TooManyPoints",
-]
+    "CannotMove", "CcwContradicts", "CcwOnLine", "Contradiction", "FrameNameTaken", "LooseLink", "MissingCcw",
+    "NoPoints", "NoTriangle", "OneSpot", "RigidlyJoined", "ShapeAndMeasures", "TooFewMeasures", "TooManyPoints",
+]  # fmt: skip
 
 
-class TooFewMeasures(GraphkinError):
+class TooFewMeasures(LocatedError):
     """`points` are those that stay free."""
 
-    where: Where
     link: str
     points: tuple[str, ...]
     text: ClassVar[dict[Lang, str]] = {
@@ -39,10 +26,9 @@ class TooFewMeasures(GraphkinError):
         return {**super()._words(lang), "points": ", ".join(self.points)}
 
 
-class Contradiction(GraphkinError):
+class Contradiction(LocatedError):
     """`key` disagrees with the measures before it."""
 
-    where: Where
     link: str
     key: str
     gap_mm: float
@@ -53,10 +39,9 @@ class Contradiction(GraphkinError):
     }
 
 
-class NoTriangle(GraphkinError):
+class NoTriangle(LocatedError):
     """One length is longer than the two others together."""
 
-    where: Where
     keys: tuple[str, str, str]
     gap_mm: float
     text: ClassVar[dict[Lang, str]] = {
@@ -68,10 +53,9 @@ class NoTriangle(GraphkinError):
         return {**super()._words(lang), "keys": ", ".join(self.keys)}
 
 
-class MissingCcw(GraphkinError):
+class MissingCcw(LocatedError):
     """The measures leave two mirror images."""
 
-    where: Where
     triple: tuple[str, str, str]
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the measures leave two mirror images. Add ccw = {one} or ccw = {other}, "
@@ -84,8 +68,7 @@ class MissingCcw(GraphkinError):
         return super()._words(lang) | {"one": f'["{a}", "{b}", "{c}"]', "other": f'["{a}", "{c}", "{b}"]'}
 
 
-class CcwContradicts(GraphkinError):
-    where: Where
+class CcwContradicts(LocatedError):
     triple: tuple[str, ...]
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {triple} cannot run counter-clockwise with the other measures and triples. "
@@ -104,8 +87,7 @@ class CcwOnLine(CcwContradicts):
     }
 
 
-class ShapeAndMeasures(GraphkinError):
-    where: Where
+class ShapeAndMeasures(LocatedError):
     link: str
     key: str
     text: ClassVar[dict[Lang, str]] = {
@@ -114,8 +96,7 @@ class ShapeAndMeasures(GraphkinError):
     }
 
 
-class OneSpot(GraphkinError):
-    where: Where
+class OneSpot(LocatedError):
     link: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: all points of link {link} lie at one place, so it has no direction. Move one.",
@@ -123,17 +104,15 @@ class OneSpot(GraphkinError):
     }
 
 
-class NoPoints(GraphkinError):
-    where: Where
+class NoPoints(LocatedError):
     link: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: link {link} has no points. Give a length such as AB = 40, or points = [\"B\"].",
         "zh": "{where}：构件 {link} 没有点，请给出长度（如 AB = 40）或 points = [\"B\"]。",
-    }  # fmt: skip
+    }
 
 
-class FrameNameTaken(GraphkinError):
-    where: Where
+class FrameNameTaken(LocatedError):
     link: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {link} is the name of the frame. Name this link otherwise, or give [frame] another name.",
@@ -141,8 +120,7 @@ class FrameNameTaken(GraphkinError):
     }
 
 
-class LooseLink(GraphkinError):
-    where: Where
+class LooseLink(LocatedError):
     link: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: link {link} is tied to nothing. Let it share a point with another link, or put it in a pair.",
@@ -150,8 +128,7 @@ class LooseLink(GraphkinError):
     }
 
 
-class CannotMove(GraphkinError):
-    where: Where
+class CannotMove(LocatedError):
     link: str
     points: tuple[str, ...]
     text: ClassVar[dict[Lang, str]] = {
@@ -163,10 +140,9 @@ class CannotMove(GraphkinError):
         return {**super()._words(lang), "points": ", ".join(self.points)}
 
 
-class RigidlyJoined(GraphkinError):
+class RigidlyJoined(LocatedError):
     """Two links that cannot move against each other."""
 
-    where: Where
     first: str
     second: str
     points: tuple[str, ...]
@@ -180,8 +156,7 @@ class RigidlyJoined(GraphkinError):
         return {**super()._words(lang), "points": ", ".join(self.points)}
 
 
-class TooManyPoints(GraphkinError):
-    where: Where
+class TooManyPoints(LocatedError):
     link: str
     limit: int
     text: ClassVar[dict[Lang, str]] = {

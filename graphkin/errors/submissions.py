@@ -2,35 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import ClassVar
 
-from graphkin.errors.base import GraphkinError, Lang, Where
+from graphkin.errors.base import Lang, LocatedError
 
 __all__ = [
-    "BrokenSubmission",
-    "HandedTwice",
-    "NamesNobody",
-    "NoAnswers",
-    "NoStudents",
-    "NotMarkable",
-    "OwnFault",
-    "SeveralStudents",
-    "StudentTwice",
-    "TooMuch",
-    "TookTooLong",
-    "TwoNames",
-    "UnknownStudent",
-    "WantsExtra",
-]
-
-Words = Mapping[str, Mapping[Lang, str]]
+    "BrokenSubmission", "HandedTwice", "NamesNobody", "NoAnswers", "NoStudents", "NotMarkable", "OwnFault",
+    "SeveralStudents", "StudentTwice", "TooMuch", "TookTooLong", "TwoNames", "UnknownStudent", "WantsExtra",
+]  # fmt: skip
 
 
-class NotMarkable(GraphkinError):
+class NotMarkable(LocatedError):
     """A kind of file that holds neither answers nor a drawing."""
 
-    where: Where
     given: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: a file of kind {given!r} cannot be read. Hand in .toml, .json, .csv, .xlsx, .svg, .ggb or .dxf.",
@@ -38,10 +22,9 @@ class NotMarkable(GraphkinError):
     }
 
 
-class BrokenSubmission(GraphkinError):
+class BrokenSubmission(LocatedError):
     """Not what its name says; `kind` is what it should be, `reason` the reader's own word."""
 
-    where: Where
     kind: str
     reason: str = ""
     text: ClassVar[dict[Lang, str]] = {
@@ -54,7 +37,7 @@ class BrokenSubmission(GraphkinError):
         return {**super()._words(lang), "reason": wrapped}
 
 
-_MUCH: Words = {
+_MUCH: dict[str, dict[Lang, str]] = {
     "bytes": {"en": "larger than {most} MB", "zh": "超过 {most} MB"},
     "members": {"en": "an archive of more than {most} files", "zh": "压缩包内文件多于 {most} 个"},
     "archive": {"en": "an archive of more than {most} MB", "zh": "压缩包解压后超过 {most} MB"},
@@ -68,10 +51,9 @@ _MUCH: Words = {
 }
 
 
-class TooMuch(GraphkinError):
+class TooMuch(LocatedError):
     """Beyond a limit that no honest submission meets."""
 
-    where: Where
     what: str
     most: float
     text: ClassVar[dict[Lang, str]] = {
@@ -84,8 +66,7 @@ class TooMuch(GraphkinError):
         return {**super()._words(lang), "what": _MUCH[self.what][lang].format(most=f"{most:g}")}
 
 
-class TookTooLong(GraphkinError):
-    where: Where
+class TookTooLong(LocatedError):
     seconds: float
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: not done within {seconds:g} s. Hand in a simpler file.",
@@ -93,10 +74,9 @@ class TookTooLong(GraphkinError):
     }
 
 
-class OwnFault(GraphkinError):
+class OwnFault(LocatedError):
     """A fault of graphkin's own, that must not look like a wrong answer."""
 
-    where: Where
     kind: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: graphkin failed to read this file ({kind}); that is no fault of the student's. Mark it by hand, "
@@ -105,10 +85,9 @@ class OwnFault(GraphkinError):
     }
 
 
-class WantsExtra(GraphkinError):
+class WantsExtra(LocatedError):
     """A format that an optional package reads."""
 
-    where: Where
     kind: str
     package: str
     text: ClassVar[dict[Lang, str]] = {
@@ -117,8 +96,7 @@ class WantsExtra(GraphkinError):
     }
 
 
-class UnknownStudent(GraphkinError):
-    where: Where
+class UnknownStudent(LocatedError):
     student: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the key has no student {student!r}. Check the id in the file, or mark with this student's own key.",
@@ -126,10 +104,9 @@ class UnknownStudent(GraphkinError):
     }
 
 
-class HandedTwice(GraphkinError):
+class HandedTwice(LocatedError):
     """A second submission of one student."""
 
-    where: Where
     student: str
     first: str
     text: ClassVar[dict[Lang, str]] = {
@@ -138,10 +115,9 @@ class HandedTwice(GraphkinError):
     }
 
 
-class TwoNames(GraphkinError):
+class TwoNames(LocatedError):
     """A line in a file names a student, who is another than the one it is named after."""
 
-    where: Where
     named: str
     student: str
     text: ClassVar[dict[Lang, str]] = {
@@ -151,16 +127,14 @@ class TwoNames(GraphkinError):
     }
 
 
-class NoStudents(GraphkinError):
-    where: Where
+class NoStudents(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: no student is listed here. Write a table with a column \"student\" (or 学号), one a row.",
         "zh": "{where}：这里没有学生名单。请写一张含“学号”（或 student）列的表，每行一人。",
     }
 
 
-class StudentTwice(GraphkinError):
-    where: Where
+class StudentTwice(LocatedError):
     student: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: student {student!r} stands in the list twice. Leave each id once.",
@@ -168,18 +142,16 @@ class StudentTwice(GraphkinError):
     }
 
 
-class NoAnswers(GraphkinError):
-    where: Where
+class NoAnswers(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: no answer is found here. Write each as question = value, for example \"omega 3\" = 3.92.",
         "zh": "{where}：未找到任何答案。请写成 问题 = 数值 的形式，例如 \"omega 3\" = 3.92。",
-    }  # fmt: skip
+    }
 
 
-class SeveralStudents(GraphkinError):
+class SeveralStudents(LocatedError):
     """A class table among files of single students, of which anybody's may be."""
 
-    where: Where
     first: str
     second: str
     text: ClassVar[dict[Lang, str]] = {
@@ -189,10 +161,9 @@ class SeveralStudents(GraphkinError):
     }
 
 
-class NamesNobody(GraphkinError):
+class NamesNobody(LocatedError):
     """A row of a class table without an id, below rows with one."""
 
-    where: Where
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: this row names no student. Write the id in its column.",
         "zh": "{where}：此行没有学号。请在学号一列填写。",

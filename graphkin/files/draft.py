@@ -1,64 +1,70 @@
-"""A mechanism being drawn up from its file: the links so far, and all that was found wrong."""
+"""A mechanism being drawn up from its file: the links so far, and all that is wrong; the checks of the whole."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import field
-from typing import TYPE_CHECKING, NoReturn
+from itertools import combinations, islice
+from typing import TYPE_CHECKING
 
+from graphkin import errors
 from graphkin.base.value import filled
-from graphkin.errors import DuplicateName, GraphkinError, Several, UnknownLink, UnknownPoint, Where
-from graphkin.files.names import tidy
-from graphkin.files.positions import Path
-from graphkin.model.mechanism import FRAME, Link
+from graphkin.errors import NOWHERE, GraphkinError, Where
+from graphkin.files.toml import tidied
+from graphkin.model.mechanism import FRAME, Driver, KeyPath, Link, Mechanism
+from graphkin.model.pairs import Pair
+from graphkin.model.quantities import formed, meant, read
 
 if TYPE_CHECKING:
     from graphkin.files.schema import SlideTable
 
+UNEVEN = 1e9
+"""No length is so many times another one."""
+RATES = ("omega", "alpha", "velocity", "acceleration")
+"""Keys that say how fast a driver moves."""
 MOST_PROBLEMS = 100
 """Nobody reads more of them at a time."""
 
 
 @filled
 class Draft:
-    """What the readers of the single tables share.
+    """The data that the readers of the single tables share.
 
-    links     by name; a link whose measures are wrong has its points at stand-in places, so that the other
-              tables can still be checked
-    starts    points that nobody named, where lines begin that are given by coordinates, and where those stand
-    problems  what was found wrong; `stop_if_wrong` raises it
-    unnamed   what pairs are called that have a displacement, also those that the file gives no name
-    slides    the tables of slides, which say how a link of one point is turned; `tracing`: the links that are asked
-    _moving   the moving links of each point, listed when so many links were `_counted`: their points have names
-              before they have places
+    links         by name; a link whose measures are wrong has its points at stand-in places, so that the other
+                  tables can still be checked
+    starts        points that nobody named, where lines begin that are given by coordinates, and where those stand
+    problems      all that is wrong; `stop_if_wrong` raises it
+    given_names   the names that the file gives to pairs; `unnamed`: those of pairs with a displacement, given or not
+    slides        the tables of slides, which say how a link of one point is turned; `tracing`: links now looked up
     """
 
     file: str
-    lines: Mapping[Path, int]
+    lines: Mapping[KeyPath, int]
     frame: str = "0"
     links: dict[str, Link] = field(default_factory=dict)
     frame_points: dict[str, complex] = field(default_factory=dict)
-    starts: dict[str, Path] = field(default_factory=dict)
+    starts: dict[str, KeyPath] = field(default_factory=dict)
     problems: list[GraphkinError] = field(default_factory=list)
-    _taken: set[str] = field(default_factory=set)
+    given_names: set[str] = field(default_factory=set)
     unnamed: set[str] = field(default_factory=set)
-    given: set[str] = field(default_factory=set)
     slides: Sequence[SlideTable] = ()
     tracing: list[str] = field(default_factory=list)
+    _used_names: set[str] = field(default_factory=set)
     _numbers: dict[str, int] = field(default_factory=dict)
     _moving: dict[str, list[str]] = field(default_factory=dict)
+    """The moving links of each point, listed when there were `_counted` links: points have names before places."""
     _counted: int = 0
 
     def where(self, *path: str | int) -> Where:
         """The place of a key, or of the nearest key above it that the file has."""
-        path = tuple(tidy(part) if isinstance(part, str) else part for part in path)
+        path = tidied(path)
         line = next((self.lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in self.lines), None)
         return Where(self.file, line, ".".join(map(str, path)))
 
     @contextmanager
     def noting(self) -> Iterator[None]:
-        """What is wrong inside is noted, and reading goes on behind it."""
+        """A block in which an error is noted, and reading goes on behind it."""
         try:
             yield
         except GraphkinError as problem:
@@ -66,40 +72,39 @@ class Draft:
 
     def stop_if_wrong(self) -> None:
         """Raise all problems in the order of the lines: one as it is, more as `Several`."""
-        if self.problems:
-            self._stop()
+        if not self.problems:
+            return
 
-    def _stop(self) -> NoReturn:
         def line(problem: GraphkinError) -> float:
             where = getattr(problem, "where", None)
             return where.line if isinstance(where, Where) and where.line is not None else float("inf")
 
         first = sorted(self.problems, key=line)[:MOST_PROBLEMS]
         problems = list({problem.message(): problem for problem in first}.values())
-        raise problems[0] if len(problems) == 1 else Several(tuple(problems))
+        raise problems[0] if len(problems) == 1 else errors.Several(tuple(problems))
 
-    def link(self, given: str, *path: str | int) -> str:
+    def link(self, name: str, *path: str | int) -> str:
         """The link of this name; the frame may go by its own."""
-        if given == self.frame:
+        if name == self.frame:
             return FRAME
-        if given not in self.links:
-            moving = tuple(name for name in self.links if name != FRAME)
-            raise UnknownLink(self.where(*path), given, (*moving, FRAME))
-        return given
+        if name not in self.links:
+            moving = tuple(link for link in self.links if link != FRAME)
+            raise errors.UnknownLink(self.where(*path), name, (*moving, FRAME))
+        return name
 
-    def point(self, link: str, given: str, *path: str | int) -> str:
+    def point(self, link: str, point: str, *path: str | int) -> str:
         """A point of the link."""
-        self.known(given, *path)
-        if given not in self.links[link].points:
-            raise UnknownPoint(self.where(*path), given, self.named(link))
-        return given
+        self.known(point, *path)
+        if point not in self.links[link].points:
+            raise errors.UnknownPoint(self.where(*path), point, self.named(link))
+        return point
 
-    def known(self, given: str, *path: str | int) -> str:
+    def known(self, point: str, *path: str | int) -> str:
         """A point of any link."""
-        if not any(given in link.points for link in self.links.values()):
-            points = dict.fromkeys(point for link in self.links for point in self.named(link))
-            raise UnknownPoint(self.where(*path), given, tuple(points))
-        return given
+        if not any(point in link.points for link in self.links.values()):
+            points = dict.fromkeys(each for link in self.links for each in self.named(link))
+            raise errors.UnknownPoint(self.where(*path), point, tuple(points))
+        return point
 
     def named(self, link: str) -> tuple[str, ...]:
         """The points of a link that people named."""
@@ -108,27 +113,24 @@ class Draft:
     def owners(self, *points: str) -> Sequence[str]:
         """The links that have all these points, moving ones first."""
         if self._counted != len(self.links):
-            self._list_owners()
-        owners = self._moving.get(points[0], ())
-        found = [name for name in owners if all(point in self.links[name].points for point in points[1:])]
+            self._counted, self._moving = len(self.links), {}
+            for name, link in self.links.items():
+                for point in link.points if name != FRAME else ():
+                    self._moving.setdefault(point, []).append(name)
+        of_first = self._moving.get(points[0], ())
+        owners = [name for name in of_first if all(point in self.links[name].points for point in points[1:])]
         fixed = FRAME in self.links and all(point in self.links[FRAME].points for point in points)
-        return [*found, FRAME] if fixed else found
-
-    def _list_owners(self) -> None:
-        self._counted, self._moving = len(self.links), {}
-        for name, link in self.links.items():
-            for point in link.points if name != FRAME else ():
-                self._moving.setdefault(point, []).append(name)
+        return [*owners, FRAME] if fixed else owners
 
     def name(self, given: str | None, default: str, *path: str | int) -> str:
         """The name of a pair: as given and not used before, or the default."""
         if given is None:
-            while default in self.given:
+            while default in self.given_names:
                 default += "_"
             return default
-        if given in self._taken:
-            raise DuplicateName(self.where(*path, "name"), given)
-        self._taken.add(given)
+        if given in self._used_names:
+            raise errors.DuplicateName(self.where(*path, "name"), given)
+        self._used_names.add(given)
         return given
 
     def numbered(self, letter: str) -> str:
@@ -137,9 +139,98 @@ class Draft:
         return f"{letter}{self._numbers[letter]}"
 
     def can_be_driven(self, given: str) -> bool:
-        """Whether a sliding or rolling pair has this name."""
-        return given in self._taken or given in self.unnamed
+        """True of the name of a sliding or rolling pair."""
+        return given in self._used_names or given in self.unnamed
 
     @property
     def pair_names(self) -> tuple[str, ...]:
-        return tuple(sorted(self._taken))
+        return tuple(sorted(self._used_names))
+
+
+# --- checks of the whole mechanism ------------------------------------------------------------
+
+
+def check_joints(draft: Draft, pairs: Sequence[Pair], drivers: int) -> None:
+    """Note every link that is loose, fixed or joined twice to another."""
+    tied = {link for pair in pairs for link in pair.joins}
+    tied |= {link for pair in pairs if pair.path is not None for link in draft.owners(pair.path.point)}
+    shared = _shared_points(draft)
+    tied |= {link for links in shared for link in links}
+    for name in draft.links:
+        if name not in tied and name != FRAME:
+            draft.problems.append(errors.LooseLink(draft.where("links", name), name))
+    twice = ((links, points) for links, points in shared.items() if len(points) > 1)
+    for (first, second), points in islice(twice, MOST_PROBLEMS):
+        where = draft.where("links", second)
+        to_frame = first == FRAME
+        draft.problems.append(
+            errors.CannotMove(where, second, points) if to_frame
+            else errors.RigidlyJoined(where, first, second, points)
+        )  # fmt: skip
+    if not drivers:
+        draft.problems.append(errors.NoDriver(Where(draft.file)))
+
+
+def check_sizes(draft: Draft) -> None:
+    """Note what lies so far off, or is so long, that beside it the shortest link has no digit left."""
+    arms: dict[str, list[float]] = {}
+    for name, link in draft.links.items():
+        first, *others = link.points.values() if name != FRAME and link.points else (0j,)
+        arms[name] = [length for place in others if (length := abs(place - first)) > 0]
+    shortest = min((min(lengths) for lengths in arms.values() if lengths), default=0.0)
+    if not shortest:
+        return
+    places: dict[KeyPath, float] = {("links", name): max(lengths) for name, lengths in arms.items() if lengths}
+    fixed = draft.frame_points.items()
+    places |= {draft.starts.get(name, ("frame", name)): abs(place) for name, place in fixed}
+    for path, size in places.items():
+        if size > UNEVEN * shortest:
+            draft.problems.append(errors.OutOfRange(draft.where(*path), f"{size * 1e3:.6g} mm"))
+
+
+def check_sketch(draft: Draft, points: list[str]) -> None:
+    """Note every sketched point that no link has."""
+    for point in points:
+        with draft.noting():
+            draft.known(point, "sketch", point)
+
+
+def _shared_points(draft: Draft) -> dict[tuple[str, str], tuple[str, ...]]:
+    """The points any two links have in common."""
+    owners: dict[str, list[str]] = {}
+    for name, link in draft.links.items():
+        for point in link.points:
+            owners.setdefault(point, []).append(name)
+    shared: dict[tuple[str, str], tuple[str, ...]] = {}
+    for point, links in owners.items():
+        for first, second in combinations(links, 2):
+            shared[first, second] = (*shared.get((first, second), ()), point)
+    return shared
+
+
+def check_questions(draft: Draft, mechanism: Mechanism) -> None:
+    """Note every text of `ask` about something that is not there, and all that asks nothing.
+
+    A text must name what is there, or be a question in words, which ends with a question mark.
+    """
+    for number, question in enumerate(mechanism.ask):
+        try:
+            quantity = read(mechanism, question, NOWHERE)
+            if quantity is None and not formed(question) and question[-1:] not in ("?", "？"):
+                raise errors.NoQuestion(NOWHERE, question, meant(mechanism, question) or "")
+        except GraphkinError as problem:
+            draft.problems.append(problem.at(draft.where("ask", number)))
+
+
+def remarks(mechanism: Mechanism) -> Iterator[errors.NoRate]:
+    """Notes on drivers that stand still because nothing is said of how fast they move."""
+    for number, driver in enumerate(mechanism.drivers):
+        if driver.rate or not mechanism.lines:
+            continue
+        if not any(("driver", number, key) in mechanism.lines for key in RATES):
+            yield errors.NoRate(mechanism.where("driver", number), driver.name, rate_keys(driver))
+
+
+def rate_keys(driver: Driver) -> str:
+    """The keys that say how fast a driver moves."""
+    return {"slide": "velocity", "spin": "omega"}.get(driver.kind, "omega (velocity)")

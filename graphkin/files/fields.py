@@ -1,7 +1,7 @@
 """The kinds of value a mechanism file has: quantities with units, names, places, points' triples, tables.
 
-A kind says what a value must be twice: to pydantic's core, which checks whole files and collects what is
-wrong, and to JSON Schema, which editors read. Complaints are graphkin's own errors. (The core alone is
+A kind has the rule for a value twice: for pydantic's core, which checks whole files and collects what is
+wrong, and for JSON Schema, which editors read. Complaints are graphkin's own errors. (The core alone is
 imported: with pydantic's models around it, reading a file would take ten times as long as checking it.)
 """
 
@@ -9,42 +9,45 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import MISSING, Field, field, fields
-from typing import Any, TypeVar, dataclass_transform
+from typing import TYPE_CHECKING, Any, TypeVar, dataclass_transform
 
 from pydantic_core import PydanticCustomError
 
 from graphkin.base.value import frozen
-from graphkin.errors import NOWHERE, GraphkinError, NotOneOf, WrongType
-from graphkin.files.names import LINK, POINT, SLIDE, tidy
-from graphkin.files.units import Dimension
-from graphkin.files.values import above_zero, formed, quantity, scale, shown, titles, triples, vector, zero_or_more
+from graphkin.errors import NOWHERE, BadName, GraphkinError, NotOneOf, WrongType
+from graphkin.files import values
+from graphkin.files.values import name_reader, shown_value, si_quantity
+from graphkin.model.mechanism import Dimension
+
+if TYPE_CHECKING:
+    from pydantic_core.core_schema import ValidationInfo
 
 MEASURE_PATTERN = r"^([A-Z][0-9]*'*){2,3}$"
 POINT_PATTERN = r"^[A-Z][0-9]*'*$"
 Schema = dict[str, Any]
-"""What a value must be, as pydantic's core reads it: `type`, and what belongs to that type."""
-NUMBER: dict[str, Any] = {"type": ["number", "string"]}
-"""What JSON Schema says of any quantity."""
+"""The rule for a value, as pydantic's core or as JSON Schema reads it: `type`, and what belongs to that type."""
+NUMBER: Schema = {"type": ["number", "string"]}
+"""The rule of JSON Schema for any quantity."""
 
 _T = TypeVar("_T")
 
 
 @frozen
 class FieldKind:
-    """What a value must be: for pydantic's core, and for JSON Schema; of what dimension, where it is a quantity."""
+    """The rule for a value, for pydantic's core and for JSON Schema, and its dimension where it is a quantity."""
 
     core: Schema
-    json: dict[str, Any]
+    json: Schema
     dimension: Dimension | None = None
 
 
 # --- checking ---------------------------------------------------------------------------------
 
 
-def _guarded(read: Callable[..., Any]) -> Callable[..., Any]:
+def _guarded(read: Callable[..., _T]) -> Callable[..., _T]:
     """The same reader, its complaint in the wrapping the core collects; `complaints` unwraps it."""
 
-    def guarded(*value: Any) -> Any:
+    def guarded(*value: object) -> _T:
         try:
             return read(*value)
         except GraphkinError as problem:
@@ -53,27 +56,29 @@ def _guarded(read: Callable[..., Any]) -> Callable[..., Any]:
     return guarded
 
 
-def _read(read: Callable[[Any], Any], json: dict[str, Any]) -> FieldKind:
-    return FieldKind({"type": "function-plain", "function": {"type": "no-info", "function": _guarded(read)}}, json)
+def _kind(read: Callable[[object], object], json: Schema, dimension: Dimension | None = None) -> FieldKind:
+    """The kind of value that a reader gives."""
+    core = {"type": "function-plain", "function": {"type": "no-info", "function": _guarded(read)}}
+    return FieldKind(core, json, dimension)
 
 
-def _before(read: Callable[[Any], Any], inner: Schema) -> Schema:
+def _before(read: Callable[[object], object], inner: Schema) -> Schema:
     """The schema for what a reader makes of a value."""
     return {"type": "function-before", "function": {"type": "no-info", "function": _guarded(read)}, "schema": inner}
 
 
-def _of_type(kind: str, wanted: type, inner: Schema) -> Schema:
+def _of_type(kind: str, expected: type, inner: Schema) -> Schema:
     """The schema for values of one type; says `kind` otherwise."""
 
     def checked(value: object) -> object:
-        if not isinstance(value, wanted):
-            raise WrongType(NOWHERE, kind, shown(value))
+        if not isinstance(value, expected):
+            raise WrongType(NOWHERE, kind, shown_value(value))
         return value
 
     return _before(checked, inner)
 
 
-def anything(json: dict[str, Any]) -> FieldKind:
+def anything(json: Schema) -> FieldKind:
     """A value that is looked at later."""
     return FieldKind({"type": "any"}, json)
 
@@ -83,48 +88,59 @@ def anything(json: dict[str, Any]) -> FieldKind:
 
 def quantity_of(dimension: Dimension, check: Callable[[float], float] = float) -> FieldKind:
     """A number or a text with a unit."""
-    read = _read(lambda value: check(quantity(value, dimension)), NUMBER)
-    return FieldKind(read.core, read.json, dimension)
+    return _kind(lambda value: check(si_quantity(value, dimension)), NUMBER, dimension)
 
 
-def _text(kind: str, read: Callable[[str], str] = tidy, **json: str) -> FieldKind:
-    """A text; `kind` says in a message what is wanted."""
+def _text(kind: str, read: Callable[[str], str] = values.tidy, **json: str) -> FieldKind:
+    """A text; `kind` says in a message what is expected."""
 
     def checked(value: object) -> str:
         if not isinstance(value, str):
-            raise WrongType(NOWHERE, kind, shown(value))
+            raise WrongType(NOWHERE, kind, shown_value(value))
         return read(value)
 
-    return _read(checked, json or {"type": "string"})
+    return _kind(checked, json or {"type": "string"})
 
 
-def _also(value: object, info: Any) -> float:
+def _further_value(value: object, info: ValidationInfo) -> float:
     """A further value of what the driver drives: a length for a slide, else an angle."""
-    return quantity(value, "length" if info.data.get("slide") else "angle")
+    return si_quantity(value, "length" if info.data.get("slide") else "angle")
 
 
 def _flag(value: object) -> bool:
     if not isinstance(value, bool):
-        raise WrongType(NOWHERE, "flag", shown(value))
+        raise WrongType(NOWHERE, "flag", shown_value(value))
     return value
 
 
 def _side(value: str) -> str:
     if value not in ("left", "right"):
-        raise NotOneOf(NOWHERE, shown(value), ("left", "right"))
+        raise NotOneOf(NOWHERE, shown_value(value), ("left", "right"))
     return value
 
 
+def _vector(value: object) -> tuple[str, str]:
+    """Two different points: `AB`."""
+    if not isinstance(value, str):
+        raise WrongType(NOWHERE, "vector", shown_value(value))
+    points = values.split_points(values.tidy(value))
+    if len(points) != 2 or points[0] == points[1]:
+        raise BadName(NOWHERE, "vector", shown_value(value))
+    return points[0], points[1]
+
+
 LENGTH, ANGLE = quantity_of("length"), quantity_of("angle")
-RADIUS, EDGE_RADIUS = quantity_of("length", above_zero), quantity_of("length", zero_or_more)
-ALSO = FieldKind({"type": "function-plain", "function": {"type": "with-info", "function": _guarded(_also)}}, NUMBER)
-SCALE = _read(scale, {"type": "number", "exclusiveMinimum": 0})
-FLAG = _read(_flag, {"type": "boolean"})
+RADIUS, EDGE_RADIUS = quantity_of("length", values.above_zero), quantity_of("length", values.zero_or_more)
+ALSO = FieldKind(
+    {"type": "function-plain", "function": {"type": "with-info", "function": _guarded(_further_value)}}, NUMBER
+)
+SCALE = _kind(values.scale_value, {"type": "number", "exclusiveMinimum": 0})
+FLAG = _kind(_flag, {"type": "boolean"})
 TEXT = _text("text", lambda text: " ".join(text.split()))
-NAME, NEW_NAME = _text("name"), _text("name", formed(SLIDE, "slide"))
-LINK_KEY = _text("name", formed(LINK, "link"), pattern=r"^[\w']+$")
-POINT_NAME = _text("name", formed(POINT, "point"), type="string", pattern=POINT_PATTERN)
-VECTOR = _read(vector, {"type": "string", "pattern": r"^([A-Z][0-9]*'*){2}$"})
+NAME, NEW_NAME = _text("name"), _text("name", name_reader(values.SLIDE, "slide"))
+LINK_KEY = _text("name", name_reader(values.LINK, "link"), pattern=r"^[\w']+$")
+POINT_NAME = _text("name", name_reader(values.POINT, "point"), type="string", pattern=POINT_PATTERN)
+VECTOR = _kind(_vector, {"type": "string", "pattern": r"^([A-Z][0-9]*'*){2}$"})
 SIDE = _text("name", _side)
 SIDE.json["enum"] = ["left", "right"]
 
@@ -136,11 +152,8 @@ def list_of(item: FieldKind, kind: str = "list", count: int | None = None) -> Fi
     """A list of values, of any or of one certain length."""
     length = {} if count is None else {"min_length": count, "max_length": count}
     core = _of_type(kind, list, {"type": "list", "items_schema": item.core, **length})
-    return FieldKind(core, {"type": "array", "items": item.json, **_counted(count)}, item.dimension)
-
-
-def _counted(count: int | None) -> dict[str, Any]:
-    return {} if count is None else {"minItems": count, "maxItems": count}
+    counted = {} if count is None else {"minItems": count, "maxItems": count}
+    return FieldKind(core, {"type": "array", "items": item.json, **counted}, item.dimension)
 
 
 def two(item: FieldKind) -> FieldKind:
@@ -148,37 +161,44 @@ def two(item: FieldKind) -> FieldKind:
     return list_of(item, count=2)
 
 
-def mapping(names: FieldKind, values: FieldKind) -> FieldKind:
-    """A table whose keys are names themselves."""
-    core = _of_type("table", dict, {"type": "dict", "keys_schema": names.core, "values_schema": values.core})
-    return FieldKind(
-        core, {"type": "object", "patternProperties": {names.json["pattern"]: values.json}}, values.dimension
-    )
+def mapping(names: FieldKind, kind: FieldKind) -> FieldKind:
+    """A table whose keys are names themselves, each with a value of one kind."""
+    core = _of_type("table", dict, {"type": "dict", "keys_schema": names.core, "values_schema": kind.core})
+    json = {"type": "object", "patternProperties": {names.json["pattern"]: kind.json}}
+    return FieldKind(core, json, kind.dimension)
 
 
-def _either(names: FieldKind, places: FieldKind) -> FieldKind:
+def _point_or_place() -> FieldKind:
     """A point's name, or a place."""
+    name = _text("anchor", name_reader(values.POINT, "point"), **POINT_NAME.json)
     core = {
         "type": "tagged-union",
-        "choices": {"a point": names.core, "a place": places.core},
+        "choices": {"a point": name.core, "a place": PLACE.core},
         "discriminator": lambda value: "a place" if isinstance(value, list) else "a point",
     }
-    return FieldKind(core, {"oneOf": [names.json, places.json]})
+    return FieldKind(core, {"oneOf": [name.json, PLACE.json]})
 
 
-def _triples() -> FieldKind:
-    """One triple of points or several."""
-    triple = list_of(POINT_NAME, "triple", 3)
-    core = _before(triples, {"type": "list", "items_schema": triple.core})
-    return FieldKind(core, {"type": "array", "items": {"anyOf": [POINT_NAME.json, triple.json]}})
+def _as_triples(value: object) -> object:
+    """One triple or a list of them: a list of them."""
+    if not isinstance(value, list):
+        raise WrongType(NOWHERE, "triple", shown_value(value))
+    return [value] if value and all(not isinstance(item, list) for item in value) else value
 
 
 PLACE = list_of(LENGTH, "place", 2)
-ANCHOR = _either(_text("anchor", formed(POINT, "point"), **POINT_NAME.json), PLACE)
-TRIPLES = _triples()
+ANCHOR = _point_or_place()
+_TRIPLE = list_of(POINT_NAME, "triple", 3)
+TRIPLES = FieldKind(
+    _before(_as_triples, {"type": "list", "items_schema": _TRIPLE.core}),
+    {"type": "array", "items": {"anyOf": [POINT_NAME.json, _TRIPLE.json]}},
+)
 
 
 # --- tables -----------------------------------------------------------------------------------
+
+_KINDS: dict[type, FieldKind] = {}
+"""By the class of a table, the kind of value that becomes an instance of it."""
 
 
 def key(kind: FieldKind, *, default: Any = MISSING, default_factory: Any = MISSING) -> Any:
@@ -195,63 +215,73 @@ def further(pattern: str, kind: FieldKind) -> Any:
 def table(cls: type[_T]) -> type[_T]:
     """A table made of `key`s; others are refused where there is no `further`. `from_` is the key `from`."""
     cls.__doc__ = cls.__doc__ or f"`{cls.__name__}`"
-    made: Any = frozen(cls)
-    rest = next((field for field in fields(made) if "further" in field.metadata), None)
-    made.kind = FieldKind(_checking(made, rest), _object(made, rest))
+    made = frozen(cls)
+    rest = next((each for each in _fields(made) if "further" in each.metadata), None)
+    _KINDS[made] = FieldKind(_checking(made, rest), _object(made, rest))
     return cls
 
 
-def kind_of(cls: Any) -> FieldKind:
+def kind_of(cls: type) -> FieldKind:
     """The kind of value that becomes an instance of a table's class."""
-    kind: FieldKind = cls.kind
-    return kind
+    return _KINDS[cls]
 
 
-def keys(cls: Any) -> dict[str, Field[Any]]:
+def _fields(cls: type) -> tuple[Field[object], ...]:
+    declared: Any = cls  # a dataclass, which `type` does not say
+    return fields(declared)
+
+
+def keys(cls: type) -> dict[str, Field[object]]:
     """The fields of a table by the keys they have in the file."""
-    return {field.name.rstrip("_"): field for field in fields(cls) if "kind" in field.metadata}
+    return {each.name.rstrip("_"): each for each in _fields(cls) if "kind" in each.metadata}
 
 
-def one_table(cls: Any) -> FieldKind:
+def one_table(cls: type) -> FieldKind:
     """A value that is such a table."""
     return FieldKind(_of_type("table", dict, kind_of(cls).core), _reference(cls))
 
 
-def tables(cls: Any) -> FieldKind:
+def tables(cls: type) -> FieldKind:
     """`[[..]]`: any number of such tables."""
     return list_of(entry(cls), "tables")
 
 
-def entry(cls: Any) -> FieldKind:
+def entry(cls: type) -> FieldKind:
     """A table among others of its kind."""
     return FieldKind(kind_of(cls).core, _reference(cls))
 
 
-def _reference(cls: Any) -> dict[str, Any]:
+def _reference(cls: type) -> Schema:
     return {"$ref": f"#/$defs/{cls.__name__}"}
 
 
-def title(cls: Any) -> FieldKind:
+def title(cls: type) -> FieldKind:
     """A text, or such a table of one for each language."""
-    core = _before(titles, kind_of(cls).core)
-    return FieldKind(core, {"anyOf": [{"type": "string"}, kind_of(cls).json]})
+
+    def in_both(value: object) -> object:
+        """One title serves both languages."""
+        if not isinstance(value, str | dict):
+            raise WrongType(NOWHERE, "title", shown_value(value))
+        return {"en": value, "zh": value} if isinstance(value, str) else value
+
+    return FieldKind(_before(in_both, kind_of(cls).core), {"anyOf": [{"type": "string"}, kind_of(cls).json]})
 
 
-def _required(field: Field[Any]) -> bool:
-    return field.default is MISSING and field.default_factory is MISSING
+def _required(each: Field[object]) -> bool:
+    return each.default is MISSING and each.default_factory is MISSING
 
 
-def _checking(cls: Any, rest: Field[Any] | None) -> Schema:
-    """What makes an instance of the class of a table that is right."""
+def _checking(cls: type, rest: Field[object] | None) -> Schema:
+    """The schema that makes an instance of the class of a table that is right."""
     named = {
-        field.name: {
-            "type": "typed-dict-field", "schema": field.metadata["kind"].core, "required": _required(field),
+        each.name: {
+            "type": "typed-dict-field", "schema": each.metadata["kind"].core, "required": _required(each),
             "validation_alias": name,
         }
-        for name, field in keys(cls).items()
+        for name, each in keys(cls).items()
     }  # fmt: skip
 
-    def make(data: dict[str, Any]) -> Any:
+    def make(data: dict[str, object]) -> object:
         if rest is not None:
             data = {name: data.pop(name) for name in named if name in data} | {rest.name: data}
         return cls(**data)
@@ -263,13 +293,13 @@ def _checking(cls: Any, rest: Field[Any] | None) -> Schema:
     return {"type": "function-after", "function": {"type": "no-info", "function": make}, "schema": checked}
 
 
-def _object(cls: Any, rest: Field[Any] | None) -> dict[str, Any]:
-    json: dict[str, Any] = {
+def _object(cls: type, rest: Field[object] | None) -> Schema:
+    json: Schema = {
         "type": "object",
         "additionalProperties": False,
-        "properties": {name: field.metadata["kind"].json for name, field in keys(cls).items()},
+        "properties": {name: each.metadata["kind"].json for name, each in keys(cls).items()},
     }
-    if required := [name for name, field in keys(cls).items() if _required(field)]:
+    if required := [name for name, each in keys(cls).items() if _required(each)]:
         json["required"] = required
     if rest is not None:
         json["patternProperties"] = {rest.metadata["pattern"]: rest.metadata["further"].json}

@@ -5,21 +5,20 @@ And back: a `Mechanism` that is read has its file, which can be given other valu
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from pathlib import Path as FilePath
-from typing import IO, TYPE_CHECKING, Any
+from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
+from typing import IO, TYPE_CHECKING
 
 from graphkin.errors import Lang
-from graphkin.files.curves import Measure
-from graphkin.files.draft import Draft
-from graphkin.files.measures import frame_problems, read_measures
-from graphkin.files.source import decoded, named, read_bytes, read_text, read_toml
+from graphkin.files.draft import Draft, check_joints, check_questions, check_sizes, check_sketch
+from graphkin.files.source import Deferred, decoded_text, mechanism_name, read_bytes, read_text, read_toml
+from graphkin.files.toml import Document
 from graphkin.model import mechanism
-from graphkin.model.pairs import Pair
 
 if TYPE_CHECKING:
     from graphkin.files.builder import Builder
-    from graphkin.files.schema import File, Titles
+    from graphkin.files.schema import Titles
 
 
 class MechanismFile(mechanism.Mechanism):
@@ -80,25 +79,23 @@ class MechanismFile(mechanism.Mechanism):
         return f"<Mechanism {self.name}: links {links}, points {' '.join(self.points)}, driver {drivers}>"
 
 
-
-def load(source: str | FilePath) -> MechanismFile:
+def load(source: str | Path) -> MechanismFile:
     """The mechanism a file describes.
 
     Raises a `GraphkinError`: the one thing that is wrong, or `Several` with all of them in the order of the lines.
     """
-    path = FilePath(source)
-    return loads(read_text(path), name=named(path), file=str(path))
+    path = Path(source)
+    return loads(read_text(path), name=mechanism_name(path), file=str(path))
 
 
 def loads(text: str, *, name: str = "mechanism", file: str = "<text>") -> MechanismFile:
     """The mechanism a text describes; `name` and `file` are what messages and drawings call it."""
     document, lines = read_toml(text, file)
     draft = Draft(file, lines)
-    tables, measures = _checked(draft, document)
-    return _drawn_up(draft, tables, document, measures, name, text)
+    return _drawn_up(draft, document, name, text)
 
 
-def from_dict(document: Mapping[str, Any], *, name: str = "mechanism") -> MechanismFile:
+def from_dict(document: Mapping[str, object], *, name: str = "mechanism") -> MechanismFile:
     """The mechanism that data describe: tables and keys as in the file, numbers in its units.
 
     Numpy's numbers and arrays do, too. Messages give lines of the text that `to_toml` then gives.
@@ -114,43 +111,30 @@ def from_dict(document: Mapping[str, Any], *, name: str = "mechanism") -> Mechan
 
 def load_stream(stream: IO[bytes], *, name: str, file: str) -> MechanismFile:
     """The mechanism that comes in through a pipe."""
-    return loads(decoded(read_bytes(stream, file), file), name=name, file=file)
+    return loads(decoded_text(read_bytes(stream, file), file), name=name, file=file)
 
 
-def _checked(draft: Draft, document: dict[str, Any]) -> tuple[File, dict[str, list[Measure]]]:
-    """All tables by themselves."""
+def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> MechanismFile:
+    """The tables by themselves, then against each other."""
     from pydantic_core import ValidationError
 
-    from graphkin.files.schema import read_tables
+    from graphkin.files.drivers import read_drivers, read_poses
+    from graphkin.files.lines import as_sketched
+    from graphkin.files.links import frame_problems, read_links, read_measures
+    from graphkin.files.pairs import read_pairs
+    from graphkin.files.schema import complaints, read_tables, stated_values
 
     draft.problems.extend(frame_problems(document.get("frame"), draft.where))
     measures, problems = read_measures(document.get("links"), draft.where)
     draft.problems.extend(problems)
     try:
-        tables = read_tables(document)
+        file = read_tables(document)
     except ValidationError as error:
-        from graphkin.files.complaints import complaints
-
         draft.problems.extend(complaints(error, draft.where, draft.lines))
     draft.stop_if_wrong()
-    return tables, measures
-
-
-def _drawn_up(
-    draft: Draft, file: File, raw: dict[str, Any], measures: dict[str, list[Measure]], name: str, text: str
-) -> MechanismFile:
-    """The tables against each other."""
-    from graphkin.files.drivers import read_drivers, read_poses
-    from graphkin.files.joints import check_joints, check_sizes, check_sketch
-    from graphkin.files.links import read_links
-    from graphkin.files.pairs import read_pairs
-    from graphkin.files.questions import check_questions
-    from graphkin.files.sides import as_sketched
-
-    read_links(draft, file, raw, measures)
+    read_links(draft, file, document, measures)
     pairs = read_pairs(draft, file)
-    drivers = read_drivers(draft, file.driver, len(file.pose))
-    poses = read_poses(draft, file.pose)
+    drivers, poses = read_drivers(draft, file.driver, len(file.pose)), read_poses(draft, file.pose)
     check_joints(draft, pairs, len(file.driver))
     check_sizes(draft)
     check_sketch(draft, list(file.sketch))
@@ -158,22 +142,19 @@ def _drawn_up(
     scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}
     sketch = {point: complex(*place) for point, place in file.sketch.items()}
     pairs = as_sketched(file, draft.links, pairs, (*drivers, *poses), sketch)
+    slides = [pair.name for pair in pairs if pair.table == "slide"]
+    titled = {name: _titles(table.title) for name, table in zip(slides, file.slide, strict=True)}
     machine = MechanismFile(
         name, draft.frame, draft.links, pairs, drivers, poses, sketch, scales,
         _titles(file.title), _titles(file.source), tuple(file.ask), text, draft.file, draft.lines,
-        slide_titles=_slide_titles(file, pairs),
+        slide_titles={name: title for name, title in titled.items() if title},
+        given=Deferred(partial(stated_values, document)),
     )  # fmt: skip
     check_questions(draft, machine)
     draft.stop_if_wrong()
     return machine
 
 
-def _slide_titles(file: File, pairs: Sequence[Pair]) -> dict[str, dict[Lang, str]]:
-    slides = [pair.name for pair in pairs if pair.table == "slide"]
-    titled = {name: _titles(table.title) for name, table in zip(slides, file.slide, strict=True)}
-    return {name: title for name, title in titled.items() if title}
-
-
-def _titles(given: Titles) -> dict[Lang, str]:
-    titles: dict[Lang, str | None] = {"en": given.en, "zh": given.zh}
+def _titles(table: Titles) -> dict[Lang, str]:
+    titles: dict[Lang, str | None] = {"en": table.en, "zh": table.zh}
     return {lang: title for lang, title in titles.items() if title}

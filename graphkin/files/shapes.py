@@ -2,31 +2,24 @@
 
 Two points with a known distance are put down first. Then every further point is put where two curves cross: a
 length is a circle about a placed point, an angle at a placed point is a line through it, an angle at the new
-point is the circle of equal angles over two placed ones. Mirror images are told apart by `ccw`.
+point is the circle of equal angles over two placed ones. Mirror images are distinguished by `ccw`.
+
+Unlike `graphkin.base.geometry` this works on one layout at a time and must decide: curves that touch within 1e-9
+of their size touch in one point, as three collinear points want it.
 """
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
 from itertools import combinations, islice
 
+from graphkin import errors
 from graphkin.base.tolerances import ROUNDED
 from graphkin.base.value import frozen
-from graphkin.errors import (
-    CcwContradicts,
-    CcwOnLine,
-    Contradiction,
-    GraphkinError,
-    MissingCcw,
-    NoTriangle,
-    OneSpot,
-    TooFewMeasures,
-    TooManyPoints,
-    Where,
-)
-from graphkin.files.curves import Length, Measure, Places, Triple, crossings, gap
+from graphkin.errors import GraphkinError, Where
 
 MOST_POINTS = 50
 """Links of more points than this need coordinates."""
@@ -36,6 +29,81 @@ MOST_TRIALS = 300
 
 MOST_CURVES = 20
 """Of more curves than this for one point, the first are crossed and the others only held against the result."""
+
+TOUCHES = 1e-9
+"""Two curves closer than this part of their size touch."""
+
+
+@frozen
+class CircleCurve:
+    centre: complex
+    radius: float
+
+
+@frozen
+class StraightLine:
+    """Through `point` along the unit vector `along`."""
+
+    point: complex
+    along: complex
+
+    def distance(self, place: complex) -> float:
+        return abs(((place - self.point) * self.along.conjugate()).imag)
+
+
+Curve = CircleCurve | StraightLine
+Places = Mapping[str, complex]
+Triple = tuple[str, str, str]
+
+
+@frozen
+class Length:
+    """`AB = 24`."""
+
+    key: str
+    points: tuple[str, str]
+    value: float
+
+    def curves(self, point: str, placed: Places) -> list[Curve]:
+        """The curves on which `point` may lie, the other point being placed."""
+        other = self.points[1] if point == self.points[0] else self.points[0]
+        return [CircleCurve(placed[other], self.value)]
+
+    def miss(self, placed: Places) -> float:
+        """The distance of a layout from this length [m]."""
+        a, b = (placed[point] for point in self.points)
+        return abs(abs(b - a) - self.value)
+
+
+@frozen
+class AngleMeasure:
+    """`BDE = 90`: the angle at the middle point, 0 to pi."""
+
+    key: str
+    points: Triple
+    value: float
+
+    def curves(self, point: str, placed: Places) -> list[Curve]:
+        """The curves on which `point` may lie, the other two points being placed."""
+        first, vertex, last = self.points
+        if point == vertex:
+            return _equal_angles(placed[first], placed[last], self.value)
+        along = placed[last if point == first else first] - placed[vertex]
+        if along == 0:
+            return []
+        turns = {cmath.rect(1, self.value), cmath.rect(1, -self.value)}
+        return [StraightLine(placed[vertex], along / abs(along) * turn) for turn in turns]
+
+    def miss(self, placed: Places) -> float:
+        """The distance of the end of the shorter arm from this angle [m]."""
+        first, vertex, last = (placed[point] for point in self.points)
+        one, other = first - vertex, last - vertex
+        if one == 0 or other == 0:
+            return 0.0
+        return abs(abs(cmath.phase(one / other)) - self.value) * min(abs(one), abs(other))
+
+
+Measure = Length | AngleMeasure
 
 
 @frozen
@@ -56,28 +124,28 @@ class ShapeMeasures:
         return self.places[key if key in self.places else ""]
 
 
-def solve_shape(given: ShapeMeasures) -> dict[str, complex]:
+def solve_shape(shape: ShapeMeasures) -> dict[str, complex]:
     """The points in the link's own axes [m]. Errors: see `graphkin.errors.shapes`."""
-    if len(given.points) == 1:
-        return {given.points[0]: 0j}
-    if len(given.points) > MOST_POINTS:
-        raise TooManyPoints(given.where, given.link, MOST_POINTS)
-    found = _LayoutSearch(given, given.ccw).first_two()
-    if not found:
-        raise _why_not_round(given)
-    if len(found) > 1:
-        raise _what_is_open(given, *found)
-    return own_axes({point: found[0][point] for point in given.points}, given)
+    if len(shape.points) == 1:
+        return {shape.points[0]: 0j}
+    if len(shape.points) > MOST_POINTS:
+        raise errors.TooManyPoints(shape.where, shape.link, MOST_POINTS)
+    layouts = _LayoutSearch(shape, shape.ccw).first_two()
+    if not layouts:
+        raise _why_not_round(shape)
+    if len(layouts) > 1:
+        raise _what_is_open(shape, *layouts)
+    return own_axes({point: layouts[0][point] for point in shape.points}, shape)
 
 
-def own_axes(places: Places, given: ShapeMeasures) -> dict[str, complex]:
+def own_axes(places: Places, shape: ShapeMeasures) -> dict[str, complex]:
     """The same figure with its first point in the origin and the next distinct one on +x."""
     origin = next(iter(places.values()))
     arms = {point: place - origin for point, place in places.items()}
     size = max(abs(arm) for arm in arms.values())
     axis = next((arm for arm in arms.values() if abs(arm) > 1e-9 * size), 0j)
     if axis == 0 and len(arms) > 1:
-        raise OneSpot(given.where, given.link)
+        raise errors.OneSpot(shape.where, shape.link)
     turn = axis.conjugate() / abs(axis) if axis.imag or axis.real < 0 else 1 + 0j
     return {point: complex(abs(arm), 0) if arm == axis else arm * turn for point, arm in arms.items()}
 
@@ -85,11 +153,11 @@ def own_axes(places: Places, given: ShapeMeasures) -> dict[str, complex]:
 class _LayoutSearch:
     """All layouts that fulfil the measures and run the right way round, at most two of them."""
 
-    def __init__(self, given: ShapeMeasures, ccw: Sequence[Triple]) -> None:
-        self.given = given
+    def __init__(self, shape: ShapeMeasures, ccw: Sequence[Triple]) -> None:
+        self.shape = shape
         self.ccw = ccw
         self.by_point: dict[str, list[Measure]] = {}
-        for measure in given.measures:
+        for measure in shape.measures:
             for point in measure.points:
                 self.by_point.setdefault(point, []).append(measure)
         self.trials = 0
@@ -101,22 +169,22 @@ class _LayoutSearch:
 
         Raises if the measures are too few or contradict each other.
         """
-        starts = [measure for measure in self.given.measures if isinstance(measure, Length)]
+        starts = [measure for measure in self.shape.measures if isinstance(measure, Length)]
         for start in starts:
             first, second = start.points
             complete = self._complete({first: 0j, second: complex(start.value)})
-            if found := list(islice(complete, 2)):
-                return found
+            if layouts := list(islice(complete, 2)):
+                return layouts
             if self.problem is not None:
                 raise self.problem
         if self.stuck or not starts:
-            raise TooFewMeasures(self.given.where, self.given.link, self.stuck or self.given.points)
+            raise errors.TooFewMeasures(self.shape.where, self.shape.link, self.stuck or self.shape.points)
         return []
 
     def _complete(self, placed: Places) -> Iterator[Places]:
         """Every way to put down the points that are not placed yet."""
         self.trials += 1
-        missing = tuple(point for point in self.given.points if point not in placed)
+        missing = tuple(point for point in self.shape.points if point not in placed)
         if not missing:
             yield placed
             return
@@ -124,54 +192,51 @@ class _LayoutSearch:
         if choice is None or self.trials > MOST_TRIALS:
             self.stuck = min(self.stuck or missing, missing, key=len)
             return
-        point, found = choice
-        for place in found:
+        point, places = choice
+        for place in places:
             yield from self._complete({**placed, point: place})
 
     def _clearest(self, missing: Sequence[str], placed: Places) -> tuple[str, list[complex]] | None:
-        """The point with the fewest places, the first that has one only; None if no point has any telling."""
+        """The point with the fewest places, the first that has one only; None if the measures fix no point yet."""
         best: tuple[str, list[complex]] | None = None
         for point in missing:
-            found = self._candidates(point, placed)
-            if found is not None and (best is None or len(found) < len(best[1])):
-                best = point, found
+            places = self._candidates(point, placed)
+            if places is not None and (best is None or len(places) < len(best[1])):
+                best = point, places
             if best is not None and len(best[1]) < 2:
                 break
         return best
 
     def _candidates(self, point: str, placed: Places) -> list[complex] | None:
-        """Where the point can lie; None while fewer than two measures tell."""
-        telling = self._telling(point, placed)
-        options = [measure.curves(point, placed) for measure in telling]
+        """The places at which the point can lie; None while fewer than two measures fix it."""
+        fixing = self._fixing(point, placed)
+        options = [measure.curves(point, placed) for measure in fixing]
         apart, crossed = 0.0, False
         for one, other in combinations(options[:MOST_CURVES], 2):
-            places = [place for a in one for b in other for place in crossings(a, b)]
-            if good := self._fitting(point, places, telling, placed):
+            places = [place for a in one for b in other for place in curve_crossings(a, b)]
+            if good := self._fitting(point, places, fixing, placed):
                 return [place for place in good if self._right_way_round({**placed, point: place})]
             if places and not crossed:
                 crossed = True
-                worst = self._worst(point, places, telling, placed)
+                worst = self._worst(point, places, fixing, placed)
             apart = max(apart, min((gap(a, b) for a in one for b in other), default=0.0))
         if not crossed and apart <= ROUNDED * _size(placed):
             return None
-        self.problem = self.problem or (worst if crossed else self._no_crossing(point, telling, placed))
+        self.problem = self.problem or (worst if crossed else self._no_crossing(point, fixing, placed))
         return []
 
-    def _telling(self, point: str, placed: Places) -> list[Measure]:
+    def _fixing(self, point: str, placed: Places) -> list[Measure]:
         """The measures whose only point not placed is this one."""
-        return [
-            measure
-            for measure in self.by_point.get(point, ())
-            if all(other in placed or other == point for other in measure.points)
-        ]
+        measures = self.by_point.get(point, ())
+        return [each for each in measures if all(other in placed or other == point for other in each.points)]
 
-    def _fitting(self, point: str, places: list[complex], telling: list[Measure], placed: Places) -> list[complex]:
+    def _fitting(self, point: str, places: list[complex], fixing: list[Measure], placed: Places) -> list[complex]:
         """Those of the places, each once, that all measures agree with."""
         good: list[complex] = []
         for place in places:
             layout = {**placed, point: place}
             allowed = ROUNDED * _size(layout)
-            fits = all(measure.miss(layout) <= allowed for measure in telling)
+            fits = all(measure.miss(layout) <= allowed for measure in fixing)
             if fits and all(abs(place - other) > allowed for other in good):
                 good.append(place)
         return good
@@ -180,34 +245,28 @@ class _LayoutSearch:
         placed = (triple for triple in self.ccw if all(point in layout for point in triple))
         return all(orientation(layout, triple) > 0 for triple in placed)
 
-    def _worst(self, point: str, places: list[complex], telling: list[Measure], placed: Places) -> Contradiction:
+    def _worst(self, point: str, places: list[complex], fixing: list[Measure], placed: Places) -> errors.Contradiction:
         """Of the best layout, the measure that is furthest off."""
         layouts = [{**placed, point: place} for place in places]
-        best = min(layouts, key=lambda layout: max(measure.miss(layout) for measure in telling))
-        worst = max(telling, key=lambda measure: measure.miss(best))
-        return Contradiction(self.given.place(worst.key), self.given.link, worst.key, worst.miss(best) * 1e3)
+        best = min(layouts, key=lambda layout: max(measure.miss(layout) for measure in fixing))
+        worst = max(fixing, key=lambda measure: measure.miss(best))
+        return errors.Contradiction(self.shape.place(worst.key), self.shape.link, worst.key, worst.miss(best) * 1e3)
 
-    def _no_crossing(self, point: str, telling: list[Measure], placed: Places) -> GraphkinError:
+    def _no_crossing(self, point: str, fixing: list[Measure], placed: Places) -> GraphkinError:
         """The two measures that leave least place for the point."""
 
         def apart(pair: tuple[Measure, Measure]) -> float:
             one, other = (measure.curves(point, placed) for measure in pair)
             return min((gap(a, b) for a in one for b in other), default=0.0)
 
-        one, other = max(combinations(telling, 2), key=apart)
-        last = max(one, other, key=lambda measure: self._line(measure.key))
+        one, other = max(combinations(fixing, 2), key=apart)
+        last = max(one, other, key=lambda measure: self.shape.place(measure.key).line or 0)
         gap_mm = apart((one, other)) * 1e3
         if isinstance(one, Length) and isinstance(other, Length):
             a, b = (next(end for end in length.points if end != point) for length in (one, other))
-            return NoTriangle(self.given.place(last.key), (self._key(a, b), one.key, other.key), gap_mm)
-        return Contradiction(self.given.place(last.key), self.given.link, last.key, gap_mm)
-
-    def _line(self, key: str) -> int:
-        return self.given.place(key).line or 0
-
-    def _key(self, a: str, b: str) -> str:
-        """The distance ab as the file writes it, if it does."""
-        return next((m.key for m in self.given.measures if set(m.points) == {a, b}), a + b)
+            base = next((measure.key for measure in self.shape.measures if set(measure.points) == {a, b}), a + b)
+            return errors.NoTriangle(self.shape.place(last.key), (base, one.key, other.key), gap_mm)
+        return errors.Contradiction(self.shape.place(last.key), self.shape.link, last.key, gap_mm)
 
 
 def _size(layout: Places) -> float:
@@ -223,34 +282,104 @@ def orientation(layout: Places, triple: Sequence[str]) -> int:
     return 0 if abs(area) <= 1e-9 * sides else int(math.copysign(1, area))
 
 
-def check_round(given: ShapeMeasures, places: Places) -> None:
-    """Whether given coordinates run the way `ccw` says."""
-    for number, triple in enumerate(given.ccw):
+def check_round(shape: ShapeMeasures, places: Places) -> None:
+    """Raise an error where coordinates do not run the way round that `ccw` says."""
+    for number, triple in enumerate(shape.ccw):
         turn = orientation(places, triple)
         if turn != 1:
-            raise (CcwContradicts if turn else CcwOnLine)(given.place(f"ccw {number}"), triple)
+            raise (errors.CcwContradicts if turn else errors.CcwOnLine)(shape.place(f"ccw {number}"), triple)
 
 
-def _why_not_round(given: ShapeMeasures) -> GraphkinError:
+def _why_not_round(shape: ShapeMeasures) -> GraphkinError:
     """No layout runs the way `ccw` says: which triple cannot."""
-    layouts = _LayoutSearch(given, ()).first_two()
-    for number, triple in enumerate(given.ccw):
-        where = given.place(f"ccw {number}")
+    layouts = _LayoutSearch(shape, ()).first_two()
+    for number, triple in enumerate(shape.ccw):
+        where = shape.place(f"ccw {number}")
         if all(orientation(layout, triple) == 0 for layout in layouts):
-            return CcwOnLine(where, triple)
+            return errors.CcwOnLine(where, triple)
     done: list[Triple] = []
-    for number, triple in enumerate(given.ccw):
+    for number, triple in enumerate(shape.ccw):
         done.append(triple)
-        if not _LayoutSearch(given, done).first_two():
-            return CcwContradicts(given.place(f"ccw {number}"), triple)
-    return CcwContradicts(given.where, given.ccw[-1])
+        if not _LayoutSearch(shape, done).first_two():
+            return errors.CcwContradicts(shape.place(f"ccw {number}"), triple)
+    return errors.CcwContradicts(shape.where, shape.ccw[-1])
 
 
-def _what_is_open(given: ShapeMeasures, one: Places, other: Places) -> GraphkinError:
+def _what_is_open(shape: ShapeMeasures, one: Places, other: Places) -> GraphkinError:
     """Two layouts are left: either some triple tells them apart, or measures are lacking."""
-    for a, b, c in combinations(given.points, 3):
+    for a, b, c in combinations(shape.points, 3):
         turns = orientation(one, (a, b, c)), orientation(other, (a, b, c))
         if turns[0] != turns[1] and 0 not in turns:
-            return MissingCcw(given.where, (a, b, c))
-    moved = tuple(p for p in given.points if abs(one[p] - other[p]) > ROUNDED * _size(one))
-    return TooFewMeasures(given.where, given.link, moved)
+            return errors.MissingCcw(shape.where, (a, b, c))
+    moved = tuple(p for p in shape.points if abs(one[p] - other[p]) > ROUNDED * _size(one))
+    return errors.TooFewMeasures(shape.where, shape.link, moved)
+
+
+# --- curves -----------------------------------------------------------------------------------
+
+
+def _equal_angles(a: complex, b: complex, angle: float) -> list[Curve]:
+    """The points that see the stretch ab under an angle."""
+    if a == b:
+        return []
+    if math.sin(angle) < 1e-9:
+        return [StraightLine(a, (b - a) / abs(b - a))]
+    offset = (b - a) / 2j / math.tan(angle)
+    return [CircleCurve((a + b) / 2 + side * offset, abs(b - a) / 2 / math.sin(angle)) for side in (1, -1)]
+
+
+def curve_crossings(one: Curve, other: Curve) -> list[complex]:
+    """The points two curves share: none, one or two; none if they coincide."""
+    if isinstance(one, CircleCurve):
+        return _two_circles(one, other) if isinstance(other, CircleCurve) else _line_and_circle(other, one)
+    return _line_and_circle(one, other) if isinstance(other, CircleCurve) else _two_lines(one, other)
+
+
+def gap(one: Curve, other: Curve) -> float:
+    """The distance of two curves that do not cross; 0 if they coincide."""
+    if isinstance(one, StraightLine):
+        return one.distance(other.point) if isinstance(other, StraightLine) else gap(other, one)
+    if isinstance(other, StraightLine):
+        return max(other.distance(one.centre) - one.radius, 0.0)
+    apart = abs(one.centre - other.centre)
+    return max(apart - one.radius - other.radius, abs(one.radius - other.radius) - apart, 0.0)
+
+
+def _two_circles(one: CircleCurve, other: CircleCurve) -> list[complex]:
+    between = other.centre - one.centre
+    apart = abs(between)
+    size = max(apart, one.radius, other.radius)
+    if apart <= TOUCHES * size:
+        return []
+    along = between / apart
+    outside = apart - one.radius - other.radius
+    inside = abs(one.radius - other.radius) - apart
+    if max(outside, inside) > TOUCHES * size:
+        return []
+    if abs(outside) <= TOUCHES * size:
+        return [one.centre + one.radius * along]
+    if abs(inside) <= TOUCHES * size:
+        return [one.centre + (one.radius if one.radius > other.radius else -one.radius) * along]
+    foot = (apart + (one.radius - other.radius) * (one.radius + other.radius) / apart) / 2
+    height = math.sqrt(max((one.radius - foot) * (one.radius + foot), 0.0))
+    return [one.centre + along * complex(foot, side * height) for side in (1, -1)]
+
+
+def _line_and_circle(line: StraightLine, circle: CircleCurve) -> list[complex]:
+    offset = (circle.centre - line.point) * line.along.conjugate()
+    foot = line.point + offset.real * line.along
+    room = circle.radius - abs(offset.imag)
+    if abs(room) <= TOUCHES * circle.radius:
+        return [foot]
+    if room < 0:
+        return []
+    half = math.sqrt(room * (circle.radius + abs(offset.imag)))
+    return [foot + half * line.along, foot - half * line.along]
+
+
+def _two_lines(one: StraightLine, other: StraightLine) -> list[complex]:
+    sine = (one.along.conjugate() * other.along).imag
+    if abs(sine) <= TOUCHES:
+        return []
+    reach = ((other.point - one.point) * other.along.conjugate()).imag / -sine
+    return [one.point + reach * one.along]

@@ -4,27 +4,18 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping
-from functools import cached_property
-from pathlib import Path as FilePath
-from typing import IO, Any
+from collections.abc import Callable, Iterator, Mapping
+from functools import cached_property, partial
+from pathlib import Path
+from typing import IO, TypeVar
 
-from graphkin.errors import (
-    BrokenToml,
-    ControlCharacter,
-    EmptyFile,
-    FileTooLarge,
-    IsFolder,
-    NoFile,
-    NotUtf8,
-    StrayLetter,
-    TooDeep,
-    Unreadable,
-    Where,
-    steers,
-)
-from graphkin.files.names import tidy
-from graphkin.files.positions import Path, positions
+from graphkin import errors
+from graphkin.errors import Where
+from graphkin.files.toml import Document, key_positions, tidied
+from graphkin.files.values import tidy
+from graphkin.model.mechanism import GivenValue, KeyPath
+
+_T = TypeVar("_T")
 
 LARGEST_FILE = 1_000_000
 """Mechanism files have some hundred bytes; more than this many are refused."""
@@ -44,108 +35,117 @@ _QUOTED = r"""\"[^"]*("|$)|'[^']*('|$)|#.*"""
 """Texts in quotes, to the end of the line where one is not closed, and remarks."""
 
 
-def read_text(path: FilePath) -> str:
+def read_text(path: Path) -> str:
     """The file's text."""
     where = Where(str(path))
     try:
         if path.is_dir():
-            raise IsFolder(where)
+            raise errors.IsFolder(where)
         with path.open("rb") as stream:
-            return decoded(read_bytes(stream, where.file), where.file)
+            return decoded_text(read_bytes(stream, where.file), where.file)
     except FileNotFoundError:
-        raise NoFile(where, path.name, _beside(path)) from None
+        raise errors.NoFile(where, path.name, _files_beside(path)) from None
     except (OSError, ValueError) as problem:
-        raise Unreadable(where, getattr(problem, "strerror", None) or str(problem)) from None
+        raise errors.Unreadable(where, getattr(problem, "strerror", None) or str(problem)) from None
 
 
 def read_bytes(stream: IO[bytes], file: str) -> bytes:
-    """What comes in, and no more of it than a mechanism file may have."""
+    """The bytes that come in, and no more of them than a mechanism file may have."""
     try:
         return stream.read(LARGEST_FILE + 1)
     except OSError as problem:
-        raise Unreadable(Where(file), problem.strerror or str(problem)) from None
+        raise errors.Unreadable(Where(file), problem.strerror or str(problem)) from None
 
 
-def named(path: FilePath) -> str:
-    """What a mechanism is called after its file; a character that no text may hold becomes an underscore."""
-    return "".join("_" if steers(letter) else letter for letter in path.stem)
+def mechanism_name(path: Path) -> str:
+    """The name of a mechanism after its file; a character that no text may hold becomes an underscore."""
+    return "".join("_" if errors.steers(letter) else letter for letter in path.stem)
 
 
-def decoded(content: bytes, file: str) -> str:
+def decoded_text(content: bytes, file: str) -> str:
     """The text of a file's bytes; a byte order mark is not part of it."""
     _check_size(len(content), file)
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
         if content.startswith(_WIDE_MARKS):
-            raise NotUtf8(Where(file), "UTF-16") from None
+            raise errors.NotUtf8(Where(file), "UTF-16") from None
         line = content.count(b"\n", 0, problem.start) + 1
-        raise NotUtf8(Where(file, line), "") from None
+        raise errors.NotUtf8(Where(file, line), "") from None
 
 
-class Lines(Mapping[Path, int]):
-    """The line of each key (primes in keys tidied in the paths), found when one is asked for: few are."""
+class Deferred(Mapping[KeyPath, _T]):
+    """A table of keys that is made when something of it is first read: of few files is it."""
 
-    def __init__(self, text: str, file: str) -> None:
-        self.text, self.file = text, file
+    def __init__(self, make: Callable[[], Mapping[KeyPath, _T]]) -> None:
+        self._make = make
 
     @cached_property
-    def _found(self) -> dict[Path, int]:
-        try:
-            return {_tidied(path): line for path, line in positions(self.text).items()}
-        except RecursionError:
-            raise TooDeep(Where(self.file)) from None
+    def _table(self) -> Mapping[KeyPath, _T]:
+        return self._make()
 
-    def __getitem__(self, path: Path) -> int:
-        return self._found[path]
+    def __getitem__(self, path: KeyPath) -> _T:
+        return self._table[path]
 
-    def __iter__(self) -> Iterator[Path]:
-        return iter(self._found)
+    def __iter__(self) -> Iterator[KeyPath]:
+        return iter(self._table)
 
     def __len__(self) -> int:
-        return len(self._found)
-
-    def __reduce__(self) -> tuple[type, tuple[dict[Path, int]]]:
-        """Sent elsewhere it is a plain table."""
-        return dict, (self._found,)
+        return len(self._table)
 
 
-def read_toml(text: str, file: str) -> tuple[dict[str, Any], Lines]:
+def stated_in(text: str) -> dict[KeyPath, GivenValue]:
+    """All that a mechanism file's text states, by place and in its order."""
+    from graphkin.files.schema import stated_values
+
+    return stated_values(tomllib.loads(text.removeprefix("\ufeff")))
+
+
+def key_lines(text: str, file: str) -> dict[KeyPath, int]:
+    """The line of each key of a text that `tomllib` accepts, counted from 1; primes in names are tidied."""
+    try:
+        return {tidied(path): line for path, line in key_positions(text).items()}
+    except RecursionError:
+        raise errors.TooDeep(Where(file)) from None
+
+
+def read_toml(text: str, file: str) -> tuple[Document, Mapping[KeyPath, int]]:
     """The data, and the line of each key."""
     _check_size(len(text), file)
     text = text.removeprefix("\ufeff")
     if any(line.count(".") >= _PARTS and re.search(_DEEP, line) is not None for line in text.split("\n")):
-        raise TooDeep(Where(file))
+        raise errors.TooDeep(Where(file))
     try:
         document = tomllib.loads(text)
-        lines = Lines(text, file)
+        lines = Deferred(partial(key_lines, text, file))
         _refuse_control(document, lines, text, file)
     except RecursionError:
-        raise TooDeep(Where(file)) from None
+        raise errors.TooDeep(Where(file)) from None
     except ValueError as problem:
         raise _broken(str(problem), text, file) from None
     if not document:
-        raise EmptyFile(Where(file))
+        raise errors.EmptyFile(Where(file))
     return document, lines
 
 
-def _refuse_control(document: dict[str, Any], lines: Mapping[Path, int], text: str, file: str) -> None:
+def _refuse_control(document: Document, lines: Mapping[KeyPath, int], text: str, file: str) -> None:
     """Texts and names go to terminals, into XML, TeX and tables: no character in them may mean more than itself."""
-    if (found := _NO_XML.search(text)) is not None:
-        raise ControlCharacter(Where(file, text.count("\n", 0, found.start()) + 1), f"U+{ord(found.group()):04X}")
+    if (match := _NO_XML.search(text)) is not None:
+        above = text.count("\n", 0, match.start())
+        raise errors.ControlCharacter(Where(file, above + 1), f"U+{ord(match.group()):04X}")
     if "\\" not in text and text.translate(_WITHOUT_BLANKS).isprintable():
         return
     for path, word in _words(document, ()):
         if word.isprintable():
             continue
-        bad = next((letter for letter in word if steers(letter) and letter not in _BLANKS), None)
+        bad = next((letter for letter in word if errors.steers(letter) and letter not in _BLANKS), None)
         if bad is not None:
             line = next((lines[path[:n]] for n in range(len(path), 0, -1) if path[:n] in lines), None)
-            place = "".join(letter for letter in ".".join(map(str, path)) if not steers(letter))
-            raise ControlCharacter(Where(file, line, place), f"U+{ord(bad):04X}")
+            place = "".join(letter for letter in ".".join(map(str, path)) if not errors.steers(letter))
+            raise errors.ControlCharacter(Where(file, line, place), f"U+{ord(bad):04X}")
 
 
-def _words(value: object, path: Path) -> Iterator[tuple[Path, str]]:
+def _words(value: object, path: KeyPath) -> Iterator[tuple[KeyPath, str]]:
     """Every key and every text of a document, with its place."""
     match value:
         case str():
@@ -161,18 +161,18 @@ def _words(value: object, path: Path) -> Iterator[tuple[Path, str]]:
             pass
 
 
-def _broken(reason: str, text: str, file: str) -> BrokenToml | StrayLetter:
+def _broken(reason: str, text: str, file: str) -> errors.BrokenToml | errors.StrayLetter:
     place = re.search(_PLACE, reason)
     line = None
     if place is not None:
         line = int(place[1]) if place[1] else text.rstrip("\n").count("\n") + 1
         stray = re.search(r"[^\x00-\x7f]", re.sub(_QUOTED, "", text.split("\n")[line - 1]))
         if stray is not None:
-            return StrayLetter(Where(file, line), stray.group(), f"U+{ord(stray.group()):04X}")
-    return BrokenToml(Where(file, line), re.sub(_PLACE, "", reason))
+            return errors.StrayLetter(Where(file, line), stray.group(), f"U+{ord(stray.group()):04X}")
+    return errors.BrokenToml(Where(file, line), re.sub(_PLACE, "", reason))
 
 
-def _beside(path: FilePath) -> tuple[str, ...]:
+def _files_beside(path: Path) -> tuple[str, ...]:
     """The mechanism files of the same folder."""
     try:
         return tuple(sorted(other.name for other in path.parent.glob("*.toml")))
@@ -182,8 +182,4 @@ def _beside(path: FilePath) -> tuple[str, ...]:
 
 def _check_size(size: int, file: str) -> None:
     if size > LARGEST_FILE:
-        raise FileTooLarge(Where(file), LARGEST_FILE / 1e6)
-
-
-def _tidied(path: Path) -> Path:
-    return tuple(tidy(part) if isinstance(part, str) else part for part in path)
+        raise errors.FileTooLarge(Where(file), LARGEST_FILE / 1e6)

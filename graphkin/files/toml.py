@@ -1,24 +1,45 @@
-"""Data as TOML text, laid out as mechanism files are: titles and questions, then a table with a header each."""
+"""TOML text: data written as mechanism files are laid out, where each key and value stands, other values put in.
+
+`tomllib` gives values without their places, so a second, simpler walk over the same text finds them. It may only be
+given a text that `tomllib` has accepted, and relies on that: it checks nothing.
+"""
 
 from __future__ import annotations
 
+import copy
 import json
 import re
-from collections.abc import Iterator, Mapping
+import tomllib
+from bisect import bisect_right
+from collections.abc import Callable, Iterator, Mapping
 from datetime import date, datetime, time
+from functools import lru_cache
 from numbers import Integral, Real
-from typing import Any
+from typing import Any, TypeAlias
 
 from graphkin.errors import Where, WrongType
-from graphkin.files.values import shown
+from graphkin.files.values import shown_value, tidy
+from graphkin.model.mechanism import KeyPath
 
-_BARE = re.compile(r"[A-Za-z0-9_-]+")
+Document: TypeAlias = dict[str, Any]
+"""The data of a file, as `tomllib` gives them."""
+
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 
 
-def toml(document: Mapping[str, Any]) -> str:
-    """The text of a mechanism's data; numpy's numbers and arrays, too, and a complex number for a place.
+def parsed(text: str) -> Document:
+    """The data of a TOML text. Raises ValueError for a text that is none, RecursionError for one nested too deeply."""
+    return tomllib.loads(text)
 
-    Raises WrongType for a value that no TOML file can hold.
+
+# --- data as text -----------------------------------------------------------------------------
+
+
+def toml(document: Mapping[str, object]) -> str:
+    """The text of a mechanism's data: titles and questions, then a table with a header each.
+
+    Numpy's numbers and arrays do, too, and a complex number for a place. Raises WrongType for a value that no TOML file
+    can hold.
 
     >>> print(toml({"ask": ["v B"], "links": {"1": {"AB": 24}}, "driver": [{"vector": "AB", "omega": 10}]}))
     ask = ["v B"]
@@ -37,6 +58,11 @@ def toml(document: Mapping[str, Any]) -> str:
         if name not in plain:
             lines += _with_header(name, value)
     return "\n".join(lines).lstrip("\n") + "\n"
+
+
+def key_text(name: str) -> str:
+    """A key, quoted where TOML wants it."""
+    return name if _BARE_KEY.fullmatch(name) else value_text(name)
 
 
 def value_text(value: object, place: str = "") -> str:
@@ -63,30 +89,202 @@ def value_text(value: object, place: str = "") -> str:
         return value_text(value.tolist(), place)
     if isinstance(value, list | tuple):
         return f"[{', '.join(value_text(entry, f'{place}.{k}') for k, entry in enumerate(value))}]"
-    raise WrongType(Where("", None, place), "quantity", shown(value))
+    raise WrongType(Where("", None, place), "quantity", shown_value(value))
 
 
 def _has_header(name: str, value: object) -> bool:
-    """Whether it is a table, or tables; a title of two languages stands on one line."""
+    """True of a table, or of tables; a title of two languages stands on one line."""
     several = isinstance(value, list | tuple) and bool(value) and all(isinstance(entry, Mapping) for entry in value)
     return several or (isinstance(value, Mapping) and name != "title")
 
 
-def _with_header(name: str, value: Any) -> Iterator[str]:
-    if not isinstance(value, Mapping):
+def _with_header(name: str, value: object) -> Iterator[str]:
+    if isinstance(value, list | tuple):
         for entry in value:
             yield from ("", f"[[{key_text(name)}]]", *_rows(entry, name))
-    elif value and all(isinstance(entry, Mapping) for entry in value.values()):
+        return
+    assert isinstance(value, Mapping)
+    if value and all(isinstance(entry, Mapping) for entry in value.values()):
         for key, entry in value.items():
             yield from ("", f"[{key_text(name)}.{key_text(str(key))}]", *_rows(entry, f"{name}.{key}"))
     else:
         yield from ("", f"[{key_text(name)}]", *_rows(value, name))
 
 
-def _rows(table: Mapping[str, Any], place: str) -> Iterator[str]:
+def _rows(table: Mapping[str, object], place: str) -> Iterator[str]:
     return (f"{key_text(str(key))} = {value_text(value, f'{place}.{key}')}" for key, value in table.items())
 
 
-def key_text(name: str) -> str:
-    """A key, quoted where TOML wants it."""
-    return name if _BARE.fullmatch(name) else value_text(name)
+# --- other values in a text -------------------------------------------------------------------
+
+
+def replaced_values(text: str, values: Mapping[KeyPath, object]) -> str:
+    """The text with other values at these places; a key that is not there is added at the end of its table.
+
+    Comments and layout stay, unless a whole table is missing.
+    """
+    spans, ends = _value_spans(text)
+    edits: list[tuple[int, int, str]] = []
+    for path, value in values.items():
+        if path in spans:
+            edits.append((*spans[path], value_text(value)))
+        elif path[:-1] in ends and path[:-1]:
+            end = text.find("\n", ends[path[:-1]])
+            end = len(text) if end < 0 else end
+            edits.append((end, end, f"\n{key_text(str(path[-1]))} = {value_text(value)}"))
+        else:
+            return toml(with_values(tomllib.loads(text), values))
+    for begin, end, new in sorted(edits, reverse=True):
+        text = text[:begin] + new + text[end:]
+    return text
+
+
+@lru_cache(maxsize=16)
+def _value_spans(text: str) -> tuple[dict[KeyPath, tuple[int, int]], dict[KeyPath, int]]:
+    """The span of each value, and the end of the last thing that each table with a header has."""
+    walk = _TextWalk(text)
+    return ({tidied(path): span for path, span in walk.values.items()},
+            {tidied(path): end for path, end in walk.ends.items()})  # fmt: skip
+
+
+def with_values(document: Mapping[str, object], values: Mapping[KeyPath, object]) -> dict[str, object]:
+    """A copy of a file's data with other values at these places; tables that are missing are made."""
+    changed = copy.deepcopy(dict(document))
+    for path, value in values.items():
+        table: dict[str, object] | list[object] = changed
+        for part in path[:-1]:
+            inner = table[int(part)] if isinstance(table, list) else table.setdefault(own_key(table, part), {})
+            assert isinstance(inner, dict | list)
+            table = inner
+        if isinstance(table, list):
+            table[int(path[-1])] = value
+        else:
+            table[own_key(table, path[-1])] = value
+    return changed
+
+
+def own_key(table: Mapping[str, object], part: str | int) -> str:
+    """A key as this table writes it: primes may be printed ones there."""
+    return next((key for key in table if tidy(key) == part), str(part))
+
+
+def tidied(path: KeyPath) -> KeyPath:
+    """A path with the primes of its names as typed on a keyboard."""
+    return tuple(tidy(part) if isinstance(part, str) else part for part in path)
+
+
+# --- where keys stand -------------------------------------------------------------------------
+
+_BLANK = r"(?:[ \t\r\n]|#[^\n]*)*"
+_SPACE = r"[ \t]*"
+_PLAIN = r"[^,\]}#\n]+"
+_STRING = r'(?s:"""(?:\\.|[^\\])*?"{3,5}' r"|'''.*?'{3,5}" r'|"(?:\\.|[^"\\])*"' r"|'[^']*')"
+
+
+def key_positions(text: str) -> dict[KeyPath, int]:
+    """The line of each key, list items included, counted from 1."""
+    starts = [0, *(match.end() for match in re.finditer("\n", text))]
+    return {path: bisect_right(starts, offset) for path, offset in _TextWalk(text).keys.items()}
+
+
+class _TextWalk:
+    """One walk over a text.
+
+    keys    the offset where each key first stands
+    values  where each value begins and ends
+    ends    where the last thing ends that each table with a header has
+    """
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.keys: dict[KeyPath, int] = {}
+        self.values: dict[KeyPath, tuple[int, int]] = {}
+        self.ends: dict[KeyPath, int] = {}
+        self._counts: dict[KeyPath, int] = {}
+        """The number of the last [[table]] of each name so far, from 0."""
+        table: KeyPath = ()
+        at = self._after(_BLANK, 0)
+        while at < len(text):
+            if text[at] == "[":
+                table, at = self._header(at)
+            else:
+                at = self._key_and_value(at, table)
+            self.ends[table] = at
+            at = self._after(_BLANK, at)
+
+    def _header(self, at: int) -> tuple[KeyPath, int]:
+        """`[links.1]` or `[[slide]]`: the path of what follows."""
+        brackets = 2 if self.text.startswith("[[", at) else 1
+        names, end = self._names(at + brackets)
+        for n in range(1, len(names)):
+            self.keys.setdefault(self._resolved(names[:n]), at)
+        path: KeyPath = (*self._resolved(names[:-1]), names[-1])
+        if brackets == 2:
+            self.keys.setdefault(path, at)
+            self._counts[path] = self._counts.get(path, -1) + 1
+        path = self._resolved(names)
+        self.keys.setdefault(path, at)
+        return path, end + brackets
+
+    def _resolved(self, names: list[str]) -> KeyPath:
+        """The path of a header: the last item of each [[table]] on the way is meant."""
+        path: KeyPath = ()
+        for name in names:
+            path = (*path, name)
+            if path in self._counts:
+                path = (*path, self._counts[path])
+        return path
+
+    def _key_and_value(self, at: int, table: KeyPath) -> int:
+        names, end = self._names(at)
+        path = table
+        for name in names:
+            path = (*path, name)
+            self.keys.setdefault(path, at)
+        return self._value(end + 1, path)
+
+    def _names(self, at: int) -> tuple[list[str], int]:
+        """The parts of a dotted key, and where it ends."""
+        names: list[str] = []
+        while True:
+            at = self._after(_SPACE, at)
+            quoted = self.text[at] in "\"'"
+            end = self._after(_STRING if quoted else _BARE_KEY.pattern, at)
+            part = self.text[at:end]
+            names.append(str(tomllib.loads(f"key = {part}")["key"]) if quoted else part)
+            at = self._after(_SPACE, end)
+            if self.text[at] != ".":
+                return names, at
+            at += 1
+
+    def _value(self, at: int, path: KeyPath) -> int:
+        """The end of the value that begins here; it and what is in it are noted."""
+        at = self._after(_SPACE, at)
+        match self.text[at]:
+            case '"' | "'":
+                end = self._after(_STRING, at)
+            case "[":
+                end = self._items(at + 1, "]", lambda item, n: self._item(item, (*path, n)))
+            case "{":
+                end = self._items(at + 1, "}", lambda item, _: self._key_and_value(item, path))
+            case _:
+                end = self._after(_PLAIN, at)
+        self.values[path] = at, at + len(self.text[at:end].rstrip())
+        return end
+
+    def _item(self, at: int, path: KeyPath) -> int:
+        self.keys.setdefault(path, at)
+        return self._value(at, path)
+
+    def _items(self, at: int, close: str, read: Callable[[int, int], int]) -> int:
+        """The end of what stands between brackets, separated by commas."""
+        at, n = self._after(_BLANK, at), 0
+        while self.text[at] != close:
+            at, n = self._after(_BLANK, read(at, n)), n + 1
+            if self.text[at] == ",":
+                at = self._after(_BLANK, at + 1)
+        return at + 1
+
+    def _after(self, pattern: str, at: int) -> int:
+        match = re.compile(pattern).match(self.text, at)
+        return at if match is None else match.end()

@@ -1,16 +1,14 @@
-"""What moves how: positions, velocities and accelerations by name, whichever road they come from."""
+"""Positions, velocities and accelerations by name, whichever road they come from."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
 from graphkin.base.geometry import Real, Value
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
-
-__all__ = ["Motions"]
 
 
 @frozen
@@ -37,40 +35,29 @@ class Motions:
 
     def velocity_at(self, point: str, link: str) -> Value:
         """Velocity of the point of `link` that lies under `point` at this instant [m/s]: known, or by image."""
-        if link == FRAME:
-            return self._still(point)
-        known = self.velocities[link]
-        if (base := _base(known, point)) == point:
-            return _as_it_is(known[base])
-        return known[base] + 1j * self.omega[link] * (self.position[point] - self.position[base])
+        return self._by_image(self.velocities, point, link, lambda: 1j * self.omega[link])
 
     def acceleration_at(self, point: str, link: str) -> Value:
         """Acceleration of the point of `link` that lies under `point` at this instant [m/s^2]."""
-        if link == FRAME:
-            return self._still(point)
-        known = self.accelerations[link]
-        if (base := _base(known, point)) == point:
-            return _as_it_is(known[base])
-        turning = 1j * self.alpha[link] - self.omega[link] ** 2
-        return known[base] + turning * (self.position[point] - self.position[base])
+        return self._by_image(self.accelerations, point, link, lambda: 1j * self.alpha[link] - self.omega[link] ** 2)
 
-    def _still(self, point: str) -> Value:
-        """Nothing, in the shape of the positions; nan where these are."""
-        return 0 * self.position[point] + 0j
+    def _by_image(
+        self, tables: Mapping[str, Mapping[str, Value]], point: str, link: str, ratio: Callable[[], Value]
+    ) -> Value:
+        """The motion of a point: as known, else from another point of the link by the `ratio` of image and link."""
+        if link == FRAME:  # none, in the shape of the positions; nan where these are
+            return 0 * self.position[point] + 0j
+        known = tables[link]
+        if point in known:
+            value = known[point]
+            return value if isinstance(value, np.ndarray) else value + 0j  # a number without -0
+        base = next(iter(known))
+        return known[base] + ratio() * (self.position[point] - self.position[base])
 
-    def turning(self, link: str) -> Value:
+    def turning(self, link: str) -> Real:
         """Angular velocity of a link, the frame's too [rad/s]."""
         return 0.0 if link == FRAME else self.omega[link]
 
-    def swing(self, link: str) -> Value:
+    def swing(self, link: str) -> Real:
         """Angular acceleration of a link, the frame's too [rad/s^2]."""
         return 0.0 if link == FRAME else self.alpha[link]
-
-
-def _base(known: Mapping[str, Value], point: str) -> str:
-    return point if point in known else next(iter(known))
-
-
-def _as_it_is(value: Value) -> Value:
-    """A number without -0; what is known of many positions is not copied."""
-    return value if isinstance(value, np.ndarray) else value + 0j

@@ -1,4 +1,4 @@
-"""What the machine is: links, pairs, drivers. Frozen, in SI units, and without a position.
+"""The machine as data: links, pairs, drivers. Frozen, in SI units, and without a position.
 
 A link's axes have their origin in its first point and their x axis towards its second (as the file
 writes them), so the angle of a link, `theta`, is the direction of its first two points. A block of one
@@ -8,17 +8,22 @@ The frame's axes are the world's.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 from functools import cached_property
-from typing import TypeVar
+from typing import Literal, TypeAlias, TypeVar
 
+import numpy as np
+
+from graphkin.base.geometry import Value
 from graphkin.base.value import frozen
 from graphkin.errors import Lang, Where
 from graphkin.model.pairs import Pair, Revolute, Slide, Slot, start_name
-from graphkin.model.usual import Usual
 
-__all__ = ["FRAME", "Driver", "Link", "Mechanism", "Pose"]
+KeyPath: TypeAlias = tuple[str | int, ...]
+"""The place of a key in a mechanism file, from the top: `("slide", 0, "angle")`; primes in names are typed ones."""
+
+Dimension = Literal["length", "angle", "angular velocity", "angular acceleration", "velocity", "acceleration"]
 
 FRAME = "frame"
 """The fixed link's own name in every mapping by link; `Mechanism.frame` is what people call it."""
@@ -72,7 +77,7 @@ class Driver:
 
     @property
     def name(self) -> str:
-        """What people call it: `AB`, `BC/BA`, or the slide's or the wheel's name."""
+        """Its name: `AB`, `BC/BA`, or the slide's or the wheel's name."""
         if self.vector is None:
             return self.link
         tail = "" if self.from_vector is None else "/" + "".join(self.from_vector)
@@ -92,6 +97,75 @@ class Pose:
 
 
 @frozen
+class GivenValue:
+    """One value that a mechanism's file states.
+
+    path       its place, as `with_` names it with dots between: ("links", "2", "AB"), ("driver", 0, "angle")
+    written    the value as the file has it: a number, a text, a list, a table
+    dimension  what a number, or a text with a unit, measures there; None where it is no quantity
+    si         the quantity in SI [m, rad, rad/s, ..]
+    """
+
+    path: KeyPath
+    written: object
+    dimension: Dimension | None = None
+    si: float | None = None
+
+    @property
+    def name(self) -> str:
+        """`links.2.AB`, `driver.0.angle`."""
+        return ".".join(map(str, self.path))
+
+
+ROUNDING = 1e-7
+"""Sizes below this part of what is usual of their kind are rounding noise: an angle typed to five decimals of a degree,
+or a length to a hundred thousandth of a millimetre, says no more."""
+
+Rates = Sequence[tuple[float, float]]
+"""Of drivers: velocity and acceleration."""
+
+
+@frozen
+class Usual:
+    """Sizes that are usual in a mechanism, by what its drivers do: length [m], omega [rad/s], alpha [rad/s^2]."""
+
+    length: float
+    omega: float
+    alpha: float
+
+    @classmethod
+    def of(cls, length: float, turning: Rates, sliding: Rates) -> Usual:
+        rates = [*turning, *((speed / length, more / length) for speed, more in sliding)]
+        omega = max((abs(rate) for rate, _ in rates), default=0.0)
+        return cls(length, omega, max([omega**2, *(abs(more) for _, more in rates)]))
+
+    def size(self, unit: str) -> float:
+        """Of quantities of an SI unit; 1 of angles and plain numbers."""
+        speed, more = self.omega * self.length, self.alpha * self.length
+        kinds = {"m": self.length, "m/s": speed, "m/s^2": more, "rad/s": self.omega, "rad/s^2": self.alpha}
+        return kinds.get(unit, 1.0)
+
+    def least(self, unit: str) -> float:
+        """Sizes up to this are rounding noise [SI]."""
+        return ROUNDING * self.size(unit)
+
+    def rate(self, value: Value, plane: str) -> Value:
+        """omega or alpha, as the plane has it, without noise."""
+        return self.cut(value, "rad/s" if plane == "velocity" else "rad/s^2")
+
+    def motion(self, value: Value, plane: str) -> Value:
+        """A velocity or an acceleration, as the plane has it, without noise."""
+        return self.cut(value, "m/s" if plane == "velocity" else "m/s^2")
+
+    def cut(self, value: Value, unit: str) -> Value:
+        """A value [SI]; 0 where it is but rounding noise, of a vector in each part."""
+        clean = np.array(value, dtype=complex if np.iscomplexobj(value) else float, ndmin=1)
+        parts = clean.view(float)
+        parts[np.abs(parts) <= self.least(unit)] = 0.0
+        return clean.reshape(np.shape(value)) if np.ndim(value) else clean.item()
+
+
+@frozen
 class Mechanism:
     """A planar mechanism.
 
@@ -102,6 +176,7 @@ class Mechanism:
     replaced  the pairs of the file for which others stand, in a lower-pair equivalent
     scales    given paper scales: "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s^2)/mm]
     text      the file, to be put into drawings and shown; `lines` gives the line of each of its keys
+    given     what the file states, by place and in its order: tables and lists, each followed by what is in it
     """
 
     name: str
@@ -117,9 +192,10 @@ class Mechanism:
     ask: tuple[str, ...] = ()
     text: str = ""
     file: str = ""
-    lines: Mapping[tuple[str | int, ...], int] = field(default_factory=dict)
+    lines: Mapping[KeyPath, int] = field(default_factory=dict)
     replaced: tuple[Pair, ...] = ()
     slide_titles: Mapping[str, Mapping[Lang, str]] = field(default_factory=dict)
+    given: Mapping[KeyPath, GivenValue] = field(default_factory=dict)
 
     @cached_property
     def owners(self) -> dict[str, tuple[str, ...]]:
@@ -145,7 +221,7 @@ class Mechanism:
 
     @cached_property
     def most_primes(self) -> int:
-        """How many primes the point has that has most."""
+        """The number of primes of the point that has most."""
         return max((len(point) - len(point.rstrip("'")) for point in self.points), default=0)
 
     def named(self, link: str) -> tuple[str, ...]:
@@ -179,7 +255,7 @@ class Mechanism:
         return Usual.of(reach or 1.0, turning, sliding)
 
     def called(self, link: str) -> str:
-        """What people call a link: the frame has a number of its own."""
+        """The name people use for a link: the frame has a number of its own."""
         return self.frame if link == FRAME else link
 
     def headline(self, lang: Lang) -> str:
@@ -187,18 +263,18 @@ class Mechanism:
         return _spoken(self.title, lang) or self.name
 
     def credit(self, lang: Lang) -> str:
-        """Where it comes from, in this language, else in the other."""
+        """Its source, in this language, else in the other."""
         return _spoken(self.source, lang)
 
     def slide_title(self, name: str, lang: Lang) -> str:
-        """What a sliding pair is called, in this language, else its name."""
+        """The title of a sliding pair, in this language, else its name."""
         return _spoken(self.slide_titles.get(name, {}), lang) or name
 
     def pair(self, name: str) -> Pair:
         return next(pair for pair in self.pairs if pair.name == name)
 
     def path(self, pair: Pair) -> tuple[str, int]:
-        """Where a pair stands in the file: its table, and its number there."""
+        """The place of a pair in the file: its table, and its number there."""
         return pair.table, [other.name for other in self.pairs if other.table == pair.table].index(pair.name)
 
     def where(self, *path: str | int) -> Where:

@@ -1,4 +1,4 @@
-"""How sites are written in files, results and drawings, and what is meant by what is written.
+"""Names of sites in files, results and drawings, and their meaning.
 
 `C` is a point; `B3` the point of link 3 under B (unless the file has a point B3); `B@guide` the same where a
 link's name is a word. Two of them together, `CB` or `B3B2`, are a motion of the first seen from the second.
@@ -12,10 +12,6 @@ from collections.abc import Collection
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME, Mechanism
-
-__all__ = [
-    "PairName", "Seen", "common_link", "driver_number", "image_name", "named", "pair", "primes", "seen", "spelled",
-]  # fmt: skip
 
 PairName = tuple[str, int | str]
 """A pair by its table in the file and its number there; a hinge by its point, a link by its name."""
@@ -33,11 +29,11 @@ class Seen:
 
 
 def seen(mechanism: Mechanism, text: str, more: Collection[str] = ()) -> Seen | None:
-    """What `C`, `B3` or `B@guide` means; None for a text that means nothing here.
+    """The site that `C`, `B3` or `B@guide` means; None for a text that means nothing here.
 
     more  points that a construction has added: a special point S, a rolling contact K
     """
-    if _named(mechanism, text):
+    if text in mechanism.points:
         owners = mechanism.owners[text]
         return Seen(text, next((link for link in owners if link != FRAME), FRAME), False)
     if text in more:
@@ -46,23 +42,19 @@ def seen(mechanism: Mechanism, text: str, more: Collection[str] = ()) -> Seen | 
     if at:
         return _site(mechanism, point, link, more)
     sites = (_site(mechanism, text[:k], text[k:], more) for k in range(1, len(text) + 1))
-    found = {site.point: site for site in sites if site is not None}
-    return next((found[point] for point in (*mechanism.points, *more) if point in found), None) if found else None
+    by_point = {site.point: site for site in sites if site is not None}
+    return next((by_point[point] for point in (*mechanism.points, *more) if point in by_point), None)
 
 
 def _site(mechanism: Mechanism, point: str, link: str, more: Collection[str]) -> Seen | None:
     name = FRAME if link == mechanism.frame else link
-    if name not in mechanism.links or not (_named(mechanism, point) or point in more):
+    if name not in mechanism.links or not (point in mechanism.points or point in more):
         return None
     return Seen(point, name, True)
 
 
-def _named(mechanism: Mechanism, point: str) -> bool:
-    return point in mechanism.owners and point not in mechanism.unnamed
-
-
 def pair(mechanism: Mechanism, text: str, more: Collection[str] = ()) -> tuple[Seen, Seen] | None:
-    """What `CB`, `B3B2` or `B@guide,B@block` means."""
+    """The two sites that `CB`, `B3B2` or `B@guide,B@block` means."""
     first, comma, second = text.partition(",")
     cuts = [(first, second)] if comma else [(text[:k], text[k:]) for k in range(1, len(text))]
     for one, other in cuts:
@@ -85,7 +77,7 @@ def _links(mechanism: Mechanism, site: Seen) -> set[str]:
 
 
 def primes(mechanism: Mechanism, plane: Plane) -> str:
-    """What the letters of a polygon bear: nothing for velocities; for accelerations one prime, or one more than any
+    """The primes of the letters of a polygon: none for velocities; for accelerations one, or one more than any
     point of the mechanism has, so that b' is never two points."""
     return "'" * (mechanism.most_primes + 1) if plane == "acceleration" else ""
 
@@ -132,8 +124,8 @@ def spelled(name: str) -> str:
     return _ROD.sub(_rod, name)
 
 
-def _rod(found: re.Match[str]) -> str:
-    letter, kind, number, roll = found.groups()
+def _rod(match: re.Match[str]) -> str:
+    letter, kind, number, roll = match.groups()
     if kind is None:
         return f"{letter}e_{roll}"
     return letter + _RODS[kind] + (str(int(number) + 1) if int(number) else "")

@@ -10,27 +10,29 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, assert_never
+from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar, assert_never
 
 import numpy as np
 
 from graphkin.base.cache import kept
 from graphkin.base.geometry import Value
 from graphkin.base.value import frozen
-from graphkin.errors import GraphkinError, NoSuchName, UnknownQuantity, Where
+from graphkin.construction import Plot
+from graphkin.errors import GraphkinError, NoSuchName, Where
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.model.quantities import Quantity, named
-from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
-from graphkin.model.units import measured
+from graphkin.model.quantities import Quantity, kinds, named
+from graphkin.model.units import Measured, Number, Numbers, Vector, Vectors, measured
 
-__all__ = ["NamedValues", "Readable", "State", "read_off"]
+_M = TypeVar("_M", bound=Measured, covariant=True)
+MeasuredValue: TypeAlias = Number | Vector | Numbers
+"""A value with its unit, of one position or of many (n,)."""
 
 _TURNS = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s^2"}
 """Tables of links: the frame, by the name that it always has, stands still."""
 
 
-class NamedValues(Mapping[str, Any]):
+class NamedValues(Mapping[str, _M]):
     """Values by the name of a link, a point or a slide; a name that is not there raises KeyError and says which are."""
 
     def __init__(self, owner: Readable, word: str) -> None:
@@ -43,21 +45,20 @@ class NamedValues(Mapping[str, Any]):
             return tuple(pair.name for pair in mechanism.pairs if pair.path is not None)
         return mechanism.moving if self._word in _TURNS else mechanism.points
 
-    @property
-    def _where(self) -> Where:
-        return Where("position" if self._word == "path" else self._word)
+    def __getitem__(self, name: str) -> _M:
+        value: _M = self._value(name)
+        return value
 
-    def __getitem__(self, name: str) -> Any:
+    def _value(self, name: str) -> Any:
         if name == FRAME and self._word in _TURNS:
             return measured(0.0, _TURNS[self._word])
         try:
             return self._owner.quantity(f"{self._word} {name}")
-        except UnknownQuantity:
-            raise NoSuchName(self._where, str(name), self._names) from None
         except GraphkinError as problem:
             if isinstance(problem, KeyError) or not hasattr(problem, "possible"):
                 raise
-            raise NoSuchName(self._where, str(name), self._names) from None
+            where = Where("position" if self._word == "path" else self._word)
+            raise NoSuchName(where, str(name), self._names) from None
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)
@@ -69,8 +70,25 @@ class NamedValues(Mapping[str, Any]):
         return "{" + ", ".join(f"{name!r}: {self[name]!r}" for name in self) + "}"
 
 
+class _Table(Generic[_M]):
+    """A table of a readable, by the word of its quantities."""
+
+    def __init__(self, word: str) -> None:
+        self._word = word
+
+    def __get__(self, owner: Readable, kind: type) -> NamedValues[_M]:
+        return NamedValues(owner, self._word)
+
+    def __set__(self, owner: Readable, value: object) -> None:
+        raise AttributeError(f"{self._word} is read off and cannot be set")
+
+
+_Signed = _Table[Number | Numbers]
+_Vectorial = _Table[Vector | Vectors]
+
+
 class Readable:
-    """What can be read by name: a drawing, a sweep, a state.
+    """Anything that is read by name: a drawing, a sweep, a state.
 
     theta, omega, alpha   of a link: angle [rad], angular velocity [rad/s], angular acceleration [rad/s^2]
     s                     of a named slide, or a wheel on a line: displacement [m]
@@ -85,44 +103,27 @@ class Readable:
         @property
         def mechanism(self) -> Mechanism: ...
 
-    def quantity(self, text: str) -> Any:
+    def quantity(self, text: str) -> MeasuredValue:
         raise NotImplementedError
 
-    @property
-    def theta(self) -> NamedValues:
-        return NamedValues(self, "theta")
+    theta, omega, alpha = _Signed("theta"), _Signed("omega"), _Signed("alpha")
+    s, x, y = _Signed("s"), _Signed("x"), _Signed("y")
+    position, v, a = _Vectorial("path"), _Vectorial("v"), _Vectorial("a")
 
-    @property
-    def omega(self) -> NamedValues:
-        return NamedValues(self, "omega")
 
-    @property
-    def alpha(self) -> NamedValues:
-        return NamedValues(self, "alpha")
+class ReadableAt(Readable):
+    """A `Readable` of one position: its values are numbers and vectors."""
 
-    @property
-    def s(self) -> NamedValues:
-        return NamedValues(self, "s")
-
-    @property
-    def position(self) -> NamedValues:
-        return NamedValues(self, "path")
-
-    @property
-    def x(self) -> NamedValues:
-        return NamedValues(self, "x")
-
-    @property
-    def y(self) -> NamedValues:
-        return NamedValues(self, "y")
-
-    @property
-    def v(self) -> NamedValues:
-        return NamedValues(self, "v")
-
-    @property
-    def a(self) -> NamedValues:
-        return NamedValues(self, "a")
+    if TYPE_CHECKING:
+        theta: NamedValues[Number]
+        omega: NamedValues[Number]
+        alpha: NamedValues[Number]
+        s: NamedValues[Number]
+        position: NamedValues[Vector]
+        x: NamedValues[Number]
+        y: NamedValues[Number]
+        v: NamedValues[Vector]
+        a: NamedValues[Vector]
 
 
 @frozen
@@ -135,7 +136,7 @@ class State(Readable):
     """
 
     source: Motions | Callable[[], Motions]
-    plot: Any = None
+    plot: Plot | None = None
     places: Mapping[str, tuple[str, str, str]] | None = None
 
     @cached_property
@@ -144,16 +145,15 @@ class State(Readable):
         return self.source() if callable(self.source) else self.source
 
     @property
-    def values(self) -> tuple[Any, ...]:
+    def values(self) -> tuple[Value, ...]:
         """Each driver's value, in their order [rad or m]."""
-        holding: Any = self.source if self.plot is None else self.plot.facts
-        return tuple(holding.values)
+        return tuple(getattr(self.source if self.plot is None else self.plot.facts, "values"))  # noqa: B009
 
     @property
     def mechanism(self) -> Mechanism:
         return self.motions.mechanism
 
-    def quantity(self, text: str) -> Any:
+    def quantity(self, text: str) -> MeasuredValue:
         """Whatever `ask` can name, as a number with its unit. Raises what a wrong name raises."""
         if self.places is not None:
             table, name, unit = self.places[text]
@@ -162,7 +162,7 @@ class State(Readable):
                 return measured(value if isinstance(value, np.ndarray) else value + 0, unit)  # never -0
         return read_off(self.motions, text)
 
-    def __getitem__(self, text: str) -> Any:
+    def __getitem__(self, text: str) -> MeasuredValue:
         return self.quantity(text)
 
     def __getattr__(self, name: str) -> Any:
@@ -171,26 +171,23 @@ class State(Readable):
             raise AttributeError(name)
         return getattr(self.motions if hasattr(self.motions, name) else self.plot, name)
 
-    @cached_property
-    def _size(self) -> int:
-        return max((np.size(value) for value in self.values), default=1)
-
     def __repr__(self) -> str:
         by = "construction" if self.plot is not None else "analysis"
         drivers = ", ".join(driver.name for driver in self.mechanism.drivers)
-        return f"<State of {self.mechanism.name} by {by}: {self._size} position(s) of {drivers}>"
+        size = max((np.size(value) for value in self.values), default=1)
+        return f"<State of {self.mechanism.name} by {by}: {size} position(s) of {drivers}>"
 
 
-def read_off(motions: Motions, text: str) -> Any:
-    """What a text names in any motions, with its unit: of a vector the vector."""
-    quantities = _read(motions.mechanism)
+def read_off(motions: Motions, text: str) -> MeasuredValue:
+    """The value that a text names in any motions, with its unit: of a vector the vector."""
+    quantities = _quantities_by_text(motions.mechanism)
     if (quantity := quantities.get(text)) is None:
         quantity = quantities[text] = named(motions.mechanism, text, Where("quantity"))
     return measured(_value(quantity, motions), quantity.unit)
 
 
 @kept(4)
-def _read(mechanism: Mechanism) -> dict[str, Quantity]:
+def _quantities_by_text(mechanism: Mechanism) -> dict[str, Quantity]:
     """Quantities of a mechanism by their texts, as far as they were read."""
     return {}
 
@@ -198,13 +195,13 @@ def _read(mechanism: Mechanism) -> dict[str, Quantity]:
 def _value(quantity: Quantity, motions: Motions) -> Value:
     """Of a vector the vector alone: its size is not asked for."""
     match quantity:
-        case Moving():
+        case kinds.Moving():
             return quantity.vector(motions)
-        case Track():
+        case kinds.Track():
             return motions.position[quantity.site.point]
-        case Centre():
+        case kinds.Centre():
             return quantity.place(motions)
-        case Component() | Displacement() | Place() | Quotient() | Rotation():
+        case kinds.Component() | kinds.Displacement() | kinds.Place() | kinds.Quotient() | kinds.Rotation():
             return quantity.answer(motions).value
         case _:
             assert_never(quantity)

@@ -1,4 +1,4 @@
-"""Numbers with their unit: what a program reads off a drawing, a sweep or the analysis.
+"""Units: SI inside, mm and degrees at the edge, and numbers with their unit that a program reads off.
 
 A `Number` is a float, a `Vector` a complex number, `Numbers` and `Vectors` are arrays over positions: all in SI, and
 ready to be calculated with. `.degrees`, `.mm`, `.rpm` give them in other units, `.magnitude` and `.direction` take
@@ -16,14 +16,75 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
-from graphkin.base.geometry import Value
-from graphkin.model.quantities import EDGE
+from graphkin.base.geometry import Array, Real, Value
+from graphkin.base.value import frozen
 
-__all__ = ["Measured", "Number", "Numbers", "Vector", "Vectors", "measured"]
+# --- at the edge ------------------------------------------------------------------------------
+
+GRAVITY = 9.80665
+"""Standard acceleration of gravity [m/s^2]."""
+
+
+@frozen
+class Unit:
+    """A unit at the edge.
+
+    name    in plain text, as files and tables have it: "deg", "mm", "rad/s^2"; nothing for a quotient
+    sign    in print: "°", "mm", "rad/s²"
+    factor  by what SI values are multiplied
+    """
+
+    name: str
+    sign: str
+    factor: float = 1.0
+
+    @property
+    def after(self) -> str:
+        """The sign as it stands after a number: degrees close to it, nothing for a quotient."""
+        return self.sign if self.sign in ("°", "") else f" {self.sign}"
+
+    def shown(self, value: float) -> str:
+        """`41.2°`, `20 mm`: an SI value in six digits."""
+        return significant(value * self.factor, 6) + self.after
+
+
+EDGE = {
+    "rad": Unit("deg", "°", 180 / math.pi), "m": Unit("mm", "mm", 1000.0),
+    "rad/s": Unit("rad/s", "rad/s"), "m/s": Unit("m/s", "m/s"),
+    "rad/s^2": Unit("rad/s^2", "rad/s²"), "m/s^2": Unit("m/s^2", "m/s²"), "1": Unit("", ""),
+}  # fmt: skip
+"""By SI unit, how results are shown."""
+
+IN_GRAVITY = Unit("g", "g", 1 / GRAVITY)
+"""The second unit in which accelerations are shown."""
+
+
+def driven(slides: bool) -> str:
+    """The SI unit of a driver's value: of one that slides, else of one that turns."""
+    return "m" if slides else "rad"
+
+
+_EXACT = 1e-9
+"""A figure that is off by no more than this part is exact."""
+
+
+def significant(value: float, digits: int) -> str:
+    """A figure in so many digits as Python writes them, `1.200e-05`; fewer only of what is exact with fewer.
+
+    Zeros at its end are kept: 9.1 is 9.1, and 9.1002 to four digits is 9.100.
+    """
+    text = f"{value:.{digits}g}"
+    if math.isfinite(value) and not math.isclose(float(text), value, rel_tol=_EXACT):
+        text = f"{value:#.{digits}g}"
+    mantissa, mark, exponent = text.partition("e")
+    return mantissa.removesuffix(".") + mark + exponent
+
+
+# --- numbers with their unit ------------------------------------------------------------------
 
 _TURNING = ("rad", "rad/s", "rad/s^2")
 _MOVING = ("m", "m/s", "m/s^2")
@@ -35,51 +96,52 @@ class Measured:
     unit: str = ""
 
     @property
-    def si(self) -> Any:
+    def si(self) -> Value:
         """The value as a plain number or array."""
         raise NotImplementedError
 
     @property
-    def degrees(self) -> Any:
+    def degrees(self) -> Value:
         """An angle in degrees; of angular velocities and accelerations, degrees per second (squared)."""
         return self._times(180 / math.pi, _TURNING, "degrees")
 
     @property
-    def rpm(self) -> Any:
+    def rpm(self) -> Value:
         """An angular velocity in revolutions per minute."""
         return self._times(30 / math.pi, ("rad/s",), "rpm")
 
     @property
-    def mm(self) -> Any:
+    def mm(self) -> Value:
         """A length in millimetres; of velocities and accelerations, millimetres per second (squared)."""
         return self._times(1000.0, _MOVING, "mm")
 
     @property
-    def magnitude(self) -> Any:
+    def magnitude(self) -> Number | Numbers:
         """The size: of a vector its length, of a signed number that without its sign."""
         return measured(np.abs(self.si), self.unit)
 
     @property
-    def direction(self) -> Any:
-        """Where a vector points, in degrees from +x, counter-clockwise, from 0 to below 360."""
-        return _plain(np.mod(np.degrees(np.angle(self._vector("direction"))), 360.0) % 360.0)
+    def direction(self) -> Real:
+        """The direction of a vector, in degrees from +x, counter-clockwise, from 0 to below 360."""
+        degrees = np.mod(np.degrees(np.angle(self._vector("direction"))), 360.0) % 360.0
+        return degrees if np.ndim(degrees) else float(degrees)
 
     @property
-    def x(self) -> Any:
+    def x(self) -> Number | Numbers:
         """Of a vector or a place, the part along x."""
         return measured(np.real(self._vector("x")), self.unit)
 
     @property
-    def y(self) -> Any:
+    def y(self) -> Number | Numbers:
         """Of a vector or a place, the part along y."""
         return measured(np.imag(self._vector("y")), self.unit)
 
-    def _times(self, factor: float, units: tuple[str, ...], name: str) -> Any:
+    def _times(self, factor: float, units: tuple[str, ...], name: str) -> Value:
         if self.unit not in units:
             raise AttributeError(f"{name} is of a value in {', '.join(units)}; this one is in {self.unit or 'no unit'}")
-        return _plain(self.si * factor)
+        return self.si * factor
 
-    def _vector(self, name: str) -> Any:
+    def _vector(self, name: str) -> Value:
         if not np.iscomplexobj(self.si):
             raise AttributeError(f"{name} is of a vector; this is a number with a sign. `v C` and `path C` are vectors")
         return self.si
@@ -87,6 +149,12 @@ class Measured:
 
 class Number(Measured, float):
     """A float with its unit."""
+
+    if TYPE_CHECKING:
+        degrees: float
+        rpm: float
+        mm: float
+        magnitude: Number
 
     def __new__(cls, value: float, unit: str) -> Number:
         made = float.__new__(cls, value)
@@ -98,16 +166,23 @@ class Number(Measured, float):
         return float(self)
 
     def __repr__(self) -> str:
-        shown = EDGE.get(self.unit)
-        beside = f" ({shown.shown(float(self))})" if shown is not None and self.unit in ("rad", "m") else ""
+        edge = EDGE.get(self.unit)
+        beside = f" ({edge.shown(float(self))})" if edge is not None and self.unit in ("rad", "m") else ""
         return f"{float(self):.6g} {self.unit}".removesuffix(" 1") + beside
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return Number, (float(self), self.unit)
 
 
 class Vector(Measured, complex):
     """A complex number with its unit: x + y j."""
+
+    if TYPE_CHECKING:
+        mm: complex
+        magnitude: Number
+        direction: float
+        x: Number
+        y: Number
 
     def __new__(cls, value: complex, unit: str) -> Vector:
         made = complex.__new__(cls, value)
@@ -123,7 +198,7 @@ class Vector(Measured, complex):
             return f"({self.real * 1e3:.6g}, {self.imag * 1e3:.6g}) mm"
         return f"{self.magnitude!r} at {self.direction:.4f}°"
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return Vector, (complex(self), self.unit)
 
 
@@ -134,7 +209,18 @@ class Numbers(Measured, np.ndarray):
     `numpy.array` makes a copy.
     """
 
-    def __new__(cls, values: Any, unit: str) -> Numbers:
+    if TYPE_CHECKING:
+        degrees: Array
+        rpm: Array
+        mm: Array
+        magnitude: Numbers
+        direction: Array
+        x: Numbers
+        y: Numbers
+
+        def _times(self, factor: float, units: tuple[str, ...], name: str) -> Array: ...
+
+    def __new__(cls, values: Array, unit: str) -> Numbers:
         made: Numbers = np.asarray(values).view(cls)
         made.unit, made.flags.writeable = unit, False
         return made
@@ -144,7 +230,7 @@ class Numbers(Measured, np.ndarray):
         return self.view(np.ndarray)
 
     def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
-        """What is calculated from it has no unit any more."""
+        """The result of a calculation as a plain number or array: it has no unit any more."""
         return np.asarray(array)[()]
 
     def __getitem__(self, key: Any) -> Any:
@@ -153,7 +239,7 @@ class Numbers(Measured, np.ndarray):
     def __iter__(self) -> Iterator[Any]:
         return (measured(value, self.unit) for value in self.si)
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return type(self), (self.si, self.unit)
 
     def __repr__(self) -> str:
@@ -164,15 +250,17 @@ class Vectors(Numbers):
     """An array of complex numbers with its unit, over positions."""
 
 
-def measured(value: Value, unit: str) -> Any:
+@overload
+def measured(value: float, unit: str) -> Number: ...
+@overload
+def measured(value: complex, unit: str) -> Number | Vector: ...
+@overload
+def measured(value: Array, unit: str) -> Numbers: ...
+def measured(value: Value, unit: str) -> Number | Vector | Numbers:
     """A `Number`, a `Vector`, or an array of either."""
     if isinstance(value, np.ndarray) and value.ndim:
         made = value.view(Vectors if value.dtype.kind == "c" else Numbers)
         made.unit, made.flags.writeable = unit, False
         return made
-    number = value.item() if isinstance(value, np.generic | np.ndarray) else value
-    return Vector(number, unit) if isinstance(number, complex) else Number(number, unit)
-
-
-def _plain(value: Any) -> Any:
-    return value if np.ndim(value) else float(value)
+    plain = value.item() if isinstance(value, np.generic | np.ndarray) else value
+    return Vector(plain, unit) if isinstance(plain, complex) else Number(plain, unit)

@@ -1,6 +1,6 @@
 """The textbook's mechanisms, one file each, in a folder for each source. `load("ex3-1")`.
 
-A new mechanism is a new file `NAME.toml` in one of the folders; nothing else has to be told.
+A new mechanism is a new file `NAME.toml` in one of the folders; nothing else has to be changed.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import tomllib
 from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from graphkin.errors import Lang, UnknownMechanism, Where
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 __all__ = ["KINDS", "chosen", "groups", "has", "load", "names", "text", "titles"]
 
 KINDS = ("hinge", "slide", "gear", "roll", "cam")
-"""What `chosen` tells apart."""
+"""The kinds of pair that `chosen` looks for."""
 
 _SUFFIX = ".toml"
 
@@ -45,7 +45,7 @@ def text(name: str) -> str:
 
 
 def has(name: str) -> bool:
-    """Whether there is a mechanism of this name."""
+    """True of the name of a mechanism that is there."""
     return _file(name) is not None
 
 
@@ -57,13 +57,9 @@ def load(name: str) -> MechanismFile:
 
 
 def titles(lang: Lang) -> dict[str, str]:
-    """What each mechanism is called. A title stands before the first table; no more of a file is read for it."""
-    return {name: _title(text(name).split("\n[", 1)[0])[lang] for name in names()}
-
-
-def _title(head: str) -> dict[Lang, str]:
-    title: Any = tomllib.loads(head)["title"]
-    return {"en": title, "zh": title} if isinstance(title, str) else title
+    """The title of each mechanism. It stands before the first table; no more of a file is read for it."""
+    heads = {name: tomllib.loads(text(name).split("\n[", 1)[0])["title"] for name in names()}
+    return {name: title if isinstance(title, str) else title[lang] for name, title in heads.items()}
 
 
 def chosen(kind: str = "", group: str = "", source: str = "") -> tuple[str, ...]:
@@ -71,22 +67,14 @@ def chosen(kind: str = "", group: str = "", source: str = "") -> tuple[str, ...]
 
     Files are read only to look for a pair or a source in them.
     """
-    there = groups().get(group, ()) if group else names()
-    found = (name for name in names() if name in there)
-    return tuple(name for name in found if not (kind or source) or _is(load(name), kind, source))
+    in_folder = groups().get(group, ()) if group else names()
+    return tuple(name for name in in_folder if not (kind or source) or _is(load(name), kind, source))
 
 
 def _is(mechanism: MechanismFile, kind: str, source: str) -> bool:
-    return _has(mechanism, kind) and _from(mechanism, source)
-
-
-def _from(mechanism: MechanismFile, source: str) -> bool:
-    return source.casefold() in " ".join(mechanism.source.values()).casefold()
-
-
-def _has(mechanism: MechanismFile, kind: str) -> bool:
     tables = {pair.table for pair in mechanism.pairs}
-    return not tables if kind == "hinge" else not kind or kind in tables
+    of_kind = not tables if kind == "hinge" else not kind or kind in tables
+    return of_kind and source.casefold() in " ".join(mechanism.source.values()).casefold()
 
 
 def _file(name: str) -> Path | None:
@@ -100,8 +88,8 @@ def _file(name: str) -> Path | None:
 @cache
 def _files() -> dict[str, str]:
     """Name -> folder, in natural order."""
-    found = {file.stem: folder.name for folder in _folders() for file in folder.glob(f"*{_SUFFIX}")}
-    return {name: found[name] for name in sorted(found, key=_natural)}
+    folders = {file.stem: folder.name for folder in _folders() for file in folder.glob(f"*{_SUFFIX}")}
+    return {name: folders[name] for name in sorted(folders, key=_natural)}
 
 
 @cache

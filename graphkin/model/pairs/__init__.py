@@ -8,7 +8,7 @@ Two roads that never meet read these data: `graphkin.planning` makes bodies and 
 How to add a pair kind; `tests/test_pairs.py` names the table in which it is still missing:
 
     here      a file with a frozen class on `Pair`, and its class in `PAIRS`
-    loading   its keys in `schema` (and `graphkin.schema.json`, by `json_schema_text`), its reader in `pairs.READERS`
+    files     its keys in `schema` (and `graphkin.schema.json`, by `json_schema_text`), its reader in `pairs.READERS`
               or, where it shares a table of the file, in that table's reader; what may be wrong, in `errors.pairs`
     analytic  its rule in `rules.RULES`; `replaced` where its lower-pair equivalent is all there is to it
     planning  nothing, where it has a lower-pair equivalent or rolls as wheels do: those are data
@@ -26,30 +26,14 @@ from __future__ import annotations
 from graphkin.model.pairs.cam import Cam, Profile
 from graphkin.model.pairs.circular_slot import CircularSlot
 from graphkin.model.pairs.gear import Gear
-from graphkin.model.pairs.line import Line
-from graphkin.model.pairs.pair import Circle, Pair, Rod, Rolling, Slot, pin_name, rod_name, start_name
+from graphkin.model.pairs.pair import Circle, Line, Pair, Rod, Rolling, Slot, pin_name, rod_name, start_name
 from graphkin.model.pairs.revolute import Revolute
 from graphkin.model.pairs.roll import RollingContact
 from graphkin.model.pairs.slide import Slide
 
 __all__ = [
-    "PAIRS",
-    "Cam",
-    "Circle",
-    "CircularSlot",
-    "Gear",
-    "Line",
-    "Pair",
-    "Profile",
-    "Revolute",
-    "Rod",
-    "Rolling",
-    "RollingContact",
-    "Slide",
-    "Slot",
-    "pin_name",
-    "rod_name",
-    "start_name",
+    "PAIRS", "Cam", "Circle", "CircularSlot", "Gear", "Line", "Pair", "Profile", "Revolute", "Rod", "Rolling",
+    "RollingContact", "Slide", "Slot", "pin_name", "rod_name", "start_name",
 ]  # fmt: skip
 
 PAIRS: tuple[type[Pair], ...] = (Revolute, Slide, CircularSlot, Gear, RollingContact, Cam)

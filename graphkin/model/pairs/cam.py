@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 from graphkin.base.value import frozen
-from graphkin.model.pairs.line import Line
-from graphkin.model.pairs.pair import Circle, Pair, Rod, Slot, centre_distance
+from graphkin.model.pairs.pair import Circle, Line, Pair, Rod, Slot, centre_distance
 
 
 @frozen
@@ -41,13 +40,12 @@ class Cam(Pair):
         Profiles are circles and straight lines, so this holds for the whole motion.
         Source: Sun Huan, Theory of Machines, section 2-6 (replacement of higher pairs).
         """
-        discs = self.circles
+        (_, centre, radius), *others = self.circles
         for face in self.profiles:
             if face.line is not None:
-                _, centre, radius = discs[0]
                 return Slot(face.line, centre, radius if face.left else -radius)
-        (_, one, radius), (_, other, more) = discs
-        return Rod(self.links, (one, other), centre_distance((radius, more), self.internal))
+        ((_, other, more),) = others
+        return Rod(self.links, (centre, other), centre_distance((radius, more), self.internal))
 
     @property
     def circles(self) -> tuple[Circle, ...]:

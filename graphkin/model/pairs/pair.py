@@ -1,4 +1,4 @@
-"""The contract of a pair kind, and the plain data in which it says what it asks.
+"""The contract of a pair kind, and the plain data in which it states its constraints.
 
 Both roads read these data and make of them what is theirs: `graphkin.planning` bodies and joints of a construction,
 `graphkin.analytic` terms of closed vector loops. Nothing here is solved.
@@ -8,8 +8,32 @@ from __future__ import annotations
 
 from typing import ClassVar
 
+import numpy as np
+
 from graphkin.base.value import frozen
-from graphkin.model.pairs.line import Line
+
+
+@frozen
+class Line:
+    """A directed line of `link`, through its point `origin`.
+
+    origin     a point of the link; lines of the frame given by coordinates have a point of their own there, whose
+               name starts with a small letter (`s0`, `r1`), so that no user's point can clash
+    direction  unit complex number in the link's own axes
+    named      whether people named the origin
+    base       the two points from whose direction the file measures it, if from any
+    """
+
+    link: str
+    origin: str
+    direction: complex
+    named: bool = True
+    base: tuple[str, str] | None = None
+
+    @property
+    def on_axis(self) -> bool:
+        """True of its link's own axis, as the line of a link of one point where nothing else is said."""
+        return bool(np.all(np.equal(self.direction, 1)))  # of many mechanisms at once, an array
 
 
 @frozen
@@ -61,7 +85,7 @@ Circle = tuple[str, str, float]
 
 
 class Pair:
-    """What every kind of pair says of itself; what a kind does not have is empty here.
+    """The contract: all that a kind of pair says of itself; what a kind does not have is empty here.
 
     table  name of its table in the mechanism file; empty where the file has none (a hinge is a shared point)
     name   no other pair has it: as the file gives it, else a small letter and a number
@@ -82,7 +106,7 @@ class Pair:
 
     @property
     def known_by(self) -> tuple[str, str] | None:
-        """What it is called in messages, and the point it is told by, where that is not the links it joins."""
+        """Its kind in messages and the point that names it, where that is not the links it joins."""
         return None
 
     @property
@@ -92,7 +116,7 @@ class Pair:
 
     @property
     def lower(self) -> bool:
-        """Whether it takes two freedoms; a higher pair takes one."""
+        """True of a pair that takes two freedoms; a higher pair takes one."""
         return False
 
     @property
@@ -102,17 +126,17 @@ class Pair:
 
     @property
     def rolling(self) -> Rolling | None:
-        """What rolls on what, where nothing slips."""
+        """The circles or the line that roll on each other, where nothing slips."""
         return None
 
     @property
     def path(self) -> Slot | None:
-        """The way along which its displacement s is measured, where it has one that may be asked for and driven."""
+        """The slot along which its displacement s is measured, where that may be asked for and driven."""
         return None
 
     @property
     def slipping(self) -> Rod | Slot | None:
-        """Where its links touch and slide: their common normal is the rod's line, or stands across the slot."""
+        """The contact at which its links slide: their common normal is the rod's line, or stands across the slot."""
         return None if self.rolling is not None else self.equivalent
 
     @property
@@ -127,20 +151,20 @@ class Pair:
 
 
 def rod_name(pair: Pair) -> str:
-    """What the link of an equivalent is called that holds two points apart; no name of a file has two words."""
+    """The name of the link of an equivalent that holds two points apart; no name of a file has two words."""
     return f"e {pair.name}"
 
 
 def pin_name(pair: Pair) -> str:
-    """What the body is called that stands for a pin in a slot: a block without mass of its own."""
+    """The name of the body that stands for a pin in a slot: a block without mass of its own."""
     return f"pin {pair.name}"
 
 
 def start_name(pair: Pair) -> str:
-    """What the point is called where the slot of an equivalent begins."""
+    """The name of the point where the slot of an equivalent begins."""
     return f"{pair.name} origin"
 
 
 def centre_distance(radii: tuple[float, float], internal: bool) -> float:
-    """Of two circles that touch [m]."""
+    """Distance of the centres of two circles that touch [m]."""
     return abs(radii[0] - radii[1]) if internal else radii[0] + radii[1]

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 from graphkin.base.value import frozen
-from graphkin.model.pairs.line import Line
-from graphkin.model.pairs.pair import Circle, Pair, Rod, Rolling, Slot, centre_distance
+from graphkin.model.pairs.pair import Circle, Line, Pair, Rod, Rolling, Slot, centre_distance
 
 
 @frozen
@@ -59,7 +58,7 @@ class RollingContact(Pair):
 
     @property
     def path(self) -> Slot | None:
-        """On a line, the way of the wheel's centre."""
+        """On a line, the slot in which the wheel's centre moves."""
         return None if self.line is None else Slot(self.line, self.centre, self.radius if self.left else -self.radius)
 
     @property

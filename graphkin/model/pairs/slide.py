@@ -10,8 +10,7 @@ from typing import ClassVar
 
 from graphkin.base.geometry import phase
 from graphkin.base.value import frozen
-from graphkin.model.pairs.line import Line
-from graphkin.model.pairs.pair import Pair, Slot
+from graphkin.model.pairs.pair import Line, Pair, Slot
 
 
 @frozen
@@ -76,5 +75,4 @@ class Slide(Pair):
     @property
     def turn(self) -> float:
         """Angle from the guide's axis to the block's axis, fixed while the block slides [rad]."""
-        angle: float = phase(self.line.direction) + self.tilt
-        return angle
+        return phase(self.line.direction) + self.tilt

@@ -1,11 +1,10 @@
-"""Quantities: what can be asked of a mechanism, read from text once.
+"""Quantities: all that can be asked of a mechanism, read from text once.
 
-A `Quantity` knows its unit, its letters and its sign rule, and what it is in any `Motions`, whichever road they come
+A `Quantity` knows its unit, its letters and its sign rule, and its value in any `Motions`, whichever road they come
 from. To add one: a class in `kinds`, also in the union `Quantity` there, and its word in `reading`; mypy then lists the
-readers that do not know it yet. Units at the edge are one table, in `units`.
+readers that do not know it yet. Units at the edge are one table, in `graphkin.model.units`.
 """
 
-from graphkin.model.quantities.at_position import at_position, position_of
 from graphkin.model.quantities.kinds import (
     Answer,
     Centre,
@@ -18,10 +17,22 @@ from graphkin.model.quantities.kinds import (
     Rotation,
     Track,
     on_axis,
+    relative,
 )
-from graphkin.model.quantities.reading import SHAPE, WORDS, centre_of, formed, meant, named, parts, read, split
-from graphkin.model.quantities.relative import relative
-from graphkin.model.quantities.units import EDGE, GRAVITY, IN_GRAVITY, Unit, driven
+from graphkin.model.quantities.reading import (
+    SHAPE,
+    WORDS,
+    at_position,
+    centre_of,
+    formed,
+    meant,
+    named,
+    parts,
+    position_of,
+    read,
+    split,
+)
+from graphkin.model.units import EDGE, GRAVITY, IN_GRAVITY, Unit, driven
 
 __all__ = [
     "EDGE", "GRAVITY", "IN_GRAVITY", "SHAPE", "WORDS", "Answer", "Centre", "Component", "Displacement", "Moving",

@@ -1,4 +1,4 @@
-"""The kinds of quantities: each says its unit, its letters, its sign rule, and what it is in any motions."""
+"""The kinds of quantities: each says its unit, its letters, its sign rule, and its value in any motions."""
 
 from __future__ import annotations
 
@@ -6,12 +6,15 @@ from typing import Literal, TypeAlias, cast
 
 import numpy as np
 
-from graphkin.base.geometry import Value
+from graphkin.base.cache import kept
+from graphkin.base.geometry import Real, Value, dot
 from graphkin.base.tolerances import STILL
 from graphkin.base.value import frozen
+from graphkin.construction import Plane
 from graphkin.model.kinematic_state import Motions
-from graphkin.model.naming import Seen
-from graphkin.model.quantities.relative import absolute, relative
+from graphkin.model.mechanism import Mechanism
+from graphkin.model.naming import Seen, common_link
+from graphkin.model.pairs import Rod, Slot
 
 Axis = Literal["x", "y"]
 
@@ -38,6 +41,9 @@ class QuantityBase:
     word: str
     of: str
 
+    is_place = False
+    """True of a place, which is given by two numbers."""
+
     @property
     def text(self) -> str:
         """As it is read again."""
@@ -55,13 +61,8 @@ class QuantityBase:
 
     @property
     def part(self) -> str:
-        """What stands above the subscript: k of `a_k B3B2`, x of `v_x E`."""
+        """The letter above the subscript: k of `a_k B3B2`, x of `v_x E`."""
         return ""
-
-    @property
-    def is_place(self) -> bool:
-        """Whether it is where something lies, by two numbers and none."""
-        return False
 
     @property
     def halves(self) -> tuple[Quantity, ...]:
@@ -79,14 +80,16 @@ class QuantityBase:
         return None
 
     def answer(self, motions: Motions) -> Answer:
-        """What it is there; every value a scalar or an array over positions."""
+        """Its value there; a scalar or an array over positions."""
         raise NotImplementedError
 
     def shown(self, motions: Motions) -> Answer:
         """The same without rounding noise, for people and files: 0 is 0."""
-        found, cut = self.answer(motions), motions.mechanism.usual.cut
-        vector = None if found.vector is None else cut(found.vector, found.unit)
-        return Answer(cut(found.value, found.unit) if vector is None else np.abs(vector), found.unit, vector)
+        answer, cut = self.answer(motions), motions.mechanism.usual.cut
+        if answer.vector is None:
+            return Answer(cut(answer.value, answer.unit), answer.unit)
+        vector = cut(answer.vector, answer.unit)
+        return Answer(np.abs(vector), answer.unit, vector)
 
 
 @frozen
@@ -113,9 +116,7 @@ class Displacement(QuantityBase):
 
     slide: str
 
-    @property
-    def unit(self) -> str:
-        return "m"
+    unit = "m"
 
     def answer(self, motions: Motions) -> Answer:
         return Answer(motions.s[self.slide], "m")
@@ -128,9 +129,7 @@ class Place(QuantityBase):
     axis: Axis
     site: Seen
 
-    @property
-    def unit(self) -> str:
-        return "m"
+    unit = "m"
 
     @property
     def sites(self) -> tuple[Seen, ...]:
@@ -146,17 +145,7 @@ class Track(QuantityBase):
 
     site: Seen
 
-    @property
-    def unit(self) -> str:
-        return "m"
-
-    @property
-    def letter(self) -> str:
-        return "r"
-
-    @property
-    def is_place(self) -> bool:
-        return True
+    unit, letter, is_place = "m", "r", True
 
     @property
     def sites(self) -> tuple[Seen, ...]:
@@ -206,7 +195,7 @@ class Moving(QuantityBase):
         return Answer(np.abs(vector), self.unit, vector)
 
     def vector(self, motions: Motions) -> Value:
-        plane: Literal["velocity", "acceleration"] = "velocity" if self.letter == "v" else "acceleration"
+        plane: Plane = "velocity" if self.letter == "v" else "acceleration"
         if self.seen_from is None:
             return absolute(motions, plane, self.site)
         return relative(motions, plane, self.which, self.site, self.seen_from)
@@ -249,20 +238,14 @@ class Centre(QuantityBase):
     def text(self) -> str:
         return self.word + self.of
 
-    @property
-    def unit(self) -> str:
-        return "m"
-
-    @property
-    def is_place(self) -> bool:
-        return True
+    unit, is_place = "m", True
 
     def answer(self, motions: Motions) -> Answer:
         place = self.place(motions)
         return Answer(np.abs(place), "m", place)
 
     def place(self, motions: Motions) -> Value:
-        """Where both links have one velocity [m]."""
+        """The place at which both links have one velocity [m]."""
         point = motions.mechanism.points[0]
         one, other = (motions.velocity_at(point, link) for link in self.links)
         turning = motions.turning(self.links[0]) - motions.turning(self.links[1])
@@ -283,9 +266,7 @@ class Quotient(QuantityBase):
     def text(self) -> str:
         return f"{self.word}/{self.of}"
 
-    @property
-    def unit(self) -> str:
-        return "1"
+    unit = "1"
 
     @property
     def halves(self) -> tuple[Quantity, ...]:
@@ -299,12 +280,63 @@ Quantity: TypeAlias = Rotation | Displacement | Place | Track | Moving | Compone
 """All quantities; whoever reads its kinds one by one ends in `assert_never`, so that the type checker lists them."""
 
 
-def on_axis(vector: Value, axis: Axis) -> Value:
-    return np.real(vector) if axis == "x" else np.imag(vector)
+def on_axis(vector: Value, axis: Axis) -> Real:
+    """The component of a vector along one of the frame's axes."""
+    return vector.real if axis == "x" else vector.imag
 
 
 def _divided(top: Value, bottom: Value) -> Value:
     """top / bottom; a bottom that is 0 but for rounding counts as 0."""
     sizes = [float(np.max(np.abs(value), initial=0.0, where=np.isfinite(value))) for value in (top, bottom)]
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.divide(top, np.where(np.abs(bottom) <= 1e-12 * max(sizes), 0.0, bottom))[()]
+        quotient: Value = np.divide(top, np.where(np.abs(bottom) <= 1e-12 * max(sizes), 0.0, bottom))[()]
+        return quotient
+
+
+# --- motion of one site seen from another -----------------------------------------------------
+
+
+def absolute(motions: Motions, plane: Plane, site: Seen) -> Value:
+    """Velocity or acceleration of a site [m/s, m/s^2]."""
+    motion_at = motions.velocity_at if plane == "velocity" else motions.acceleration_at
+    return motion_at(site.point, site.link)
+
+
+def has_part(mechanism: Mechanism, part: str, of: Seen, seen_from: Seen) -> bool:
+    """True of a part that there is: n and t of points of one link, or of centres that profiles keep apart; k and r of
+    coincident points."""
+    if part in ("n", "t"):
+        apart = (pair.equivalent for pair in mechanism.pairs)
+        held = any(same is not None and not (isinstance(same, Rod) and same.follows) for same in apart)
+        return held or common_link(mechanism, of, seen_from) is not None
+    return part == "" or of.point == seen_from.point
+
+
+def relative(motions: Motions, plane: Plane, part: str, of: Seen, seen_from: Seen) -> Value:
+    """The motion of one site seen from another, or a part of it that there is: n, t, k or r.
+
+    The Coriolis part takes the rotation of the link of `seen_from`; of a pin in a slot the slot's, either way round,
+    as the pin's path is straight there and nowhere else.
+    """
+    whole = absolute(motions, plane, of) - absolute(motions, plane, seen_from)
+    if part == "":
+        return whole
+    if part in ("k", "r"):
+        slip = absolute(motions, "velocity", of) - absolute(motions, "velocity", seen_from)
+        in_slot = (of.link, of.point) in _slots(motions.mechanism)
+        coriolis = 2j * motions.turning(of.link if in_slot else seen_from.link) * slip
+        return coriolis if part == "k" else whole - coriolis
+    arm = motions.position[of.point] - motions.position[seen_from.point]
+    link = common_link(motions.mechanism, of, seen_from)
+    if link is None:  # centres that profiles keep apart, as by a link: along their line and across it
+        along = arm * dot(arm, whole) / np.abs(arm) ** 2
+        return along if part == "n" else whole - along
+    return -(motions.omega[link] ** 2) * arm if part == "n" else 1j * motions.alpha[link] * arm
+
+
+@kept(4)
+def _slots(mechanism: Mechanism) -> frozenset[tuple[str, str]]:
+    """The link of each slot, and the point of its pin; a wheel or a cam may stand for one."""
+    slides = ((slide.line.link, slide.point) for slide in mechanism.slides if slide.block is None)
+    slots = ((same.line.link, same.point) for pair in mechanism.pairs if isinstance(same := pair.equivalent, Slot))
+    return frozenset((*slides, *slots))

@@ -6,53 +6,38 @@ The one reader of what `ask`, `sweep --of`, `find` and `--limit` name.
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 
-from graphkin.errors import (
-    NOWHERE,
-    GraphkinError,
-    NeedsTwo,
-    NotOneOf,
-    UnknownLink,
-    UnknownPoint,
-    UnknownQuantity,
-    UnknownSlide,
-    Where,
-)
+from graphkin import errors
+from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import Seen, pair, seen
 from graphkin.model.pairs import RollingContact, Slide
-from graphkin.model.quantities.kinds import (
-    Centre,
-    Component,
-    Displacement,
-    Moving,
-    Place,
-    Quantity,
-    Quotient,
-    Rotation,
-    Track,
-)
-from graphkin.model.quantities.relative import has_part
+from graphkin.model.quantities import kinds
+from graphkin.model.quantities.kinds import Axis, Quantity, has_part
 
 WORDS = (
     "theta", "omega", "alpha", "s", "v", "a", "a_n", "a_t", "a_k", "a_r", "x", "y", "path", "v_x", "v_y", "a_x", "a_y"
 )  # fmt: skip
 SHAPE = r"\S+ \S+(?: ?/ ?\S+ \S+)?"
-"""What a quantity or a quotient looks like, as a regular expression."""
+"""A quantity or a quotient, as a regular expression."""
 
 _ONE = re.compile(r"(\w+) +(\S+)")
 _COMMA = r",\s*(?=[a-z]\w* |P[\w@']+\s*(?:,|$))"
 _LONGEST_FIRST = sorted(WORDS, key=len, reverse=True)
+_AXES: dict[str, Axis] = {"x": "x", "y": "y"}
 _GREEK = {"ω": "omega", "α": "alpha", "θ": "theta", "φ": "theta"}
 _OF_TWO = ("a_n", "a_t", "a_k", "a_r")
 """Parts of an acceleration seen from another point."""
+_AT = r"\s*[#＃]\s*([1-9][0-9]{0,3})(?![0-9])"
+_TYPED = r"\b(?:(?:omega|alpha|theta) [\w'′]+|[sva](?:_[nktrxy])? [\w'′@,]*\w[\w'′@]*)"
 
 
 def named(mechanism: Mechanism, text: str, where: Where) -> Quantity:
     """The quantity that must be there. Raises UnknownQuantity and what `read` raises."""
-    if (found := read(mechanism, text, where)) is None:
-        raise UnknownQuantity(where, text, ())
-    return found
+    if (quantity := read(mechanism, text, where)) is None:
+        raise errors.UnknownQuantity(where, text, ())
+    return quantity
 
 
 def read(mechanism: Mechanism, text: str, where: Where = NOWHERE) -> Quantity | None:
@@ -67,18 +52,19 @@ def read(mechanism: Mechanism, text: str, where: Where = NOWHERE) -> Quantity | 
         return None
     top, bottom = halves[0], halves[1]
     quotable = top.unit == bottom.unit and not top.is_place and not bottom.is_place
-    return Quotient(top.text, bottom.text, top, bottom) if quotable else None
+    return kinds.Quotient(top.text, bottom.text, top, bottom) if quotable else None
 
 
 def formed(text: str) -> bool:
-    """Whether a text is written as a quantity or a quotient is, though this mechanism may have none of it."""
+    """True of a text that is written as a quantity or a quotient is, though this mechanism may have none of it."""
     words = [_ONE.fullmatch(half.strip()) for half in text.split("/")]
-    return len(words) <= 2 and all(found is not None and found[1] in WORDS for found in words)
+    return len(words) <= 2 and all(match is not None and match[1] in WORDS for match in words)
 
 
 def parts(mechanism: Mechanism, text: str) -> tuple[Quantity, ...]:
     """Every quantity that a text speaks of, though the whole may be none: both of `v C / omega 3`."""
-    return tuple(found for part in text.split("/") if (found := _quietly(mechanism, part)) is not None)
+    halves = (_quietly(mechanism, part) for part in text.split("/"))
+    return tuple(half for half in halves if half is not None)
 
 
 def split(text: str) -> list[str]:
@@ -87,7 +73,7 @@ def split(text: str) -> list[str]:
 
 
 def meant(mechanism: Mechanism, question: str) -> str | None:
-    """What a text that is only shown was probably to ask: `omega 3` for `omega3`, `v C` for `v_C`."""
+    """The quantity that a text that is only shown was probably to ask: `omega 3` for `omega3`, `v C` for `v_C`."""
     text = "".join(_GREEK.get(letter, letter) for letter in question.strip())
     for word in (name for name in _LONGEST_FIRST if text[: len(name)].lower() == name):
         of = text[len(word) :].lstrip(" _")
@@ -111,6 +97,30 @@ def centre_of(mechanism: Mechanism, text: str) -> tuple[str, str] | None:
     return None
 
 
+def at_position(text: str, number: int) -> str:
+    """The name of a quantity at a position; the drawn one is the first, and is not said.
+
+    >>> at_position("omega 3", 1), at_position("omega 3", 2)
+    ('omega 3', 'omega 3 #2')
+    """
+    return text if number == 1 else f"{text} #{number}"
+
+
+def position_of(text: str) -> tuple[str, int]:
+    """The quantity's own name, with whatever else stands there, and the number of the position; 1 where none is said.
+
+    >>> position_of("omega 3 #2"), position_of("ω3 #2 (rad/s)"), position_of("omega 3")
+    (('omega 3', 2), ('ω3 (rad/s)', 2), ('omega 3', 1))
+    """
+    number = re.search(_AT, text)
+    return (text, 1) if number is None else (text[: number.start()] + text[number.end() :], int(number[1]))
+
+
+def respelled(text: str, write: Callable[[str], str]) -> str:
+    """A running text with each quantity in it, typed as `omega 3` or `a_k B3B2`, as `write` has it."""
+    return re.sub(_TYPED, lambda typed: write(typed[0]), text)
+
+
 def _quietly(mechanism: Mechanism, text: str) -> Quantity | None:
     try:
         return read(mechanism, text)
@@ -123,7 +133,7 @@ def _quietly(mechanism: Mechanism, text: str) -> Quantity | None:
 
 def _one(mechanism: Mechanism, text: str, where: Where) -> Quantity | None:
     if (links := centre_of(mechanism, text)) is not None:
-        return Centre("P", text[1:], links)
+        return kinds.Centre("P", text[1:], links)
     words = _ONE.fullmatch(text)
     if words is None:
         return None
@@ -136,14 +146,15 @@ def _one(mechanism: Mechanism, text: str, where: Where) -> Quantity | None:
     if word == "s":
         return _displacement(mechanism, where, of)
     if word == "path":
-        return Track(word, of, _site(mechanism, where, of))
-    head, _, axis = word.rpartition("_")
-    if axis not in ("x", "y"):
+        return kinds.Track(word, of, _site(mechanism, where, of))
+    head, _, last = word.rpartition("_")
+    axis = _AXES.get(last)
+    if axis is None:
         return _moving(mechanism, where, word, of)
     if not head:
-        return Place(word, of, axis, _site(mechanism, where, of))  # type: ignore[arg-type]
+        return kinds.Place(word, of, axis, _site(mechanism, where, of))
     whole = _moving(mechanism, where, head, of)
-    return None if whole is None else Component(word, of, axis, whole)  # type: ignore[arg-type]
+    return None if whole is None else kinds.Component(word, of, axis, whole)
 
 
 def _refuse_misspelt(mechanism: Mechanism, where: Where, word: str, of: str) -> None:
@@ -152,43 +163,43 @@ def _refuse_misspelt(mechanism: Mechanism, where: Where, word: str, of: str) -> 
 
     near = len(word) > 3 and difflib.get_close_matches(word, WORDS, 1, 0.7)
     if near and (of in mechanism.links or seen(mechanism, of) is not None):
-        raise NotOneOf(where, word, WORDS)
+        raise errors.NotOneOf(where, word, WORDS)
 
 
-def _rotation(mechanism: Mechanism, where: Where, word: str, of: str) -> Rotation | None:
+def _rotation(mechanism: Mechanism, where: Where, word: str, of: str) -> kinds.Rotation | None:
     """Of a moving link; the frame's is only shown."""
     if of not in mechanism.moving and of != mechanism.frame:
-        raise UnknownLink(where, of, mechanism.moving)
-    return Rotation(word, of, of) if of in mechanism.moving else None
+        raise errors.UnknownLink(where, of, mechanism.moving)
+    return kinds.Rotation(word, of, of) if of in mechanism.moving else None
 
 
-def _displacement(mechanism: Mechanism, where: Where, of: str) -> Displacement | None:
+def _displacement(mechanism: Mechanism, where: Where, of: str) -> kinds.Displacement | None:
     """Of a sliding pair, or of a wheel on a line; that of a wheel on a circle is only shown."""
-    way = {pair.name: pair.path for pair in mechanism.pairs if isinstance(pair, Slide | RollingContact)}
-    if of not in way:
-        raise UnknownSlide(where, of, tuple(way))
-    return Displacement("s", of, of) if way[of] is not None else None
+    paths = {pair.name: pair.path for pair in mechanism.pairs if isinstance(pair, Slide | RollingContact)}
+    if of not in paths:
+        raise errors.UnknownSlide(where, of, tuple(paths))
+    return kinds.Displacement("s", of, of) if paths[of] is not None else None
 
 
 def _site(mechanism: Mechanism, where: Where, of: str) -> Seen:
     site = seen(mechanism, of)
     if site is None:
-        raise UnknownPoint(where, of, _moving_there(mechanism, of) or mechanism.points)
+        raise errors.UnknownPoint(where, of, _moving_there(mechanism, of) or mechanism.points)
     return site
 
 
-def _moving(mechanism: Mechanism, where: Where, word: str, of: str) -> Moving | None:
+def _moving(mechanism: Mechanism, where: Where, word: str, of: str) -> kinds.Moving | None:
     """A vector of one point or of two; a part that there is not of these two is only shown."""
     alone, two, part = seen(mechanism, of), pair(mechanism, of), word.partition("_")[2]
     if word in _OF_TWO:
         if alone is not None and two is None:
-            raise NeedsTwo(where, word, of, _others(mechanism, alone, word))
+            raise errors.NeedsTwo(where, word, of, _others(mechanism, alone, word))
         alone = None
     if alone is not None:
-        return Moving(word, of, alone, guide=_guide(mechanism, alone))
+        return kinds.Moving(word, of, alone, guide=_guide(mechanism, alone))
     if two is None:
-        raise UnknownPoint(where, of, _meant_points(mechanism, of, word))
-    return Moving(word, of, *two, part) if has_part(mechanism, part, *two) else None
+        raise errors.UnknownPoint(where, of, _meant_points(mechanism, of, word))
+    return kinds.Moving(word, of, *two, part) if has_part(mechanism, part, *two) else None
 
 
 def _guide(mechanism: Mechanism, site: Seen) -> complex | None:
@@ -200,11 +211,11 @@ def _guide(mechanism: Mechanism, site: Seen) -> complex | None:
     return None
 
 
-# --- what may have been meant -----------------------------------------------------------------
+# --- texts that may have been meant -----------------------------------------------------------
 
 
 def _meant_points(mechanism: Mechanism, of: str, word: str) -> tuple[str, ...]:
-    """What may be meant by a text that names no point: of a sliding pair or a link what moves there.
+    """The texts that may be meant by one that names no point: of a sliding pair or a link what moves there.
 
     With a known point and more, coincident points there.
     """
@@ -212,8 +223,8 @@ def _meant_points(mechanism: Mechanism, of: str, word: str) -> tuple[str, ...]:
         return moving
     if word in ("a_n", "a_t"):
         return mechanism.points
-    begun = [seen(mechanism, point) for point in mechanism.points if of.startswith(point) and of != point]
-    return tuple(name for site in begun if site for name in _others(mechanism, site, "a_k")) or mechanism.points
+    sites = [seen(mechanism, point) for point in mechanism.points if of.startswith(point) and of != point]
+    return tuple(name for site in sites if site for name in _others(mechanism, site, "a_k")) or mechanism.points
 
 
 def _moving_there(mechanism: Mechanism, of: str) -> tuple[str, ...]:
@@ -226,7 +237,7 @@ def _moving_there(mechanism: Mechanism, of: str) -> tuple[str, ...]:
 
 
 def _others(mechanism: Mechanism, of: Seen, word: str) -> tuple[str, ...]:
-    """What may be meant: the point of another link under this one, or another point of the same link."""
+    """The texts that may be meant: the point of another link under this one, or another point of the same link."""
     if word in ("a_n", "a_t"):
         links = [mechanism.named(link) for link in mechanism.owners[of.point] if link != FRAME]
         return tuple(dict.fromkeys(of.point + point for points in links for point in points if point != of.point))
