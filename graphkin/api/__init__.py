@@ -26,7 +26,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import CannotAssemble, GraphkinError, HigherClass, Lang, NoSpeed, Where
 from graphkin.files import library
-from graphkin.files.questions import rate_keys
+from graphkin.files.draft import rate_keys
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.readout import Readable, State, read_off

@@ -16,7 +16,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from statistics import median
 
-from graphkin.base.checksum import seal
+from graphkin.base.plain import seal
 from graphkin.check.drawing import MARKS, DrawingFile, Fault, stated
 from graphkin.construction import Plane
 from graphkin.model.mechanism import Mechanism

@@ -147,7 +147,7 @@ def _told(asked: _Asked, source: str) -> Iterator[str]:
     if asked.link:
         yield from _about(asked, found)
     elif asked.pair or asked.centre:
-        from graphkin.say.centre_curves import curve_lines
+        from graphkin.say.centre_about import curve_lines
         from graphkin.studies.centres.about_data import centrodes_json
 
         curves = asked.curves(found)
@@ -159,12 +159,13 @@ def _told(asked: _Asked, source: str) -> Iterator[str]:
 
 
 def _listed(asked: _Asked, found: Centres) -> Iterator[str]:
-    from graphkin.say.centre_explained import advantage_lines, explain_centres, rows
+    from graphkin.say.centre_steps import centre_rows
+    from graphkin.say.centre_velocities import advantage_lines, explain_centres
     from graphkin.say.text_table import table
 
     mechanism = found.method.mechanism
     yield "  ".join(dict.fromkeys((mechanism.name, mechanism.headline(asked.lang))))
-    yield from table(list(rows(found, asked.lang)))
+    yield from table(list(centre_rows(found, asked.lang)))
     yield ""
     yield from explain_centres(found, asked.lang)
     yield from advantage_lines(found, asked.lang)

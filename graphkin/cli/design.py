@@ -14,13 +14,13 @@ from graphkin.cli.shared import PAPERS, force_option, json_line, lang_option, pl
 from graphkin.errors import BadPair, GraphkinError, Lang, Where
 
 if TYPE_CHECKING:
-    from graphkin.files.units import Dimension
+    from graphkin.model.mechanism import Dimension
     from graphkin.studies.design import Design
 
 
 def _quantity(dimension: Dimension, option: str, text: str) -> float:
     """A number in mm or deg, or with a unit, as SI."""
-    from graphkin.files.units import read_quantity
+    from graphkin.files.values import read_quantity
 
     try:
         return read_quantity(plain(text), dimension)

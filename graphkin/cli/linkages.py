@@ -107,7 +107,7 @@ def _of_lengths(given: dict[str, tuple[str, ...]], by: str, lang: Lang) -> Itera
 
 def _metres(kind: str, sizes: tuple[str, ...]) -> list[float]:
     from graphkin.cli.shared import plain
-    from graphkin.files.units import read_quantity
+    from graphkin.files.values import read_quantity
 
     try:
         found = [read_quantity(plain(size), "length") for size in sizes]

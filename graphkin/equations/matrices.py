@@ -19,7 +19,7 @@ from graphkin.equations.model import Model
 from graphkin.equations.page import EquationPage
 from graphkin.equations.pretty import ZERO, Pretty
 from graphkin.equations.symbols import Symbol
-from graphkin.model.usual import ROUNDING
+from graphkin.model.mechanism import ROUNDING
 
 _JOINED = 4
 """So many unknowns still make one equation that fits a line."""

@@ -15,11 +15,11 @@ from graphkin.marking.key import Key, KeyEntry
 from graphkin.marking.verdicts import columns, upright
 from graphkin.marking.weights import shifts
 from graphkin.model.quantities import EDGE, Centre
-from graphkin.model.quantities.typed import rewritten
+from graphkin.model.quantities.reading import respelled
 from graphkin.proof.readings import readings
 from graphkin.say import names
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import mistake
+from graphkin.say.marks import mistake
 from graphkin.say.numbers import number
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import Label, plain
@@ -89,7 +89,7 @@ def _given_by(told: HandoutProblem, key: Key, id: str, wanted: list[int], moved:
             shown.append(f"{told.goal.symbol(symbols[entry.text])} = {number(value * unit.factor)} {unit.sign}".strip())
     name = mistake(key.singles.names[row][0], told.lang)
     known = {entry.text for entry in key.entries}
-    signs = rewritten(name, lambda text: names.asked(text) if text in known else text)
+    signs = respelled(name, lambda text: names.asked(text) if text in known else text)
     raised = re.sub(r"([va])\^([nktr]+)_", lambda found: names.vector(found[0] + "X")[:-1], signs)
     return formula(say("handouts.gives", told.lang, mistake=raised, values=", ".join(shown)))
 

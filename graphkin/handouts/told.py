@@ -11,9 +11,9 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.say import entry
-from graphkin.say.asked import Asked, asked
 from graphkin.say.explained import derivation
 from graphkin.say.reading import Reading
+from graphkin.say.solution_goal import SolutionGoal, solution_goal
 from graphkin.sheet.scales import KEYS
 from graphkin.sheet.window import PLANES
 
@@ -52,9 +52,9 @@ class HandoutProblem:
         return {KEYS[plane]: scale for plane, scale in self.scales.items()}
 
     @cached_property
-    def goal(self) -> Asked:
+    def goal(self) -> SolutionGoal:
         """What is asked, in the symbols of the field."""
-        return asked(Reading(self.drawing.method, self.drawing.plot, self._keys, self.lang))
+        return solution_goal(Reading(self.drawing.method, self.drawing.plot, self._keys, self.lang))
 
     @property
     def title(self) -> str:
@@ -65,7 +65,7 @@ class HandoutProblem:
         return self._sections[1]
 
     @property
-    def asked(self) -> Section:
+    def solution_goal(self) -> Section:
         return self._sections[2]
 
     @property

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 
 from graphkin.base.geometry import Value
 from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Plane, Plot, Ray, Size
-from graphkin.model.usual import Usual
+from graphkin.model.mechanism import Usual
 
 
 class Hand:

@@ -26,7 +26,7 @@ from graphkin.marking.making import DRAWINGS, drawings_of, pencil_of
 from graphkin.marking.pencil import called
 from graphkin.marking.scatter import Drawings, spread
 from graphkin.marking.slips import Mark, Slips, seed_of
-from graphkin.model.usual import ROUNDING
+from graphkin.model.mechanism import ROUNDING
 from graphkin.planning import Method
 
 _FEWER = 500

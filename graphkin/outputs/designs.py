@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from graphkin.say.design import said
+from graphkin.say.design import phrased
 from graphkin.studies.design import Design, Family, Solution
 
 
@@ -23,7 +23,7 @@ def as_json(design: Design) -> dict[str, Any]:
         "given": dict(design.given),
         "solutions": [_data(one) for one in design.solutions],
         "rejected": [_data(one) for one in design.rejected],
-        "why": [said(reason, "en") for reason in design.why],
+        "why": [phrased(reason, "en") for reason in design.why],
         "bisectors": _bisectors(design),
         "family": [_family_data(one) for one in design.families],
     }
@@ -33,7 +33,7 @@ def _data(one: Solution) -> dict[str, Any]:
     return {
         "a": one.a, "b": one.b, "c": one.c, "d": one.d, "e": one.e, "gamma_min": one.gamma_min, "K": one.k,
         "swing": one.swing, "stroke": one.stroke, "theta": one.theta, "valid": one.valid,
-        "why": [said(reason, "en") for reason in one.why], "notes": [said(reason, "en") for reason in one.notes],
+        "why": [phrased(reason, "en") for reason in one.why], "notes": [phrased(reason, "en") for reason in one.notes],
         "points": {name: [place.real, place.imag] for name, place in one.places.items()},
         "positions": [{name: [z.real, z.imag] for name, z in places.items()} for places in one.limits],
         "slow": None if one.pace is None else ("ccw" if one.pace > 0 else "cw"),

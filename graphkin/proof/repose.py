@@ -7,9 +7,8 @@ from collections.abc import Iterator, Sequence
 
 from graphkin.construction import Plot
 from graphkin.files import loads
-from graphkin.files.changing import rewritten
-from graphkin.files.positions import Path
-from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
+from graphkin.files.toml import replaced_values
+from graphkin.model.mechanism import FRAME, Driver, KeyPath, Mechanism, Pose
 from graphkin.planning import Method
 from graphkin.planning.drawn_position import value_of
 from graphkin.running import replay_all
@@ -31,11 +30,11 @@ def standing(method: Method, values: Sequence[float]) -> Mechanism:
     (True, '71.5045+47.5585j')
     """
     machine, plot = method.mechanism, replay_all(method, values)
-    text = rewritten(machine.text, dict(_changes(machine, plot, values)))
+    text = replaced_values(machine.text, dict(_changes(machine, plot, values)))
     return loads(text, name=machine.name, file=machine.file)
 
 
-def _changes(machine: Mechanism, plot: Plot, values: Sequence[float]) -> Iterator[tuple[Path, object]]:
+def _changes(machine: Mechanism, plot: Plot, values: Sequence[float]) -> Iterator[tuple[KeyPath, object]]:
     for number, (driver, value) in enumerate(zip(machine.drivers, values, strict=True)):
         if driver.value is not None and driver.kind != "spin":
             yield ("driver", number, "at" if driver.kind == "slide" else "angle"), _edge(driver, value)

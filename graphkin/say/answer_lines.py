@@ -12,7 +12,7 @@ from graphkin.construction import Plane
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
-from graphkin.model.quantities.units import EDGE
+from graphkin.model.units import EDGE
 from graphkin.proof.readings import readings
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence

@@ -12,7 +12,8 @@ from graphkin.errors import Lang
 from graphkin.files.examples import EXAMPLES, LINE
 from graphkin.files.fields import keys
 from graphkin.files.schema import FURTHER, TABLES
-from graphkin.files.units import UNITS, Dimension
+from graphkin.files.values import UNITS
+from graphkin.model.mechanism import Dimension
 from graphkin.say.catalogue import phrase, say
 from graphkin.say.text_table import width
 

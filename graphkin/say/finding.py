@@ -10,7 +10,7 @@ from typing import assert_never
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Driver
 from graphkin.model.quantities import EDGE, driven
-from graphkin.model.quantities.typed import rewritten
+from graphkin.model.quantities.reading import respelled
 from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.figures import Operand, written
@@ -233,7 +233,7 @@ def _scaling(findings: Findings, scaling: Scaling, lang: Lang) -> Iterator[str]:
 def finding_table(varying: VaryingTable, lang: Lang = "en") -> Iterator[str]:
     """A row for each value."""
     shown = [entry.found for entry in varying.rows if entry.found is not None]
-    yield rewritten(_heading(shown[0].condition, lang), names.symbols) if shown else varying.condition
+    yield respelled(_heading(shown[0].condition, lang), names.symbols) if shown else varying.condition
     unit = EDGE[{"length": "m", "angle": "rad"}.get(varying.place.kind, "1")]
     name = f"{varying.name} [{unit.name}]" if unit.name else varying.name
     heads = [name, *(_columns(shown[0], lang) if shown else [])]

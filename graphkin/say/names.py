@@ -9,7 +9,7 @@ from functools import lru_cache
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.model.naming import spelled
-from graphkin.model.quantities.typed import rewritten
+from graphkin.model.quantities.reading import respelled
 
 LETTER: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
 SCALE: dict[Plane, str] = {"position": "μ_l", "velocity": "μ_v", "acceleration": "μ_a"}
@@ -119,4 +119,4 @@ def in_signs(text: str, lang: Lang) -> str:
     """Quantities and units as they are typed, in Chinese as they are written: `omega 3` as ω3, `rad/s^2` as rad/s²."""
     if lang != "zh":
         return text
-    return re.sub(_DEGREES, "°", rewritten(text, symbols)).replace("/s^2", "/s²")
+    return re.sub(_DEGREES, "°", respelled(text, symbols)).replace("/s^2", "/s²")

@@ -19,7 +19,7 @@ from itertools import pairwise
 
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE, IN_GRAVITY
-from graphkin.model.quantities.digits import significant
+from graphkin.model.units import significant
 from graphkin.say.catalogue import say
 
 DIGITS = 4

@@ -8,14 +8,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import assert_never
 
 from graphkin.errors import Lang
-from graphkin.files.names import split_points
+from graphkin.files.values import split_points
 from graphkin.marking.handed import asked_of
 from graphkin.model.mechanism import Driver, Mechanism
 from graphkin.model.quantities import Quantity
-from graphkin.model.quantities.at_position import at_position
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
-from graphkin.model.quantities.reading import read
-from graphkin.model.quantities.units import EDGE
+from graphkin.model.quantities.reading import at_position, read
+from graphkin.model.units import EDGE
 from graphkin.running.assembled import DrawnSides, Lies
 from graphkin.say import names
 from graphkin.say.catalogue import is_phrase, say

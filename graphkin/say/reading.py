@@ -11,9 +11,8 @@ from graphkin.base.geometry import cross, dot
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot, Step
 from graphkin.errors import Lang, listed
-from graphkin.model.mechanism import FRAME, Driver, Mechanism
+from graphkin.model.mechanism import FRAME, Driver, Mechanism, Usual
 from graphkin.model.pairs import Cam, CircularSlot, Pair
-from graphkin.model.usual import Usual
 from graphkin.planning import Method
 from graphkin.planning.acts import Act, made
 from graphkin.planning.labels import Labels

@@ -15,7 +15,7 @@ from graphkin.planning.held_still import held_labels
 from graphkin.planning.needed import Fact, at_rest
 from graphkin.planning.step_numbers import births
 from graphkin.say.catalogue import say
-from graphkin.say.polygons import polygon as told
+from graphkin.say.polygons import polygon_entries as told
 from graphkin.say.reading import Reading
 from graphkin.sheet.arrows import heads_apart, side_by_side
 from graphkin.sheet.equation_rows import EquationBlock, equation_blocks

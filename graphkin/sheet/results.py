@@ -7,8 +7,7 @@ from itertools import pairwise
 from graphkin.base.value import frozen
 from graphkin.construction import Node, Plot
 from graphkin.errors import Lang
-from graphkin.model.mechanism import FRAME
-from graphkin.model.usual import Usual
+from graphkin.model.mechanism import FRAME, Usual
 from graphkin.planning import Method
 from graphkin.sheet.lettering import (
     Label,

@@ -12,7 +12,8 @@ from collections.abc import Mapping
 
 from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OtherDimension, SenseDisputed
-from graphkin.files.units import UNITS, Dimension, read_quantity
+from graphkin.files.values import UNITS, read_quantity
+from graphkin.model.mechanism import Dimension
 from graphkin.submissions.spelling import plain
 from graphkin.submissions.submission import HandedValue, Sense
 

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OutOfRange
-from graphkin.files.units import Dimension, read_quantity
-from graphkin.model.mechanism import Mechanism
+from graphkin.files.values import read_quantity
+from graphkin.model.mechanism import Dimension, Mechanism
 from graphkin.submissions.numbers import unit_named, written
 from graphkin.submissions.spelling import plain
 

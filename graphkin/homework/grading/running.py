@@ -9,8 +9,8 @@ from itertools import chain
 from pathlib import Path
 
 import graphkin
-from graphkin.base.parallel import ahead
 from graphkin.base.value import frozen
+from graphkin.base.worklist import ahead
 from graphkin.errors import OwnFault, Where
 from graphkin.homework.grading.again import Again, is_marks, records_of
 from graphkin.homework.grading.batch import Item, StoredRecord, marked

@@ -11,7 +11,7 @@ from graphkin.homework.platforms.feedback import habit, suspected
 from graphkin.homework.platforms.overrides import Overrides
 from graphkin.homework.platforms.result import Result, ResultLine, texts_in
 from graphkin.say.catalogue import say
-from graphkin.say.verdicts import verdict
+from graphkin.say.marks import verdict
 
 _FRONT = ("student", "file", "status", "earned", "most", "override", "total", "score percent")
 _BACK = ("diagnosis", "reason")

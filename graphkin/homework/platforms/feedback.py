@@ -13,12 +13,11 @@ from graphkin.homework.platforms.result import Result, ResultLine, ResultPicture
 from graphkin.marking.habits import Habit
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
-from graphkin.model.quantities.typed import rewritten
+from graphkin.model.quantities.reading import respelled
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import hint, kind, once, together
-from graphkin.say.names import asked
+from graphkin.say.marks import distinct_mistakes, mistake_hint, mistake_kind, mistakes_together, verdict
+from graphkin.say.names import symbols
 from graphkin.say.numbers import number
-from graphkin.say.verdicts import verdict
 
 Reveal = Literal["hint", "mistake", "answer"]
 """How much is told: the verdicts, and where to look again; what the numbers are consistent with; the right values."""
@@ -56,7 +55,7 @@ def _in_signs(result: Result, text: str) -> str:
     """A text with the quantities of the problem as the sheets write them: ω3, aᵏ_B3B2."""
     known = {name for line in result.lines for name in (line.name, line.name.split(" #")[0].split(" @")[0])}
     turning = ("theta ", "omega ", "alpha ")
-    return rewritten(text, lambda typed: asked(typed) if typed in known or typed.startswith(turning) else typed)
+    return respelled(text, lambda typed: symbols(typed) if typed in known or typed.startswith(turning) else typed)
 
 
 def _points(line: ResultLine, lang: Lang) -> str:
@@ -171,23 +170,23 @@ def habits(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
 
 def habit(one: Habit, lang: Lang) -> str:
     """The mistakes in words, whatever they were made with."""
-    return joined([kind(id, lang) for id in one.ids], lang)
+    return joined([mistake_kind(id, lang) for id in one.ids], lang)
 
 
 def _hints(one: Suspicion | Habit, lang: Lang) -> list[str]:
     topics = dict.fromkeys(MISTAKES[id].topic for id in one.ids if id in MISTAKES)
-    return [hint(topic, lang) for topic in topics]
+    return [mistake_hint(topic, lang) for topic in topics]
 
 
 def suspected(one: Suspicion, lang: Lang) -> str:
     """The mistakes in words, or by their ids."""
-    told = [together(names, lang) for names in one.names]
+    told = [mistakes_together(names, lang) for names in one.names]
     return joined(told or list(one.ids), lang)
 
 
 def joined(told: list[str], lang: Lang) -> str:
     """What cannot be told apart, as one."""
-    each = once(text.strip().rstrip(".。") for text in told)
+    each = distinct_mistakes(text.strip().rstrip(".。") for text in told)
     if len(each) == 1:
         return each[0]
     more = [say("marks.more", lang, count=len(each) - SETS)] if len(each) > SETS else []

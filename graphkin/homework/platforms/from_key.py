@@ -11,7 +11,7 @@ from graphkin.homework.platforms.question import Part, Question, Text, Wrong
 from graphkin.marking.key import Key, KeyEntry
 from graphkin.model.quantities import EDGE, at_position
 from graphkin.say.catalogue import LANGUAGES
-from graphkin.say.mistakes import mistake
+from graphkin.say.marks import mistake
 
 _TURN = 2 * math.pi
 

@@ -23,7 +23,7 @@ from graphkin.model.quantities import position_of
 from graphkin.outputs.svg import inline
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import together
+from graphkin.say.marks import mistakes_together
 from graphkin.sheet.mistake_sheet import mistake_sheet
 
 _KEPT = 64
@@ -129,7 +129,7 @@ class _Position:
 
 
 def _of_mistake(made: tuple[Name, ...], found: Beside, answer: bool, lang: Lang) -> list[str]:
-    told = [say("pictures.shows", lang, mistake=together(made, lang))]
+    told = [say("pictures.shows", lang, mistake=mistakes_together(made, lang))]
     if any(found.arrows.values()) or any(found.images.values()):
         told.append(say("pictures.thick", lang))
     return told if answer else [*told, say("pictures.no scale", lang)]

@@ -26,7 +26,7 @@ from graphkin.outputs.svg import inline
 from graphkin.outputs.tolerance_json import told_data
 from graphkin.running import replay_all
 from graphkin.say.problems import MADE, problem
-from graphkin.say.told import told_lines
+from graphkin.say.tolerances import discriminability_lines
 from graphkin.sheet.problem_sheet import problem_sheet
 from graphkin.submissions import safe_name
 
@@ -72,7 +72,7 @@ def write_problems(
             yield _written(folder / f"{name}{KEY}", key_text(key), force)
     told = set_told([variant.told for variant in found], (USUAL.length_mm, USUAL.angle_deg), rates)
     if keys:
-        yield _written(folder / TOLD, "\n".join((*told_lines(told, lang), "", MADE, "")), force)
+        yield _written(folder / TOLD, "\n".join((*discriminability_lines(told, lang), "", MADE, "")), force)
         index = {student: f"{name}{KEY}" for student, name in names.items()}
         yield _written(folder / "key.json", set_text(index), force)
     yield _written(folder / LIST, _listed(template, found, names, seed, told), force)

@@ -11,7 +11,7 @@ from graphkin.outputs.diagram.fonts import typeset, writable
 from graphkin.outputs.diagram.panels import LETTERS
 from graphkin.running.path import Event
 from graphkin.say.catalogue import say
-from graphkin.say.sweeps import told
+from graphkin.say.sweeps import why
 from graphkin.sheet.lettering import link_label, number
 from graphkin.studies.sweeps import Course
 
@@ -65,7 +65,7 @@ def upright_label(unit: str, lang: Lang, power: int = 0) -> str:
 def about_drivers(course: Course, lang: Lang) -> str:
     """`driver AB: ω = 10 rad/s`, and where those stand that do not move."""
     colon, comma = say("common.colon", lang), say("common.and", lang)
-    told = []
+    why = []
     for k, driver in enumerate(course.method.drivers):
         speed, per_second, gain, per_square = _RATES.get(driver.kind, ("ω", "rad/s", "α", "rad/s²"))
         still = not course.path.pace[k]
@@ -74,9 +74,9 @@ def about_drivers(course: Course, lang: Lang) -> str:
             parts.append(f"{gain} = {_signed(f'{driver.acceleration:.6g}')} {per_square}")
         if still:
             parts.insert(0, _signed(EDGE[driven(driver.kind == "slide")].shown(float(course.path.start[k]))))
-        told.append(f"{writable(driver.name)}{colon}{comma.join(parts)}")
-    word = say("diagrams.driver" if len(told) == 1 else "diagrams.drivers", lang)
-    return word + say("common.semicolon", lang).join(told)
+        why.append(f"{writable(driver.name)}{colon}{comma.join(parts)}")
+    word = say("diagrams.driver" if len(why) == 1 else "diagrams.drivers", lang)
+    return word + say("common.semicolon", lang).join(why)
 
 
 def event_mark(event: Event, lang: Lang) -> str:
@@ -89,6 +89,6 @@ def event_mark(event: Event, lang: Lang) -> str:
 def event_line(found: Curves, event: Event, lang: Lang) -> str:
     """The line below the diagram: where, and which links."""
     mark = event_mark(event, lang)
-    words = {"mark": mark[0].upper() + mark[1:], "place": place_of(found, event.at), "why": writable(told(event, lang))}
+    words = {"mark": mark[0].upper() + mark[1:], "place": place_of(found, event.at), "why": writable(why(event, lang))}
     return say("diagrams.event", lang, **words)
 

@@ -9,9 +9,8 @@ from typing import Any
 
 from graphkin.base.value import frozen
 from graphkin.errors import NoDimension, Where
-from graphkin.files.names import split_points, tidy
-from graphkin.files.units import UNITS, Dimension
-from graphkin.model.mechanism import Mechanism
+from graphkin.files.values import UNITS, split_points, tidy
+from graphkin.model.mechanism import Dimension, Mechanism
 from graphkin.model.naming import driver_number
 
 WHERE = Where("--vary")

@@ -13,7 +13,7 @@ import numpy as np
 from graphkin import files as loading
 from graphkin.base.value import frozen
 from graphkin.errors import BadRange, GraphkinError, NoDimension, NoSuchDriver
-from graphkin.files.units import read_quantity
+from graphkin.files.values import read_quantity
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.planning import plan as planned

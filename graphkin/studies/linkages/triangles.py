@@ -5,7 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 
-from graphkin.model.usual import ROUNDING
+from graphkin.model.mechanism import ROUNDING
 from graphkin.studies.linkages.equal import even
 from graphkin.studies.linkages.linkage import MotionRange
 

@@ -12,10 +12,9 @@ from graphkin.base.geometry import Value, dot
 from graphkin.base.value import frozen
 from graphkin.errors import Where
 from graphkin.model.kinematic_state import Motions
-from graphkin.model.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism, Usual
 from graphkin.model.quantities import Quantity, Track, named, read
 from graphkin.model.units import Measured, Numbers, measured
-from graphkin.model.usual import Usual
 
 
 @frozen
