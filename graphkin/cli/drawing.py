@@ -163,12 +163,12 @@ def explain(
     if output is None:
         click.echo("\n".join(drawing.explain(lang, everything=everything, only=only, as_drawn=as_drawn)))
         return
-    from graphkin.handouts import written
+    from graphkin.handouts import markup
     from graphkin.outputs.files import beside
 
-    solution = written.solution(drawing, lang, everything=everything, only=only)
-    text = written.WRITERS[output.suffix.lower()](solution)
-    with beside(output, force, (written.MARK.encode(), b"graphkin handout")) as draft:
+    solution = markup.solution(drawing, lang, everything=everything, only=only)
+    text = markup.WRITERS[output.suffix.lower()](solution)
+    with beside(output, force, (markup.MARK.encode(), b"graphkin handout")) as draft:
         draft.write_text(text, encoding="utf-8", newline="\n")
     click.echo(str(output))
 

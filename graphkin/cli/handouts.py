@@ -96,7 +96,7 @@ def _problems(sources: tuple[str, ...], seed: str, at: DriverOptions) -> tuple[l
 
 def _write(path: Path, made: Handout, paper: str, font: Path | None, scan: int | None, force: bool) -> int:
     """Write a handout; the number of its pages of paper."""
-    from graphkin.handouts.page import html
+    from graphkin.handouts.markup import html
     from graphkin.handouts.typst import pages, pdf
     from graphkin.outputs import files
 
