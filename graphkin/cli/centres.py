@@ -218,7 +218,7 @@ class _CentreCommand:
 
             whole = about_sheet(pole, paper=self.paper, lang=self.lang)
             return whole, (whole,), f"about-{self.link}"
-        from graphkin.sheet.about_bobillier_sheet import bobillier_sheet, bobillier_step_sheets
+        from graphkin.sheet.about_sheet import bobillier_sheet, bobillier_step_sheets
 
         curvature = self._bobillier(found, pole)
         whole = bobillier_sheet(pole, curvature, paper=self.paper, lang=self.lang)
@@ -228,8 +228,7 @@ class _CentreCommand:
     def _rolling_pages(self, found: Centres) -> Pages:
         from graphkin.outputs import svg
         from graphkin.outputs.animation import animation
-        from graphkin.sheet.centrode_frames import centrode_frames
-        from graphkin.sheet.centrode_sheet import centrode_sheet
+        from graphkin.sheet.centrode_sheet import centrode_frames, centrode_sheet
 
         curves = self._curves(found)
         moving = self.animate or self.steps is not None

@@ -39,7 +39,7 @@ def list_(
 
         click.echo("\n".join(family_lines(lang)))
         if output is not None:
-            from graphkin.sheet.linkage_family import family_sheet
+            from graphkin.sheet.linkage_sheet import family_sheet
 
             shared.write_sheet(output, family_sheet(lang), force)
         return

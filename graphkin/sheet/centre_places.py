@@ -14,7 +14,7 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import LineStep, Stage, drawn_through
 from graphkin.model.pairs import Cam, Pair, Rod
-from graphkin.sheet.lettering import Label, quantity_label
+from graphkin.sheet.lettering import Label, Run, number, quantity_label
 from graphkin.sheet.marks import Place
 from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Window
@@ -55,6 +55,12 @@ def _spot(found: Centres, stage: Stage, number: int) -> Spot:
 def centre_label(name: str) -> Label:
     """`P13` with its numbers as a subscript."""
     return quantity_label("P", name[1:])
+
+
+def coordinates(found: Centres, place: complex) -> Label:
+    """`(34.37, −115.6)`: in mm; what is smaller than rounding is 0."""
+    shown = 1000 * complex(found.method.mechanism.usual.cut(place, "m"))
+    return (Run("("), *number(shown.real), Run(", "), *number(shown.imag), Run(")"))
 
 
 @frozen

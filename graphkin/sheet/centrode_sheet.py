@@ -1,4 +1,4 @@
-"""Centrodes on paper: the fixed curve and the moving one that rolls on it, with the mechanism at a position."""
+"""Centrodes on paper: the fixed curve and the moving one that rolls on it, with the mechanism at one position or many."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from graphkin.model.mechanism import FRAME
 from graphkin.running.path import along
 from graphkin.say.centre_curves import curves_met
 from graphkin.sheet.alone import Alone, place_for
-from graphkin.sheet.curves import clipped
 from graphkin.sheet.fit import corners, enlarged
 from graphkin.sheet.lettering import Label, link_label, plain, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName
+from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
@@ -175,3 +175,42 @@ def _at(places: Sequence[Place], share: float) -> Place:
     steps = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(np.array(places))))])
     k = int(np.searchsorted(steps, share * steps[-1]))
     return places[min(k, len(places) - 1)]
+
+
+FRAMES = 48
+
+
+def centrode_frames(
+    curves: Centrodes, count: int = FRAMES, *, paper: str | None = None, lang: Lang = "en"
+) -> Iterator[Sheet]:
+    """The same sheet at `count` positions evenly over the motion, without letters at what moves.
+
+    Raises UnknownPaper.
+    """
+    times = _times(curves, count)
+    on = centrode_page(curves, [*times[:: max(1, count // 12)]], paper)
+    for t in times:
+        yield _frame(curves, float(t), on, lang)
+
+
+def _times(curves: Centrodes, count: int) -> np.ndarray:
+    """Of a motion that begins anew, the last position is the first; of others, the way there and back."""
+    low, high = curves.span
+    if any(piece.closed for piece in curves.pieces) or _comes_back(curves):
+        return low + (high - low) * np.arange(count) / count
+    there = np.linspace(low, high, count // 2 + 1)
+    return np.concatenate([there, there[-2:0:-1]])
+
+
+def _comes_back(curves: Centrodes) -> bool:
+    """Whether all links stand at the end as they stood at the beginning."""
+    stands = [np.array(curves.standing(link, np.array(curves.span))) for link in (curves.first, curves.second)]
+    return all(bool(np.all(np.abs(stand[:, 1] - stand[:, 0]) < 1e-8)) for stand in stands)
+
+
+def _frame(curves: Centrodes, t: float, on: Alone, lang: Lang) -> Sheet:
+    plot, centre = plot_at(curves, t), centre_at(curves, t)
+    figure = Figure([*centrode_marks(curves, t, on), *on.mechanism(plot).marks])
+    if centre is not None and on.room.holds(on.window(centre)):
+        figure.marks.append(Disc(on.window(centre), 1.0, "vector", "ink"))
+    return on.sheet(plot, heading(curves, lang), figure, lang)

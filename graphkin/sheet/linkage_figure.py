@@ -1,10 +1,10 @@
-"""Several positions of a linkage of four links over each other: the first in thick lines, the others thin.
-
-The linkage itself is the mechanism's own figure at each position; here it is put together and lettered.
+"""Positions of a linkage of four links over each other, the first in thick lines, with its angles and lengths.
 """
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
@@ -12,17 +12,17 @@ from itertools import combinations
 from graphkin.model.mechanism import FRAME
 from graphkin.sheet import symbols
 from graphkin.sheet.fit import Extent
-from graphkin.sheet.fixed_link import grounds
+from graphkin.sheet.fixed_link import away_from, grounds
 from graphkin.sheet.formula import points_label
 from graphkin.sheet.lettering import Label, Run, point_label
-from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke
+from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke
 from graphkin.sheet.mechanism_figure import moving_links
 from graphkin.sheet.paper import BODY
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
-from graphkin.studies.linkages import Linkage
+from graphkin.studies.linkages import Linkage, Report
 from graphkin.studies.linkages.linkage import LinkagePosition
 from graphkin.studies.linkages.placement import posed
 
@@ -104,3 +104,145 @@ def _numbered(name: str, number: int | None, primes: bool) -> Label:
         return (*label, Run("′" * number))
     low = any(run.place == "sub" for run in label)
     return (*label, Run(f",{number}" if low else str(number), False, "sub"))
+
+
+_FOOT = 15.0
+"""How far from the guide the stroke's dimension line lies [mm]."""
+_BESIDE_HINGE, _BESIDE_BLOCK = (0.42, 11.0, 30.0), (0.3, 14.0, 34.0)
+"""Radius of psi: share of the output's arm, least and most [mm]; beside a block it needs more room."""
+_SEEN = 0.05
+"""An arm that leaves its link's line by more does not show its direction [mm]."""
+_SQUARE, _PAST_BLOCK, _RIGHT = 2.4, 6.5, 1e-6
+"""Side of the square in a right angle, and where it is to be seen beside a block [mm]; its cosine is no larger."""
+_NO_HEADS = 7.0
+"""An arc shorter than this has no arrow heads [mm]."""
+
+
+def _degrees(sign: str, angle: float, primes: int = 0) -> Label:
+    """`ψ = 40.54°`, `γ′ = 32.98°`."""
+    index = (Run("′" * primes),) if primes else ()
+    return (Run(sign, True), *index, Run(f" = {math.degrees(angle):.2f}°"))
+
+
+def _arc(centre: Place, radius: float, start: complex, end: complex, label: Label) -> Figure:
+    """The smaller arc between two directions on paper, with arrow heads and its value; nothing for no angle."""
+    return _swept(centre, radius, cmath.phase(start), cmath.phase(end / start), label)
+
+
+def _swept(centre: Place, radius: float, begin: float, sweep: float, label: Label) -> Figure:
+    figure = Figure()
+    if abs(sweep) < 1e-6:
+        return figure
+    figure.marks.append(ArcMark(centre, radius, begin, sweep, "thin"))
+    if abs(sweep) * radius > _NO_HEADS:
+        for angle, way in ((begin, -1), (begin + sweep, 1)):
+            turn = way * (1 if sweep > 0 else -1) * (math.pi / 2 - 1.5 / radius)
+            tip = centre + cmath.rect(radius, angle)
+            figure.marks.append(symbols.arrow_head(tip, cmath.rect(1, angle + turn), None))
+    middle = cmath.rect(1, begin + sweep / 2)
+    figure.wanted.append(LabelRequest(label, centre + radius * middle, gap=0.6, away=middle, size=BODY + 0.3))
+    return figure
+
+
+# --- limits -------------------------------------------------------------------------------------
+
+
+def dimensioned_limits(report: Report, window: Window) -> Figure:
+    """psi or H between the limits, and theta at the crank's pivot."""
+    parts = [_theta(report, window), *(_crossing(end, window) for end in report.limits if end.how == "across")]
+    if report.swing is not None:
+        parts.append(_psi(report, window))
+    elif report.stroke is not None:
+        parts.append(_stroke(report, report.stroke, window))
+    return sum(parts, Figure())
+
+
+def _crossing(end: LinkagePosition, window: Window) -> Figure:
+    """The right angle of a crank and a bar that slides over its pin."""
+    first, pin, last = on_paper(end, window)[:3]
+    return Figure.of(_square(pin, first - pin, last - pin, _PAST_BLOCK))
+
+
+def _square(at: Place, one: complex, other: complex, side: float = _SQUARE) -> Iterator[Mark]:
+    """Between two lines through a point that stand at right angles."""
+    one, other = one / abs(one), other / abs(other)
+    if abs((one.conjugate() * other).real) < _RIGHT:
+        yield Stroke((at + side * one, at + side * (one + other), at + side * other), "construction")
+
+
+def _psi(report: Report, window: Window) -> Figure:
+    """At the output's pivot, over its range."""
+    pivot, tip = report.linkage.arm
+    first = on_paper(report.limits[0], window)
+    at, span = first[pivot], report.output_range
+    share, least, most = _BESIDE_BLOCK if report.slide else _BESIDE_HINGE
+    radius = min(max(share * abs(first[tip] - at), least), most)
+    figure = _swept(at, radius, -span.low, -span.width, _degrees("ψ", span.width))
+    for end in report.limits:
+        along = window.turned(cmath.rect(1, end.output))
+        arm = on_paper(end, window)[tip] - at
+        if abs((along.conjugate() * arm).imag) > _SEEN:
+            figure.marks.append(Stroke((at, at + along * (radius + 3)), "construction"))
+    return figure
+
+
+def _theta(report: Report, window: Window) -> Figure:
+    """Between the crank at the first limit and the crank at the second, carried on beyond its pivot."""
+    figure = Figure()
+    if report.theta is None or report.theta < 1e-6 or report.timed_by:
+        return figure
+    order = -1 if report.linkage.driver == "rocker" else 1
+    first, second = (on_paper(end, window)[::order] for end in report.limits)
+    at, start, end = first[0], first[1] - first[0], second[0] - second[1]
+    radius = max(abs(start) + 7.0, 13.0)
+    if report.limits[0].how == "across":
+        figure.marks.append(Stroke((at, at + end / abs(end) * (radius + 3)), "construction"))
+        figure.marks.append(Stroke((first[1], at + start / abs(start) * (radius + 3)), "construction"))
+    return figure + _arc(at, radius, start / abs(start), end / abs(end), _degrees("θ", report.theta))
+
+
+def _stroke(report: Report, length: float, window: Window) -> Figure:
+    """A dimension line beside the guide, on the side of the ground."""
+    along = window.turned(cmath.rect(1, report.limits[0].turn))
+    places = [on_paper(end, window) for end in report.limits]
+    one, other = (there[-1] for there in places)
+    side = away_from(one, along, [place for there in places for place in there])
+    ends = [place + _FOOT * side for place in (one, other)]
+    marks: list[Mark] = [
+        Stroke((place + 4.5 * side, place + (_FOOT + 1.5) * side), "construction") for place in (one, other)
+    ]
+    marks.append(Stroke((ends[0], ends[1]), "thin"))
+    way = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
+    marks += [symbols.arrow_head(ends[0], -way, None), symbols.arrow_head(ends[1], way, None)]
+    label: Label = (Run("H", True), Run(f" = {length * 1e3:.2f} mm"))
+    return Figure(marks, [LabelRequest(label, ends[0], ends[1], gap=0.4, away=side, size=BODY + 0.3)])
+
+
+# --- transmission -------------------------------------------------------------------------------
+
+
+def dimensioned_transmission(report: Report, positions: tuple[LinkagePosition, ...], window: Window) -> Figure:
+    """gamma at each position; for a slider the pressure angle alpha, which is seen against the guide."""
+    return sum((_gamma(report, end, window, number) for number, end in enumerate(positions, start=1)), Figure())
+
+
+def _gamma(report: Report, end: LinkagePosition, window: Window, number: int) -> Figure:
+    seen, gamma = report.linkage.seen(end), end.gamma or 0.0
+    if seen is None:
+        return Figure()
+    at, one, other = window(seen.at), window.turned(seen.one), window.turned(seen.other)
+    if seen.pressure:
+        return _between(at, one, other, 8.0 + 8.0 * number, _degrees("α", math.pi / 2 - gamma, number))
+    return _between(at, one, other, 15.0, _degrees("γ", gamma, number))
+
+
+def _between(at: Place, one: complex, other: complex, radius: float, label: Label) -> Figure:
+    """The acute angle between two lines through a point; what no link shows is drawn on."""
+    figure = Figure()
+    one, other = one / abs(one), other / abs(other)
+    if (one.conjugate() * other).real < 0:
+        one = -one
+    for way in (one, other):
+        figure.marks.append(Stroke((at, at + way * (radius + 3)), "construction"))
+    figure.marks += _square(at, one, other)
+    return figure + _arc(at, radius, one, other, label)

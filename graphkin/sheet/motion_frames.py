@@ -21,8 +21,8 @@ from graphkin.planning.step_numbers import births
 from graphkin.running.path import along, stride
 from graphkin.running.replaying import replay_all
 from graphkin.sheet.composed import HEADINGS
-from graphkin.sheet.drives import drives
 from graphkin.sheet.fit import Extent
+from graphkin.sheet.fixed_link import drives
 from graphkin.sheet.layout import Layout, lay_out, papers_for
 from graphkin.sheet.lettering import joined, plain, point_label
 from graphkin.sheet.marks import Text

@@ -1,19 +1,20 @@
-"""Pitch circles of gears and rolling wheels: centre marks, rings with a rim, hatching where they stand still."""
+"""Wheels, cams and circular slots: pitch circles, profiles, followers, and lower-pair equivalents in dashes."""
 
 from __future__ import annotations
 
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping
+from itertools import product
 from typing import Any
 
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.model.pairs import Gear, Line, Pair, RollingContact
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Profile, Rod, RollingContact, Slide, Slot
 from graphkin.sheet import symbols
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
-from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.skeleton import OVERRUN, Skeleton
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
@@ -175,3 +176,118 @@ def rims(machine: Mechanism, position: Mapping[str, complex]) -> Iterator[comple
     for _, centre, radius in (circle for pair in machine.pairs for circle in pair.circles):
         at = complex(position[centre])
         yield from (at - complex(radius, radius), at + complex(radius, radius))
+
+
+_REACH = 14.0
+"""How far a slot of the equivalent goes to both sides of its block [mm]."""
+_ROD, _BUSH = 34.0, (15.0, 27.0)
+"""A follower's rod from its tip, and where it is guided [mm]."""
+
+
+def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
+    """The profiles that touch."""
+    step, marks = skeleton.step(*(centre for _, centre, _ in cam.circles)), list[Mark]()
+    for link, profile, other in zip(cam.links, cam.profiles, cam.profiles[::-1], strict=True):
+        marks += _profile(skeleton, (link, cam.name), profile, other, step)
+    return marks
+
+
+def _profile(
+    skeleton: Skeleton, of: tuple[str, str], profile: Profile, other: Profile, step: int | None
+) -> list[Mark]:
+    """A profile of a link in a cam pair (`of`: their names)."""
+    scale = skeleton.window.scale
+    if profile.centre is not None:
+        radius = profile.radius / scale
+        shows = Shows(of[0], "wheel", (profile.centre,))
+        return [Disc(skeleton.at(profile.centre), radius, "outline", shows=shows, step=step)] if radius > 0 else []
+    assert profile.line is not None
+    near = other.centre or profile.line.origin
+    return [straight(skeleton, profile.line, of[1], near, other.radius / scale + 8, step)]
+
+
+def equivalents(skeleton: Skeleton) -> list[Mark]:
+    """In dashes: the link between two centres, or the slot through a centre at a face's distance."""
+    marks: list[Mark] = []
+    for pair in skeleton.mechanism.pairs:
+        match pair.equivalent:
+            case Rod(_, centres) if pair.rolling is None:
+                edges = {centre for _, centre, radius in pair.circles if radius == 0}
+                marks += _joined(skeleton, centres, edges, skeleton.step(*centres))
+            case Slot(line, centre) if pair.rolling is None:
+                marks += _slotted(skeleton, line, centre, skeleton.step(centre))
+    return marks
+
+
+def _joined(skeleton: Skeleton, centres: tuple[str, str], edges: set[str], step: int | None) -> list[Mark]:
+    start, end = (skeleton.at(p) for p in centres)
+    hinges = [Disc(skeleton.at(p), symbols.HINGE, "thin", step=step) for p in centres if p not in edges]
+    return [Stroke((start, end), "dashed", step=step), *hinges]
+
+
+def _slotted(skeleton: Skeleton, line: Line, centre: str, step: int | None) -> list[Mark]:
+    """The block's way is the face's line moved sideways to the centre; both belong to one link."""
+    at, along = skeleton.at(centre), skeleton.direction(line)
+    x, y = along * symbols.BLOCK.real / 2, 1j * along * symbols.BLOCK.imag / 2
+    corners = (at + x + y, at + x - y, at - x - y, at - x + y)
+    return [
+        Stroke((at - along * _REACH, at + along * _REACH), "dashed", step=step),
+        Stroke(corners, "dashed", closed=True, step=step),
+        Disc(at, symbols.HINGE, "thin", step=step),
+    ]
+
+
+def follower(skeleton: Skeleton, slide: Slide) -> list[Mark] | None:
+    """A fixed guide's block that a cam moves at its point: a rod with its tip or roller, guided above; else None."""
+    if slide.guide != FRAME or slide.block is None or len(skeleton.named(slide.block)) > 1:
+        return None
+    for cam in skeleton.mechanism.of(Cam):
+        for profile, other in (cam.profiles, cam.profiles[::-1]):
+            if profile.centre == slide.point and other.centre is not None:
+                return _rod(skeleton, slide, profile.radius / skeleton.window.scale, other.centre)
+    return None
+
+
+def _rod(skeleton: Skeleton, slide: Slide, radius: float, cam_centre: str) -> list[Mark]:
+    at, along = skeleton.at(slide.point), skeleton.along(slide)
+    out = along * math.copysign(1, (along.conjugate() * (at - skeleton.at(cam_centre))).real)
+    side, step = 1j * out, skeleton.step(slide.point)
+    shows = Shows(slide.block or "", "guide", (), slide.name)
+    near, far = (max(0.0, radius - 3) + reach for reach in _BUSH)
+    foot = 2.6 if radius == 0 else 0.0
+    rod = Stroke((at + out * foot, at + out * (far - _BUSH[1] + _ROD)), "visible", shows=shows, step=step)
+    marks: list[Mark] = [rod]
+    if radius == 0:
+        tip = (at, at + out * 3.4 + side * 1.1, at + out * 3.4 - side * 1.1)
+        marks.append(Stroke(tip, "outline", closed=True, fill="ink", step=step))
+    for wall in (side, -side):
+        marks += symbols.guide(at + out * near + wall * 1.1, at + out * far + wall * 1.1, wall, step)
+    return marks
+
+
+_ARC = 15.0
+"""How far a slot goes on to both sides of its pin, along the arc [mm]."""
+_MOST = 2.4
+"""Half of the widest slot there is room for on a small circle [rad]."""
+
+
+def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
+    """Over its link's arc, or on the ground; the centre line is what a ruler holds against the radius."""
+    centre, pin = skeleton.at(slot.centre), skeleton.at(slot.point)
+    step, radius = skeleton.step(slot.centre, slot.point), slot.radius / skeleton.window.scale
+    way, half = (pin - centre) / abs(pin - centre), min(_ARC / radius, _MOST)
+    cut = symbols.arc_places(centre, radius * way, -half, half)
+    fixed = slot.guide == FRAME
+    marks = symbols.arc_ground(centre, cut, step) if fixed else _plate(skeleton, slot, centre, radius * way, half)
+    shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
+    marks += symbols.arc_slot(centre, cut, shows, step)
+    return [*marks, Stroke(tuple(cut), "centre", shows=shows, step=step)]
+
+
+def _plate(skeleton: Skeleton, slot: CircularSlot, centre: Place, start: complex, half: float) -> list[Mark]:
+    """The arc of a moving link that carries the slot, joined to the nearest of the link's points."""
+    step, more = skeleton.step(slot.centre, slot.point), half + min(OVERRUN / abs(start), 0.4)
+    arc = symbols.arc_places(centre, start, -more, more)
+    points = [skeleton.at(point) for point in skeleton.named(slot.guide)]
+    arm = min(product((arc[0], arc[-1]), points), key=lambda ends: abs(ends[1] - ends[0]))
+    return [Stroke(tuple(arc), "visible", step=step), Stroke(arm, "visible", step=step)]
