@@ -1,4 +1,4 @@
-"""The mechanism with its instant centres: signs, Kennedy's lines, marks, names, arrows to centres that no mark shows."""
+"""The mechanism with its instant centres: Kennedy's lines, marks and names, arrows to centres that no mark shows."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from graphkin.base.geometry import place
 from graphkin.construction.drafting import Far
 from graphkin.sheet.centre_places import SAME, CentreLine, Laid, OnPaper, Spot, centre_label, clipped, coordinates
-from graphkin.sheet.centre_places import CentreLine as PaperLine
 from graphkin.sheet.lettering import Label, Run, joined, plain
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, VectorMark
 from graphkin.sheet.obstacles import obstacles
@@ -42,20 +42,14 @@ def centre_lines(paper: OnPaper) -> Figure:
             pen: PenName = "centre" if line.normal else "dashed"
             for piece in drawn.fresh(laid):
                 figure.marks.append(Stroke(piece.ends, pen, step=spot.number))
-            if line.normal:
-                figure.wanted += _normal_letters(laid, spot.number)
+            for end, other in (laid.ends, laid.ends[::-1]) if line.normal else ():
+                letter = plain("n", italic=True)
+                figure.wanted.append(LabelRequest(letter, end, gap=0.2, away=end - other, step=spot.number))
     return figure
 
 
-def _normal_letters(laid: Laid, step: int) -> Iterator[LabelRequest]:
-    """n .. n at the ends of a common normal."""
-    start, end = laid.ends
-    yield LabelRequest(plain("n", italic=True), start, gap=0.2, away=start - end, step=step)
-    yield LabelRequest(plain("n", italic=True), end, gap=0.2, away=end - start, step=step)
-
-
 def reach_of(paper: OnPaper, spot: Spot, line: CentreLine, normal: bool = False) -> Laid | None:
-    """How much of a line is drawn: past the centres on it, or to the room's edge towards those beyond."""
+    """The stretch of a line that is drawn: past the centres on it, or to the room's edge towards those beyond."""
     span = clipped(line, paper.room)
     if span is None:
         return None
@@ -87,10 +81,10 @@ class _DrawnStretches:
 
 
 def _one_line(one: CentreLine, other: CentreLine) -> bool:
-    """Whether two lines are the same on paper."""
-    if abs((one.way * other.way.conjugate()).imag) > 2e-4:
+    """True for two lines that are the same on paper."""
+    if abs((one.direction * other.direction.conjugate()).imag) > 2e-4:
         return False
-    return abs(((other.at - one.at) * one.way.conjugate()).imag) < 2 * SAME
+    return abs(((other.at - one.at) * one.direction.conjugate()).imag) < 2 * SAME
 
 
 def _without(old: tuple[float, float], first: float, second: float) -> Iterator[tuple[float, float]]:
@@ -123,30 +117,31 @@ def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
             continue
         taken = [mark for mark in figure.marks if isinstance(mark, VectorMark)]
         length = _ARROW if spot.place is None else _EDGE_ARROW
-        start, way = _free(_places(paper, spot), length, taken, drawn, paper)
-        head = "∞" if spot.place is None else spot.name
-        arrow = VectorMark("centres", spot.name, "", head, start, start + length * way, spot.number)
+        start, along = _free(_places(paper, spot), length, taken, drawn, paper)
+        head, where = "∞", INFINITY
+        if spot.place is not None:
+            head, where = spot.name, (Run(" "), *coordinates(paper.found, spot.place), Run(" mm"))
+        arrow = VectorMark("centres", spot.name, "", head, start, start + length * along, spot.number)
         figure.marks.append(arrow)
-        label = (*centre_label(spot.name), *(INFINITY if spot.place is None else _off(paper.found, spot)))
-        figure.wanted.append(LabelRequest(label, arrow.end, gap=0.7, away=way, step=spot.number))
+        label = (*centre_label(spot.name), *where)
+        figure.wanted.append(LabelRequest(label, arrow.end, gap=0.7, away=along, step=spot.number))
     return figure
-
-
-def _off(found: Centres, spot: Spot) -> Label:
-    assert spot.place is not None
-    return (Run(" "), *coordinates(found, spot.place), Run(" mm"))
 
 
 # --- where an arrow stands --------------------------------------------------------------------
 
-_Stand = tuple[Place, complex]
-"""Where an arrow starts, and its direction."""
+_Start = tuple[Place, complex]
+"""The start of an arrow, and its direction."""
 
 
-def _places(paper: OnPaper, spot: Spot) -> Iterator[_Stand]:
-    """Where the arrow of a centre may stand: at its slide, at the end of a line, at last anywhere."""
+def _places(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
+    """Starts of the arrow of a centre: on both sides of its slide's block, at the end of a line, at last anywhere."""
     if isinstance(spot.stage.last, Far):
-        yield from _at_slide(paper, spot, spot.stage.last.line)
+        name = spot.stage.last.line
+        slide = next(slide for slide in paper.found.method.mechanism.slides if slide.name == name)
+        at, normal = paper.window(place(paper.found.plot.position[slide.point])), paper.window.turned(spot.direction)
+        for off in (_OFF, _OFF + 6, _OFF + 14):
+            yield from ((at + off * side, side) for side in (normal, -normal))
     for line in paper.lines(spot):
         laid = reach_of(paper, spot, line)
         if laid is not None:
@@ -154,36 +149,26 @@ def _places(paper: OnPaper, spot: Spot) -> Iterator[_Stand]:
     yield from _anywhere(paper, spot)
 
 
-def _at_slide(paper: OnPaper, spot: Spot, name: str) -> Iterator[_Stand]:
-    """On both sides of the block, at right angles to its guide."""
-    slide = next(slide for slide in paper.found.method.mechanism.slides if slide.name == name)
-    at, normal = paper.window(complex(paper.found.plot.position[slide.point])), paper.window.turned(spot.direction)
-    for off in (_OFF, _OFF + 6, _OFF + 14):
-        for way in (normal, -normal):
-            yield at + off * way, way
-
-
-def _at_ends(paper: OnPaper, spot: Spot, line: PaperLine, ends: tuple[Place, Place]) -> Iterator[_Stand]:
+def _at_ends(paper: OnPaper, spot: Spot, line: CentreLine, ends: tuple[Place, Place]) -> Iterator[_Start]:
     """Over the ends of a line that lead to the centre."""
-    for end, way in ((ends[1], line.way), (ends[0], -line.way)):
+    for end, along in ((ends[1], line.direction), (ends[0], -line.direction)):
         if spot.place is None:
-            yield end - 2 * way, way
-        elif ((paper.at(spot) - end) * way.conjugate()).real > 0:
+            yield end - 2 * along, along
+        elif ((paper.at(spot) - end) * along.conjugate()).real > 0:
             for back in (0.0, _EDGE_ARROW + 4, 2 * _EDGE_ARROW + 8):
-                start = end - (_EDGE_ARROW + 0.5 + back) * way
+                start = end - (_EDGE_ARROW + 0.5 + back) * along
                 yield start, _towards(paper.at(spot), start)
 
 
-def _anywhere(paper: OnPaper, spot: Spot) -> Iterator[_Stand]:
+def _anywhere(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
     """From the middle of the figure to its edge."""
-    room = paper.room
-    spread = 0.35 * room.size
+    spread = 0.35 * paper.room.size
     for x, y in ((0, 0), (1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)):
-        foot = room.middle + complex(x * spread.real, y * spread.imag)
-        way = paper.window.turned(spot.direction) if spot.place is None else _towards(paper.at(spot), foot)
-        span = clipped(PaperLine(foot, way, ()), room)
+        foot = paper.room.middle + complex(x * spread.real, y * spread.imag)
+        along = paper.window.turned(spot.direction) if spot.place is None else _towards(paper.at(spot), foot)
+        span = clipped(CentreLine(foot, along, ()), paper.room)
         if span is not None:
-            yield foot + way * (span[1] - _ARROW - 1), way
+            yield foot + along * (span[1] - _ARROW - 1), along
 
 
 def _towards(place: Place, start: Place) -> complex:
@@ -191,8 +176,8 @@ def _towards(place: Place, start: Place) -> complex:
 
 
 def _free(
-    stands: Iterator[_Stand], length: float, taken: Sequence[VectorMark], drawn: Sequence[Mark], paper: OnPaper
-) -> _Stand:
+    stands: Iterator[_Start], length: float, taken: Sequence[VectorMark], drawn: Sequence[Mark], paper: OnPaper
+) -> _Start:
     """The place that touches the fewest things; the first of equals."""
     tried = [(start, way, start + length * way) for start, way in stands]
     known = obstacles([*drawn, *taken])
@@ -215,7 +200,7 @@ _BETWEEN = ", "
 
 
 def bare_mechanism(found: Centres, window: Window) -> Figure:
-    """The mechanism as it stands there before the first centre."""
+    """The mechanism before its first centre."""
     skeleton = Skeleton(found.method.mechanism, found.plot, window, {})
     return bare_figure(found.method, skeleton).numbered(None)
 
@@ -240,31 +225,21 @@ def _marked(paper: OnPaper, spot: Spot) -> list[Mark]:
     return [Disc(at, _CIRCLE, "thin", "paper", step=step), dot]
 
 
-# --- names ------------------------------------------------------------------------------------
-
-
-def _groups(paper: OnPaper) -> list[list[Spot]]:
-    """Centres on the paper; those at one place together."""
+def _names(paper: OnPaper) -> Iterator[LabelRequest]:
+    """A label for each place, with all centres there; each name comes with its own step."""
     groups: list[list[Spot]] = []
     for spot in filter(paper.shown, paper.spots):
-        for group in groups:
-            if abs(paper.at(group[0]) - paper.at(spot)) < SAME:
-                group.append(spot)
-                break
+        same = (group for group in groups if abs(paper.at(group[0]) - paper.at(spot)) < SAME)
+        if (group := next(same, None)) is not None:
+            group.append(spot)
         else:
             groups.append([spot])
-    return groups
-
-
-def _names(paper: OnPaper) -> list[LabelRequest]:
-    """A label for each place, in which each name comes with its own step."""
-    wanted: list[LabelRequest] = []
-    for group in _groups(paper):
-        label = joined([centre_label(spot.name) for spot in group], _BETWEEN)
-        parts = tuple((_part(spot, k), spot.number) for k, spot in enumerate(group))
-        wanted.append(LabelRequest(label, paper.at(group[0]), gap=HINGE, step=group[0].number, parts=parts))
-    return wanted
-
-
-def _part(spot: Spot, k: int) -> Label:
-    return ((Run(_BETWEEN),) if k else ()) + centre_label(spot.name)
+    for group in groups:
+        labels = [centre_label(spot.name) for spot in group]
+        parts = tuple(
+            (((Run(_BETWEEN),) if k else ()) + label, spot.number)
+            for k, (label, spot) in enumerate(zip(labels, group, strict=True))
+        )
+        yield LabelRequest(
+            joined(labels, _BETWEEN), paper.at(group[0]), gap=HINGE, step=group[0].number, parts=parts
+        )
