@@ -38,12 +38,8 @@ _TRIAL = 80.0
 
 def pictured(positions: Row, draw: Callable[[Window], Figure], caption: Caption) -> Picture:
     """A figure of these positions that wants a cell."""
-    return Picture(Extent.of(_places(positions), draw, trial=_TRIAL), draw, caption)
-
-
-def _places(positions: Row) -> list[complex]:
-    """The places a figure shows [m]."""
-    return [place for position in positions for place in position.places]
+    places = [place for position in positions for place in position.places]
+    return Picture(Extent.of(places, draw, trial=_TRIAL), draw, caption)
 
 
 def on_paper(position: LinkagePosition, window: Window) -> list[Place]:
@@ -56,18 +52,15 @@ def drawn_over(linkage: Linkage, positions: Row, window: Window, primes: bool = 
     first, *others = (Skeleton(machine, posed(linkage, machine, position), window, {}) for position in positions)
     marks = list(grounds(first, *others).marks)
     for skeleton in reversed(others):
-        marks += [_thin(mark) for mark in _links(linkage, skeleton)]
-    wanted = [*_names(linkage, positions, first, primes), *_bars(linkage, positions[0], window)]
-    return Figure([*marks, *_links(linkage, first)], wanted)
-
-
-def _bars(linkage: Linkage, position: LinkagePosition, window: Window) -> Iterator[LabelRequest]:
-    """The links by their ends, as their lengths are called, where there is room for it."""
-    named = zip(linkage.names, on_paper(position, window), strict=True)
-    for (one, start), (other, end) in combinations(named, 2):
+        for mark in _links(linkage, skeleton):
+            marks.append(replace(mark, pen="thin") if isinstance(mark, Stroke | Disc) else mark)
+    labels = [*_names(linkage, positions, first, primes)]
+    named = zip(linkage.names, on_paper(positions[0], window), strict=True)
+    for (one, start), (other, end) in combinations(named, 2):  # links by their ends, as their lengths are called
         name = next((name for name in (one + other, other + one) if name in linkage.sizes), "")
         if name and abs(end - start) > _SHORT:
-            yield LabelRequest(points_label(name), start, end, gap=1.2, size=BODY, spare=True)
+            labels.append(LabelRequest(points_label(name), start, end, gap=1.2, size=BODY, spare=True))
+    return Figure([*marks, *_links(linkage, first)], labels)
 
 
 def _links(linkage: Linkage, skeleton: Skeleton) -> Iterator[Mark]:
@@ -79,31 +72,20 @@ def _links(linkage: Linkage, skeleton: Skeleton) -> Iterator[Mark]:
             yield Disc(mark.at, mark.radius, "outline", mark.fill)
 
 
-def _thin(mark: Mark) -> Mark:
-    return replace(mark, pen="thin") if isinstance(mark, Stroke | Disc) else mark
-
-
 def _names(linkage: Linkage, positions: Row, first: Skeleton, primes: bool) -> Iterator[LabelRequest]:
     """Pivots once, moving points at every position."""
-    window = first.window
-    centre = sum(places := _places(positions)) / len(places)
+    places = [place for position in positions for place in position.places]
+    window, centre = first.window, sum(places) / len(places)
     for k, name in enumerate(linkage.names):
         fixed = FRAME in first.mechanism.owners[name]
         for number, position in enumerate(positions[:1] if fixed else positions, start=1):
-            at = window(position.places[k])
-            label = _numbered(name, None if fixed or len(positions) == 1 else number, primes)
+            at, label = window(position.places[k]), point_label(name)
+            if primes and not fixed and len(positions) > 1:
+                label = (*label, Run("′" * number))
+            elif not fixed and len(positions) > 1:  # after a comma where the name has a subscript of its own
+                comma = "," if any(run.place == "sub" for run in label) else ""
+                label = (*label, Run(f"{comma}{number}", False, "sub"))
             yield LabelRequest(label, at, gap=symbols.HINGE + 0.4, away=at - window(centre))
-
-
-def _numbered(name: str, number: int | None, primes: bool) -> Label:
-    """`B` at position 1 as B with a subscript (after a comma where the name has one of its own), or with a prime."""
-    label = point_label(name)
-    if number is None:
-        return label
-    if primes:
-        return (*label, Run("′" * number))
-    low = any(run.place == "sub" for run in label)
-    return (*label, Run(f",{number}" if low else str(number), False, "sub"))
 
 
 _FOOT = 15.0
@@ -125,18 +107,19 @@ def _degrees(sign: str, angle: float, primes: int = 0) -> Label:
 
 
 def _arc(centre: Place, radius: float, start: complex, end: complex, label: Label) -> Figure:
-    """The smaller arc between two directions on paper, with arrow heads and its value; nothing for no angle."""
+    """The smaller arc between two directions on paper."""
     return _swept(centre, radius, cmath.phase(start), cmath.phase(end / start), label)
 
 
 def _swept(centre: Place, radius: float, begin: float, sweep: float, label: Label) -> Figure:
+    """An arc with arrow heads and its value; nothing for no angle."""
     figure = Figure()
     if abs(sweep) < 1e-6:
         return figure
     figure.marks.append(ArcMark(centre, radius, begin, sweep, "thin"))
     if abs(sweep) * radius > _NO_HEADS:
-        for angle, way in ((begin, -1), (begin + sweep, 1)):
-            turn = way * (1 if sweep > 0 else -1) * (math.pi / 2 - 1.5 / radius)
+        for angle, side in ((begin, -1), (begin + sweep, 1)):
+            turn = side * (1 if sweep > 0 else -1) * (math.pi / 2 - 1.5 / radius)
             tip = centre + cmath.rect(radius, angle)
             figure.marks.append(symbols.arrow_head(tip, cmath.rect(1, angle + turn), None))
     middle = cmath.rect(1, begin + sweep / 2)
@@ -149,18 +132,16 @@ def _swept(centre: Place, radius: float, begin: float, sweep: float, label: Labe
 
 def dimensioned_limits(report: Report, window: Window) -> Figure:
     """psi or H between the limits, and theta at the crank's pivot."""
-    parts = [_theta(report, window), *(_crossing(end, window) for end in report.limits if end.how == "across")]
+    figure = _theta(report, window)
+    for end in report.limits:
+        if end.how == "across":  # a crank at right angles to a bar that slides over its pin
+            first, pin, last = on_paper(end, window)[:3]
+            figure.marks += _square(pin, first - pin, last - pin, _PAST_BLOCK)
     if report.swing is not None:
-        parts.append(_psi(report, window))
+        figure += _psi(report, window)
     elif report.stroke is not None:
-        parts.append(_stroke(report, report.stroke, window))
-    return sum(parts, Figure())
-
-
-def _crossing(end: LinkagePosition, window: Window) -> Figure:
-    """The right angle of a crank and a bar that slides over its pin."""
-    first, pin, last = on_paper(end, window)[:3]
-    return Figure.of(_square(pin, first - pin, last - pin, _PAST_BLOCK))
+        figure += _stroke(report, report.stroke, window)
+    return figure
 
 
 def _square(at: Place, one: complex, other: complex, side: float = _SQUARE) -> Iterator[Mark]:
@@ -208,12 +189,12 @@ def _stroke(report: Report, length: float, window: Window) -> Figure:
     one, other = (there[-1] for there in places)
     side = away_from(one, along, [place for there in places for place in there])
     ends = [place + _FOOT * side for place in (one, other)]
-    marks: list[Mark] = [
-        Stroke((place + 4.5 * side, place + (_FOOT + 1.5) * side), "construction") for place in (one, other)
-    ]
+    marks: list[Mark] = []
+    for place in (one, other):
+        marks.append(Stroke((place + 4.5 * side, place + (_FOOT + 1.5) * side), "construction"))
     marks.append(Stroke((ends[0], ends[1]), "thin"))
-    way = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
-    marks += [symbols.arrow_head(ends[0], -way, None), symbols.arrow_head(ends[1], way, None)]
+    forward = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
+    marks += [symbols.arrow_head(ends[0], -forward, None), symbols.arrow_head(ends[1], forward, None)]
     label: Label = (Run("H", True), Run(f" = {length * 1e3:.2f} mm"))
     return Figure(marks, [LabelRequest(label, ends[0], ends[1], gap=0.4, away=side, size=BODY + 0.3)])
 
@@ -223,17 +204,16 @@ def _stroke(report: Report, length: float, window: Window) -> Figure:
 
 def dimensioned_transmission(report: Report, positions: tuple[LinkagePosition, ...], window: Window) -> Figure:
     """gamma at each position; for a slider the pressure angle alpha, which is seen against the guide."""
-    return sum((_gamma(report, end, window, number) for number, end in enumerate(positions, start=1)), Figure())
-
-
-def _gamma(report: Report, end: LinkagePosition, window: Window, number: int) -> Figure:
-    seen, gamma = report.linkage.seen(end), end.gamma or 0.0
-    if seen is None:
-        return Figure()
-    at, one, other = window(seen.at), window.turned(seen.one), window.turned(seen.other)
-    if seen.pressure:
-        return _between(at, one, other, 8.0 + 8.0 * number, _degrees("α", math.pi / 2 - gamma, number))
-    return _between(at, one, other, 15.0, _degrees("γ", gamma, number))
+    figure = Figure()
+    for number, end in enumerate(positions, start=1):
+        angle, gamma = report.linkage.seen(end), end.gamma or 0.0
+        if angle is None:
+            continue
+        radius, label = 15.0, _degrees("γ", gamma, number)
+        if angle.pressure:
+            radius, label = 8.0 + 8.0 * number, _degrees("α", math.pi / 2 - gamma, number)
+        figure += _between(window(angle.at), window.turned(angle.one), window.turned(angle.other), radius, label)
+    return figure
 
 
 def _between(at: Place, one: complex, other: complex, radius: float, label: Label) -> Figure:
@@ -242,7 +222,7 @@ def _between(at: Place, one: complex, other: complex, radius: float, label: Labe
     one, other = one / abs(one), other / abs(other)
     if (one.conjugate() * other).real < 0:
         one = -one
-    for way in (one, other):
-        figure.marks.append(Stroke((at, at + way * (radius + 3)), "construction"))
+    for along in (one, other):
+        figure.marks.append(Stroke((at, at + along * (radius + 3)), "construction"))
     figure.marks += _square(at, one, other)
     return figure + _arc(at, radius, one, other, label)

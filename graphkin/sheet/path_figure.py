@@ -51,8 +51,6 @@ def circle(centre: Place, radius: float, room: Room) -> list[Place]:
     return [centre + cmath.rect(radius, start + half * (2 * k / count - 1)) for k in range(count + 1)]
 
 
-_FINE = 0.01
-"""How far the drawn curve may stand off from the true one [mm]."""
 _TICK, _NUMBERED = 0.9, 1.5
 """Half of a tick [mm]."""
 _LONGEST = 16.0
