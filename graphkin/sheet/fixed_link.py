@@ -219,7 +219,7 @@ def _arcs(
     called = between([skeleton.mechanism.called(link) for link in links])
     for sense, text in letters.items():
         half = cmath.rect(1, -sense * symbols.SWEEP / 2)  # from the start of an arc to its middle
-        start = _freest(skeleton, at, half * radius, starts[sense])
+        start = _freest(skeleton, at, half, radius, starts[sense])
         shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
         marks = symbols.spin(at, start, sense, radius, skeleton.step(*on), shows)
         figure.marks += marks
@@ -228,9 +228,9 @@ def _arcs(
         radius += _APART
 
 
-def _freest(skeleton: Skeleton, at: Place, arm: complex, starts: Sequence[complex]) -> complex:
-    """The direction that has most room at the end of an arm turned into it, the first of equals."""
-    return max(starts, key=lambda start: _room(skeleton, at + start * arm))
+def _freest(skeleton: Skeleton, at: Place, half: complex, radius: float, starts: Sequence[complex]) -> complex:
+    """The start of an arc that has most room about its middle, the first of equals; half: the turn to there."""
+    return max(starts, key=lambda start: _room(skeleton, at + start * half * radius))
 
 
 def _room(skeleton: Skeleton, place: Place) -> float:
