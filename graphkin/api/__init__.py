@@ -195,7 +195,7 @@ def sweep(
 
 
 _ARGUMENTS = {"--driver": "ranges", "--of": "of"}
-"""What a function calls what is an option of a command."""
+"""Arguments of functions by the options of commands."""
 
 
 @contextmanager

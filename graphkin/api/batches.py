@@ -140,7 +140,7 @@ def solve_many(
 def _each(
     items: Iterable[Source], work: Callable[[Source], _Done], executor: Executor | None, batch: int, in_flight: int
 ) -> Iterator[_Done]:
-    """What is done with each, in their order."""
+    """The work done with each, in their order."""
     if executor is None:
         return map(work, items)
     return ahead(executor, partial(_all, work), batched(items, batch), in_flight)

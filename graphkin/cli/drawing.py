@@ -85,7 +85,7 @@ def draw(
 
 
 def _file(output: Path | None, name: str) -> Path:
-    """Where a mechanism's drawing goes; a folder is made."""
+    """The file of a mechanism's drawing; a folder is made."""
     if output is None or not shared.is_folder(output):
         return output or Path(f"{name}.svg")
     output.mkdir(parents=True, exist_ok=True)

@@ -249,14 +249,14 @@ def _line(problem: str, data: Mapping[str, Plain]) -> str:
 
 
 def _counted(records: Iterable[_Record], printed: bool) -> Iterator[_Record]:
-    """How many there are so far, for one who waits at a terminal on which nothing else is being printed."""
+    """The records, counted for one who waits at a terminal on which nothing else is being printed."""
     quiet = not sys.stderr.isatty() or (printed and sys.stdout.isatty())
     with click.progressbar(records, file=sys.stderr, show_pos=True, hidden=quiet) as bar:
         yield from bar
 
 
 def _pencils(pencil: str, sigmas: float, relative: float) -> Pencils:
-    """What the options say. Raises BadPencil."""
+    """The errors of a pencil by the options. Raises BadPencil."""
     from graphkin.homework.grading import Pencils
 
     try:

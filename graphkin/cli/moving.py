@@ -79,7 +79,7 @@ def sweep(
 
 
 def _refuse_rows(rows: int, output: Path | None) -> None:
-    """What is held in memory as one text has its limit; files that are written row by row, and diagrams, have none."""
+    """Text held whole in memory has its limit; files that are written row by row, and diagrams, have none."""
     most = PRINTED if output is None else IN_ONE if output.suffix.lower() == ".json" else rows
     if rows > most:
         raise TooManyRows(Where("--driver"), rows, most)

@@ -22,7 +22,7 @@ _INHERITED = ("Readable", "Measured")
 _ALSO = {
     "Builder": "files.builder", "Readable": "model.readout", "Measured": "model.units", "Series": "studies.sweeps",
 }  # fmt: skip
-"""What public names give or share."""
+"""Classes that public names give or share."""
 _QUOTED = re.compile(r"(: |-> )'([^']*)'")
 
 
@@ -49,7 +49,7 @@ def _page(name: str) -> Iterator[str]:
 
 
 def _members(cls: type) -> Iterator[tuple[str, object]]:
-    """What a class itself and its own kin say, not what every mapping or exception has."""
+    """Members that a class itself and its own kin document, not those of every mapping or exception."""
     seen: set[str] = set()
     for kin in cls.__mro__:
         if not kin.__module__.startswith("graphkin") or (kin is not cls and kin.__name__ in _INHERITED):

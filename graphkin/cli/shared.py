@@ -1,4 +1,4 @@
-"""What the commands share: options, languages, the position of a mechanism, and what is printed or written of it."""
+"""Shared by the commands: options, languages, the position of a mechanism, printing and writing."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def svg_option(
 
 
 def is_folder(path: Path) -> bool:
-    """Whether `-o` names a folder, which may not be there yet, for a file of each mechanism."""
+    """True where `-o` names a folder, which may not be there yet, for a file of each mechanism."""
     return path.is_dir() or not (path.suffix or str(path) == "-")
 
 
@@ -114,7 +114,7 @@ text_option = svg_option(".txt, .json or .jsonl to write; else printed.", kinds=
 
 
 def library_names(ctx: click.Context, option: click.Parameter, begun: str) -> list[CompletionItem]:
-    """What a shell offers for a MECHANISM: names of the library, and files where none begins so."""
+    """Completions of a MECHANISM: names of the library, and files where none begins so."""
     from click.shell_completion import CompletionItem
 
     from graphkin.files import library
@@ -269,7 +269,7 @@ def json_line(value: object) -> str:
 
 
 def wants_json(as_json: bool, output: Path | None, count: int) -> bool:
-    """Whether texts of `count` mechanisms are JSON: `-o` says so, too."""
+    """True where texts of `count` mechanisms are JSON: `-o` says so, too."""
     kind = "" if output is None else output.suffix.lower()
     if kind == ".json" and count > 1:
         raise click.UsageError("several mechanisms make several JSON objects: name a .jsonl file")

@@ -55,7 +55,7 @@ def _status(command: Callable[..., None], source: str, options: dict[str, object
 
 
 def _again(command: Callable[..., None], source: str, options: dict[str, object]) -> None:
-    """What is wrong is said, and a file that is mended is looked at again."""
+    """Errors are said and end nothing: a file that is mended is looked at again."""
     try:
         _status(command, source, options)
     except click.ClickException as error:
@@ -86,7 +86,7 @@ def wait() -> None:
 
 
 def _stamp(file: str) -> Stamp:
-    """What changes when a file is saved, replaced by another too; None while an editor has it away."""
+    """Numbers that change when a file is saved or replaced by another; None while an editor has it away."""
     try:
         state = os.stat(file)
     except OSError:

@@ -20,7 +20,7 @@ from graphkin.sheet.lettering import Label, plain, point_label
 
 _MORE = 1.2
 _EDGE, _GRID = 4.0, 5.0
-"""What the polygon keeps from the edge; the pole stands on a line of the grid [mm]."""
+"""Distance of the polygon from the edge; the pole stands on a line of the grid [mm]."""
 _STEP = 10.0
 """Rooms are so many millimetres, or a multiple of it."""
 _EQUATIONS, _TERMS = 3, {"velocity": 3, "acceleration": 5}

@@ -88,7 +88,7 @@ class GridRoom:
 
 @frozen
 class NewPage:
-    """What follows starts on a page of its own; `front`: on the front of a sheet that is printed on both sides."""
+    """A page break; `front`: on the front of a sheet that is printed on both sides."""
 
     front: bool = False
 
@@ -98,7 +98,7 @@ Block = HandoutHeading | Paragraph | FormulaLine | TermRows | HandoutPicture | H
 
 @frozen
 class Foot:
-    """What every page says of itself.
+    """The foot of every page.
 
     stage   in words; digest: the beginning of the mechanism file's SHA-256, where that is one for all pages
     seed    of the set it belongs to

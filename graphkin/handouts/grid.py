@@ -20,7 +20,7 @@ _FINE, _BOLD, _FRAME, _DIRECTION = ("#d5dde5", 0.1), ("#a9b8c6", 0.18), ("#00000
 _STEP = 5.0
 _LETTERS = 4.2
 _OFF, _HIGH, _WIDE = 1.4, 3.0, 4.0
-"""What letters keep from a line, how high they are, and how wide a pole's letter is [mm]."""
+"""Distance of letters from a line, their height, and the width of a pole's letter [mm]."""
 _FAMILY = "Times New Roman, Liberation Serif, Tinos, serif"
 
 _BITS = """
@@ -42,7 +42,7 @@ SIZE, EDGE = 12.0, 8.0
 _DOTS, _DOT, _WHITE = 10.0, 0.7, 2.5
 _CORNERS = 4
 DIGITS = len(MARKERS) - _CORNERS
-"""How many markers tell numbers."""
+"""The count of markers that are digits of numbers."""
 MOST = DIGITS**2 - 1
 """The largest number of a sheet."""
 
@@ -88,7 +88,7 @@ def _line(drawing: Any, start: complex, end: complex, colour: str, width: float)
 
 
 def _border(room: GridRoom, along: complex) -> complex:
-    """Where a ray from the pole leaves the room."""
+    """The place at which a ray from the pole leaves the room."""
     reach = [math.inf]
     for place, step, most in ((room.pole.real, along.real, room.width), (room.pole.imag, along.imag, room.height)):
         if abs(step) > 1e-9:
@@ -122,7 +122,7 @@ def digits(number: int) -> tuple[int, int]:
 
 
 def markers_svg(width: float, height: float) -> str:
-    """What all pages of this size share: the corners, and the dots."""
+    """The corners and dots that all pages of this size share."""
     drawing = _empty(width, height)
     middles = [corner + complex(SIZE, SIZE) / 2 for corner in (*corners(width, height), *edges(width, height))]
     for x in range(1, round(width / _DOTS)):

@@ -64,7 +64,7 @@ class HandoutProblem:
 
     @cached_property
     def goal(self) -> Asked:
-        """What is asked, in the symbols of the field."""
+        """The goal: quantities that are asked for, in the symbols of the field."""
         return asked(Reading(self.drawing.method, self.drawing.plot, self._keys, self.lang))
 
     @property
@@ -81,7 +81,7 @@ class HandoutProblem:
 
     @property
     def solution(self) -> Section:
-        """What is said before the first plane: the scales."""
+        """The section before the first plane: the scales."""
         return self._sections[3]
 
     @property
@@ -100,7 +100,7 @@ class HandoutProblem:
     def upto(self, equations: int) -> Iterator[tuple[Section, entry.VectorEquation | None]]:
         """The parts as far as whole equations go, the last with the equation that comes next, if one does.
 
-        What leads to that equation, its known arrows, is told; it stands between it and the one before.
+        Sentences on its known arrows, between it and the one before, are part of them.
         """
         seen = 0
         for section in self.parts:

@@ -110,7 +110,7 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
 
 
 def _problem(problem: HandoutProblem) -> Iterator[Block]:
-    """What is given and asked, the mechanism to scale, the scales to use, boxes for the answers."""
+    """The data and the question, the mechanism to scale, the scales to use, boxes for the answers."""
     yield HandoutHeading(plain(problem.title), 1)
     yield from _section(problem.given, problem.lang)
     yield from _section(problem.asked, problem.lang)

@@ -28,7 +28,7 @@ _NORMAL = 12.0
 _PARALLEL = 16.0
 """How far lines to a centre at infinity go on [mm]."""
 _SHORT = 0.8
-"""What is left of a line already drawn is not drawn if shorter [mm]."""
+"""A shorter rest of a line already drawn is not drawn [mm]."""
 
 
 def centre_lines(paper: OnPaper) -> Figure:
@@ -69,7 +69,7 @@ class _DrawnStretches:
     pieces: list[Laid] = field(default_factory=list)
 
     def fresh(self, laid: Laid) -> list[Laid]:
-        """What of a stretch is not yet there."""
+        """The pieces of a stretch that are not yet drawn."""
         left = [(laid.start, laid.end)]
         for piece in self.pieces:
             if _one_line(laid.line, piece.line):
@@ -106,7 +106,7 @@ _ARROW, _EDGE_ARROW = 13.0, 8.0
 _OFF = BLOCK.imag / 2 + 1.0
 """From a block's middle to where its arrow starts [mm]."""
 _APART = 5.0
-"""Arrows one way start at least so far from one another [mm]."""
+"""Arrows in one direction start at least so far from one another [mm]."""
 
 
 def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
@@ -179,7 +179,7 @@ def _free(
     stands: Iterator[_Start], length: float, taken: Sequence[VectorMark], drawn: Sequence[Mark], paper: OnPaper
 ) -> _Start:
     """The place that touches the fewest things; the first of equals."""
-    tried = [(start, way, start + length * way) for start, way in stands]
+    tried = [(start, along, start + length * along) for start, along in stands]
     known = obstacles([*drawn, *taken])
     low = np.array([(start.real, start.imag) for start, _, _ in tried])
     high = np.array([(end.real, end.imag) for _, _, end in tried])

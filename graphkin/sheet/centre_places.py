@@ -95,7 +95,7 @@ class OnPaper:
         return {spot.name: spot for spot in self.spots}
 
     def at(self, spot: Spot) -> Place:
-        """Where a centre that is not at infinity lies, on the paper or beyond it."""
+        """The place of a centre that is not at infinity, on the paper or beyond it."""
         assert spot.place is not None
         return self.window(spot.place)
 

@@ -52,7 +52,7 @@ def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:
 
 
 def ground_way(point: str, *skeletons: Skeleton) -> complex:
-    """The side on which a pivot's ground lies: down, unless links leave that way."""
+    """The side on which a pivot's ground lies: down, unless links leave in that direction."""
     leaving = [along for skeleton in skeletons for along in skeleton.directions(point)]
 
     def badness(down: complex) -> float:

@@ -85,7 +85,7 @@ def mistake_sheet(
 class Version:
     """A plane as it is drawn by somebody.
 
-    told    its name in the catalogue, to be said under it
+    name    its name in the catalogue, to be said under it
     thin    only to be compared with
     arrows, images   drawn otherwise, as in `Beside`
     own     the student's points, from the pole
@@ -94,7 +94,7 @@ class Version:
     method: Method
     plane: Plane
     plot: Plot
-    told: str
+    name: str
     thin: bool = False
     arrows: frozenset[frozenset[str]] = frozenset()
     images: frozenset[str] = frozenset()
@@ -216,7 +216,7 @@ def _row(versions: Sequence[Version], top: float, answer: bool, lang: Lang) -> l
         cell = Room(k * wide, top, (k + 1) * wide, top + max(heights))
         if crowded:
             cell = Room(0.0, top + sum(heights[:k]), wide, top + sum(heights[: k + 1]))
-        caption = Caption((say(f"pictures.under {version.told}", lang),), _FOOT, first=4.0)
+        caption = Caption((say(f"pictures.under {version.name}", lang),), _FOOT, first=4.0)
         panel = Picture(extent, version.figure, caption).panel(cell.inset(0, HEAD, 0), scale)
         head = heading(HEADINGS[lang][version.plane], version.plane, scale, cell)
         panels.append(replace(panel, before=head if answer else head[:1], plane=None))

@@ -95,7 +95,7 @@ def _ends(skeleton: Skeleton, ray: Ray) -> list[Place]:
 
 
 def _towards(skeleton: Skeleton, ray: Ray, at: Place, special: _Special) -> Figure:
-    """From the leg's near end a little way, with an arrow; nothing where that is the special point itself."""
+    """From the leg's near end a short stretch, with an arrow; nothing where that is the special point itself."""
     start = min(_ends(skeleton, ray), key=lambda end: abs(end - at))
     if at == start:
         return Figure()
@@ -107,7 +107,7 @@ def _towards(skeleton: Skeleton, ray: Ray, at: Place, special: _Special) -> Figu
 
 
 def contacts(method: Method, skeleton: Skeleton) -> Figure:
-    """Where wheels touch, as small points with their letters."""
+    """Contacts of wheels, as small points with their letters."""
     figure = Figure()
     page = pages(method)
     for step in method.position.steps:

@@ -1,6 +1,6 @@
 """The signs of kinematic sketches (ISO 3952, GB/T 4460), as strokes in millimetres on paper.
 
-Each function draws one sign where it is told and knows nothing of mechanisms. Hatching is made of lines.
+Each function draws one sign at a given place and knows nothing of mechanisms. Hatching is made of lines.
 """
 
 from __future__ import annotations
