@@ -29,6 +29,19 @@ _PARALLEL = 16.0
 """How far lines to a centre at infinity go on [mm]."""
 _SHORT = 0.8
 """A shorter rest of a line already drawn is not drawn [mm]."""
+INFINITY: Label = plain(" → ∞ ")
+"""The room after the sign is because it is wider than what letters count as."""
+_ARROW, _EDGE_ARROW = 13.0, 8.0
+"""An arrow to infinity, and one to a centre beyond the edge [mm]."""
+_OFF = BLOCK.imag / 2 + 1.0
+"""From a block's middle to where its arrow starts [mm]."""
+_APART = 5.0
+"""Arrows in one direction start at least so far from one another [mm]."""
+_Start = tuple[Place, complex]
+"""The start of an arrow, and its direction."""
+_CIRCLE, _DOT = 1.0, 0.5
+"""Radius of the circle and of the dot that mark a centre [mm]."""
+_BETWEEN = ", "
 
 
 def centre_lines(paper: OnPaper) -> Figure:
@@ -99,16 +112,6 @@ def _without(old: tuple[float, float], first: float, second: float) -> Iterator[
         yield second, end
 
 
-INFINITY: Label = plain(" → ∞ ")
-"""The room after the sign is because it is wider than what letters count as."""
-_ARROW, _EDGE_ARROW = 13.0, 8.0
-"""An arrow to infinity, and one to a centre beyond the edge [mm]."""
-_OFF = BLOCK.imag / 2 + 1.0
-"""From a block's middle to where its arrow starts [mm]."""
-_APART = 5.0
-"""Arrows in one direction start at least so far from one another [mm]."""
-
-
 def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
     """One arrow for each centre that is not marked, with its name; off the sheet also with its coordinates."""
     figure = Figure()
@@ -129,9 +132,6 @@ def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
 
 
 # --- where an arrow stands --------------------------------------------------------------------
-
-_Start = tuple[Place, complex]
-"""The start of an arrow, and its direction."""
 
 
 def _places(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
@@ -192,11 +192,6 @@ def _free(
 
     best = min(range(len(tried)), key=lambda k: (price(k) + 0.4 * k, k))
     return tried[best][0], tried[best][1]
-
-
-_CIRCLE, _DOT = 1.0, 0.5
-"""Radius of the circle and of the dot that mark a centre [mm]."""
-_BETWEEN = ", "
 
 
 def bare_mechanism(found: Centres, window: Window) -> Figure:

@@ -34,6 +34,20 @@ _HEAD, _LINE = 8.0, 4.6
 """Height of the heading, and of a line of the key [mm]."""
 _SHARES = tuple(0.5 + sign * k / 40 for k in range(15) for sign in (1, -1))
 """Places along its chord at which a number may stand."""
+_GAP, _BETWEEN = 2.6, 6.0
+_WORDS: dict[Lang, dict[str, str]] = {
+    "en": {
+        "number": "No.", "centre": "centre", "place": "x, y [mm]", "by": "found by",
+        "hinge": "hinge ", "slide": "slide", "contact": "rolling contact", "normal": "common normal",
+        "velocities": "velocities", "at": " at ",
+        "none": "no relative motion", "more": "more",
+    },
+    "zh": {
+        "number": "序号", "centre": "瞬心", "place": "x，y（mm）", "by": "求法", "hinge": "转动副 ", "slide": "移动副",
+        "contact": "纯滚动接触点", "normal": "公法线", "velocities": "由速度求得", "at": "，方向 ",
+        "none": "无相对运动", "more": "其余",
+    },
+}  # fmt: skip
 
 
 def _radius(found: Centres) -> float:
@@ -125,21 +139,6 @@ def _distance(at: Place, start: Place, end: Place) -> float:
 
 
 # --- table ------------------------------------------------------------------------------------
-
-_GAP, _BETWEEN = 2.6, 6.0
-_WORDS: dict[Lang, dict[str, str]] = {
-    "en": {
-        "number": "No.", "centre": "centre", "place": "x, y [mm]", "by": "found by",
-        "hinge": "hinge ", "slide": "slide", "contact": "rolling contact", "normal": "common normal",
-        "velocities": "velocities", "at": " at ",
-        "none": "no relative motion", "more": "more",
-    },
-    "zh": {
-        "number": "序号", "centre": "瞬心", "place": "x，y（mm）", "by": "求法", "hinge": "转动副 ", "slide": "移动副",
-        "contact": "纯滚动接触点", "normal": "公法线", "velocities": "由速度求得", "at": "，方向 ",
-        "none": "无相对运动", "more": "其余",
-    },
-}  # fmt: skip
 
 
 @frozen

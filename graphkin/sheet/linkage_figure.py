@@ -34,6 +34,16 @@ _SHORT = 8.0
 """A shorter bar bears no letters of its own [mm]."""
 _TRIAL = 80.0
 """Size of a figure when it is drawn to see how far its signs reach [mm]."""
+_FOOT = 15.0
+"""How far from the guide the stroke's dimension line lies [mm]."""
+_BESIDE_HINGE, _BESIDE_BLOCK = (0.42, 11.0, 30.0), (0.3, 14.0, 34.0)
+"""Radius of psi: share of the output's arm, least and most [mm]; beside a block it needs more room."""
+_SEEN = 0.05
+"""An arm that leaves its link's line by more does not show its direction [mm]."""
+_SQUARE, _PAST_BLOCK, _RIGHT = 2.4, 6.5, 1e-6
+"""Side of the square in a right angle, and where it is to be seen beside a block [mm]; its cosine is no larger."""
+_NO_HEADS = 7.0
+"""An arc shorter than this has no arrow heads [mm]."""
 
 
 def pictured(positions: Row, draw: Callable[[Window], Figure], caption: Caption) -> Picture:
@@ -86,18 +96,6 @@ def _names(linkage: Linkage, positions: Row, first: Skeleton, primes: bool) -> I
                 comma = "," if any(run.place == "sub" for run in label) else ""
                 label = (*label, Run(f"{comma}{number}", False, "sub"))
             yield LabelRequest(label, at, gap=symbols.HINGE + 0.4, away=at - window(centre))
-
-
-_FOOT = 15.0
-"""How far from the guide the stroke's dimension line lies [mm]."""
-_BESIDE_HINGE, _BESIDE_BLOCK = (0.42, 11.0, 30.0), (0.3, 14.0, 34.0)
-"""Radius of psi: share of the output's arm, least and most [mm]; beside a block it needs more room."""
-_SEEN = 0.05
-"""An arm that leaves its link's line by more does not show its direction [mm]."""
-_SQUARE, _PAST_BLOCK, _RIGHT = 2.4, 6.5, 1e-6
-"""Side of the square in a right angle, and where it is to be seen beside a block [mm]; its cosine is no larger."""
-_NO_HEADS = 7.0
-"""An arc shorter than this has no arrow heads [mm]."""
 
 
 def _degrees(sign: str, angle: float, primes: int = 0) -> Label:

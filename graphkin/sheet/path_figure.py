@@ -26,6 +26,14 @@ if TYPE_CHECKING:
 
 _FINE = 0.01
 """How far a drawn curve may stand off from the true one [mm]."""
+_TICK, _NUMBERED = 0.9, 1.5
+"""Half of a tick [mm]."""
+_LONGEST = 16.0
+"""The longest velocity [mm]."""
+_HERE = "\0"
+"""The place of a name in a text."""
+_PITCH = 3.8
+"""From line to line of what is said of the paths [mm]."""
 
 
 def clipped(
@@ -49,16 +57,6 @@ def circle(centre: Place, radius: float, room: Room) -> list[Place]:
     start = cmath.phase(room.middle - centre)
     count = max(120, math.ceil(half * math.sqrt(radius / _FINE)))
     return [centre + cmath.rect(radius, start + half * (2 * k / count - 1)) for k in range(count + 1)]
-
-
-_TICK, _NUMBERED = 0.9, 1.5
-"""Half of a tick [mm]."""
-_LONGEST = 16.0
-"""The longest velocity [mm]."""
-_HERE = "\0"
-"""The place of a name in a text."""
-_PITCH = 3.8
-"""From line to line of what is said of the paths [mm]."""
 
 
 @frozen

@@ -23,6 +23,14 @@ _RIM = 3.0
 _CROSS = 4.4
 _SMALL = 9.0
 """In a wheel of less radius there is no room for its number [mm]."""
+_REACH = 14.0
+"""How far a slot of the equivalent goes to both sides of its block [mm]."""
+_ROD, _BUSH = 34.0, (15.0, 27.0)
+"""A follower's rod from its tip, and where it is guided [mm]."""
+_ARC = 15.0
+"""How far a slot goes on to both sides of its pin, along the arc [mm]."""
+_MOST = 2.4
+"""Half of the widest slot there is room for on a small circle [rad]."""
 
 
 @frozen
@@ -171,11 +179,6 @@ def rims(machine: Mechanism, position: Mapping[str, Value]) -> Iterator[complex]
 
 # --- cams ---------------------------------------------------------------------------------------
 
-_REACH = 14.0
-"""How far a slot of the equivalent goes to both sides of its block [mm]."""
-_ROD, _BUSH = 34.0, (15.0, 27.0)
-"""A follower's rod from its tip, and where it is guided [mm]."""
-
 
 def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
     """The profiles that touch."""
@@ -243,12 +246,6 @@ def _rod(skeleton: Skeleton, slide: Slide, radius: float, cam_centre: str) -> li
     for wall in (side, -side):
         marks += symbols.guide(at + out * near + wall * 1.1, at + out * far + wall * 1.1, wall, step)
     return marks
-
-
-_ARC = 15.0
-"""How far a slot goes on to both sides of its pin, along the arc [mm]."""
-_MOST = 2.4
-"""Half of the widest slot there is room for on a small circle [rad]."""
 
 
 def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
