@@ -15,6 +15,7 @@ from graphkin.sheet.centre_places import Spot, centre_label, coordinates, spots
 from graphkin.sheet.lettering import Label, Run, link_label, number, plain, point_label, width
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import LABEL, LEAST, PenName, Room
+from graphkin.sheet.skeleton import off_stretch
 from graphkin.sheet.table import PITCH, SIZE, Table, height_of
 from graphkin.studies.centres import Centres
 
@@ -124,18 +125,11 @@ def _number_place(chord: _Chord, others: Sequence[_Chord], balls: Sequence[Place
     """The place on a chord that is farthest from other chords and numbers, the first of equals."""
 
     def room(at: Place) -> float:
-        to_chord = min((_distance(at, other.start, other.end) for other in others), default=9.0)
+        to_chord = min((off_stretch(at, other.start, other.end) for other in others), default=9.0)
         to_ball = min((abs(at - ball) - _BALL for ball in balls), default=9.0)
         return round(min(to_chord, to_ball, 5.0), 3)
 
     return max((chord.start + share * (chord.end - chord.start) for share in _SHARES), key=room)
-
-
-def _distance(at: Place, start: Place, end: Place) -> float:
-    """From a place to a chord."""
-    along = end - start
-    t = ((at - start) * along.conjugate()).real / abs(along) ** 2
-    return abs(at - start - max(0.0, min(1.0, t)) * along)
 
 
 # --- table ------------------------------------------------------------------------------------

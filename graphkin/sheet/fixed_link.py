@@ -12,7 +12,7 @@ from graphkin.model.pairs import Slide
 from graphkin.sheet import symbols
 from graphkin.sheet.lettering import between, joined, link_label, quantity_label
 from graphkin.sheet.marks import Mark, Place, Shows
-from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.skeleton import Skeleton, off_stretch
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.wheels import circles, follower, wheels_of
 from graphkin.sheet.window import Figure
@@ -239,11 +239,7 @@ def _room(skeleton: Skeleton, place: Place) -> float:
             at = skeleton.at(point)
             stretches.append((at, at + symbols.PIVOT_DEPTH * ground_way(point, skeleton)))
     gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in circles(skeleton))]
-    for start, end in stretches:
-        along = end - start
-        t = ((along.conjugate() * (place - start)).real / abs(along) ** 2) if along else 0.0
-        gaps.append(abs(place - start - along * max(0.0, min(1.0, t))))
-    return min(gaps)
+    return min([*gaps, *(off_stretch(place, start, end) for start, end in stretches)])
 
 
 def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:

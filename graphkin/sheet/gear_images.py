@@ -14,6 +14,7 @@ from graphkin.planning import Method
 from graphkin.planning.step_numbers import rate_found
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
+from graphkin.sheet.skeleton import off_stretch
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window
@@ -88,11 +89,7 @@ def _gap(
 ) -> float:
     """Distance of a place from arrows, points and the other circles, as far as it matters [mm]."""
     gaps = [9.0, *(abs(spot - place) for place in places), *(abs(abs(spot - at) - radius) for at, radius in others)]
-    for arrow in arrows:
-        along = arrow.end - arrow.start
-        t = ((along.conjugate() * (spot - arrow.start)).real / abs(along) ** 2) if along else 0.0
-        gaps.append(abs(spot - arrow.start - along * max(0.0, min(1.0, t))))
-    return min(gaps)
+    return min([*gaps, *(off_stretch(spot, arrow.start, arrow.end) for arrow in arrows)])
 
 
 def points(images: Sequence[GearImage], window: Window) -> dict[str, list[Label]]:

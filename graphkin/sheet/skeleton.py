@@ -122,6 +122,13 @@ class Skeleton:
             yield from ((p - here) / abs(p - here) for p in others if abs(p - here) > 0.5)
 
 
+def off_stretch(at: Place, start: Place, end: Place) -> float:
+    """Distance of a place from a stretch of a line [mm]."""
+    along = end - start
+    t = ((along.conjugate() * (at - start)).real / abs(along) ** 2) if along else 0.0
+    return abs(at - start - along * max(0.0, min(1.0, t)))
+
+
 def in_line(places: list[Place]) -> tuple[int, int] | None:
     """The two ends of points that lie on one line (within 0.05 mm), else None."""
     first, last = max(
