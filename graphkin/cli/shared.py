@@ -207,7 +207,7 @@ def driver_options(command: Callable[..., None]) -> Callable[..., None]:
 
 
 @frozen
-class Position:
+class PlannedPosition:
     """A planned mechanism at driver values [rad, m], or as its file has it (None)."""
 
     method: Method
@@ -235,10 +235,10 @@ class Position:
         return self.method if self.values is None else api.plan(self.moved)
 
 
-def position(machine: Mechanism, at: DriverOptions, coincident: str = "", method: str = "special") -> Position:
+def position(machine: Mechanism, at: DriverOptions, coincident: str = "", method: str = "special") -> PlannedPosition:
     """A mechanism planned as the options ask for, at the position that `--angle` and `--at` ask for."""
     planned = plan(machine, coincident, method)
-    return Position(planned, at.values(planned))
+    return PlannedPosition(planned, at.values(planned))
 
 
 def read_at(source: str, at: DriverOptions) -> Mechanism:
