@@ -15,11 +15,9 @@ from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import finding_sheet
-from graphkin.sheet.about_bobillier_sheet import bobillier_sheet, bobillier_step_sheets
-from graphkin.sheet.about_sheet import about_sheet
+from graphkin.sheet.about_sheet import about_sheet, bobillier_sheet, bobillier_step_sheets
 from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets
-from graphkin.sheet.centrode_frames import centrode_frames
-from graphkin.sheet.centrode_sheet import centrode_sheet
+from graphkin.sheet.centrode_sheet import centrode_frames, centrode_sheet
 from graphkin.sheet.linkage_sheet import limit_sheet
 from graphkin.sheet.motion_frames import motion_frames
 from graphkin.studies import sweeps

@@ -11,8 +11,7 @@ from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, UnknownPaper
-from graphkin.sheet.about_bobillier_sheet import bobillier_sheet, bobillier_step_sheets
-from graphkin.sheet.about_sheet import about_sheet
+from graphkin.sheet.about_sheet import about_sheet, bobillier_sheet, bobillier_step_sheets
 from graphkin.sheet.marks import Disc, Stroke, Text
 from graphkin.studies.centres import centres
 from graphkin.studies.centres.about import About, Circle, about

@@ -33,8 +33,7 @@ from graphkin.outputs.animation import animation
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
-from graphkin.sheet.centrode_frames import centrode_frames
-from graphkin.sheet.centrode_sheet import centrode_sheet
+from graphkin.sheet.centrode_sheet import centrode_frames, centrode_sheet
 from graphkin.sheet.marks import Stroke
 from graphkin.studies.centres import Centres, centres
 from graphkin.studies.centres.centrode_places import carried_to, over

@@ -13,9 +13,8 @@ from click.shell_completion import ShellComplete
 from click.testing import CliRunner, Result
 
 from graphkin import api
-from graphkin.cli import main, watching
+from graphkin.cli import main, spelled_out, watching
 from graphkin.cli.drawing import draw
-from graphkin.cli.short_options import spelled_out
 from graphkin.files import library
 from graphkin.proof.repose import standing
 

@@ -12,7 +12,7 @@ from graphkin import Mechanism, api
 from graphkin import files as loading
 from graphkin.errors import GraphkinError, Lang
 from graphkin.say.finding import lines
-from graphkin.sheet import finding_sheet, slowest_point
+from graphkin.sheet import finding_sheet
 from graphkin.sheet.marks import Disc, Stroke
 from graphkin.studies import finding, sweeps
 from graphkin.studies.finding.search import Curve, crossings, differences, followed, tops, touches, vanishing
@@ -119,7 +119,7 @@ def test_the_sheet_marks_the_slowest_point(angle: int, dashes: int) -> None:
     drawn = finding_sheet.drawn(method, found)
     assert drawn is not None
     marks, scale = drawn[0].marks, drawn[0].scales["position"]
-    (dot,) = (m.centre for m in marks if isinstance(m, Disc) and m.radius == slowest_point._DOT)
+    (dot,) = (m.centre for m in marks if isinstance(m, Disc) and m.radius == finding_sheet._DOT)
     onward = [m.places for m in marks if isinstance(m, Stroke) and m.pen == "dashed" and m.places[-1] == dot]
     assert len(onward) == dashes
     for start, end in onward:

@@ -196,12 +196,12 @@ def overlaps(texts: list[Text]) -> list[tuple[str, str]]:
 
 def test_true_scale_and_fixed_points_alike() -> None:
     """At the scale in the title, the crank pins of all figures stand their drawn distances from the pivots."""
-    from graphkin.sheet.gallery_sheet import side_by_side
+    from graphkin.sheet.finding_sheet import positions_sheet
     from graphkin.sheet.marks import Disc
 
     method = api.plan(api.load("p3-13"))
     plots = [api.replay(method, [math.radians(angle)]) for angle in (20, 100, 200)]
-    sheet = side_by_side(method, plots, ["one", "two", "three"])
+    sheet = positions_sheet(method, plots, ["one", "two", "three"])
     scale = sheet.scales["position"]
     centres = [mark.centre for mark in sheet.marks if isinstance(mark, Disc)]
     for plot in plots:

@@ -18,10 +18,11 @@ from printed_markers import markers
 import graphkin
 from graphkin.cli import main
 from graphkin.files import library
-from graphkin.handouts import fonts, handout, proofs, stages
+from graphkin.handouts import handout, proofs, typst
 from graphkin.handouts.document import GridRoom, HandoutPicture, Paragraph, TermRows
-from graphkin.handouts.markers import MARKERS, MOST, digits
-from graphkin.handouts.page import html
+from graphkin.handouts.grid import MARKERS, MOST, digits
+from graphkin.handouts.markup import html
+from graphkin.handouts.problem import drawn_problem
 from graphkin.handouts.typst import pdf
 from graphkin.marking.key import Hypotheses, KeyEntry
 from graphkin.outputs.diagram.fonts import chinese_font
@@ -90,7 +91,7 @@ TELLING = library.names()[::3] if "GRAPHKIN_HANDOUTS" in os.environ else ("ex3-1
 def test_no_answer_is_told(stage, name):
     """Neither on the page nor in what a PDF or a page says of itself: no answer, and no length of a polygon's arrow."""
     machine = graphkin.load(name)
-    problem = stages.told(machine, "en")
+    problem = drawn_problem(machine, "en")
     answers = [answer for answer in problem.drawing.answers().values() if answer is not None]
     sizes = [abs(answer.vector) if answer.vector is not None else abs(float(answer.value)) for answer in answers]
     sizes += [abs(at) / problem.scales[plane] for plane in problem.polygons for at in problem.drawing.plot.points(plane).values()]
@@ -292,7 +293,7 @@ def test_no_boxes_where_no_chinese_font_is(monkeypatch: pytest.MonkeyPatch, tmp_
     import graphkin.outputs.diagram.fonts as found
 
     monkeypatch.setattr(found, "chinese_font", lambda: None)
-    monkeypatch.delenv(fonts.VARIABLE, raising=False)
+    monkeypatch.delenv(typst.VARIABLE, raising=False)
     done = CliRunner().invoke(main, ["handout", "ex3-1", "--lang", "zh", "-o", str(tmp_path / "a.pdf")])
     assert done.exit_code == 3
     assert "fonts-noto-cjk" in done.output

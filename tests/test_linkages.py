@@ -20,8 +20,7 @@ from graphkin.outputs.svg import svg
 from graphkin.say.catalogue import phrase
 from graphkin.say.linkages import family_lines, found_lines, held, kind_name, lines, titled
 from graphkin.sheet.lettering import box
-from graphkin.sheet.linkage_family import family_sheet
-from graphkin.sheet.linkage_sheet import limit_sheet
+from graphkin.sheet.linkage_sheet import family_sheet, limit_sheet
 from graphkin.sheet.marks import PointMark, Stroke, Text
 from graphkin.studies.linkages import (
     FAMILY,

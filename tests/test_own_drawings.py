@@ -29,7 +29,7 @@ from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
-from graphkin.sheet.linkage_family import family_sheet
+from graphkin.sheet.linkage_sheet import family_sheet
 from graphkin.sheet.marks import PointMark
 from graphkin.sheet.pole_sheet import pole_sheet
 from graphkin.studies.centres import centres

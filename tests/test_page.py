@@ -19,8 +19,8 @@ from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet, sheet
 from graphkin.sheet.about_sheet import about_sheet
 from graphkin.sheet.centre_sheet import centre_sheet
+from graphkin.sheet.finding_sheet import positions_sheet
 from graphkin.sheet.fit import Extent, cut_out
-from graphkin.sheet.gallery_sheet import side_by_side
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Stroke, Text
 from graphkin.sheet.obstacles import bounds
@@ -110,7 +110,7 @@ def of_a_file(scale: float) -> Iterator[Sheet]:
     yield sheet(method, plot)
     yield centre_sheet(found)
     yield about_sheet(about(found, "2"))
-    yield side_by_side(method, [plot], ["here"])
+    yield positions_sheet(method, [plot], ["here"])
 
 
 @pytest.mark.parametrize("scale", [0.001, 0.0027, 0.00053])

@@ -26,7 +26,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import CannotAssemble, GraphkinError, HigherClass, Lang, NoSpeed, Where
 from graphkin.files import library
-from graphkin.files.draft import rate_keys
+from graphkin.files.questions import rate_keys
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.readout import Readable, State, read_off
@@ -76,8 +76,11 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
             _refuse_wrong_drivers(mechanism)
         return method
     except (HigherClass, CannotAssemble):
+        from graphkin.planning.other_side import other_side
+
         _refuse_wrong_drivers(mechanism)
-        _refuse_wrong_side(mechanism)
+        if (error := other_side(mechanism)) is not None:
+            raise error from None
         raise
 
 
@@ -85,13 +88,6 @@ def _refuse_wrong_drivers(mechanism: Mechanism) -> None:
     from graphkin.proof.mobility_errors import wrong_drivers
 
     if (error := wrong_drivers(mechanism)) is not None:
-        raise error
-
-
-def _refuse_wrong_side(mechanism: Mechanism) -> None:
-    from graphkin.planning.other_side import other_side
-
-    if (error := other_side(mechanism)) is not None:
         raise error
 
 
@@ -195,7 +191,7 @@ def sweep(
 
 
 _ARGUMENTS = {"--driver": "ranges", "--of": "of"}
-"""What a function calls what is an option of a command."""
+"""Arguments of functions by the options of commands."""
 
 
 @contextmanager
@@ -247,8 +243,7 @@ class Drawing(Readable):
         """Whatever `ask` can name, as a number with its unit."""
         return read_off(self._motions, text)
 
-    def __getitem__(self, text: str) -> Any:
-        return self.quantity(text)
+    __getitem__ = quantity
 
     def sheet(
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, style: Style = "construction",

@@ -10,13 +10,13 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from functools import partial
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 import numpy as np
 
 from graphkin import api
+from graphkin.base.parallel import ahead, batched
 from graphkin.base.value import frozen
-from graphkin.base.worklist import ahead, batched
 from graphkin.errors import GraphkinError, NotSwept, Where
 from graphkin.model import quantities
 from graphkin.model.mechanism import Mechanism
@@ -26,10 +26,38 @@ __all__ = ["Solved", "Swept", "solve_many", "sweep_many"]
 
 Source = Mechanism | str | Path
 _Done = TypeVar("_Done")
+_Value = TypeVar("_Value", covariant=True)
+
+
+class _ByName(Mapping[str, _Value]):
+    """Values of one of many mechanisms by their names; each raises the error that the mechanism met."""
+
+    error: GraphkinError | None
+    _function: ClassVar[str]
+
+    @property
+    def _values(self) -> Mapping[str, _Value]:
+        raise NotImplementedError
+
+    def __getitem__(self, name: str) -> _Value:
+        if self.error is not None:
+            raise self.error
+        if name not in self._values:
+            raise NotSwept(Where(self._function), str(name), tuple(self))
+        return self._values[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._values
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
 
 
 @frozen
-class Swept(Mapping[str, Series]):
+class Swept(_ByName[Series]):
     """The sweep of one of many mechanisms, as data that goes between processes; or the error that it met.
 
     A mapping from quantities to their series, as `Sweep` is.
@@ -44,39 +72,38 @@ class Swept(Mapping[str, Series]):
     series: tuple[Series, ...]
     reach: tuple[float, float]
     error: GraphkinError | None = None
+    _function: ClassVar[str] = "sweep_many"
 
-    def __getitem__(self, name: str) -> Series:
-        if self.error is not None:
-            raise self.error
-        found = next((entry for entry in self.series if entry.name == name), None)
-        if found is None:
-            raise NotSwept(Where("sweep_many"), str(name), tuple(self))
-        return found
-
-    def __contains__(self, name: object) -> bool:
-        return any(entry.name == name for entry in self.series)
-
-    def __iter__(self) -> Iterator[str]:
-        return (entry.name for entry in self.series)
-
-    def __len__(self) -> int:
-        return len(self.series)
+    @property
+    def _values(self) -> Mapping[str, Series]:
+        return {entry.name: entry for entry in self.series}
 
     def __repr__(self) -> str:
         what = type(self.error).__name__ if self.error else f"{self.driven.size} positions: {', '.join(self)}"
         return f"<Swept {self.name}: {what}>"
 
 
+@frozen
+class Solved(_ByName[Any]):
+    """One of many mechanisms at its drawn position, proved by both roads; or the error that it met.
+
+    A mapping from quantities to their values with units, vectors as vectors.
+    """
+
+    name: str
+    found: Mapping[str, Any]
+    error: GraphkinError | None = None
+    _function: ClassVar[str] = "solve_many"
+
+    @property
+    def _values(self) -> Mapping[str, Any]:
+        return self.found
+
+
 def sweep_many(
-    mechanisms: Iterable[Source],
-    ranges: Ranges = (),
-    of: Sequence[str] = (),
-    by: Road = "construction",
-    *,
-    executor: Executor | None = None,
-    batch: int = 16,
-    in_flight: int = 8,
-) -> Iterator[Swept]:
+    mechanisms: Iterable[Source], ranges: Ranges = (), of: Sequence[str] = (), by: Road = "construction", *,
+    executor: Executor | None = None, batch: int = 16, in_flight: int = 8,
+) -> Iterator[Swept]:  # fmt: skip
     """Sweep mechanisms one after another, in their order, each over `ranges` with the quantities `of`.
 
     mechanisms  mechanisms, files or library names; taken from the iterable a batch at a time, as they are needed
@@ -89,42 +116,10 @@ def sweep_many(
     return _each(mechanisms, partial(_swept, ranges=ranges, of=of, by=by), executor, batch, in_flight)
 
 
-@frozen
-class Solved(Mapping[str, Any]):
-    """One of many mechanisms at its drawn position, proved by both roads; or the error that it met.
-
-    A mapping from quantities to their values with units, vectors as vectors.
-    """
-
-    name: str
-    found: Mapping[str, Any]
-    error: GraphkinError | None = None
-
-    def __getitem__(self, name: str) -> Any:
-        if self.error is not None:
-            raise self.error
-        if name not in self.found:
-            raise NotSwept(Where("solve_many"), str(name), tuple(self))
-        return self.found[name]
-
-    def __contains__(self, name: object) -> bool:
-        return name in self.found
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.found)
-
-    def __len__(self) -> int:
-        return len(self.found)
-
-
 def solve_many(
-    mechanisms: Iterable[Source],
-    of: Sequence[str] = (),
-    *,
-    executor: Executor | None = None,
-    batch: int = 64,
+    mechanisms: Iterable[Source], of: Sequence[str] = (), *, executor: Executor | None = None, batch: int = 64,
     in_flight: int = 8,
-) -> Iterator[Solved]:
+) -> Iterator[Solved]:  # fmt: skip
     """Draw mechanisms in their order, each held against the analysis, and read off quantities `of`.
 
     of      `["omega 3", "v C"]`; nothing: what each file asks. The rest as `sweep_many` has it.
@@ -140,7 +135,7 @@ def solve_many(
 def _each(
     items: Iterable[Source], work: Callable[[Source], _Done], executor: Executor | None, batch: int, in_flight: int
 ) -> Iterator[_Done]:
-    """What is done with each, in their order."""
+    """The work done with each, in their order."""
     if executor is None:
         return map(work, items)
     return ahead(executor, partial(_all, work), batched(items, batch), in_flight)
@@ -150,26 +145,22 @@ def _all(work: Callable[[Source], _Done], some: list[Source]) -> list[_Done]:
     return [*map(work, some)]
 
 
-def _read(source: Source) -> Mechanism:
-    return source if isinstance(source, Mechanism) else api.load(source)
-
-
 def _name(source: Source) -> str:
     return source.name if isinstance(source, Mechanism) else Path(source).stem
 
 
 def _swept(source: Source, ranges: Ranges, of: Sequence[str], by: Road) -> Swept:
     try:
-        mechanism = _read(source)
-        found = api.sweep(mechanism, ranges, of, by)
+        mechanism = source if isinstance(source, Mechanism) else api.load(source)
+        swept = api.sweep(mechanism, ranges, of, by)
     except GraphkinError as error:
         return Swept(_name(source), "", np.empty(0), (), (np.nan, np.nan), error)
-    return Swept(mechanism.name, found.course.driver.name, found.driven, found.series, found.course.reach)
+    return Swept(mechanism.name, swept.course.driver.name, swept.driven, swept.series, swept.course.reach)
 
 
 def _solved(source: Source, of: Sequence[str]) -> Solved:
     try:
-        drawing = api.Drawing.of(_read(source))
+        drawing = api.Drawing.of(source if isinstance(source, Mechanism) else api.load(source))
         names = of or [name for name in drawing.mechanism.ask if quantities.read(drawing.mechanism, name) is not None]
         return Solved(drawing.mechanism.name, {name: drawing.quantity(name) for name in names})
     except GraphkinError as error:

@@ -8,25 +8,26 @@ from __future__ import annotations
 
 import gc
 import os
+from collections.abc import Sequence
 from importlib import import_module
+from itertools import islice
 from typing import Any
 
 import click
 
 from graphkin.cli import streams
-from graphkin.cli.short_options import spelled_out
 
 __all__ = ["main"]
 
 CONTEXT = {"help_option_names": ["-h", "--help"], "max_content_width": 100}
 COMMANDS = {
     "draw": "drawing", "explain": "drawing", "solve": "drawing", "check": "drawing",
-    "sweep": "moving", "find": "moving", "equations": "writing",
+    "sweep": "moving", "find": "moving", "equations": "drawing",
     "centres": "centres", "linkage": "linkages", "design": "design",
     "problems": "problems", "grade": "marking", "tolerance": "marking",
     "handout": "handouts",
     "structure": "library", "list": "library", "show": "library", "schema": "library",
-    "help": "help", "new": "starting",
+    "help": "reference", "new": "library",
 }  # fmt: skip
 """The module of each command."""
 
@@ -47,7 +48,7 @@ class Program(click.Group):
     end, which would take a tenth of the whole time of `draw`. Files are written and closed by then.
     """
 
-    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+    def __call__(self, *args: Any, **kwargs: Any) -> object:
         gc.set_threshold(200_000)
         if not any(name in os.environ for name in _THREADS):
             os.environ[_THREADS[0]] = "1"
@@ -60,7 +61,7 @@ class Program(click.Group):
         number = status if isinstance(status, int) else 0 if status is None else 1
         os._exit(number or (0 if streams.flushed() else 3))
 
-    def invoke(self, ctx: click.Context) -> Any:
+    def invoke(self, ctx: click.Context) -> object:
         try:
             with streams.written():
                 return super().invoke(ctx)
@@ -83,9 +84,28 @@ class Program(click.Group):
         if name not in COMMANDS:
             return None
         module = import_module(f"graphkin.cli.{COMMANDS[name]}")
-        return next(
-            (entry for entry in vars(module).values() if isinstance(entry, click.Command) and entry.name == name), None
-        )
+        commands = (entry for entry in vars(module).values() if isinstance(entry, click.Command))
+        return next((command for command in commands if command.name == name), None)
+
+
+def spelled_out(command: click.Command, args: Sequence[str]) -> list[str]:
+    """The words of a command line, short options by their long names; an option's values stay as they are.
+
+    Before click takes `-o` for what it is, it looks for long options that are spelled nearly like it, which is slow.
+    """
+    options = {name: each for each in command.params if isinstance(each, click.Option) for name in each.opts}
+    spelled: list[str] = []
+    words = iter(args)
+    for word in words:
+        option = options.get(word)
+        if option is None:
+            spelled.append(word)
+            if word == "--":
+                break
+            continue
+        spelled.append(max(option.opts, key=len))
+        spelled.extend(islice(words, 0 if option.is_flag or option.count else option.nargs))
+    return [*spelled, *words]
 
 
 @click.group(cls=Program, context_settings=CONTEXT)

@@ -2,59 +2,50 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from graphkin.base.value import frozen
-from graphkin.cli.shared import (
-    PAPERS,
-    angle_option,
-    at_option,
-    at_values,
-    force_option,
-    json_line,
-    lang_option,
-    library_names,
-    ranges_option,
-    read,
-    said,
-    svg_option,
-    told_each,
-)
+from graphkin.cli import shared
+from graphkin.cli.shared import DriverOptions
 from graphkin.errors import Lang, UnknownCentre, UnknownPoint, Where
 
 if TYPE_CHECKING:
     from graphkin.sheet import Sheet
     from graphkin.studies.centres import Centres
+    from graphkin.studies.centres.about import About
+    from graphkin.studies.centres.about_bobillier import Bobillier
     from graphkin.studies.centres.centrodes import Centrodes
+
+Pages = list[tuple[Path, bytes | str]]
 
 
 @click.command()
-@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1, shell_complete=library_names)
-@svg_option("SVG to write; - for stdout.", to_stdout=True)
-@click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
+@click.argument("mechanisms", metavar="MECHANISM...", nargs=-1, shell_complete=shared.library_names)
+@shared.svg_option("SVG to write; - for stdout.", to_stdout=True)
+@shared.steps_option
 @click.option("--about", "link", default="", metavar="LINK",
-              help="A link about its pole: velocities, acceleration pole, inflection circle, curvature.")  # fmt: skip
+              help="A link about its pole: velocities, acceleration pole, inflection circle, curvature.")
 @click.option("--bobillier", "point", default="", metavar="POINT",
-              help="With --about: the centre of curvature of a point's path, by Bobillier's construction.")  # fmt: skip
+              help="With --about: the centre of curvature of a point's path, by Bobillier's construction.")
 @click.option("--centrodes", "pair", default="", metavar="LINK,LINK",
-              help="The centrode of the first link rolling on that of the second; --steps: frames.")  # fmt: skip
+              help="The centrode of the first link rolling on that of the second; --steps: frames.")
 @click.option("--path", "centre", default="", metavar="CENTRE", help="The path of a centre such as P13.")
 @click.option("--velocities", default="", metavar="TEXT",
-              help='The pole of two velocities: "A 0,0 1,0.5; B 100,0 1,-0.2" (mm, m/s).')  # fmt: skip
+              help='The pole of two velocities: "A 0,0 1,0.5; B 100,0 1,-0.2" (mm, m/s).')
 @click.option("--animate", is_flag=True, help="With --centrodes: one SVG that moves.")
-@ranges_option
+@shared.ranges_option
 @click.option("--fit", is_flag=True, help="A smaller scale, so that centres far off come onto the sheet.")
-@click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
+@shared.paper_option
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line, metres and radians.")
-@force_option
-@angle_option
-@at_option
-@lang_option
-def centres(mechanisms: tuple[str, ...], lang: Lang, **options: Any) -> None:
+@shared.force_option
+@shared.driver_options
+@shared.lang_option
+@shared.speaking
+def centres(mechanisms: tuple[str, ...], **options: Any) -> None:
     """Find all instant centres, by definition and by Kennedy's lines: listed, explained, drawn.
 
     \b
@@ -65,30 +56,12 @@ def centres(mechanisms: tuple[str, ...], lang: Lang, **options: Any) -> None:
       graphkin centres fig3-6 --centrodes 3,1 -o rolling.svg --animate
       graphkin centres --json *.toml > centres.jsonl
     """
-    asked = _Asked(lang=lang, **options)
-    if asked.velocities:
-        if asked.steps is not None:
-            raise click.UsageError("--velocities draws one sheet: leave out --steps")
-        with said(lang):
-            _of_two_velocities(asked)
-        return
-    if asked.animate and not asked.pair:
-        raise click.UsageError("--animate moves centrodes: --centrodes 3,1")
-    if not mechanisms:
-        raise click.UsageError("a MECHANISM is missing, or --velocities")
-    if len(mechanisms) > 1 and asked.draws:
-        raise click.UsageError("-o and --steps draw one mechanism")
-    if asked.draws:
-        with said(lang):
-            _write(asked, mechanisms[0])
-        return
-    with said(lang):
-        told_each(mechanisms, lambda source: _told(asked, source), asked.as_json, lang)
+    _CentreCommand(**options).run(mechanisms)
 
 
 @frozen
-class _Asked:
-    """The options of the command."""
+class _CentreCommand:
+    """The options of the command, and what is printed and drawn by them."""
 
     output: Path | None
     steps: Path | None
@@ -103,23 +76,36 @@ class _Asked:
     paper: str | None
     as_json: bool
     force: bool
-    angles: tuple[float, ...]
-    displacements: tuple[float, ...]
+    at: DriverOptions
     lang: Lang
 
-    @property
-    def draws(self) -> bool:
-        return self.output is not None or self.steps is not None
+    def run(self, mechanisms: tuple[str, ...]) -> None:
+        draws = self.output is not None or self.steps is not None
+        if self.velocities:
+            if self.steps is not None:
+                raise click.UsageError("--velocities draws one sheet: leave out --steps")
+            self._pole_of_two_velocities()
+            return
+        if self.animate and not self.pair:
+            raise click.UsageError("--animate moves centrodes: --centrodes 3,1")
+        if not mechanisms:
+            raise click.UsageError("a MECHANISM is missing, or --velocities")
+        if len(mechanisms) > 1 and draws:
+            raise click.UsageError("-o and --steps draw one mechanism")
+        if draws:
+            pages = self._pages(self._centres(mechanisms[0]))
+            shared.write_drawings(pages, self.output, self.steps, self.force)
+        else:
+            shared.print_each(mechanisms, lambda source: self._lines(self._centres(source)), self.as_json, self.lang)
 
-    def found(self, source: str) -> Centres:
-        from graphkin import api
+    def _centres(self, source: str) -> Centres:
         from graphkin.studies.centres import centres as find
 
-        method = api.plan(read(source))
-        return find(method, api.Drawing.at(method, at_values(method, self.angles, self.displacements)).plot)
+        position = shared.position(shared.read(source), self.at)
+        return find(position.method, position.drawing.plot)
 
-    def curves(self, found: Centres) -> Centrodes:
-        """The centrodes, or the path of a centre, that is asked for."""
+    def _curves(self, found: Centres) -> Centrodes:
+        """The centrodes, or the path of a centre, that the options name."""
         from graphkin.studies import sweeps
         from graphkin.studies.centres.centrodes import centrodes, path, whole
 
@@ -136,154 +122,119 @@ class _Asked:
             raise click.UsageError("--centrodes takes two links: --centrodes 3,1")
         return centrodes(found, first.strip(), second.strip(), course, span)
 
+    def _bobillier(self, found: Centres, pole: About) -> Bobillier:
+        from graphkin.studies.centres.about_bobillier import bobillier
 
-# --- words ------------------------------------------------------------------------------------
+        points = found.method.mechanism.points
+        if self.point not in points:
+            raise UnknownPoint(Where("--bobillier"), self.point, points)
+        return bobillier(pole, self.point)
 
+    # --- words ----------------------------------------------------------------------------------
 
-def _told(asked: _Asked, source: str) -> Iterator[str]:
-    from graphkin.studies import centres as finding
+    def _lines(self, found: Centres) -> Iterator[str]:
+        from graphkin.studies.centres import as_json
 
-    found = asked.found(source)
-    if asked.link:
-        yield from _about(asked, found)
-    elif asked.pair or asked.centre:
-        from graphkin.say.centre_about import curve_lines
-        from graphkin.studies.centres.about_data import centrodes_json
+        if self.link:
+            yield from self._lines_about(found)
+        elif self.pair or self.centre:
+            from graphkin.say.centre_curves import curve_lines
+            from graphkin.studies.centres.about_data import centrodes_json
 
-        curves = asked.curves(found)
-        yield from [json_line(centrodes_json(curves))] if asked.as_json else curve_lines(curves, asked.lang)
-    elif asked.as_json:
-        yield json_line(finding.as_json(found))
-    else:
-        yield from _listed(asked, found)
+            curves = self._curves(found)
+            yield from [shared.json_line(centrodes_json(curves))] if self.as_json else curve_lines(curves, self.lang)
+        elif self.as_json:
+            yield shared.json_line(as_json(found))
+        else:
+            from graphkin.say.centre_explained import advantage_lines, explain_centres, rows
+            from graphkin.say.text_table import table
 
+            mechanism = found.method.mechanism
+            yield "  ".join(dict.fromkeys((mechanism.name, mechanism.headline(self.lang))))
+            yield from table(list(rows(found, self.lang)))
+            yield ""
+            yield from explain_centres(found, self.lang)
+            yield from advantage_lines(found, self.lang)
 
-def _listed(asked: _Asked, found: Centres) -> Iterator[str]:
-    from graphkin.say.centre_steps import centre_rows
-    from graphkin.say.centre_velocities import advantage_lines, explain_centres
-    from graphkin.say.text_table import table
+    def _lines_about(self, found: Centres) -> Iterator[str]:
+        from graphkin.say.centre_about import about_words, bobillier_words
+        from graphkin.studies.centres.about import about
+        from graphkin.studies.centres.about_data import about_json
 
-    mechanism = found.method.mechanism
-    yield "  ".join(dict.fromkeys((mechanism.name, mechanism.headline(asked.lang))))
-    yield from table(list(centre_rows(found, asked.lang)))
-    yield ""
-    yield from explain_centres(found, asked.lang)
-    yield from advantage_lines(found, asked.lang)
+        pole = about(found, self.link)
+        if self.as_json:
+            yield shared.json_line(about_json(pole))
+            return
+        yield from about_words(pole, self.lang)
+        if self.point:
+            yield ""
+            yield from bobillier_words(self._bobillier(found, pole), self.lang)
 
+    # --- drawings -------------------------------------------------------------------------------
 
-def _about(asked: _Asked, found: Centres) -> Iterator[str]:
-    from graphkin.say.centre_about import about_words, bobillier_words
-    from graphkin.studies.centres.about import about
-    from graphkin.studies.centres.about_bobillier import bobillier
-    from graphkin.studies.centres.about_data import about_json
+    def _pole_of_two_velocities(self) -> None:
+        from graphkin.outputs import svg
+        from graphkin.say.centre_about import pole_words
+        from graphkin.sheet.pole_sheet import pole_sheet
+        from graphkin.studies.centres.two_velocities import from_text
 
-    seen = about(found, asked.link)
-    if asked.as_json:
-        yield json_line(about_json(seen))
-        return
-    yield from about_words(seen, asked.lang)
-    if asked.point:
-        yield ""
-        yield from bobillier_words(bobillier(seen, _point(found, asked.point)), asked.lang)
+        pole = from_text(self.velocities)
+        if self.output is None:
+            click.echo("\n".join(pole_words(pole, self.lang)))
+            return
+        pages: Pages = [(self.output, svg.svg(pole_sheet(pole, self.lang, paper=self.paper)))]
+        shared.write_drawings(pages, self.output, None, self.force)
 
+    def _pages(self, found: Centres) -> Pages:
+        """The sheet, and one sheet a step."""
+        from graphkin.outputs import svg
 
-def _point(found: Centres, name: str) -> str:
-    points = found.method.mechanism.points
-    if name not in points:
-        raise UnknownPoint(Where("--bobillier"), name, points)
-    return name
+        if self.pair or self.centre:
+            return self._rolling_pages(found)
+        whole, steps, kind = self._sheets(found)
+        pages: Pages = [(self.output, svg.svg(whole))] if self.output is not None else []
+        return pages + self._step_pages(found, kind, steps)
 
+    def _step_pages(self, found: Centres, kind: str, sheets: Iterable[Sheet]) -> Pages:
+        from graphkin.outputs import svg
 
-def _of_two_velocities(asked: _Asked) -> None:
-    from graphkin.say.centre_about import pole_words
-    from graphkin.studies.centres.two_velocities import from_text
+        name = found.method.mechanism.name
+        if self.steps is None:
+            return []
+        return [(self.steps / f"{name}-{kind}-{k:02d}.svg", svg.svg(page)) for k, page in enumerate(sheets, 1)]
 
-    found = from_text(asked.velocities)
-    if asked.output is None:
-        click.echo("\n".join(pole_words(found, asked.lang)))
-        return
-    from graphkin.outputs import drawings, svg
-    from graphkin.sheet.pole_sheet import pole_sheet
+    def _sheets(self, found: Centres) -> tuple[Sheet, Iterable[Sheet], str]:
+        """The sheet that the options name, one for each step, and what they are called."""
+        if not self.link:
+            from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets
 
-    text = svg.svg(pole_sheet(found, asked.lang, paper=asked.paper))
-    if str(asked.output) == "-":
-        click.echo(text, nl=False)
-        return
-    drawings.write(asked.output, text, asked.force)
-    click.echo(str(asked.output))
+            whole = centre_sheet(found, paper=self.paper, lang=self.lang, fit=self.fit)
+            return whole, centre_step_sheets(found, paper=self.paper, lang=self.lang, fit=self.fit), "centres"
+        from graphkin.studies.centres.about import about
 
+        pole = about(found, self.link)
+        if not self.point:
+            from graphkin.sheet.about_sheet import about_sheet
 
-# --- drawings ---------------------------------------------------------------------------------
+            whole = about_sheet(pole, paper=self.paper, lang=self.lang)
+            return whole, (whole,), f"about-{self.link}"
+        from graphkin.sheet.about_sheet import bobillier_sheet, bobillier_step_sheets
 
+        curvature = self._bobillier(found, pole)
+        whole = bobillier_sheet(pole, curvature, paper=self.paper, lang=self.lang)
+        steps = bobillier_step_sheets(pole, curvature, paper=self.paper, lang=self.lang)
+        return whole, steps, f"bobillier-{self.point}"
 
-def _write(asked: _Asked, source: str) -> None:
-    """The sheet, and one sheet a step; all are made before the first is written."""
-    from graphkin.outputs import drawings
-    from graphkin.outputs.edited import refuse_edited
+    def _rolling_pages(self, found: Centres) -> Pages:
+        from graphkin.outputs import svg
+        from graphkin.outputs.animation import animation
+        from graphkin.sheet.centrode_sheet import centrode_frames, centrode_sheet
 
-    found = asked.found(source)
-    pages = list(_pages(asked, found))
-    if str(asked.output) == "-":
-        click.echo(pages.pop(0)[1], nl=False)
-    if asked.steps is not None:
-        asked.steps.mkdir(parents=True, exist_ok=True)
-    for path, _ in pages:
-        drawings.refuse(path, asked.force)
-    if asked.output is not None:
-        refuse_edited(asked.output, asked.force)
-    for path, text in pages:
-        drawings.write(path, text, asked.force)
-        click.echo(str(path), err=str(asked.output) == "-")
-
-
-def _pages(asked: _Asked, found: Centres) -> Iterator[tuple[Path, str]]:
-    from graphkin.outputs import svg
-
-    if asked.pair or asked.centre:
-        yield from _rolling(asked, found)
-        return
-    whole, steps, kind = _sheets(asked, found)
-    if asked.output is not None:
-        yield asked.output, svg.svg(whole)
-    if asked.steps is not None:
-        for k, page in enumerate(steps, 1):
-            yield asked.steps / f"{found.method.mechanism.name}-{kind}-{k:02d}.svg", svg.svg(page)
-
-
-def _sheets(asked: _Asked, found: Centres) -> tuple[Sheet, Iterator[Sheet], str]:
-    """The sheet that is asked for, one for each step, and what they are called."""
-    if not asked.link:
-        from graphkin.sheet.centre_sheet import centre_sheet, centre_step_sheets
-
-        whole = centre_sheet(found, paper=asked.paper, lang=asked.lang, fit=asked.fit)
-        return whole, centre_step_sheets(found, paper=asked.paper, lang=asked.lang, fit=asked.fit), "centres"
-    from graphkin.studies.centres.about import about
-
-    seen = about(found, asked.link)
-    if not asked.point:
-        from graphkin.sheet.about_sheet import about_sheet
-
-        sheet = about_sheet(seen, paper=asked.paper, lang=asked.lang)
-        return sheet, iter((sheet,)), f"about-{asked.link}"
-    from graphkin.sheet.about_bobillier_sheet import bobillier_sheet, bobillier_step_sheets
-    from graphkin.studies.centres.about_bobillier import bobillier
-
-    drawn = bobillier(seen, _point(found, asked.point))
-    whole = bobillier_sheet(seen, drawn, paper=asked.paper, lang=asked.lang)
-    return whole, bobillier_step_sheets(seen, drawn, paper=asked.paper, lang=asked.lang), f"bobillier-{asked.point}"
-
-
-def _rolling(asked: _Asked, found: Centres) -> Iterator[tuple[Path, str]]:
-    from graphkin.outputs import svg
-    from graphkin.outputs.animation import animation
-    from graphkin.sheet.centrode_frames import centrode_frames
-    from graphkin.sheet.centrode_sheet import centrode_sheet
-
-    curves = asked.curves(found)
-    frames = list(centrode_frames(curves, paper=asked.paper, lang=asked.lang)) if asked.animate or asked.steps else []
-    if asked.output is not None:
-        still = svg.svg(centrode_sheet(curves, paper=asked.paper, lang=asked.lang)) if not asked.animate else ""
-        yield asked.output, still or animation(frames)
-    if asked.steps is not None:
-        for k, frame in enumerate(frames, 1):
-            yield asked.steps / f"{found.method.mechanism.name}-centrodes-{k:02d}.svg", svg.svg(frame)
+        curves = self._curves(found)
+        moving = self.animate or self.steps is not None
+        frames = list(centrode_frames(curves, paper=self.paper, lang=self.lang)) if moving else []
+        pages: Pages = []
+        if self.output is not None:
+            still = "" if self.animate else svg.svg(centrode_sheet(curves, paper=self.paper, lang=self.lang))
+            pages.append((self.output, still or animation(frames)))
+        return pages + self._step_pages(found, "centrodes", frames)

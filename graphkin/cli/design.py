@@ -6,119 +6,95 @@ import cmath
 import functools
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, TypeVar
 
 import click
 
-from graphkin.cli.shared import PAPERS, force_option, json_line, lang_option, plain, said, svg_option
-from graphkin.errors import BadPair, GraphkinError, Lang, Where
+from graphkin.cli import shared
+from graphkin.errors import BadPair, Lang, Where
 
 if TYPE_CHECKING:
-    from graphkin.model.mechanism import Dimension
     from graphkin.studies.design import Design
 
-
-def _quantity(dimension: Dimension, option: str, text: str) -> float:
-    """A number in mm or deg, or with a unit, as SI."""
-    from graphkin.files.values import read_quantity
-
-    try:
-        return read_quantity(plain(text), dimension)
-    except GraphkinError as error:
-        raise error.at(Where(option)) from None
-
-
-def _length(name: str, told: str, required: bool = False) -> Callable[..., Any]:
-    return click.option(f"--{name}", _key(name), metavar="MM", required=required, help=told)
-
-
-def _angle(name: str, told: str, required: bool = False) -> Callable[..., Any]:
-    return click.option(f"--{name}", _key(name), metavar="DEG", required=required, help=told)
-
-
-def _key(name: str) -> str:
-    return name.lower().replace("-", "_")
-
+_Command = TypeVar("_Command", bound=Callable[..., object])
 
 LENGTHS = {"length", "frame", "crank", "coupler", "rod", "stroke", "offset", "ac1"}
 
 
-def _read(values: dict[str, Any]) -> dict[str, Any]:
-    """What is given, in SI; what is not is left out."""
-    found: dict[str, Any] = {}
-    for name, text in values.items():
-        if text is None:
-            continue
-        if name == "k":
-            found[name] = float(text)
-        else:
-            found[name] = _quantity("length" if name in LENGTHS else "angle", f"--{name.replace('_', '-')}", text)
-    return found
+def _option(name: str, text: str, required: bool = False) -> Callable[[_Command], _Command]:
+    """A length, or else an angle, as a text that `_si` reads."""
+    key = name.lower().replace("-", "_")
+    return click.option(f"--{name}", key, metavar="MM" if key in LENGTHS else "DEG", required=required, help=text)
+
+
+def _si(values: dict[str, str | None]) -> dict[str, float]:
+    """Options in SI by name; those that are not given are left out."""
+    return {
+        name: shared.quantity(f"--{name.replace('_', '-')}", "length" if name in LENGTHS else "angle", text)
+        for name, text in values.items()
+        if text is not None
+    }
 
 
 def answering(make: Callable[..., Design]) -> Callable[..., None]:
     """A command that makes a design, with the options in which all give it out."""
 
-    @svg_option("Draw the construction, SVG.")
+    @shared.svg_option("Draw the construction, SVG.")
     @click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, in a folder.")
     @click.option("--toml", type=click.Path(path_type=Path, dir_okay=False), help="Write the best linkage, as TOML.")
-    @click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
+    @shared.paper_option
     @click.option("--json", "as_json", is_flag=True, help="One JSON object, metres and radians.")
-    @force_option
-    @lang_option
+    @shared.force_option
+    @shared.lang_option
     @functools.wraps(make)
     def command(
         output: Path | None, steps: Path | None, toml: Path | None, paper: str | None, as_json: bool, force: bool,
-        lang: Lang, **values: Any,
+        lang: Lang, **values: object,
     ) -> None:  # fmt: skip
-        with said(lang):
-            found = make(**values)
-            _tell(found, as_json, lang)
-            _write(found, output, steps, toml, paper, force, lang)
+        with shared.errors_said(lang):
+            solution = make(**values)
+            _print(solution, as_json, lang)
+            if output or steps or toml:
+                _write(solution, output, steps, toml, paper, force, lang)
 
     return command
 
 
-def _tell(found: Design, as_json: bool, lang: Lang) -> None:
+def _print(solution: Design, as_json: bool, lang: Lang) -> None:
     if as_json:
         from graphkin.outputs.designs import as_json as data
 
-        click.echo(json_line(data(found)))
+        click.echo(shared.json_line(data(solution)))
         return
     from graphkin.say.design import error, lines
 
-    click.echo("\n".join(lines(found, lang)))
-    if (missing := error(found)) is not None:
+    click.echo("\n".join(lines(solution, lang)))
+    if (missing := error(solution)) is not None:
         raise missing
 
 
 def _write(
-    found: Design, output: Path | None, steps: Path | None, toml: Path | None, paper: str | None, force: bool,
+    solution: Design, output: Path | None, steps: Path | None, toml: Path | None, paper: str | None, force: bool,
     lang: Lang,
 ) -> None:  # fmt: skip
-    from graphkin.outputs import drawings, files, svg
+    from graphkin.outputs import files, svg
     from graphkin.say.design import as_toml, error
     from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
 
-    if not (output or steps or toml):
-        return
-    if (missing := error(found)) is not None:
+    if (missing := error(solution)) is not None:
         raise missing
-    pages = [] if output is None else [(output, svg.svg(design_sheet(found, paper=paper, lang=lang)))]
+    pages: list[tuple[Path, bytes | str]] = []
+    if output is not None:
+        pages.append((output, svg.svg(design_sheet(solution, paper=paper, lang=lang))))
     if steps is not None:
-        sheets = design_step_sheets(found, paper=paper, lang=lang)
-        pages += [(steps / f"{found.kind}-{k:02d}.svg", svg.svg(page)) for k, page in enumerate(sheets, 1)]
-        steps.mkdir(parents=True, exist_ok=True)
-    for path, _ in pages:
-        drawings.refuse(path, force)
+        sheets = design_step_sheets(solution, paper=paper, lang=lang)
+        pages += [(steps / f"{solution.kind}-{k:02d}.svg", svg.svg(page)) for k, page in enumerate(sheets, 1)]
     if toml is not None:
         files.refuse(toml, force, (b"graphkin",))
-    for path, text in pages:
-        drawings.write(path, text, force)
-        click.echo(str(path), err=True)
-    if toml is not None and found.best is not None:
+    shared.write_drawings(pages, output, steps, force, err=True)
+    if toml is not None and solution.best is not None:
         with files.beside(toml, force, (b"graphkin",)) as draft:
-            draft.write_text("# graphkin\n" + as_toml(found.best, found.kind), encoding="utf-8", newline="\n")
+            draft.write_text("# graphkin\n" + as_toml(solution.best, solution.kind), encoding="utf-8", newline="\n")
         click.echo(str(toml), err=True)
 
 
@@ -140,56 +116,55 @@ ratio_option = click.option("--K", "k", type=float, required=True, help="Time ra
 
 
 @design.command()
-@_length("length", "The rocker's length.", required=True)
-@_angle("swing", "The rocker's swing.", required=True)
+@_option("length", "The rocker's length.", required=True)
+@_option("swing", "The rocker's swing.", required=True)
 @ratio_option
-@_length("frame", "With this frame length.")
-@_length("crank", "With this crank length.")
-@_length("coupler", "With this coupler length.")
-@_angle("gamma-min", "With this least transmission angle.")
-@_length("AC1", "With this distance of the crank's pivot from C1.")
+@_option("frame", "With this frame length.")
+@_option("crank", "With this crank length.")
+@_option("coupler", "With this coupler length.")
+@_option("gamma-min", "With this least transmission angle.")
+@_option("AC1", "With this distance of the crank's pivot from C1.")
 @answering
-def rocker(**values: Any) -> Design:
+def rocker(k: float, **values: str | None) -> Design:
     """A crank-rocker from the rocker's length, its swing and K; without a further condition, the whole family."""
     from graphkin.studies import design as designing
 
-    given = _read(values)
-    return designing.rocker(given.pop("length"), given.pop("swing"), given.pop("k"), **given)
+    sizes = _si(values)
+    return designing.rocker(sizes.pop("length"), sizes.pop("swing"), k, **sizes)
 
 
 @design.command()
-@_length("stroke", "The slider's stroke.", required=True)
+@_option("stroke", "The slider's stroke.", required=True)
 @ratio_option
-@_length("offset", "With this offset.")
-@_length("crank", "With this crank length.")
-@_length("rod", "With this rod length.")
-@_angle("gamma-min", "With this least transmission angle.")
+@_option("offset", "With this offset.")
+@_option("crank", "With this crank length.")
+@_option("rod", "With this rod length.")
+@_option("gamma-min", "With this least transmission angle.")
 @answering
-def slider(**values: Any) -> Design:
+def slider(k: float, **values: str | None) -> Design:
     """An offset slider-crank from its stroke and K; without a further condition, the whole family."""
     from graphkin.studies import design as designing
 
-    given = _read(values)
-    return designing.slider(given.pop("stroke"), given.pop("k"), **given)
+    sizes = _si(values)
+    return designing.slider(sizes.pop("stroke"), k, **sizes)
 
 
 @design.command("guide-bar")
 @ratio_option
-@_length("frame", "The distance of the pivots.")
-@_length("crank", "Or the crank's length.")
+@_option("frame", "The distance of the pivots.")
+@_option("crank", "Or the crank's length.")
 @answering
-def guide_bar(**values: Any) -> Design:
+def guide_bar(k: float, **values: str | None) -> Design:
     """An oscillating guide bar from K and the frame's or the crank's length."""
     from graphkin.studies import design as designing
 
-    given = _read(values)
-    return designing.guide_bar(given.pop("k"), **given)
+    return designing.guide_bar(k, **_si(values))
 
 
 @design.command()
 @click.option("--at", "places", multiple=True, required=True, metavar="'X,Y X,Y'",
-              help="Hinges B and C at one position, mm (or B and a direction, deg); two or three.")  # fmt: skip
-@_length("coupler", "The coupler's length, where its directions are given.")
+              help="Hinges B and C at one position, mm (or B and a direction, deg); two or three.")
+@_option("coupler", "The coupler's length, where its directions are given.")
 @click.option("--A", "pivot_a", metavar="X,Y", help="With two positions: the pivot of B, on its bisector.")
 @click.option("--D", "pivot_d", metavar="X,Y", help="With two positions: the pivot of C, on its bisector.")
 @answering
@@ -197,7 +172,7 @@ def positions(places: tuple[str, ...], coupler: str | None, pivot_a: str | None,
     """A four-bar that carries its coupler through two or three positions."""
     from graphkin.studies import design as designing
 
-    length = None if coupler is None else _quantity("length", "--coupler", coupler)
+    length = None if coupler is None else shared.quantity("--coupler", "length", coupler)
     points = [_two_hinges(text, length) for text in places]
     a, d = (None if text is None else _place(option, text) for option, text in (("--A", pivot_a), ("--D", pivot_d)))
     return designing.coupler_positions(points, pivot_a=a, pivot_d=d)
@@ -211,33 +186,32 @@ def _two_hinges(text: str, length: float | None) -> tuple[complex, complex]:
     hinge = _place("--at", first)
     if length is None:
         return hinge, _place("--at", second.strip())
-    return hinge, hinge + cmath.rect(length, _quantity("angle", "--at", second.strip()))
+    return hinge, hinge + cmath.rect(length, shared.quantity("--at", "angle", second.strip()))
 
 
 @design.command()
 @click.option("--pair", "pairs", multiple=True, required=True, metavar="PHI:PSI",
-              help="Input and output angle that belong together, deg; three times.")  # fmt: skip
-@_length("frame", "The distance of the pivots.", required=True)
-@_length("crank", "With this crank length; only the differences of the angles count then.")
-@_angle("phi0", "The crank's direction at input angle 0.")
-@_angle("psi0", "The rocker's direction at output angle 0.")
+              help="Input and output angle that belong together, deg; three times.")
+@_option("frame", "The distance of the pivots.", required=True)
+@_option("crank", "With this crank length; only the differences of the angles count then.")
+@_option("phi0", "The crank's direction at input angle 0.")
+@_option("psi0", "The rocker's direction at output angle 0.")
 @answering
-def angles(pairs: tuple[str, ...], **values: Any) -> Design:
+def angles(pairs: tuple[str, ...], **values: str | None) -> Design:
     """A four-bar whose crank and rocker come together to three pairs of angles."""
     from graphkin.studies import design as designing
 
-    given = _read(values)
-    told = []
+    sizes, turns = _si(values), []
     for text in pairs:
         first, colon, second = text.partition(":")
         if not colon:
             raise BadPair(Where("--pair"), text)
-        told.append((_quantity("angle", "--pair", first), _quantity("angle", "--pair", second)))
-    return designing.angle_pairs(told, given.pop("frame"), **given)
+        turns.append((shared.quantity("--pair", "angle", first), shared.quantity("--pair", "angle", second)))
+    return designing.angle_pairs(turns, sizes.pop("frame"), **sizes)
 
 
 def _place(option: str, text: str) -> complex:
     x, comma, y = text.partition(",")
     if not comma:
         raise BadPair(Where(option), text)
-    return complex(_quantity("length", option, x.strip()), _quantity("length", option, y.strip()))
+    return complex(shared.quantity(option, "length", x.strip()), shared.quantity(option, "length", y.strip()))

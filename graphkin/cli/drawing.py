@@ -1,4 +1,4 @@
-"""`draw`, `explain`, `solve`, `check`: one position of a mechanism, drawn and proved."""
+"""`draw`, `explain`, `equations`, `solve`, `check`: one position of a mechanism, drawn, written out and proved."""
 
 from __future__ import annotations
 
@@ -6,36 +6,16 @@ import math
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import click
 
-from graphkin.cli.each import each_mechanism
-from graphkin.cli.shared import (
-    PAPERS,
-    angle_option,
-    as_told,
-    at_option,
-    at_values,
-    coincident_option,
-    drawing_option,
-    drawn,
-    force_option,
-    is_folder,
-    json_line,
-    lang_option,
-    mechanisms_argument,
-    method_option,
-    planned,
-    read,
-    speaking,
-    told_each,
-    told_option,
-)  # fmt: skip
+from graphkin.cli import shared
+from graphkin.cli.shared import DriverOptions
+from graphkin.cli.watching import each_mechanism
 from graphkin.errors import GraphkinError, Lang
 
 if TYPE_CHECKING:
-    from graphkin.api import Drawing
     from graphkin.construction import Plane
     from graphkin.outputs.paint import Ink
     from graphkin.planning import Method
@@ -44,11 +24,11 @@ if TYPE_CHECKING:
 
 @click.command()
 @each_mechanism
-@drawing_option
+@shared.drawing_option
 @click.option("--dpi", type=click.FloatRange(20, 2400), show_default="200, or 100 if it moves",
               help="Dots per inch of .png.")
 @click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), help="This figure alone.")
-@click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
+@shared.paper_option
 @click.option("--style", type=click.Choice(["construction", "result", "given"]), default="construction",
               show_default=True, help="How polygons are drawn, too; results; or only what is given, no answer.")
 @click.option("--tight", is_flag=True, help="The figures alone, cut to their size, for Word and LaTeX.")
@@ -57,20 +37,18 @@ if TYPE_CHECKING:
 @click.option("--path", "paths", multiple=True, metavar="POINT",
               help="The curve that a point draws, with ticks at equal steps of the driver; again for others.")
 @click.option("--arrows", is_flag=True, help="With --path: the point's velocity at each tick.")
-@click.option("--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder.")
+@shared.steps_option
 @click.option("--animate", is_flag=True, help="Moving, as .svg or .png: a turn of the driver, or as far as it gets.")
-@force_option
-@coincident_option
-@method_option
-@angle_option
-@at_option
-@lang_option
-@speaking
+@shared.force_option
+@shared.coincident_option
+@shared.method_option
+@shared.driver_options
+@shared.lang_option
+@shared.speaking
 def draw(
     mechanism: str, output: Path | None, dpi: float | None, only: Plane | None, paper: str | None, style: Style,
     tight: bool, ink: Ink, paths: tuple[str, ...], arrows: bool, steps: Path | None, animate: bool, force: bool,
-    coincident: str, method: str,
-    angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
+    coincident: str, method: str, at: DriverOptions, lang: Lang,
 ) -> None:  # fmt: skip
     """Draw the mechanism and its polygons to scale: a sheet, or a construction that moves in GeoGebra (.ggb).
 
@@ -89,47 +67,26 @@ def draw(
     if style == "given" and (steps is not None or only not in (None, "position")):
         raise click.UsageError("--style given draws the mechanism alone: leave out --steps and other planes")
     _check_paths(paths, arrows, style, only, output)
-    machine = read(mechanism)
+    machine = shared.read(mechanism)
     output = _file(output, machine.name)
     if animate:
-        if steps is not None or tight or style != "construction" or paths or angles or displacements:
-            raise click.UsageError(
-                "--animate shows the motion: leave out --steps, --tight, --style, --path, --angle and --at"
-            )
-        _write_motion(output, planned(machine, coincident, method), paper, only, dpi or 100.0, ink, force, lang)
+        _refuse_beside_motion(steps is not None or tight or style != "construction" or bool(paths or at))
+        _write_motion(output, shared.plan(machine, coincident, method), paper, only, dpi or 100.0, ink, force, lang)
         return
-    drawing = drawn(machine, coincident, method, angles, displacements)
+    drawing = shared.position(machine, at, coincident, method).drawing
     sheet = drawing.sheet(paper=paper, lang=lang, only=only, style=style, tight=tight, paths=paths, arrows=arrows)
     written = drawings.WRITERS[output.suffix.lower() or ".svg"]
-    pages = [(output, written(drawings.DrawingSource(sheet, drawing.method, drawing.plot, lang, dpi or 200.0, ink)))]
+    source = drawings.DrawingSource(sheet, drawing.method, drawing.plot, lang, dpi or 200.0, ink)
+    pages: list[tuple[Path, bytes | str]] = [(output, written(source))]
     if steps is not None:
-        pages += [
-            (steps / f"{machine.name}-{k:02d}.svg", svg.svg(page, ink).encode())
-            for k, page in enumerate(drawing.step_sheets(paper=paper, lang=lang, only=only, tight=tight), 1)
-        ]
-    _write(pages, output, steps, force)
-
-
-def _write(pages: list[tuple[Path, bytes]], output: Path, steps: Path | None, force: bool) -> None:
-    """The sheet and its steps; all are made, and may be written, before the first is."""
-    from graphkin.outputs import drawings
-    from graphkin.outputs.edited import refuse_edited
-
-    if str(output) == "-":
-        click.echo(pages.pop(0)[1].decode(), nl=False)
-    if steps is not None:
-        steps.mkdir(parents=True, exist_ok=True)
-    for path, _ in pages:
-        drawings.refuse(path, force)
-    refuse_edited(output, force)
-    for path, content in pages:
-        drawings.write(path, content, force)
-        click.echo(str(path), err=str(output) == "-")
+        sheets = drawing.step_sheets(paper=paper, lang=lang, only=only, tight=tight)
+        pages += [(steps / f"{machine.name}-{k:02d}.svg", svg.svg(page, ink)) for k, page in enumerate(sheets, 1)]
+    shared.write_drawings(pages, output, steps, force)
 
 
 def _file(output: Path | None, name: str) -> Path:
-    """Where a mechanism's drawing goes; a folder is made."""
-    if output is None or not is_folder(output):
+    """The file of a mechanism's drawing; a folder is made."""
+    if output is None or not shared.is_folder(output):
         return output or Path(f"{name}.svg")
     output.mkdir(parents=True, exist_ok=True)
     return output / f"{name}.svg"
@@ -144,6 +101,13 @@ def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane
         raise click.UsageError("GeoGebra draws paths itself, as Locus(E, slider): leave out --path")
     if only is not None and output is not None and output.suffix.lower() == ".ggb":
         raise click.UsageError("in GeoGebra each figure moves with the one before: leave out --only")
+
+
+def _refuse_beside_motion(refused: bool) -> None:
+    if refused:
+        raise click.UsageError(
+            "--animate shows the motion: leave out --steps, --tight, --style, --path, --angle and --at"
+        )
 
 
 def _write_motion(
@@ -165,24 +129,21 @@ def _write_motion(
 
 @click.command()
 @each_mechanism
-@coincident_option
-@method_option
-@angle_option
-@at_option
+@shared.coincident_option
+@shared.method_option
+@shared.driver_options
 @click.option("--all", "everything", is_flag=True, help="All points and links, whatever the file asks for.")
-@click.option(
-    "--only", type=click.Choice(["position", "velocity", "acceleration"]), default="acceleration", show_default=True,
-    help="How far to go: the mechanism alone, or with velocities, or with both.",
-)  # fmt: skip
+@click.option("--only", type=click.Choice(["position", "velocity", "acceleration"]), default="acceleration",
+              show_default=True, help="How far to go: the mechanism alone, or with velocities, or with both.")
 @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
-              help=".html, .tex or .md; else printed.")  # fmt: skip
-@force_option
+              help=".html, .tex or .md; else printed.")
+@shared.force_option
 @click.option("--as-drawn", is_flag=True, help="Read lengths to 0.5 mm, as a hand does, and go on from that.")
-@lang_option
-@speaking
+@shared.lang_option
+@shared.speaking
 def explain(
-    mechanism: str, coincident: str, method: str, angles: tuple[float, ...], displacements: tuple[float, ...],
-    everything: bool, only: Plane, output: Path | None, force: bool, as_drawn: bool, lang: Lang,
+    mechanism: str, coincident: str, method: str, at: DriverOptions, everything: bool, only: Plane,
+    output: Path | None, force: bool, as_drawn: bool, lang: Lang,
 ) -> None:  # fmt: skip
     """Write out the solution: what is given, the vector equations, what is laid off and measured, the answers.
 
@@ -194,43 +155,73 @@ def explain(
       graphkin explain p3-22 --only velocity
       graphkin explain mine.toml --watch
     """
-
     if output is not None and output.suffix.lower() not in (".html", ".tex", ".md"):
         raise click.UsageError(f"{output}: the file to write must end in .html, .tex or .md")
     if output is not None and as_drawn:
         raise click.UsageError("--as-drawn is printed: leave out -o")
-    machine = read(mechanism)
-    drawing = drawn(machine, coincident, method, angles, displacements)
-    if output is not None:
-        _write_solution(output, drawing, everything, only, force, lang)
+    drawing = shared.position(shared.read(mechanism), at, coincident, method).drawing
+    if output is None:
+        click.echo("\n".join(drawing.explain(lang, everything=everything, only=only, as_drawn=as_drawn)))
         return
-    click.echo("\n".join(drawing.explain(lang, everything=everything, only=only, as_drawn=as_drawn)))
-
-
-def _write_solution(output: Path, drawing: Drawing, everything: bool, only: Plane, force: bool, lang: Lang) -> None:
-    from graphkin.handouts import written
+    from graphkin.handouts import markup
     from graphkin.outputs.files import beside
 
-    found = written.solution(drawing, lang, everything=everything, only=only)
-    text = written.WRITERS[output.suffix.lower()](found)
-    with beside(output, force, (written.MARK.encode(), b"graphkin handout")) as draft:
+    solution = markup.solution(drawing, lang, everything=everything, only=only)
+    text = markup.WRITERS[output.suffix.lower()](solution)
+    with beside(output, force, (markup.MARK.encode(), b"graphkin handout")) as draft:
         draft.write_text(text, encoding="utf-8", newline="\n")
     click.echo(str(output))
 
 
 @click.command()
-@mechanisms_argument
-@told_option
-@click.option("--json", "as_json", is_flag=True, help="One JSON object a line, SI units and radians.")
-@force_option
-@angle_option
-@at_option
-@lang_option
-@speaking
-def solve(
-    mechanisms: tuple[str, ...], output: Path | None, as_json: bool, force: bool, angles: tuple[float, ...],
-    displacements: tuple[float, ...], lang: Lang,
+@shared.mechanisms_argument
+@click.option("--method", type=click.Choice(["complex", "matrix"]), default="complex", show_default=True,
+              help="Complex vectors, with closed forms; or one system of matrices.")
+@click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
+              help=".txt, .html or .tex; else printed.")
+@shared.force_option
+@shared.driver_options
+@shared.lang_option
+@shared.speaking
+def equations(
+    mechanisms: tuple[str, ...], method: Literal["complex", "matrix"], output: Path | None, force: bool,
+    at: DriverOptions, lang: Lang,
 ) -> None:  # fmt: skip
+    """Write out the analytic solution: loops of link vectors, their equations derived twice, closed forms or matrices.
+
+    \b
+    Example:
+      graphkin equations ex3-5
+      graphkin equations ex3-5 --angle 120
+      graphkin equations ex3-7 --method matrix --lang zh -o shaper.html
+    """
+    from graphkin import equations as writing
+
+    def document(source: str) -> writing.Document:
+        return writing.document(shared.position(shared.read(source), at).moved_method, method, lang)
+
+    if output is not None and output.suffix.lower() not in writing.WRITERS:
+        raise click.UsageError(f"{output}: the file to write must end in .txt, .html or .tex")
+    if output is None:
+        shared.print_each(mechanisms, lambda source: writing.write_text(document(source)).splitlines(), False, lang)
+        return
+    if len(mechanisms) > 1:
+        raise click.UsageError("-o writes one file; name one MECHANISM, or leave -o out")
+    writing.write(output, document(mechanisms[0]), force)
+    click.echo(str(output))
+
+
+@click.command()
+@shared.mechanisms_argument
+@shared.text_option
+@click.option("--json", "as_json", is_flag=True, help="One JSON object a line, SI units and radians.")
+@shared.force_option
+@shared.driver_options
+@shared.lang_option
+@shared.speaking
+def solve(
+    mechanisms: tuple[str, ...], output: Path | None, as_json: bool, force: bool, at: DriverOptions, lang: Lang
+) -> None:
     """Print all results, graphical beside analytic, and the answers to `ask`.
 
     \b
@@ -239,32 +230,30 @@ def solve(
       graphkin solve ex3-7 --angle 120
       graphkin solve *.toml -o results.jsonl
     """
-    data = as_told(as_json, output, len(mechanisms))
-    told_each(mechanisms, lambda source: _solved(source, data, angles, displacements, lang), data, lang, output, force)
+    data = shared.wants_json(as_json, output, len(mechanisms))
+    shared.print_each(mechanisms, lambda source: _results(source, at, data, lang), data, lang, output, force)
 
 
-def _solved(
-    source: str, as_json: bool, angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang
-) -> Iterator[str]:
-    from graphkin import api, results
+def _results(source: str, at: DriverOptions, as_json: bool, lang: Lang) -> Iterator[str]:
+    from graphkin import results
     from graphkin.say.results import solve_lines
 
-    machine = read(source)
-    method = api.plan(machine)
-    found = results.results(machine, method, lang, at_values(method, angles, displacements))
+    machine = shared.read(source)
+    position = shared.position(machine, at)
+    data = results.results(machine, position.method, lang, position.values)
     if as_json:
-        yield json_line(found)
+        yield shared.json_line(data)
     else:
-        yield from solve_lines(machine, found, lang)
+        yield from solve_lines(machine, data, lang)
 
 
 @click.command()
 @click.argument("drawings", metavar="DRAWING.svg...", nargs=-1, required=True, type=click.Path(path_type=Path))
 @click.option("--tolerance", type=click.FloatRange(min=0, min_open=True), default=0.01, show_default=True, metavar="MM",
-              help="How far a vector or point may be off.")  # fmt: skip
+              help="How far a vector or point may be off.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a drawing: mm on paper, and what is wrong.")
-@lang_option
-@speaking
+@shared.lang_option
+@shared.speaking
 def check(drawings: tuple[Path, ...], tolerance: float, as_json: bool, lang: Lang) -> None:
     """Measure drawings with a ruler and hold them against the analytic solution.
 
@@ -284,10 +273,10 @@ def check(drawings: tuple[Path, ...], tolerance: float, as_json: bool, lang: Lan
             report = measure(drawing, tolerance)
         except GraphkinError as error:
             refused = {"format": 1, "file": str(drawing), "error": error.message(lang)}
-            click.echo(json_line(refused) if as_json else error.message(lang), err=not as_json)
+            click.echo(shared.json_line(refused) if as_json else error.message(lang), err=not as_json)
             status = 3
             continue
-        lines = [json_line(check_json(report, tolerance, lang))] if as_json else check_lines(report, tolerance, lang)
-        click.echo("\n".join(lines))
+        data = check_json(report, tolerance, lang) if as_json else None
+        click.echo("\n".join(check_lines(report, tolerance, lang) if data is None else [shared.json_line(data)]))
         status = max(status, 0 if report.passed(tolerance) else 1)
     sys.exit(status)

@@ -2,57 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from graphkin.cli.shared import (
-    PAPERS,
-    angle_option,
-    at_option,
-    force_option,
-    lang_option,
-    read,
-    read_at,
-    refuse_one_file,
-    speaking,
-)
+from graphkin.cli import shared
+from graphkin.cli.shared import DriverOptions
 from graphkin.errors import Lang
 
 if TYPE_CHECKING:
     from graphkin.handouts import Handout, Stage
     from graphkin.model.mechanism import Mechanism
 
-_KINDS = (".pdf", ".html")
+_MARKS = (b"graphkin handout",)
 
 
 @click.command()
 @click.argument("mechanisms", metavar="MECHANISM|DIR...", nargs=-1, required=True)
 @click.option("-o", "--output", type=click.Path(path_type=Path),
-              help=".pdf, .html, or a folder: a file for each mechanism.")  # fmt: skip
+              help=".pdf, .html, or a folder: a file for each mechanism.")
 @click.option("--stage", type=click.Choice(["problem", "blank", "half", "solution"]), default="solution",
-              show_default=True, help="The problem; with room to draw; begun; solved.")  # fmt: skip
+              show_default=True, help="The problem; with room to draw; begun; solved.")
 @click.option("--upto", type=click.IntRange(0), default=1, show_default=True,
-              help="Of --stage half: so many vector equations are done.")  # fmt: skip
+              help="Of --stage half: so many vector equations are done.")
 @click.option("--answers", is_flag=True, help="The answers of all at the end.")
 @click.option("--both", is_flag=True, help="In both languages, one after the other.")
-@click.option("--paper", type=click.Choice(PAPERS), default="A4", show_default=True, help="Paper.")
+@click.option("--paper", type=click.Choice(shared.PAPERS), default="A4", show_default=True, help="Paper.")
 @click.option("--duplex", is_flag=True, help="For printing on both sides: each problem begins on the front of a sheet.")
 @click.option("--font", type=click.Path(path_type=Path, dir_okay=False), help="A font file with the letters wanted.")
 @click.option("--scan", type=click.IntRange(0, 60_000), metavar="NUMBER",
-              help="Print what sets a photograph straight, and sheet numbers from this one on.")  # fmt: skip
+              help="Print what sets a photograph straight, and sheet numbers from this one on.")
 @click.option("--seed", default="", help="The set it belongs to, as every page says it.")
-@force_option
-@angle_option
-@at_option
-@lang_option
-@speaking
+@shared.force_option
+@shared.driver_options
+@shared.lang_option
+@shared.speaking
 def handout(
     mechanisms: tuple[str, ...], output: Path | None, stage: Stage, upto: int, answers: bool, both: bool, paper: str,
-    duplex: bool, font: Path | None, scan: int | None, seed: str, force: bool, angles: tuple[float, ...],
-    displacements: tuple[float, ...], lang: Lang,
+    duplex: bool, font: Path | None, scan: int | None, seed: str, force: bool, at: DriverOptions, lang: Lang,
 ) -> None:  # fmt: skip
     """Make handouts: a problem, a worksheet at true scale, a half-worked or a whole solution; several make a book.
 
@@ -67,71 +55,57 @@ def handout(
     from graphkin.handouts import in_languages
     from graphkin.outputs import files
 
-    problems, seed = _problems(mechanisms, seed, angles, displacements)
+    problems, seed = _problems(mechanisms, seed, at)
     output = output or Path(f"{problems[0][0].name}.pdf")
     folder = output.is_dir() or not output.suffix
     kind = ".pdf" if folder else output.suffix.lower()
-    if kind not in _KINDS:
-        raise click.UsageError(f"{output}: the file to write must end in {' or '.join(_KINDS)}, or be a folder")
+    if kind not in (".pdf", ".html"):
+        raise click.UsageError(f"{output}: the file to write must end in .pdf or .html, or be a folder")
     if scan is not None and kind == ".html":
         raise click.UsageError("--scan needs a .pdf: a page of a browser has no fixed size")
     langs: tuple[Lang, ...] = ("zh", "en") if both else (lang,)
+    books = [(output, problems)]
     if folder:
-        refuse_one_file((machine.name for machine, _ in problems), kind)
+        shared.refuse_one_file((machine.name for machine, _ in problems), kind)
         output.mkdir(parents=True, exist_ok=True)
-    for path, several in _files(output, problems, folder):
+        books = [(output / f"{machine.name}.pdf", [(machine, who)]) for machine, who in problems]
+    for path, several in books:
         files.refuse(path, force, _MARKS)
-        machines, whose = [machine for machine, _ in several], [who for _, who in several]
+        machines, whose = zip(*several, strict=True)
         made = in_languages(machines, stage, langs, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex)
-        content, told = _set_in(kind, made, paper, font, scan)
-        with files.beside(path, force, _MARKS) as draft:
-            draft.write_bytes(content)
-        if scan is not None:
-            click.echo(f"#{scan}-{scan + told - 1} {path.name}", err=True)
-            scan += told  # sheet numbers go on from file to file
-        click.echo(str(path))
+        pages = _write(path, made, paper, font, scan, force)
+        scan = None if scan is None else scan + pages  # sheet numbers go on from file to file
 
 
-_MARKS = (b"graphkin handout",)
-
-
-def _problems(
-    sources: tuple[str, ...], seed: str, angles: tuple[float, ...], displacements: tuple[float, ...]
-) -> tuple[list[tuple[Mechanism, str]], str]:
+def _problems(sources: tuple[str, ...], seed: str, at: DriverOptions) -> tuple[list[tuple[Mechanism, str]], str]:
     """Each mechanism with whom it is for, those of a problem set in its order; and the set's seed."""
     from graphkin.homework.platforms import is_set, students_of
 
-    found: list[tuple[Mechanism, str]] = []
+    problems: list[tuple[Mechanism, str]] = []
     for source in sources:
         if source and is_set(Path(source)):
-            if angles or displacements:
+            if at:
                 raise click.UsageError("--angle and --at are for a MECHANISM: the students of a set have their own")
             own, students = students_of(Path(source))
             seed = seed or own
-            found += [(read(str(path)), who) for who, path in students]
+            problems += [(shared.read(str(path)), who) for who, path in students]
         else:
-            found.append((read_at(source, angles, displacements), ""))
-    return found, seed
+            problems.append((shared.read_at(source, at), ""))
+    return problems, seed
 
 
-def _files(
-    output: Path, problems: list[tuple[Mechanism, str]], folder: bool
-) -> Iterator[tuple[Path, list[tuple[Mechanism, str]]]]:
-    """One file, or one for each in a folder."""
-    if not folder:
-        yield output, problems
-        return
-    for machine, who in problems:
-        yield output / f"{machine.name}.pdf", [(machine, who)]
-
-
-def _set_in(kind: str, made: Handout, paper: str, font: Path | None, scan: int | None) -> tuple[bytes, int]:
-    """What the file holds, and how many pages of paper that is."""
-    if kind == ".html":
-        from graphkin.handouts.page import html
-
-        return html(made, paper).encode(), 0
+def _write(path: Path, made: Handout, paper: str, font: Path | None, scan: int | None, force: bool) -> int:
+    """Write a handout; the number of its pages of paper."""
+    from graphkin.handouts.markup import html
     from graphkin.handouts.typst import pages, pdf
+    from graphkin.outputs import files
 
-    content = pdf(made, paper, font, scan)
-    return content, pages(content)
+    on_paper = path.suffix.lower() != ".html"
+    content = pdf(made, paper, font, scan) if on_paper else html(made, paper).encode()
+    count = pages(content) if on_paper else 0
+    with files.beside(path, force, _MARKS) as draft:
+        draft.write_bytes(content)
+    if scan is not None:
+        click.echo(f"#{scan}-{scan + count - 1} {path.name}", err=True)
+    click.echo(str(path))
+    return count

@@ -10,24 +10,16 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
+from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
-from graphkin.cli.shared import (
-    angle_option,
-    at_option,
-    force_option,
-    json_line,
-    lang_option,
-    mechanism_argument,
-    read_at,
-    speaking,
-)
+from graphkin.cli import shared
+from graphkin.cli.shared import DriverOptions
 from graphkin.errors import BadPencil, Lang, Where
 
 if TYPE_CHECKING:
     from graphkin.homework.grading import Pencils, Problem, SetMarker, Way
-    from graphkin.homework.platforms import PolygonPictures, Result, Reveal
+    from graphkin.homework.platforms import Reveal
     from graphkin.marking.graded import Graded
-    from graphkin.marking.habits import Trace
 
 _Record = TypeVar("_Record")
 
@@ -54,28 +46,24 @@ relative_option = click.option(
 @click.argument("submissions", nargs=-1, required=True, metavar="SUBMISSION...")
 @click.option("--json", "as_json", is_flag=True, help="One JSON line a student's submission; SI units and radians.")
 @click.option("-o", "--output", type=click.Path(path_type=Path),
-              help="Write all records into a .json file; with --format, a folder of results.")  # fmt: skip
+              help="Write all records into a .json file; with --format, a folder of results.")
 @click.option("--format", "kinds", type=click.Choice(PLATFORMS), multiple=True,
-              help="What to write into the folder beside the records; again for each further one.")  # fmt: skip
+              help="What to write into the folder beside the records; again for each further one.")
 @click.option("--reveal", type=click.Choice(["hint", "mistake", "answer"]), default="answer", show_default=True,
-              help="With --format: how much students are told.")  # fmt: skip
+              help="With --format: how much students are told.")
 @click.option("--assignment", default="graphkin", metavar="NAME",
-              help="With --format canvas: the assignment's column in the gradebook.")  # fmt: skip
+              help="With --format canvas: the assignment's column in the gradebook.")
 @pencil_option
 @sigmas_option
 @relative_option
 @click.option("--turned", is_flag=True, help="In a drawing a polygon may stand turned on the page.")
 @click.option("--letters", default="", metavar="P,B2,B3",
-              help="The points of drawings without letters, in the file's order.")  # fmt: skip
+              help="The points of drawings without letters, in the file's order.")
 @click.option("--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes that read and mark.")
-@force_option
-@lang_option
-@speaking
-def grade(
-    key: str, submissions: tuple[str, ...], as_json: bool, output: Path | None, kinds: tuple[str, ...], reveal: Reveal,
-    assignment: str, pencil: str, sigmas: float, relative: float, turned: bool, letters: str, jobs: int, force: bool,
-    lang: Lang,
-) -> None:  # fmt: skip
+@shared.force_option
+@shared.lang_option
+@shared.speaking
+def grade(key: str, submissions: tuple[str, ...], **options: Any) -> None:
     """Mark what students hand in: verdicts, marks, and the mistake that a wrong number is consistent with.
 
     KEY is a key.json, a folder of problems with a key each, a mechanism file or a library mechanism. SUBMISSION is a
@@ -99,34 +87,11 @@ def grade(
       graphkin grade key.json class.zip -o results --format csv --format moodle --reveal mistake
       graphkin grade keys/ handed-in/ -o results --format report --jobs 4
     """
-    from graphkin.homework import grading
-    from graphkin.submissions import Limits
-
-    _check_output(output, kinds)
-    parts = grading.problems_of(key, submissions)
-    if output is not None and not kinds and parts[0].name:
-        raise click.UsageError("several problems are written into a folder: say --format, such as --format json")
-    pencils = _pencils(pencil, sigmas, relative)
-    names = tuple(name.strip() for name in letters.split(",") if name.strip())
-    way = grading.Way(Limits(turned=turned, names=names), jobs, words=lang)
-    told = _Told(kinds, reveal, assignment, force, as_json, lang)
-    judges = [grading.judge_from(part.key, pencils) for part in parts]
-    for part, judge in zip(parts, judges, strict=True):
-        if output is None:
-            told.print(part.name, grading.grade(judge, part.paths, way.limits, workers=jobs))
-        else:
-            told.write_records(_marks(output, kinds, part), judge, part, way)
-    if output is not None and kinds:
-        told.write_folders(output, parts, judges)
-
-
-def _marks(output: Path, kinds: tuple[str, ...], part: Problem) -> Path:
-    """The file of a problem's records."""
-    return output / part.name / MARKS if kinds else output
+    _Grading(**options).mark(key, submissions)
 
 
 @click.command()
-@mechanism_argument
+@shared.mechanism_argument
 @pencil_option
 @sigmas_option
 @relative_option
@@ -134,13 +99,12 @@ def _marks(output: Path, kinds: tuple[str, ...], part: Problem) -> Path:
 @click.option("--asked", is_flag=True, help="With --power: they hand in what is asked, and nothing on the way.")
 @click.option("--trials", type=click.IntRange(1, 100_000), default=200, show_default=True, help="Students a mistake.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object; SI units and radians.")
-@angle_option
-@at_option
-@lang_option
-@speaking
+@shared.driver_options
+@shared.lang_option
+@shared.speaking
 def tolerance(
     mechanism: str, pencil: str, sigmas: float, relative: float, power: bool, asked: bool, trials: int, as_json: bool,
-    angles: tuple[float, ...], displacements: tuple[float, ...], lang: Lang,
+    at: DriverOptions, lang: Lang,
 ) -> None:  # fmt: skip
     """Print what accuracy paper allows: the construction is drawn many times with a pencil that errs.
 
@@ -152,47 +116,76 @@ def tolerance(
       graphkin tolerance ex3-1 --angle 120
       graphkin tolerance ex3-1 --pencil 0.1,0.1 --power --lang zh
     """
-    from graphkin import api
     from graphkin.homework import grading
     from graphkin.marking.marker import Marker
-    from graphkin.marking.power import power as told_apart
+    from graphkin.marking.power import power as power_of
     from graphkin.marking.tolerances import tolerances
     from graphkin.outputs import tolerance_json as data
     from graphkin.say.tolerances import power_lines, tolerance_lines
 
-    method = api.plan(read_at(mechanism, angles, displacements))
+    method = shared.position(shared.read(mechanism), at).moved_method
     marker = Marker(grading.key_drawn(method, _pencils(pencil, sigmas, relative)))
-    found = tolerances(marker.key, marker.method)
+    scatter = tolerances(marker.key, marker.method)
     texts = [entry.text for entry in marker.key.entries if entry.points] if asked else None
-    tried = told_apart(marker, trials, texts) if power else None
+    tried = power_of(marker, trials, texts) if power else None
     if as_json:
         more = {} if tried is None else {"power": data.power_data(tried)}
-        click.echo(json_line({**data.tolerance_data(found), **more}))
+        click.echo(shared.json_line({**data.tolerance_data(scatter), **more}))
         return
-    click.echo("\n".join(tolerance_lines(found, lang)))
+    click.echo("\n".join(tolerance_lines(scatter, lang)))
     if tried is not None:
         click.echo("\n" + "\n".join(power_lines(tried, lang)))
 
 
-def _check_output(output: Path | None, kinds: tuple[str, ...]) -> None:
-    if kinds and output is None:
-        raise click.UsageError("--format needs -o: the folder to write into")
-    if not kinds and output is not None and output.suffix.lower() != ".json":
-        raise click.UsageError(f"{output}: the file to write must end in .json; or say --format, for a folder")
-
-
 @frozen
-class _Told:
-    """What the options say of how it is told."""
+class _Grading:
+    """The options of `grade`, and what is marked, printed and written by them."""
 
+    as_json: bool
+    output: Path | None
     kinds: tuple[str, ...]
     reveal: Reveal
     assignment: str
+    pencil: str
+    sigmas: float
+    relative: float
+    turned: bool
+    letters: str
+    jobs: int
     force: bool
-    as_json: bool
     lang: Lang
 
-    def print(self, problem: str, records: Iterable[Graded]) -> None:
+    def mark(self, key: str, submissions: Sequence[str]) -> None:
+        """Every problem of the key by itself; then the folders of results, for all of them."""
+        from graphkin.homework import grading
+        from graphkin.submissions import Limits
+
+        self._check_output()
+        problems = grading.problems_of(key, submissions)
+        if self.output is not None and not self.kinds and problems[0].name:
+            raise click.UsageError("several problems are written into a folder: say --format, such as --format json")
+        pencils = _pencils(self.pencil, self.sigmas, self.relative)
+        names = tuple(name.strip() for name in self.letters.split(",") if name.strip())
+        settings = grading.Way(Limits(turned=self.turned, names=names), self.jobs, words=self.lang)
+        judges = [grading.judge_from(problem.key, pencils) for problem in problems]
+        for problem, judge in zip(problems, judges, strict=True):
+            if self.output is None:
+                self._print(problem.name, grading.grade(judge, problem.paths, settings.limits, workers=self.jobs))
+            else:
+                path = self.output / problem.name / MARKS if self.kinds else self.output
+                self._write_records(path, judge, problem, settings)
+        if self.output is not None and self.kinds:
+            self._write_folders([self.output / problem.name / MARKS for problem in problems], judges)
+
+    def _check_output(self) -> None:
+        if self.kinds and self.output is None:
+            raise click.UsageError("--format needs -o: the folder to write into")
+        if not self.kinds and self.output is not None and self.output.suffix.lower() != ".json":
+            raise click.UsageError(
+                f"{self.output}: the file to write must end in .json; or say --format, for a folder"
+            )
+
+    def _print(self, problem: str, records: Iterable[Graded]) -> None:
         """Each as it comes."""
         from graphkin.outputs import marks_json
         from graphkin.say.marks import grade_lines
@@ -201,14 +194,11 @@ class _Told:
             click.echo(f"{problem}:")
         for graded in _counted(records, True):
             if self.as_json:
-                click.echo(self._line(problem, marks_json.line(graded, self.lang)))
+                click.echo(_line(problem, marks_json.line(graded, self.lang)))
             else:
                 click.echo("\n".join(grade_lines(graded, self.lang)))
 
-    def _line(self, problem: str, line: Mapping[str, Any]) -> str:
-        return json_line({**line, "problem": problem} if problem else line)
-
-    def write_records(self, path: Path, judge: SetMarker, part: Problem, way: Way) -> None:
+    def _write_records(self, path: Path, judge: SetMarker, problem: Problem, settings: Way) -> None:
         """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
         from graphkin.homework import grading, platforms
         from graphkin.outputs import marks_file, marks_json
@@ -216,11 +206,11 @@ class _Told:
 
         if self.kinds:
             platforms.prepared(path.parent)
-        written = partial(marks_json.record, lang=self.lang)
+        record = partial(marks_json.record, lang=self.lang)
         try:
             with grading.Journal(path, self.force) as journal:
-                records = _counted(grading.resumed(judge, part.paths, journal, way, written), self.as_json)
-                marks_file.write(path, self._printed(part.name, records), self.force)
+                records = grading.resumed(judge, problem.paths, journal, settings, record)
+                marks_file.write(path, self._printed(problem.name, _counted(records, self.as_json)), self.force)
         except KeyboardInterrupt:
             click.echo(interrupted(path, self.lang), err=True)
             raise
@@ -232,47 +222,41 @@ class _Told:
 
         for record in records:
             if self.as_json:
-                click.echo(self._line(problem, marks_json.line_of(record)))
+                click.echo(_line(problem, marks_json.line_of(record)))
             yield record
 
-    def write_folders(self, output: Path, parts: Sequence[Problem], judges: Sequence[SetMarker]) -> None:
-        """Everything else, made of the records; of several problems all are looked at together."""
+    def _write_folders(self, files: Sequence[Path], judges: Sequence[SetMarker]) -> None:
+        """Everything else, made of the records; several problems of a student are seen together."""
         from graphkin.homework import platforms
 
-        files = [output / part.name / MARKS for part in parts]
         several = [platforms.read_traces(file) for file in files] if len(files) > 1 else []
         for file, judge in zip(files, judges, strict=True):
             results, pictures = platforms.read_results(file), platforms.PolygonPictures(judge)
             for kind in dict.fromkeys(self.kinds):
-                if kind != "json":
-                    self._write_kind(file.parent, results, kind, several, pictures)
-
-    def _write_kind(
-        self, folder: Path, results: Sequence[Result], kind: str, several: Sequence[Mapping[str, Trace]],
-        pictures: PolygonPictures,
-    ) -> None:  # fmt: skip
-        from graphkin.homework import platforms
-
-        done = platforms.write_results(
-            folder, results, kind, self.lang, self.reveal, assignment=self.assignment,
-            pictures=pictures, force=self.force, several=several,
-        )  # fmt: skip
-        click.echo("\n".join(map(str, done.paths)), err=self.as_json)
-        for line in done.left_out:
-            click.echo(line, err=True)
+                if kind == "json":
+                    continue
+                done = platforms.write_results(
+                    file.parent, results, kind, self.lang, self.reveal, assignment=self.assignment,
+                    pictures=pictures, force=self.force, several=several,
+                )  # fmt: skip
+                click.echo("\n".join(map(str, done.paths)), err=self.as_json)
+                for line in done.left_out:
+                    click.echo(line, err=True)
 
 
+def _line(problem: str, data: Mapping[str, Plain]) -> str:
+    return shared.json_line({**data, "problem": problem} if problem else data)
 
 
 def _counted(records: Iterable[_Record], printed: bool) -> Iterator[_Record]:
-    """How many there are so far, for one who waits at a terminal on which nothing else is being printed."""
+    """The records, counted for one who waits at a terminal on which nothing else is being printed."""
     quiet = not sys.stderr.isatty() or (printed and sys.stdout.isatty())
     with click.progressbar(records, file=sys.stderr, show_pos=True, hidden=quiet) as bar:
         yield from bar
 
 
 def _pencils(pencil: str, sigmas: float, relative: float) -> Pencils:
-    """What the options say. Raises BadPencil."""
+    """The errors of a pencil by the options. Raises BadPencil."""
     from graphkin.homework.grading import Pencils
 
     try:

@@ -8,24 +8,14 @@ from typing import TYPE_CHECKING
 
 import click
 
-from graphkin.cli.shared import (
-    PAPERS,
-    by_option,
-    force_option,
-    json_line,
-    lang_option,
-    mechanism_argument,
-    ranges_option,
-    read,
-    speaking,
-    svg_option,
-)  # fmt: skip
+from graphkin.cli import shared
 from graphkin.errors import Lang, TooManyRows, Where
 
 if TYPE_CHECKING:
     import numpy as np
 
-    from graphkin.sheet import Sheet
+    from graphkin.planning import Method
+    from graphkin.studies.finding import Findings
     from graphkin.studies.sweeps import Course, Road, Sweep
 
 PRINTED, IN_ONE = 100_000, 1_000_000
@@ -36,22 +26,22 @@ LONG = 200_000
 
 
 @click.command()
-@mechanism_argument
-@ranges_option
+@shared.mechanism_argument
+@shared.ranges_option
 @click.option("--of", default="", metavar="QUANTITIES",
-              help='Such as "theta 3, v E, a_k B3B2"; else what the file asks.')  # fmt: skip
-@by_option
+              help='Such as "theta 3, v E, a_k B3B2"; else what the file asks.')
+@shared.by_option
 @click.option("-o", "--output", type=click.Path(path_type=Path, dir_okay=False),
-              help=".csv, .json, .jsonl, .parquet, or a diagram: .svg, .png, .pdf; - for CSV on stdout.")  # fmt: skip
+              help=".csv, .json, .jsonl, .parquet, or a diagram: .svg, .png, .pdf; - for CSV on stdout.")
 @click.option("--table", is_flag=True, help="Print as table 3-1 of the textbook: deg and m, five decimals.")
 @click.option("--limit", "limits", multiple=True, metavar="QUANTITY VALUE",
-              help='Say where a size is passed, such as "a E 3 g".')  # fmt: skip
-@force_option
-@lang_option
-@speaking
+              help='Say where a size is passed, such as "a E 3 g".')
+@shared.force_option
+@shared.lang_option
+@shared.speaking
 def sweep(
-    mechanism: str, ranges: tuple[str, ...], of: str, by: Road, output: Path | None,
-    table: bool, limits: tuple[str, ...], force: bool, lang: Lang,
+    mechanism: str, ranges: tuple[str, ...], of: str, by: Road, output: Path | None, table: bool,
+    limits: tuple[str, ...], force: bool, lang: Lang,
 ) -> None:  # fmt: skip
     """Move the mechanism through a turn, or as far as it gets: tables and motion diagrams.
 
@@ -68,7 +58,7 @@ def sweep(
 
     if output is not None and output.suffix.lower() not in WRITTEN and str(output) != "-":
         raise click.UsageError(f"{output}: the file to write must end in {', '.join(WRITTEN)}")
-    method = api.plan(read(mechanism))
+    method = api.plan(shared.read(mechanism))
     for text in limits:
         finding.check_limit(method.mechanism, text)
     names = sweeps.asked(method.mechanism, sweeps.split(of))
@@ -76,22 +66,20 @@ def sweep(
     _refuse_rows(course.t.size, output)
     sweeps.prove(course)
     if output is None:
-        found = sweeps.sweep_over(course, names, by)
-        click.echo("\n".join(book_lines(found) if table else sweep_lines(found, lang)))
-        undefined = left_out(course, found.undefined, lang)
-        for line in (*remarks(course, lang), *undefined, *extremes(found, lang)):
-            click.echo(line, err=table)
+        whole = sweeps.sweep_over(course, names, by)
+        click.echo("\n".join(book_lines(whole) if table else sweep_lines(whole, lang)))
+        notes = (*left_out(course, whole.undefined, lang), *extremes(whole, lang))
     else:
-        missing = _write_sweep(output, course, names, by, force, lang)
-        for line in (*remarks(course, lang), *left_out(course, missing, lang)):
-            click.echo(line, err=True)
+        notes = (*left_out(course, _write_sweep(output, course, names, by, force, lang), lang),)
+    for line in (*remarks(course, lang), *notes):
+        click.echo(line, err=table or output is not None)
     for text in limits:
         for line in lines(finding.limit(course, text, ranges, by), lang):
             click.echo(line, err=table or output is not None)
 
 
 def _refuse_rows(rows: int, output: Path | None) -> None:
-    """What is held in memory as one text has its limit; files that are written row by row, and diagrams, have none."""
+    """Text held whole in memory has its limit; files that are written row by row, and diagrams, have none."""
     most = PRINTED if output is None else IN_ONE if output.suffix.lower() == ".json" else rows
     if rows > most:
         raise TooManyRows(Where("--driver"), rows, most)
@@ -100,7 +88,7 @@ def _refuse_rows(rows: int, output: Path | None) -> None:
 def _write_sweep(
     output: Path, course: Course, names: tuple[str, ...], by: Road, force: bool, lang: Lang
 ) -> np.ndarray:
-    """Write it; gives the driver's values at positions that are left out."""
+    """Write it; the driver's values at positions that are left out."""
     import numpy as np
 
     from graphkin.outputs import tables
@@ -108,18 +96,18 @@ def _write_sweep(
 
     suffix, undefined = output.suffix.lower(), [np.empty(0)]
     if str(output) == "-":
-        found = tables.told(in_parts(course, names, by), lambda part: undefined.append(part.undefined))
-        for lines in tables.csv_lines(course, found):
+        parts = tables.told(in_parts(course, names, by), lambda part: undefined.append(part.undefined))
+        for lines in tables.csv_lines(course, parts):
             click.echo(lines, nl=False)
         return np.concatenate(undefined)
     if suffix in tables.FORMATS:
         with click.progressbar(length=course.t.size, file=sys.stderr, hidden=course.t.size < LONG) as bar:
 
-            def seen(part: Sweep) -> None:
+            def count(part: Sweep) -> None:
                 undefined.append(part.undefined)
                 bar.update(part.t.size + part.undefined.size)
 
-            tables.write(output, course, names, by, force, seen)
+            tables.write(output, course, names, by, force, count)
     else:
         from graphkin.outputs import diagram
 
@@ -130,18 +118,18 @@ def _write_sweep(
 
 
 @click.command()
-@mechanism_argument
+@shared.mechanism_argument
 @click.argument("condition")
-@ranges_option
+@shared.ranges_option
 @click.option("--vary", "dimensions", multiple=True, metavar="NAME=FROM:TO:STEP",
-              help="Again for each value of a dimension.")  # fmt: skip
-@by_option
+              help="Again for each value of a dimension.")
+@shared.by_option
 @click.option("--json", "as_json", is_flag=True, help="One JSON object, SI units and radians.")
-@svg_option("Draw the positions, as SVG.")
-@click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
-@force_option
-@lang_option
-@speaking
+@shared.svg_option("Draw the positions, as SVG.")
+@shared.paper_option
+@shared.force_option
+@shared.lang_option
+@shared.speaking
 def find(
     mechanism: str, condition: str, ranges: tuple[str, ...], dimensions: tuple[str, ...], by: Road, as_json: bool,
     output: Path | None, paper: str | None, force: bool, lang: Lang,
@@ -159,34 +147,33 @@ def find(
       graphkin find p3-21 "stroke s piston" --vary DH=55:125:5
     """
     from graphkin import api
-    from graphkin.say.finding import finding_table, lines
+    from graphkin.say.finding import lines
+    from graphkin.say.finding_table import table_lines
     from graphkin.studies import finding
 
-    machine = read(mechanism)
+    machine = shared.read(mechanism)
     if dimensions:
         if len(dimensions) > 1:
             raise click.UsageError("--vary takes one dimension at a time")
         if output is not None:
             raise click.UsageError("-o draws the positions of one mechanism; leave out --vary")
         table = finding.vary(machine, dimensions[0], condition, ranges, by, plan=api.plan)
-        click.echo(json_line(finding.table_json(table)) if as_json else "\n".join(finding_table(table, lang)))
+        click.echo(shared.json_line(finding.table_json(table)) if as_json else "\n".join(table_lines(table, lang)))
         if all(row.error for row in table.rows):
             sys.exit(3)
         return
     method = api.plan(machine)
-    found = finding.find(method, condition, ranges, by)
-    click.echo(json_line(finding.as_json(found)) if as_json else "\n".join(lines(found, lang)))
+    solution = finding.find(method, condition, ranges, by)
+    click.echo(shared.json_line(finding.as_json(solution)) if as_json else "\n".join(lines(solution, lang)))
     if output is not None:
-        from graphkin.sheet.finding_sheet import drawn
-
-        _draw_found(output, drawn(method, found, lang, paper=paper), force)
+        _draw(output, method, solution, paper, force, lang)
 
 
-def _draw_found(output: Path, drawn: tuple[Sheet, int] | None, force: bool) -> None:
+def _draw(output: Path, method: Method, solution: Findings, paper: str | None, force: bool, lang: Lang) -> None:
     from graphkin.outputs import drawings, svg
+    from graphkin.sheet.finding_sheet import drawn
 
-    if drawn is None:
-        return
-    sheet, left_out = drawn
-    drawings.write(output, svg.svg(sheet), force)
-    click.echo(str(output) + (f"  (+{left_out})" if left_out else ""), err=True)
+    if (drawing := drawn(method, solution, lang, paper=paper)) is not None:
+        sheet, left_out = drawing
+        drawings.write(output, svg.svg(sheet), force)
+        click.echo(str(output) + (f"  (+{left_out})" if left_out else ""), err=True)

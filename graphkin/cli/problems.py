@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from graphkin.cli.shared import force_option, lang_option, speaking
+from graphkin.cli import shared
 from graphkin.errors import Lang
 
 PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong")
@@ -17,12 +17,12 @@ PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong")
 @click.option("--students", required=True, metavar="ROSTER.csv|N", help="A list of ids, or how many students.")
 @click.option("--seed", default="1", show_default=True, help="Another word gives other numbers.")
 @click.option("-o", "--output", required=True, type=click.Path(path_type=Path, file_okay=False), metavar="DIR",
-              help="Folder to write.")  # fmt: skip
+              help="Folder to write.")
 @click.option("--format", "kinds", type=click.Choice(PLATFORMS), multiple=True,
-              help="Write the whole set for a platform, too, answers and mistakes in it; again for each.")  # fmt: skip
-@force_option
-@lang_option
-@speaking
+              help="Write the whole set for a platform, too, answers and mistakes in it; again for each.")
+@shared.force_option
+@shared.lang_option
+@shared.speaking
 def problems(
     template: Path, students: str, seed: str, output: Path, kinds: tuple[str, ...], force: bool, lang: Lang
 ) -> None:
@@ -41,17 +41,17 @@ def problems(
     from graphkin.say.problems import remark
 
     read = sets.read_template(template)
-    found = sets.variants(read, sets.roster(students), seed)
-    count = sum(1 for _ in platforms.write_problems(output, read, found, seed, lang, force))
+    variants = sets.variants(read, sets.roster(students), seed)
+    count = sum(1 for _ in platforms.write_problems(output, read, variants, seed, lang, force))
     click.echo(f"{output}: {count}")
     click.echo(platforms.told_of(output))
     if kinds:
         from graphkin.homework import grading
 
-        whole = platforms.problem_set(read, found, grading.judge_from(str(output)))
+        whole = platforms.problem_set(read, variants, grading.judge_from(str(output)))
         for kind in dict.fromkeys(kinds):
             path = platforms.file_of(output, kind)
             platforms.write_set(path, whole, kind, lang, force)
             click.echo(str(path))
-    if shared := [variant.student.id for variant in found if variant.shared]:
-        click.echo(remark(shared, lang), err=True)
+    if shared_numbers := [variant.student.id for variant in variants if variant.shared]:
+        click.echo(remark(shared_numbers, lang), err=True)

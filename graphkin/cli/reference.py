@@ -1,4 +1,4 @@
-"""The reference of the Python interface, made of its docstrings: every public name, with what it takes and gives.
+"""`help`: the pages that say more than a command's own `--help`; the Python interface by its docstrings.
 
 >>> "solve_many(mechanisms" in text("solve_many"), "with_(" in text("Mechanism")
 (True, True)
@@ -12,15 +12,17 @@ from collections.abc import Iterator
 from importlib import import_module
 from typing import Any
 
-import graphkin
+import click
 
-__all__ = ["names", "text"]
+import graphkin
+from graphkin.cli import shared
+from graphkin.errors import Lang
 
 _INHERITED = ("Readable", "Measured")
 _ALSO = {
     "Builder": "files.builder", "Readable": "model.readout", "Measured": "model.units", "Series": "studies.sweeps",
 }  # fmt: skip
-"""What public names give or share."""
+"""Classes that public names give or share."""
 _QUOTED = re.compile(r"(: |-> )'([^']*)'")
 
 
@@ -29,25 +31,25 @@ def names() -> tuple[str, ...]:
     return (*graphkin.__all__, *_ALSO)
 
 
-def text(*wanted: str) -> str:
+def text(*chosen: str) -> str:
     """The pages of these names, of all if none is given."""
-    parts = [] if wanted else [inspect.getdoc(import_module("graphkin.api")) or ""]
-    return "\n\n".join([*parts, *("\n".join(_page(name)) for name in wanted or names())])
+    pages = [] if chosen else [inspect.getdoc(import_module("graphkin.api")) or ""]
+    return "\n\n".join([*pages, *("\n".join(_page(name)) for name in chosen or names())])
 
 
 def _page(name: str) -> Iterator[str]:
-    found = getattr(import_module(f"graphkin.{_ALSO[name]}"), name) if name in _ALSO else getattr(graphkin, name)
-    yield f"{name}{_signature(found) if not inspect.isclass(found) else ''}"
+    value = getattr(import_module(f"graphkin.{_ALSO[name]}"), name) if name in _ALSO else getattr(graphkin, name)
+    yield f"{name}{_signature(value) if not inspect.isclass(value) else ''}"
     yield "-" * len(name)
-    yield inspect.getdoc(found) or ""
-    if inspect.isclass(found):
-        for member, value in _members(found):
-            yield from ("", f"  .{member}{_signature(value)}")
-            yield from (f"      {line}".rstrip() for line in (inspect.getdoc(_function(value)) or "").splitlines())
+    yield inspect.getdoc(value) or ""
+    if inspect.isclass(value):
+        for member, method in _members(value):
+            yield from ("", f"  .{member}{_signature(method)}")
+            yield from (f"      {line}".rstrip() for line in (inspect.getdoc(_function(method)) or "").splitlines())
 
 
-def _members(cls: type) -> Iterator[tuple[str, Any]]:
-    """What a class itself and its own kin say, not what every mapping or exception has."""
+def _members(cls: type) -> Iterator[tuple[str, object]]:
+    """Members that a class itself and its own kin document, not those of every mapping or exception."""
     seen: set[str] = set()
     for kin in cls.__mro__:
         if not kin.__module__.startswith("graphkin") or (kin is not cls and kin.__name__ in _INHERITED):
@@ -60,11 +62,12 @@ def _members(cls: type) -> Iterator[tuple[str, Any]]:
                 yield member, value
 
 
-def _function(value: Any) -> Any:
-    return value.fget if isinstance(value, property) else getattr(value, "__func__", value)
+def _function(member: object) -> Any:
+    """The function behind a property, a class method or a static method."""
+    return member.fget if isinstance(member, property) else getattr(member, "__func__", member)
 
 
-def _signature(value: Any) -> str:
+def _signature(value: object) -> str:
     """`(mechanism: Mechanism, ..) -> Sweep`; nothing of a property."""
     if isinstance(value, property):
         return ""
@@ -73,3 +76,40 @@ def _signature(value: Any) -> str:
     except (TypeError, ValueError):
         return ""
     return _QUOTED.sub(r"\1\2", re.sub(r"\((?:self|cls)(?:, )?", "(", shown, count=1))
+
+
+@click.command("help")
+@click.argument("topic", metavar="[file|api|COMMAND]", default="")
+@click.argument("chosen", nargs=-1, metavar="[NAME]...")
+@shared.lang_option
+@shared.speaking
+def help_(topic: str, chosen: tuple[str, ...], lang: Lang) -> None:
+    """Print the reference of the mechanism file, of the Python interface, or what a command says of itself.
+
+    After api: the names that are wanted; all without any.
+
+    \b
+    Example:
+      graphkin help file
+      graphkin help api sweep Mechanism
+      graphkin help sweep
+    """
+    if topic == "api":
+        if unknown := [name for name in chosen if name not in names()]:
+            raise click.UsageError(f"no {', '.join(unknown)} in the interface. There are: {', '.join(names())}")
+        click.echo(text(*chosen))
+        return
+    if chosen:
+        raise click.UsageError("only help api takes names")
+    if topic == "file":
+        from graphkin.say.file_help import file_lines
+
+        click.echo("\n".join(file_lines(lang)))
+        return
+    context = click.get_current_context().find_root()
+    assert isinstance(context.command, click.Group)
+    command = context.command.get_command(context, topic) if topic else context.command
+    if command is None:
+        raise click.UsageError(f"there is no page {topic!r}: file, api, or a command")
+    within = context if command is context.command else click.Context(command, info_name=topic, parent=context)
+    click.echo(command.get_help(within))

@@ -1,4 +1,4 @@
-"""What the commands share: options, languages, reading a mechanism, saying what is wrong."""
+"""Shared by the commands: options, languages, the position of a mechanism, printing and writing."""
 
 from __future__ import annotations
 
@@ -10,11 +10,13 @@ import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 import click
 
+from graphkin.base.value import frozen
 from graphkin.cli import streams
 from graphkin.errors import GraphkinError, Lang
 
@@ -22,12 +24,19 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
     from graphkin.api import Drawing
+    from graphkin.files.units import Dimension
     from graphkin.model.mechanism import Mechanism
     from graphkin.planning import Method
+    from graphkin.sheet import Sheet
 
-_Command = TypeVar("_Command", bound=Callable[..., Any])
+_Command = TypeVar("_Command", bound=Callable[..., object])
 
 PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape", "letter", "letter-landscape")
+DRAWN_AS = (".svg", ".pdf", ".png", ".dxf", ".ggb", ".tex")
+"""The kinds of files that a position is drawn as: those of `outputs.drawings`."""
+
+
+# --- options ----------------------------------------------------------------------------------
 
 
 def user_language() -> Lang:
@@ -49,7 +58,7 @@ angle_option = click.option(
     "--angle", "angles", type=float, multiple=True, metavar="DEG",
     help="Draw at this driver angle instead; once for each driver that has an angle, in order.",
 )  # fmt: skip
-at_option = click.option(
+displacement_option = click.option(
     "--at", "displacements", type=float, multiple=True, metavar="MM",
     help="Draw at this driven displacement instead; once for each driven slide, in order.",
 )  # fmt: skip
@@ -69,12 +78,15 @@ by_option = click.option(
     "--by", type=click.Choice(["construction", "analysis"]), default="construction", show_default=True,
     help="Replay the construction at every position, or solve the loop equations there.",
 )  # fmt: skip
-DRAWN_AS = (".svg", ".pdf", ".png", ".dxf", ".ggb", ".tex")
-"""The kinds of files that a position is drawn as: those of `outputs.drawings`."""
+steps_option = click.option(
+    "--steps", type=click.Path(path_type=Path, file_okay=False), help="One drawing a step, into this folder."
+)
+paper_option = click.option("--paper", type=click.Choice(PAPERS), help="Paper; else the smallest that fits.")
+force_option = click.option("--force", is_flag=True, help="Replace a file of another's, or a drawing changed by hand.")
 
 
 def svg_option(
-    told: str, to_stdout: bool = False, kinds: tuple[str, ...] = (".svg",), folders: bool = False
+    text: str, to_stdout: bool = False, kinds: tuple[str, ...] = (".svg",), folders: bool = False
 ) -> Callable[[_Command], _Command]:
     """`-o`: a drawing, written as SVG; another kind of file is refused before anything is done."""
 
@@ -86,11 +98,11 @@ def svg_option(
         raise click.UsageError(f"{path}: the file to write must end in {' or '.join(kinds)}", ctx)
 
     kind = click.Path(path_type=Path, dir_okay=folders)
-    return click.option("-o", "--output", type=kind, callback=checked, help=told)
+    return click.option("-o", "--output", type=kind, callback=checked, help=text)
 
 
 def is_folder(path: Path) -> bool:
-    """Whether `-o` names a folder, which may not be there yet, for a file of each mechanism."""
+    """True where `-o` names a folder, which may not be there yet, for a file of each mechanism."""
     return path.is_dir() or not (path.suffix or str(path) == "-")
 
 
@@ -98,18 +110,17 @@ drawing_option = svg_option(
     f"{', '.join(DRAWN_AS)} to write, or a folder: an SVG of each mechanism; - for SVG on stdout.",
     to_stdout=True, kinds=DRAWN_AS, folders=True,
 )  # fmt: skip
-told_option = svg_option(".txt, .json or .jsonl to write; else printed.", kinds=(".txt", ".json", ".jsonl"))
-force_option = click.option("--force", is_flag=True, help="Replace a file of another's, or a drawing changed by hand.")
+text_option = svg_option(".txt, .json or .jsonl to write; else printed.", kinds=(".txt", ".json", ".jsonl"))
 
 
 def library_names(ctx: click.Context, option: click.Parameter, begun: str) -> list[CompletionItem]:
-    """What a shell offers for a MECHANISM: names of the library, and files where none begins so."""
+    """Completions of a MECHANISM: names of the library, and files where none begins so."""
     from click.shell_completion import CompletionItem
 
     from graphkin.files import library
 
-    found = [CompletionItem(name) for name in library.names() if name.startswith(begun)]
-    return found if found and "/" not in begun else [CompletionItem(begun, type="file")]
+    names = [CompletionItem(name) for name in library.names() if name.startswith(begun)]
+    return names if names and "/" not in begun else [CompletionItem(begun, type="file")]
 
 
 mechanism_argument = click.argument("mechanism", metavar="MECHANISM", shell_complete=library_names)
@@ -119,7 +130,7 @@ mechanisms_argument = click.argument(
 
 
 @contextmanager
-def said(lang: Lang) -> Iterator[None]:
+def errors_said(lang: Lang) -> Iterator[None]:
     """Bad input becomes one message on stderr and exit status 3."""
     try:
         yield
@@ -134,52 +145,110 @@ def speaking(command: Callable[..., None]) -> Callable[..., None]:
     """A command whose bad input is said in its `lang`."""
 
     @functools.wraps(command)
-    def wrapped(*args: Any, lang: Lang, **kwargs: Any) -> None:
-        with said(lang):
+    def wrapped(*args: object, lang: Lang, **kwargs: object) -> None:
+        with errors_said(lang):
             command(*args, lang=lang, **kwargs)
 
     return wrapped
 
 
+# --- a mechanism and its position -------------------------------------------------------------
+
+
 def read(source: str) -> Mechanism:
     """The mechanism of a MECHANISM argument; what is to be remarked on it goes to stderr."""
-    from graphkin import api
-    from graphkin import files as loading
+    from graphkin import api, files
 
     if not source:
         raise click.UsageError("MECHANISM is empty: name a file, or a mechanism of `graphkin list`")
     through_pipe = source == "-"
-    machine = loading.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>") if through_pipe else api.load(source)
+    machine = files.load_stream(sys.stdin.buffer, name="stdin", file="<stdin>") if through_pipe else api.load(source)
     lang = click.get_current_context().params.get("lang", "en")
-    for remark in loading.remarks(machine):
+    for remark in files.remarks(machine):
         click.echo(remark.message(lang), err=True)
     return machine
 
 
-def read_at(source: str, angles: Sequence[float], displacements: Sequence[float]) -> Mechanism:
-    """The mechanism of a MECHANISM argument, standing where `--angle` and `--at` put it."""
+@frozen
+class DriverOptions:
+    """Driver values of the command line: `--angle` [deg] and `--at` [mm], each in the order of its drivers."""
+
+    angles: tuple[float, ...] = ()
+    displacements: tuple[float, ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.angles or self.displacements)
+
+    def values(self, method: Method) -> list[float] | None:
+        """All driver values [rad, m], those of the command line put in; None for the drawn position."""
+        if not self:
+            return None
+        angles, slides = [math.radians(angle) for angle in self.angles], [s / 1000 for s in self.displacements]
+        rest: dict[str, list[float]] = {"angle": angles, "slide": slides, "spin": []}
+        if not all(math.isfinite(value) for values in rest.values() for value in values):
+            raise click.UsageError("--angle and --at take finite numbers")
+        drawn = method.facts(None).values
+        values = [rest[d.kind].pop(0) if rest[d.kind] else float(v) for d, v in zip(method.drivers, drawn, strict=True)]
+        for option, kind in (("--angle", "angle"), ("--at", "slide")):
+            if rest[kind]:
+                name = method.mechanism.name
+                raise click.UsageError(f"{name} has no driver left for {option} (of {len(values)} drivers)")
+        return values
+
+
+def driver_options(command: Callable[..., None]) -> Callable[..., None]:
+    """`--angle` and `--at` of a command, which takes them together as `at`."""
+
+    @functools.wraps(command)
+    def wrapped(*args: object, angles: tuple[float, ...], displacements: tuple[float, ...], **kwargs: object) -> None:
+        command(*args, at=DriverOptions(angles, displacements), **kwargs)
+
+    return angle_option(displacement_option(wrapped))
+
+
+@frozen
+class PlannedPosition:
+    """A planned mechanism at driver values [rad, m], or as its file has it (None)."""
+
+    method: Method
+    values: list[float] | None
+
+    @cached_property
+    def drawing(self) -> Drawing:
+        """The constructions at these values, proved."""
+        from graphkin import api
+
+        return api.Drawing.at(self.method, self.values)
+
+    @property
+    def moved(self) -> Mechanism:
+        """The mechanism with these values as its drawn position, for readers that take no driver values."""
+        from graphkin.proof import repose
+
+        return self.method.mechanism if self.values is None else repose.standing(self.method, self.values)
+
+    @property
+    def moved_method(self) -> Method:
+        """The method whose drawn position this is."""
+        from graphkin import api
+
+        return self.method if self.values is None else api.plan(self.moved)
+
+
+def position(machine: Mechanism, at: DriverOptions, coincident: str = "", method: str = "special") -> PlannedPosition:
+    """A mechanism planned as the options ask for, at the position that `--angle` and `--at` ask for."""
+    planned = plan(machine, coincident, method)
+    return PlannedPosition(planned, at.values(planned))
+
+
+def read_at(source: str, at: DriverOptions) -> Mechanism:
+    """The mechanism of a MECHANISM argument, drawn where `--angle` and `--at` put it; not planned without them."""
     machine = read(source)
-    if not angles and not displacements:
-        return machine
-    from graphkin import api
-    from graphkin.proof.repose import standing
-
-    method = api.plan(machine)
-    return standing(method, at_values(method, angles, displacements) or ())
+    return position(machine, at).moved if at else machine
 
 
-def drawn(
-    machine: Mechanism, coincident: str, method: str, angles: Sequence[float], displacements: Sequence[float]
-) -> Drawing:
-    """The drawing that the options ask for."""
-    from graphkin import api
-
-    found = planned(machine, coincident, method)
-    return api.Drawing.at(found, at_values(found, angles, displacements))
-
-
-def planned(machine: Mechanism, coincident: str, method: str) -> Method:
-    """The method that the options ask for."""
+def plan(machine: Mechanism, coincident: str, method: str) -> Method:
+    """The method that `--coincident` and `--method` ask for."""
     from graphkin import api
 
     if coincident and coincident not in machine.points:
@@ -187,49 +256,64 @@ def planned(machine: Mechanism, coincident: str, method: str) -> Method:
     return api.plan(machine, coincident, centres=method == "centre")
 
 
-def at_values(method: Method, angles: Sequence[float], displacements: Sequence[float]) -> list[float] | None:
-    """Driver values with those of the command line put in; None for the drawn position."""
-    if not angles and not displacements:
-        return None
-    given: dict[str, list[float]] = {"angle": [math.radians(a) for a in angles], "spin": []}
-    given["slide"] = [s / 1000 for s in displacements]
-    if not all(math.isfinite(v) for values in given.values() for v in values):
-        raise click.UsageError("--angle and --at take finite numbers")
-    usual = method.facts(None).values
-    values = [given[d.kind].pop(0) if given[d.kind] else float(v) for d, v in zip(method.drivers, usual, strict=True)]
-    for option, rest in (("--angle", given["angle"]), ("--at", given["slide"])):
-        if rest:
-            name = method.mechanism.name
-            raise click.UsageError(f"{name} has no driver left for {option} (of {len(values)} drivers)")
-    return values
-
-
-def json_line(value: object) -> str:
-    """One line of JSON for programs, on one line for those, too, that end lines as Unicode does."""
-    text = json.dumps(value, ensure_ascii=False, allow_nan=False)
-    if text.isascii() and "\x7f" not in text:
-        return text
-    return re.sub(_LINE_ENDS, lambda end: f"\\u{ord(end.group()):04x}", text)
-
+# --- printed and written ----------------------------------------------------------------------
 
 _LINE_ENDS = "[\x7f-\x9f\u2028\u2029\ud800-\udfff]"
 """Ends of lines that JSON does not escape, with their kin that no text file should hold."""
 
 
-def told_each(
-    sources: Sequence[str], told: Callable[[str], Iterator[str]], as_json: bool, lang: Lang,
+def json_line(value: object) -> str:
+    """One line of JSON for programs, on one line for those, too, that end lines as Unicode does."""
+    text = json.dumps(value, ensure_ascii=False, allow_nan=False)
+    return re.sub(_LINE_ENDS, lambda end: f"\\u{ord(end.group()):04x}", text)
+
+
+def wants_json(as_json: bool, output: Path | None, count: int) -> bool:
+    """True where texts of `count` mechanisms are JSON: `-o` says so, too."""
+    kind = "" if output is None else output.suffix.lower()
+    if kind == ".json" and count > 1:
+        raise click.UsageError("several mechanisms make several JSON objects: name a .jsonl file")
+    if kind == ".txt" and as_json:
+        raise click.UsageError("--json writes .json or .jsonl")
+    return as_json or kind in (".json", ".jsonl")
+
+
+def print_each(
+    sources: Sequence[str], lines: Callable[[str], Iterable[str]], as_json: bool, lang: Lang,
     output: Path | None = None, force: bool = False,
 ) -> None:  # fmt: skip
-    """What is to be told of every mechanism; one that cannot be solved stops none of the others. Status 3 then."""
+    """The lines of every mechanism; one that cannot be solved stops none of the others. Status 3 then."""
     failed: list[str] = []
-    pages = _told(sources, told, as_json, lang, failed)
+    pages = _pages(sources, lines, as_json, lang, failed)
     if output is None:
         for page in pages:
             click.echo(page)
     elif whole := list(pages):
-        _write_told(output, whole, as_json, force)
+        from graphkin.outputs.files import beside
+
+        end = [] if as_json else ["", "graphkin"]  # a text says at its end whose it is, to be written again
+        with beside(output, force, (b'{"format": 1', b"\ngraphkin\n")) as draft:
+            draft.write_text("\n".join([*whole, *end, ""]), encoding="utf-8", newline="\n")
+        click.echo(str(output))
     if failed:
         sys.exit(3)
+
+
+def _pages(
+    sources: Sequence[str], lines: Callable[[str], Iterable[str]], as_json: bool, lang: Lang, failed: list[str]
+) -> Iterator[str]:
+    """The text of each mechanism; those that cannot be solved are put into `failed`."""
+    for k, source in enumerate(sources):
+        try:
+            page = list(lines(source))
+        except GraphkinError as error:
+            failed.append(source)
+            if not as_json:
+                click.echo(error.message(lang), err=True)
+                continue
+            name = Path(source).stem if source != "-" else "stdin"
+            page = [json_line({"format": 1, "name": name, "error": error.message(lang)})]
+        yield "\n".join(([""] if k and not as_json else []) + page)
 
 
 def refuse_one_file(names: Iterable[str], suffix: str) -> None:
@@ -241,41 +325,44 @@ def refuse_one_file(names: Iterable[str], suffix: str) -> None:
         seen.add(name)
 
 
-def as_told(as_json: bool, output: Path | None, count: int) -> bool:
-    """Whether `count` mechanisms are told as JSON: `-o` says so, too."""
-    kind = "" if output is None else output.suffix.lower()
-    if kind == ".json" and count > 1:
-        raise click.UsageError("several mechanisms make several JSON objects: name a .jsonl file")
-    if kind == ".txt" and as_json:
-        raise click.UsageError("--json writes .json or .jsonl")
-    return as_json or kind in (".json", ".jsonl")
+def write_drawings(
+    pages: list[tuple[Path, bytes | str]], output: Path | None, steps: Path | None, force: bool, err: bool = False
+) -> None:
+    """A sheet and its steps; all are made, and may be written, before the first is. `err`: their names on stderr."""
+    from graphkin.outputs import drawings
+    from graphkin.outputs.edited import refuse_edited
+
+    if printed := str(output) == "-":
+        first = pages.pop(0)[1]
+        click.echo(first if isinstance(first, str) else first.decode(), nl=False)
+    if steps is not None:
+        steps.mkdir(parents=True, exist_ok=True)
+    for path, _ in pages:
+        drawings.refuse(path, force)
+    if output is not None:
+        refuse_edited(output, force)
+    for path, content in pages:
+        drawings.write(path, content, force)
+        click.echo(str(path), err=err or printed)
 
 
-def _told(
-    sources: Sequence[str], told: Callable[[str], Iterator[str]], as_json: bool, lang: Lang, failed: list[str]
-) -> Iterator[str]:
-    """The text of each mechanism; those that cannot be solved are put into `failed`."""
-    for k, source in enumerate(sources):
-        try:
-            lines = list(told(source))
-        except GraphkinError as error:
-            failed.append(source)
-            if not as_json:
-                click.echo(error.message(lang), err=True)
-                continue
-            name = Path(source).stem if source != "-" else "stdin"
-            lines = [json_line({"format": 1, "name": name, "error": error.message(lang)})]
-        yield "\n".join(([""] if k and not as_json else []) + lines)
+def write_sheet(output: Path, sheet: Sheet, force: bool) -> None:
+    """One sheet beside what is printed, as SVG."""
+    from graphkin.outputs import drawings, svg
+
+    drawings.write(output, svg.svg(sheet), force)
+    click.echo(str(output), err=True)
 
 
-def _write_told(output: Path, pages: Sequence[str], as_json: bool, force: bool) -> None:
-    """What would be printed; a text says at its end whose it is, so that it may be written again."""
-    from graphkin.outputs.files import beside
+def quantity(option: str, dimension: Dimension, text: str) -> float:
+    """A number of an option, in mm or deg or with a unit, as SI; what is wrong names the option."""
+    from graphkin.errors import Where
+    from graphkin.files.units import read_quantity
 
-    end = [] if as_json else ["", "graphkin"]
-    with beside(output, force, (b'{"format": 1', b"\ngraphkin\n")) as draft:
-        draft.write_text("\n".join([*pages, *end, ""]), encoding="utf-8", newline="\n")
-    click.echo(str(output))
+    try:
+        return read_quantity(plain(text), dimension)
+    except GraphkinError as error:
+        raise error.at(Where(option)) from None
 
 
 def plain(text: str) -> float | str:

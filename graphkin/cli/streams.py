@@ -14,7 +14,7 @@ import click
 from graphkin.errors import CannotWrite, Lang
 
 NO_READER = (errno.EPIPE, errno.EINVAL) if sys.platform == "win32" else (errno.EPIPE,)
-"""What writing into a pipe says that nobody reads any more."""
+"""Errors of writing into a pipe that nobody reads any more."""
 
 
 def prepare() -> None:
@@ -52,7 +52,7 @@ def written() -> Iterator[None]:
 
 
 def flushed() -> bool:
-    """Whether all that was printed could be written."""
+    """True where all that was printed could be written."""
     try:
         sys.stdout.flush()
         sys.stderr.flush()

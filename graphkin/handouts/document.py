@@ -1,13 +1,14 @@
-"""What a handout is made of, before any medium sets it: blocks with lettered words, drawings in true size, tables."""
+"""A handout before it is set: blocks with lettered words, drawings in true size, tables."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.sheet import Sheet
-from graphkin.sheet.lettering import Label
+from graphkin.sheet.lettering import Label, Run
 
 Stage = Literal["problem", "blank", "half", "solution"]
 
@@ -56,10 +57,10 @@ class TermRows:
 
 @frozen
 class HandoutPicture:
-    """A drawing in its true size, and what is on it in words."""
+    """A drawing in its true size, and in words what it shows."""
 
     sheet: Sheet
-    told: str
+    words: str
 
 
 @frozen
@@ -87,7 +88,7 @@ class GridRoom:
 
 @frozen
 class NewPage:
-    """What follows starts on a page of its own; `front`: on the front of a sheet that is printed on both sides."""
+    """A page break; `front`: on the front of a sheet that is printed on both sides."""
 
     front: bool = False
 
@@ -97,7 +98,7 @@ Block = HandoutHeading | Paragraph | FormulaLine | TermRows | HandoutPicture | H
 
 @frozen
 class Foot:
-    """What every page says of itself.
+    """The foot of every page.
 
     stage   in words; digest: the beginning of the mechanism file's SHA-256, where that is one for all pages
     seed    of the set it belongs to
@@ -123,3 +124,42 @@ class Handout:
     blocks: tuple[Block, ...]
     foot: Foot
     contents: str = ""
+
+
+# --- letters with their scripts ----------------------------------------------------------------
+
+
+@frozen
+class Sign:
+    """A run of letters, and the runs of its subscript and of what is raised."""
+
+    base: Run | None
+    low: tuple[Run, ...] = ()
+    high: tuple[Run, ...] = ()
+
+    @property
+    def plain(self) -> str:
+        """To be read aloud, or where nothing can be lowered: `a^k_B3B2`."""
+        low, high = ("".join(run.text for run in runs) for runs in (self.low, self.high))
+        base = self.base.text if self.base is not None else ""
+        return base + (f"^{high}" if high else "") + (f"_{low}" if low else "")
+
+
+def signs(label: Label) -> Iterator[Sign]:
+    """Each letter with its scripts, and the text between."""
+    base: Run | None = None
+    low: tuple[Run, ...] = ()
+    high: tuple[Run, ...] = ()
+    for run in label:
+        if run.place == "sub":
+            low += (run,)
+        elif run.place == "sup":
+            high += (run,)
+        elif base is not None and not low and not high and base.italic == run.italic:
+            base = base._replace(text=base.text + run.text)
+        else:
+            if base is not None or low or high:
+                yield Sign(base, low, high)
+            base, low, high = run, (), ()
+    if base is not None or low or high:
+        yield Sign(base, low, high)

@@ -1,4 +1,4 @@
-"""What stands after a solution: results beside the analysis with what a pencil allows, and the commonest mistakes."""
+"""The end of a solution: results beside the analysis with what a pencil allows, and the commonest mistakes."""
 
 from __future__ import annotations
 
@@ -8,18 +8,20 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.analytic import motion
-from graphkin.errors import Lang
+from graphkin.base import geometry
+from graphkin.errors import GraphkinError, Lang
 from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Paragraph
-from graphkin.handouts.told import HandoutProblem
+from graphkin.handouts.problem import HandoutProblem
+from graphkin.homework.grading.keys import key_drawn
 from graphkin.marking.key import Key, KeyEntry
 from graphkin.marking.verdicts import columns, upright
 from graphkin.marking.weights import shifts
 from graphkin.model.quantities import EDGE, Centre
-from graphkin.model.quantities.reading import respelled
+from graphkin.model.quantities.typed import rewritten
 from graphkin.proof.readings import readings
 from graphkin.say import names
 from graphkin.say.catalogue import say
-from graphkin.say.marks import mistake
+from graphkin.say.mistakes import mistake
 from graphkin.say.numbers import number
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import Label, plain
@@ -27,25 +29,25 @@ from graphkin.sheet.lettering import Label, plain
 _SHOWN = 3
 
 
-def beside(told: HandoutProblem) -> Iterator[Block]:
+def beside(problem: HandoutProblem) -> Iterator[Block]:
     """A row an answer: drawn, analysed, and how far a careful pencil may be off."""
-    key = _key(told)
+    key = _key(problem)
     entries = {entry.text: entry for entry in key.entries} if key is not None else {}
-    drawn, exact = readings(told.drawing.method, told.drawing.plot), motion(told.drawing.mechanism)
+    roads = readings(problem.drawing.method, problem.drawing.plot), motion(problem.drawing.mechanism)
     rows: list[tuple[Label, ...]] = []
-    for text, quantity in zip(told.goal.texts, told.goal.wanted, strict=False):
+    for text, quantity in zip(problem.goal.texts, problem.goal.wanted, strict=False):
         if quantity is None or isinstance(quantity, Centre):
             continue
         unit = EDGE[quantity.unit]
-        values = [quantity.shown(road) for road in (drawn, exact)]
-        sizes = [abs(v.vector) if v.vector is not None else float(v.value) for v in values]
+        values = (quantity.shown(road) for road in roads)
+        sizes = (geometry.number(v.value) if v.vector is None else abs(geometry.place(v.vector)) for v in values)
+        off = plain(_off(entries[text], unit.factor, problem.lang) if text in entries else "")
         shown = [plain(number(size * unit.factor)) for size in sizes]
-        off = plain(_off(entries[text], unit.factor, told.lang) if text in entries else "")
-        rows.append((formula(told.goal.symbol(quantity)), *shown, off, plain(unit.sign)))
+        rows.append((formula(problem.goal.symbol(quantity)), *shown, off, plain(unit.sign)))
     if rows:
         heads = ("quantity", "drawn", "analysed", "allowed", "unit")
-        yield HandoutHeading(plain(say("handouts.beside", told.lang)))
-        yield HandoutTable(tuple(plain(say(f"handouts.{head}", told.lang)) for head in heads), tuple(rows))
+        yield HandoutHeading(plain(say("handouts.beside", problem.lang)))
+        yield HandoutTable(tuple(plain(say(f"handouts.{head}", problem.lang)) for head in heads), tuple(rows))
 
 
 def _off(entry: KeyEntry, factor: float, lang: Lang) -> str:
@@ -55,43 +57,46 @@ def _off(entry: KeyEntry, factor: float, lang: Lang) -> str:
     return f"± {entry.tolerance * factor:.2g}"
 
 
-def mistakes(told: HandoutProblem) -> Iterator[Block]:
+def mistakes(problem: HandoutProblem) -> Iterator[Block]:
     """The mistakes that move most of what is asked, of different kinds, with the numbers they give."""
-    key = _key(told)
+    key = _key(problem)
     if key is None:
         return
-    wanted = [k for k, entry in enumerate(key.entries) if entry.points]
     moved = _moved(key)
-    shown = {made[0][0] for made, row in zip(key.singles.names, moved, strict=True) if any(row[wanted])}
-    common = [id for id in _COMMON if id in shown][:_SHOWN]
+    asked = [k for k, entry in enumerate(key.entries) if entry.points]
+    first: dict[str, int] = {}
+    for row, made in enumerate(key.singles.names):
+        if any(moved[row][asked]):
+            first.setdefault(made[0][0], row)
+    common = [first[id] for id in _COMMON if id in first][:_SHOWN]
     if common:
-        yield HandoutHeading(plain(say("handouts.common", told.lang)))
-    for id in common:
-        yield Paragraph(_given_by(told, key, id, wanted, moved))
+        yield HandoutHeading(plain(say("handouts.common", problem.lang)))
+    for row in common:
+        yield Paragraph(_given_by(problem, key, row, [k for k in asked if moved[row][k]]))
 
 
 def _moved(key: Key) -> np.ndarray:
-    """Which quantities each mistake moves by more than a pencil may: (mistakes, quantities)."""
+    """True where a mistake moves a quantity by more than a pencil may: (mistakes, quantities)."""
     with np.errstate(divide="ignore", invalid="ignore"):
         moved: np.ndarray = shifts(columns(key.entries), key.singles.values) > 3
     return moved
 
 
-def _given_by(told: HandoutProblem, key: Key, id: str, wanted: list[int], moved: np.ndarray) -> Label:
-    row = next(k for k, made in enumerate(key.singles.names) if made[0][0] == id and any(moved[k][wanted]))
-    symbols = {text: q for text, q in zip(told.goal.texts, told.goal.wanted, strict=False) if q is not None}
-    given = upright(columns(key.entries), key.singles.values[row])
+def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> Label:
+    """A mistake in words, and the values it gives of those quantities that it moves."""
+    symbols = {text: q for text, q in zip(problem.goal.texts, problem.goal.wanted, strict=False) if q is not None}
+    values = upright(columns(key.entries), key.singles.values[row])
     shown = []
-    for k in wanted:
-        entry, value = key.entries[k], given[k]
-        if moved[row][k] and np.isfinite(value) and entry.text in symbols:
-            unit = EDGE[symbols[entry.text].unit]
-            shown.append(f"{told.goal.symbol(symbols[entry.text])} = {number(value * unit.factor)} {unit.sign}".strip())
-    name = mistake(key.singles.names[row][0], told.lang)
-    known = {entry.text for entry in key.entries}
-    signs = respelled(name, lambda text: names.asked(text) if text in known else text)
-    raised = re.sub(r"([va])\^([nktr]+)_", lambda found: names.vector(found[0] + "X")[:-1], signs)
-    return formula(say("handouts.gives", told.lang, mistake=raised, values=", ".join(shown)))
+    for k in moved:
+        quantity, value = symbols.get(key.entries[k].text), values[k]
+        if quantity is not None and np.isfinite(value):
+            unit = EDGE[quantity.unit]
+            shown.append(f"{problem.goal.symbol(quantity)} = {number(value * unit.factor)} {unit.sign}".strip())
+    name = mistake(key.singles.names[row][0], problem.lang)
+    texts = {entry.text for entry in key.entries}
+    signs = rewritten(name, lambda text: names.asked(text) if text in texts else text)
+    raised = re.sub(r"([va])\^([nktr]+)_", lambda part: names.vector(part[0] + "X")[:-1], signs)
+    return formula(say("handouts.gives", problem.lang, mistake=raised, values=", ".join(shown)))
 
 
 _COMMON = (
@@ -99,15 +104,12 @@ _COMMON = (
     "absolute-for-relative", "normal-outward", "omega-sense", "coriolis-half", "wrong-length", "sliding-across",
     "centre-ratio", "arm-ignored", "velocity-along-link", "tangential-along", "driver-along-crank", "conversion",
 )  # fmt: skip
-"""What students do, the most frequent first."""
+"""Mistakes of students, the most frequent first."""
 
 
-def _key(told: HandoutProblem) -> Key | None:
+def _key(problem: HandoutProblem) -> Key | None:
     """The key of the problem; None where nothing is asked that is marked."""
-    from graphkin.errors import GraphkinError
-    from graphkin.homework.grading.keys import key_drawn
-
     try:
-        return key_drawn(told.drawing.method)
+        return key_drawn(problem.drawing.method)
     except GraphkinError:
         return None

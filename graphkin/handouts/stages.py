@@ -9,7 +9,6 @@ from functools import partial
 from typing import assert_never
 
 import graphkin
-from graphkin.api import Drawing, plan
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.handouts import blank, proofs
@@ -24,23 +23,17 @@ from graphkin.handouts.document import (
     Paragraph,
     Stage,
     TermRows,
-)
-from graphkin.handouts.told import HandoutProblem, Section
+)  # fmt: skip
+from graphkin.handouts.problem import HandoutProblem, Section, drawn_problem
 from graphkin.model.mechanism import Mechanism
-from graphkin.running import replay_all
 from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.sheet.composed import HEADINGS
-from graphkin.sheet.fit import corners
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
-from graphkin.sheet.planes import Planes, Style
-from graphkin.sheet.scales import KEYS, finest, written
-from graphkin.sheet.window import PLANES
-
-_ROOM = blank.ROOM / 1.2
-"""What one figure takes up on a page at most [mm], without its labels."""
+from graphkin.sheet.planes import Style
+from graphkin.sheet.scales import written
 
 
 def handout(
@@ -58,7 +51,7 @@ def handout(
     Raises what loading, planning and proving raise.
     """
     owners = whose or [""] * len(mechanisms)
-    problems = [replace(told(each, lang), whose=who) for each, who in zip(mechanisms, owners, strict=True)]
+    problems = [drawn_problem(each, lang, who) for each, who in zip(mechanisms, owners, strict=True)]
     contents = say("handouts.contents", lang) if len(problems) > 1 else ""
     blocks: list[Block] = []
     for k, problem in enumerate(problems):
@@ -69,9 +62,15 @@ def handout(
                    for b in _staged(problem, stage, upto))  # fmt: skip
     if answers:
         blocks += [NewPage(duplex), HandoutHeading(plain(say("handouts.answers", lang)), 1)]
-        blocks += [block for problem in problems for block in _answers(problem)]
+        for problem in problems:
+            blocks.append(HandoutHeading(plain(problem.title)))
+            blocks += blocks_of(problem.answers.entries, lang)
     title = " / ".join(problem.title for problem in problems)
-    return Handout(title, lang, tuple(blocks), _foot(mechanisms, stage, lang, seed), contents)
+    digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
+    words = say("handouts.seed", lang, seed=seed) if seed else ""
+    bar = say("handouts.bar", lang)
+    foot = Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, words, bar)
+    return Handout(title, lang, tuple(blocks), foot, contents)
 
 
 def in_languages(
@@ -80,35 +79,11 @@ def in_languages(
 ) -> Handout:  # fmt: skip
     """The handout in each of the languages, one after the other; its feet are in the first."""
     made = partial(handout, mechanisms, stage, upto=upto, answers=answers, seed=seed, whose=whose, duplex=duplex)
-    found = [made(lang=lang) for lang in langs]
-    blocks = list(found[0].blocks)
-    for each in found[1:]:
-        blocks += [*([] if each.contents else [NewPage(duplex)]), *each.blocks]
-    return replace(found[0], blocks=tuple(blocks))
-
-
-def told(mechanism: Mechanism, lang: Lang) -> HandoutProblem:
-    """A mechanism drawn and proved at the scales of its handout, which all its figures share."""
-    drawing = Drawing.of(mechanism)
-    scales = dict(_scales(drawing))
-    scaled = replace(mechanism, scales={KEYS[plane]: scale for plane, scale in scales.items()})
-    method = plan(scaled)
-    return HandoutProblem(Drawing(scaled, method, replay_all(method)), scales, lang)
-
-
-def _scales(drawing: Drawing) -> Iterator[tuple[Plane, float]]:
-    """As the file has them; else the finest at which each figure has room on a page."""
-    planes = Planes(drawing.method, drawing.plot, PLANES, "construction", "en")
-    for plane in PLANES:
-        given = drawing.mechanism.scales.get(KEYS[plane])
-        low, high = corners(planes.values(plane))
-        yield plane, given or finest(high - low, _ROOM)
-
-
-def _foot(mechanisms: Sequence[Mechanism], stage: Stage, lang: Lang, seed: str) -> Foot:
-    digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
-    said = say("handouts.seed", lang, seed=seed) if seed else ""
-    return Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, said, say("handouts.bar", lang))
+    first, *others = (made(lang=lang) for lang in langs)
+    blocks = list(first.blocks)
+    for other in others:
+        blocks += [*([] if other.contents else [NewPage(duplex)]), *other.blocks]
+    return replace(first, blocks=tuple(blocks))
 
 
 def _digest(mechanisms: Sequence[Mechanism]) -> str:
@@ -135,7 +110,7 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
 
 
 def _problem(problem: HandoutProblem) -> Iterator[Block]:
-    """What is given and asked, the mechanism to scale, the scales to use, boxes for the answers."""
+    """The data and the question, the mechanism to scale, the scales to use, boxes for the answers."""
     yield HandoutHeading(plain(problem.title), 1)
     yield from _section(problem.given, problem.lang)
     yield from _section(problem.asked, problem.lang)
@@ -189,11 +164,6 @@ def _solution(problem: HandoutProblem) -> Iterator[Block]:
     yield from _section(problem.answers, problem.lang)
     yield from proofs.beside(problem)
     yield from proofs.mistakes(problem)
-
-
-def _answers(problem: HandoutProblem) -> Iterator[Block]:
-    yield HandoutHeading(plain(problem.title))
-    yield from blocks_of(problem.answers.entries, problem.lang)
 
 
 # --- what the solution says, as blocks ----------------------------------------------------------

@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
+import os
 import re
 from pathlib import Path
+from typing import assert_never
 
-from graphkin.errors import NoLetter
+from graphkin.base.value import frozen
+from graphkin.errors import NoChineseLetters, NoFont, NoLetter
 from graphkin.handouts.document import (
+    Block,
+    FormulaLine,
     GridRoom,
     Handout,
     HandoutHeading,
     HandoutPicture,
     HandoutTable,
+    NewPage,
     Paragraph,
+    Sign,
     TermRows,
-)
-from graphkin.handouts.fonts import Fonts, fonts
-from graphkin.handouts.grid import room_svg
-from graphkin.handouts.markers import DIGITS, MARKERS, SIZE, digits, edges, markers_svg
-from graphkin.handouts.medium import Medium
-from graphkin.handouts.scripted import Sign, signs
+    signs,
+)  # fmt: skip
+from graphkin.handouts.grid import DIGITS, MARKERS, SIZE, digits, edges, markers_svg, room_svg
 from graphkin.outputs.extras import needed
 from graphkin.outputs.paged import unscaled
 from graphkin.outputs.spans import mm
@@ -27,6 +31,9 @@ from graphkin.outputs.svg import svg
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.paper import PAPERS, Paper
 
+VARIABLE = "GRAPHKIN_FONT"
+"""The environment's name for a font file."""
+_LATIN = ("Times New Roman", "Liberation Serif", "Tinos", "Libertinus Serif")
 _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 _MISSING = re.compile(r'the text `"(.+?)"` could not be displayed')
 _ACCENTED = re.compile(r"(.[\u0300-\u036f]+)")
@@ -99,16 +106,18 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
     """
     typst = needed("typst", "pdf")
     pictures: dict[str, str] = {}
-    body = _medium(pictures).written(handout.blocks)
-    words = handout.title + body + handout.foot.bar
-    found = fonts(font, bool(_WIDE.search(words)))
-    page = PAPERS[paper]
+    page, body = PAPERS[paper], "\n".join(_markup(block, pictures) for block in handout.blocks)
+    fonts = _fonts(font, bool(_WIDE.search(handout.title + body + handout.foot.bar)))
     if scan is not None:
         pictures["markers"] = markers_svg(page.width, page.height)
-    text = _head(handout, found, page, scan) + _contents(handout) + body
+    contents = ""
+    if handout.contents:
+        title = f"heading(level: 1, outlined: false)[#{_string(handout.contents)}]"
+        contents = f"#{title}\n#outline(title: none, depth: 1)\n"
+    text = _head(handout, fonts.families, page, scan) + contents + body
     try:
         made: bytes = typst.compile(
-            text.encode(), format="pdf", sys_inputs=pictures, font_paths=list(found.folders), timestamp=0,
+            text.encode(), format="pdf", sys_inputs=pictures, font_paths=list(fonts.folders), timestamp=0,
             pdf_standards=["ua-1"],
         )  # fmt: skip
     except typst.TypstError as problem:
@@ -119,15 +128,45 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
 
 
 def pages(content: bytes) -> int:
-    """How many pages a PDF of this writer has."""
+    """The number of pages of a PDF of this writer."""
     return len(re.findall(rb"/Type\s*/Page\b", content))
 
 
-def _head(handout: Handout, found: Fonts, page: Paper, scan: int | None) -> str:
+@frozen
+class _Fonts:
+    """Families in the order in which they are tried, and folders to look in beside the system's."""
+
+    families: tuple[str, ...]
+    folders: tuple[str, ...] = ()
+
+
+def _fonts(named: Path | None, chinese: bool) -> _Fonts:
+    """From a file that is named, from the environment's, or from the system. Raises NoFont, NoChineseLetters."""
+    from matplotlib.ft2font import FT2Font
+
+    from graphkin.outputs.diagram.fonts import chinese_font
+
+    path = named or (Path(os.environ[VARIABLE]) if os.environ.get(VARIABLE) else None)
+    own: tuple[str, ...] = ()
+    folders: tuple[str, ...] = ()
+    if path is not None:
+        try:
+            own, folders = (FT2Font(str(path)).family_name,), (str(path.parent),)
+        except (OSError, RuntimeError):
+            raise NoFont(str(path)) from None
+    if not chinese:
+        return _Fonts((*own, *_LATIN), folders)
+    letters = own or tuple(filter(None, [chinese_font()]))
+    if not letters:
+        raise NoChineseLetters()
+    return _Fonts((*_LATIN, *letters), folders)
+
+
+def _head(handout: Handout, families: tuple[str, ...], page: Paper, scan: int | None) -> str:
     foot = handout.foot
     before, number, background = _numbered(page, scan) if scan is not None else ("", "", "none")
     return before + _HEAD.format(
-        title=_string(handout.title), families=", ".join(map(_string, found.families)), lang=_string(handout.lang),
+        title=_string(handout.title), families=", ".join(map(_string, families)), lang=_string(handout.lang),
         width=mm(page.width), height=mm(page.height), margin=mm(_MARGIN + (8 if scan is not None else 0)),
         bottom=mm(_BOTTOM), clear=mm(_CLEAR), bar=_string(foot.bar), foot=_string(foot.words), number=number,
         background=background,
@@ -135,7 +174,7 @@ def _head(handout: Handout, found: Fonts, page: Paper, scan: int | None) -> str:
 
 
 def _numbered(page: Paper, first: int) -> tuple[str, str, str]:
-    """What draws a marker, what says a page's number in its foot, and the background that tells it to a camera."""
+    """The macro that draws a marker, a page's number in its foot, and the background that tells it to a camera."""
     left, right = edges(page.width, page.height)
     number = f"{first - 1} + counter(page).get().first()"
     parts = ((left, f"calc.quo({number}, {DIGITS})"), (right, f"calc.rem({number}, {DIGITS})"))
@@ -149,73 +188,45 @@ def _numbered(page: Paper, first: int) -> tuple[str, str, str]:
     return before, f' + " · #" + str({number})', background
 
 
-def _contents(handout: Handout) -> str:
-    if not handout.contents:
-        return ""
-    title = f"heading(level: 1, outlined: false)[#{_string(handout.contents)}]"
-    return f"#{title}\n#outline(title: none, depth: 1)\n"
+def _markup(block: Block, pictures: dict[str, str]) -> str:
+    """A block in typst's markup; drawings are kept under the names by which it asks for them."""
+    match block:
+        case HandoutHeading(words, level, said):  # with what the feet say from here on
+            foot = f"#state(\"said\", \"\").update({_string(' · ' + said)})\n" if said else ""
+            return f"{foot}#heading(level: {level})[{_words(words)}]\n"
+        case Paragraph(words, act):
+            number = f"#act({_string(act)}) " if act else ""
+            return f"#par[{number}{_words(words)}]\n"
+        case FormulaLine(words):
+            return f"#pad(left: 8mm, par[{_words(words)}])\n"
+        case TermRows():  # terms, directions, sizes; a blank is a line to write on
+            rule = "#box(width: 20mm, height: 6mm, stroke: (bottom: 0.18mm))"
+            cells = [f"[{_words(cell) if cell is not None else rule}]" for line in block.lines for cell in line]
+            shape = f"columns: {len(block.lines[0])}, align: center + horizon, column-gutter: 2mm, row-gutter: 2mm"
+            return f"#block(breakable: false, pad(left: 8mm, grid({shape}, {', '.join(cells)})))\n"
+        case HandoutPicture(sheet, words):
+            name, image = _image(pictures, svg(sheet), sheet.paper.width, words)
+            return f"#drawn({_string(name)}, {image})\n"
+        case GridRoom():
+            _, image = _image(pictures, room_svg(block), block.width, "".join(run.text for run in block.name))
+            return f"#align(center, {image})\n"
+        case HandoutTable(heads, rows):
+            cells = [f"[{_words(cell)}]" for row in rows for cell in row]
+            first = ", ".join(f"[{_words(head)}]" for head in heads)
+            wide = mm(min(30, 152 / len(heads)))
+            shape = f"columns: ({wide}mm,) * {len(heads)}, rows: 8mm, align: center + horizon, stroke: 0.18mm"
+            return f"#block(breakable: false, table({shape}, table.header({first}), {', '.join(cells)}))\n"
+        case NewPage(front):
+            return "#pagebreak(weak: true" + (', to: "odd"' if front else "") + ")\n"
+        case _:
+            assert_never(block)
 
 
-def _medium(pictures: dict[str, str]) -> Medium:
-    """Typst's markup; drawings are kept under the names by which it asks for them."""
-    return Medium(
-        _heading,
-        _text,
-        lambda formula: f"#pad(left: 8mm, par[{_words(formula.words)}])\n",
-        _rows,
-        lambda picture: _picture(pictures, picture),
-        lambda room: _room(pictures, room),
-        _table,
-        lambda page: "#pagebreak(weak: true" + (', to: "odd"' if page.front else "") + ")\n",
-    )
-
-
-def _heading(heading: HandoutHeading) -> str:
-    """With what the feet say from here on: a heading of the first level begins a page."""
-    said = f"#state(\"said\", \"\").update({_string(' · ' + heading.said)})\n" if heading.said else ""
-    return f"{said}#heading(level: {heading.level})[{_words(heading.words)}]\n"
-
-
-def _text(text: Paragraph) -> str:
-    number = f"#act({_string(text.act)}) " if text.act else ""
-    return f"#par[{number}{_words(text.words)}]\n"
-
-
-def _picture(pictures: dict[str, str], picture: HandoutPicture) -> str:
-    name, image = _image(pictures, svg(picture.sheet), picture.sheet.paper.width, picture.told)
-    return f"#drawn({_string(name)}, {image})\n"
-
-
-def _room(pictures: dict[str, str], room: GridRoom) -> str:
-    _, image = _image(pictures, room_svg(room), room.width, "".join(run.text for run in room.name))
-    return f"#align(center, {image})\n"
-
-
-def _image(pictures: dict[str, str], text: str, width: float, told: str) -> tuple[str, str]:
+def _image(pictures: dict[str, str], text: str, width: float, words: str) -> tuple[str, str]:
     """The name of a drawing, and what shows it."""
-    name = f"picture{len(pictures)}"
-    pictures[name] = _BETWEEN_TAGS.sub(_in_own_font, text)
-    return name, f'image(bytes(sys.inputs.{name}), format: "svg", width: {mm(width)}mm, alt: {_string(told)})'
-
-
-def _in_own_font(found: re.Match[str]) -> str:
-    return _ACCENTED.sub(r'<tspan font-family="Libertinus Serif">\1</tspan>', found[0])
-
-
-def _rows(rows: TermRows) -> str:
-    """Three lines: terms, directions, sizes; a blank is a line to write on."""
-    rule = "#box(width: 20mm, height: 6mm, stroke: (bottom: 0.18mm))"
-    cells = [f"[{_words(cell) if cell is not None else rule}]" for line in rows.lines for cell in line]
-    shape = f"columns: {len(rows.lines[0])}, align: center + horizon, column-gutter: 2mm, row-gutter: 2mm"
-    return f"#block(breakable: false, pad(left: 8mm, grid({shape}, {', '.join(cells)})))\n"
-
-
-def _table(table: HandoutTable) -> str:
-    cells = [f"[{_words(cell)}]" for row in table.rows for cell in row]
-    first = ", ".join(f"[{_words(head)}]" for head in table.heads)
-    wide = mm(min(30, 152 / len(table.heads)))
-    shape = f"columns: ({wide}mm,) * {len(table.heads)}, rows: 8mm, align: center + horizon, stroke: 0.18mm"
-    return f"#block(breakable: false, table({shape}, table.header({first}), {', '.join(cells)}))\n"
+    name, own_font = f"picture{len(pictures)}", r'<tspan font-family="Libertinus Serif">\1</tspan>'
+    pictures[name] = _BETWEEN_TAGS.sub(lambda part: _ACCENTED.sub(own_font, part[0]), text)
+    return name, f'image(bytes(sys.inputs.{name}), format: "svg", width: {mm(width)}mm, alt: {_string(words)})'
 
 
 def _words(label: Label) -> str:
@@ -225,11 +236,10 @@ def _words(label: Label) -> str:
 def _sign(sign: Sign) -> str:
     """A letter with its scripts; where both stand over one another it is a formula, and read aloud as its name."""
     base = _run(sign.base) if sign.base is not None else ""
-    if sign.low and sign.high:
-        low, high = ("".join(map(_run, runs)) for runs in (sign.low, sign.high))
+    low, high = ("".join(map(_run, runs)) for runs in (sign.low, sign.high))
+    if low and high:
         whole = f"$attach(#lettered[{base}], t: #lettered[{high}], b: #lettered[{low}])$"
         return f"#math.equation(alt: {_string(sign.plain)}, {whole})"
-    low, high = ("".join(map(_run, runs)) for runs in (sign.low, sign.high))
     return base + (f"#sub[{low}]" if low else "") + (f"#super[{high}]" if high else "")
 
 

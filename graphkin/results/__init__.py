@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
 
+from graphkin.base import geometry
 from graphkin.base.geometry import Value, dot
+from graphkin.base.plain import Plain
 from graphkin.construction import Plot, Site
 from graphkin.errors import Lang
 from graphkin.model.kinematic_state import Motions
-from graphkin.model.mechanism import ROUNDING, Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.model.naming import Seen
 from graphkin.model.quantities import Centre, read, relative
+from graphkin.model.usual import ROUNDING
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
 from graphkin.proof.roads import Proved, proved
@@ -20,7 +22,7 @@ from graphkin.studies.centres import centres, place
 
 __all__ = ["driver_values", "results"]
 
-Json = dict[str, Any]
+Json = Mapping[str, Plain]
 
 
 def driver_values(method: Method) -> Iterator[tuple[float, ...]]:
@@ -123,7 +125,7 @@ def _home(method: Method, site: Site) -> Seen:
     return Seen(site.point, link, True)
 
 
-def _answer(method: Method, plot: Plot, motions: Motions, question: str) -> Mapping[str, Any]:
+def _answer(method: Method, plot: Plot, motions: Motions, question: str) -> Json:
     quantity = read(method.mechanism, question)
     if isinstance(quantity, Centre):
         return {"value": None, "unit": "m", **place(centres(method, plot), *quantity.links)}
@@ -140,17 +142,17 @@ def _answer(method: Method, plot: Plot, motions: Motions, question: str) -> Mapp
 
 
 def _number(value: Value) -> float:
-    return float(value) + 0.0
+    return geometry.number(value) + 0.0
 
 
 def _direction(value: Value) -> float:
     """An angle from 0 up to a turn; 0 or a turn but for rounding is 0 [rad]."""
-    angle = float(value) % math.tau
+    angle = geometry.number(value) % math.tau
     return 0.0 if min(angle, math.tau - angle) <= ROUNDING else angle
 
 
 def _vector(value: Value) -> list[float]:
-    vector = complex(value)
+    vector = geometry.place(value)
     return [vector.real + 0.0, vector.imag + 0.0]
 
 

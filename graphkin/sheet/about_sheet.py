@@ -1,4 +1,4 @@
-"""A link about its pole, drawn: velocities, poles, inflection and return circles, centres of curvature."""
+"""A link about its pole, drawn: velocities, poles, circles, centres of curvature; and Bobillier's construction."""
 
 from __future__ import annotations
 
@@ -8,26 +8,30 @@ from itertools import chain
 
 import numpy as np
 
+from graphkin.base.geometry import place as as_place
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
+from graphkin.construction.drafting import INFINITE, LineStep, PointStep, drawn_through
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
-from graphkin.say.centre_about import link_words
-from graphkin.say.numbers import number
-from graphkin.sheet.about_table import point_tables
+from graphkin.say import numbers
+from graphkin.say.centre_about import bobillier_words, link_words
 from graphkin.sheet.alone import Alone, place_for
-from graphkin.sheet.curves import circle, clipped
+from graphkin.sheet.centre_places import coordinates
 from graphkin.sheet.fit import enlarged
-from graphkin.sheet.lettering import Label, joined, plain, quantity_label
+from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, quantity_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
-from graphkin.sheet.page import Sheet
+from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import PenName, Room
+from graphkin.sheet.path_figure import circle, clipped
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import arrow_head
+from graphkin.sheet.table import Table
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Entry, Figure
-from graphkin.studies.centres.about import About, Circle, InflectionLine
+from graphkin.studies.centres.about import About, CarriedPoint, Circle, InflectionLine
+from graphkin.studies.centres.about_bobillier import Bobillier
 
 _POLE, _MOST = 2.6, 1.5
 """So many times larger the figure may become for the pole; and then for circles and centres of curvature."""
@@ -42,139 +46,160 @@ _AXIS = 38.0
 _TOWARDS = 30.0
 """How far a ray goes to a pole that is not on the paper [mm]."""
 
+_CURVATURE, _BEYOND = 2.6, 7.0
+"""So many times larger Bobillier's figure may become; how far its lines go on past their points [mm]."""
+
 HEADING: dict[Lang, str] = {"en": "Link {link} about its instant centre", "zh": "构件 {link} 绕瞬心的运动"}
+BOBILLIER: dict[Lang, str] = {
+    "en": "Centre of curvature of the path of {point} of link {link} (Bobillier)",
+    "zh": "构件 {link} 上点 {point} 轨迹的曲率中心（波比利尔作图法）",
+}
 INFLECTION: dict[Lang, str] = {"en": "inflection circle", "zh": "拐点圆"}
 INFLECTION_LINE: dict[Lang, str] = {"en": "inflection circle (a line)", "zh": "拐点圆（退化为直线）"}
 RETURN: dict[Lang, str] = {"en": "cuspidal circle", "zh": "尖点圆"}
+_POINT: dict[Lang, str] = {"en": "point", "zh": "点"}
+_CENTRE: dict[Lang, str] = {"en": "K (x, y) [mm]", "zh": "K（x，y）[mm]"}
 
 
-def about_sheet(seen: About, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
+def about_sheet(link: About, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
     """Draw a link about its pole, to scale; what lies too far off is shown by its direction.
 
     Raises UnknownPaper.
     """
-    method, plot = seen.found.method, seen.plot
-    places = enlarged(enlarged(shown_places(method, plot), [seen.pole], _POLE), _wanted_places(seen), _MOST)
-    on = place_for(method, [plot], places, paper, point_tables(seen, lang), [*link_words(seen, lang)])
-    drawing = _LinkDrawing(seen, on, lang)
+    method, plot = link.found.method, link.plot
+    beside: list[complex] = [] if link.acceleration_pole is None else [link.acceleration_pole]
+    beside += [carried.centre for carried in link.points.values()]
+    for drawn in (link.inflection, link.returning):
+        if isinstance(drawn, Circle):
+            beside += [drawn.centre + drawn.radius * side for side in (1, 1j, -1, -1j)]
+    places = enlarged(enlarged(shown_places(method, plot), [link.pole], _POLE), beside, _MOST)
+    on = place_for(method, [plot], places, paper, _point_tables(link, lang), [*link_words(link, lang)])
+    drawing = _LinkDrawing(link, on, lang)
     under = chain(drawing.circles(), drawing.axes(), drawing.rays(), drawing.field())
     over = chain(drawing.velocities(), drawing.poles(), drawing.centres())
     figure = Figure.of(under) + on.mechanism(plot) + Figure.of(over)
-    further: dict[Plane, float] = {"velocity": drawing.pace} if seen.moves else {}
-    return on.sheet(plot, HEADING[lang].format(link=seen.called), figure, lang, further)
+    further: dict[Plane, float] = {"velocity": drawing.pace} if link.moves else {}
+    return on.sheet(plot, HEADING[lang].format(link=link.called), figure, lang, further)
 
 
-def _wanted_places(seen: About) -> Iterator[complex]:
-    """What the figure would like to show beside the mechanism [m]."""
-    if seen.acceleration_pole is not None:
-        yield seen.acceleration_pole
-    yield from (carried.centre for carried in seen.points.values())
-    for round_about in (seen.inflection, seen.returning):
-        if isinstance(round_about, Circle):
-            yield from (round_about.centre + round_about.radius * side for side in (1, 1j, -1, -1j))
+def _point_tables(link: About, lang: Lang) -> list[Table]:
+    """Speed, acceleration and curvature of its points; empty for a link without named points."""
+    heads = [(Run(letter, True), Run(f" [{unit}]")) for letter, unit in (("v", "m/s"), ("a", "m/s²"), ("ρ", "mm"))]
+    head = (plain(_POINT[lang]), *heads, plain(_CENTRE[lang]))
+    rows = []
+    for name, carried in link.points.items():
+        sizes = [number(abs(value)) for value in (carried.velocity, carried.acceleration)]
+        rows.append((point_label(name), *sizes, *_curving(link, carried)))
+    return [Table(head, tuple(rows))] if rows else []
+
+
+def _curving(link: About, carried: CarriedPoint) -> tuple[Label, Label]:
+    """Radius and centre of curvature; a dash for a point that stands still, ∞ where the path is straight."""
+    if cmath.isnan(carried.centre):
+        return plain("–"), plain("–")
+    if cmath.isinf(carried.centre):
+        return plain("∞"), plain("∞")
+    return number(carried.radius * 1e3), coordinates(link.found, carried.centre)
 
 
 @frozen
 class _LinkDrawing:
-    """A link on a page: its parts, marks and labels in the order of painting."""
+    """A link on a page: its marks and labels in the order of painting."""
 
-    seen: About
+    link: About
     on: Alone
     lang: Lang
 
     @property
     def pace(self) -> float:
         """Scale of the velocity arrows [(m/s)/mm]."""
-        fastest = max((abs(carried.velocity) for carried in self.seen.points.values()), default=0.0)
-        fastest = fastest or abs(self.seen.base[1]) or abs(self.seen.omega) * self.seen.size
+        fastest = max((abs(carried.velocity) for carried in self.link.points.values()), default=0.0)
+        fastest = fastest or abs(self.link.base[1]) or abs(self.link.omega) * self.link.size
         return finest(complex(fastest, 0), complex(_LONGEST, _LONGEST))
 
     @property
     def name(self) -> Label:
         """The pole's letters, P₁₃."""
-        return quantity_label("P", self.seen.found.name(FRAME, self.seen.link)[1:])
+        return quantity_label("P", self.link.found.name(FRAME, self.link.link)[1:])
 
     def circles(self) -> Iterator[Entry]:
         """Inflection and return circle; the inflection pole W."""
-        seen, window, room = self.seen, self.on.window, self.on.room
-        if isinstance(seen.inflection, InflectionLine):
-            foot, along = window(seen.inflection.through), window.turned(seen.inflection.direction)
+        link, window, room = self.link, self.on.window, self.on.room
+        if isinstance(link.inflection, InflectionLine):
+            foot, along = window(link.inflection.through), window.turned(link.inflection.direction)
             reach = abs(room.size) + abs(foot - room.middle)
-            yield from self._named([foot - reach * along, foot + reach * along], "thin", INFLECTION_LINE)
-        if not seen.diameter or seen.returning is None or not isinstance(seen.inflection, Circle):
+            yield from self._curve([foot - reach * along, foot + reach * along], "thin", INFLECTION_LINE)
+        if not link.diameter or link.returning is None or not isinstance(link.inflection, Circle):
             return
         pens: tuple[PenName, ...] = ("thin", "dashed")
-        for drawn, pen, words in zip((seen.inflection, seen.returning), pens, (INFLECTION, RETURN), strict=True):
+        for drawn, pen, words in zip((link.inflection, link.returning), pens, (INFLECTION, RETURN), strict=True):
             places = circle(window(drawn.centre), drawn.radius / window.scale, room)
-            yield from self._named(places, pen, words)
-        yield from self._spot(seen.pole + seen.diameter, plain("W", italic=True), 0.6)
+            yield from self._curve(places, pen, words)
+        yield from self._spot(link.pole + link.diameter, plain("W", italic=True), 0.6)
 
-    def _named(self, places: list[Place], pen: PenName, words: Mapping[Lang, str]) -> Iterator[Entry]:
+    def _curve(self, places: list[Place], pen: PenName, words: Mapping[Lang, str]) -> Iterator[Entry]:
         strokes = list(clipped(places, self.on.room, pen))
         yield from strokes
         if strokes:
             longest = max(strokes, key=lambda stroke: len(stroke.places))
-            count = len(longest.places)
-            start, end = longest.places[max(count // 3 - 1, 0)], longest.places[max(count // 3, 1)]
-            yield LabelRequest(
-                plain(words[self.lang]), start, end if abs(end - start) > 8 else None, gap=0.6, spare=False
-            )
+            third = len(longest.places) // 3
+            start, end = longest.places[max(third - 1, 0)], longest.places[max(third, 1)]
+            long = end if abs(end - start) > 8 else None
+            yield LabelRequest(plain(words[self.lang]), start, long, gap=0.6, spare=False)
 
     def axes(self) -> Iterator[Entry]:
         """Pole tangent t and normal n."""
-        seen, pole = self.seen, self.seen.pole
-        if seen.tangent is None or seen.normal is None or not self.on.room.holds(self.on.window(pole)):
+        link, pole = self.link, self.link.pole
+        if link.tangent is None or link.normal is None or not self.on.room.holds(self.on.window(pole)):
             return
-        for letter, direction in (("t", seen.tangent), ("n", seen.normal)):
-            start, way = self.on.window(pole), self.on.window.turned(direction)
-            for stroke in clipped([start - _AXIS * way, start + _AXIS * way], self.on.room, "centre"):
+        for letter, direction in (("t", link.tangent), ("n", link.normal)):
+            start, along = self.on.window(pole), self.on.window.turned(direction)
+            for stroke in clipped([start - _AXIS * along, start + _AXIS * along], self.on.room, "centre"):
                 yield stroke
-                yield LabelRequest(plain(letter, italic=True), stroke.places[-1], gap=0.6, away=way)
+                yield LabelRequest(plain(letter, italic=True), stroke.places[-1], gap=0.6, away=along)
 
     def rays(self) -> Iterator[Entry]:
         """From each point to the pole; towards a pole that is not on the paper, with an arrow."""
-        seen, window, room = self.seen, self.on.window, self.on.room
-        if not seen.moves:
+        link, window, room = self.link, self.on.window, self.on.room
+        if not link.moves:
             return
-        here = not cmath.isinf(seen.pole) and room.holds(window(seen.pole))
+        here = not cmath.isinf(link.pole) and room.holds(window(link.pole))
         last: tuple[Place, complex] | None = None
-        for carried in seen.points.values():
+        for carried in link.points.values():
             at = window(carried.place)
-            way = window.turned(seen.towards if cmath.isinf(seen.pole) else seen.pole - carried.place)
+            along = window.turned(link.towards if cmath.isinf(link.pole) else link.pole - carried.place)
             if here:
-                yield from clipped([at, window(seen.pole)], room, "construction")
-            elif abs(way) > 0:
-                way /= abs(way)
-                for ray in clipped([at, at + way * _TOWARDS], room, "construction"):
-                    last = ray.places[-1], way
+                yield from clipped([at, window(link.pole)], room, "construction")
+            elif abs(along) > 0:
+                along /= abs(along)
+                for ray in clipped([at, at + along * _TOWARDS], room, "construction"):
+                    last = ray.places[-1], along
                     yield ray
                     yield arrow_head(*last, None)
         if last is not None:
-            label = (*self.name, *plain(" → ∞" if cmath.isinf(seen.pole) else self._far(seen.pole)))
+            x, y = (numbers.number(1e3 * part, 1e-6) for part in (link.pole.real, link.pole.imag))
+            label = (*self.name, *plain(" → ∞" if cmath.isinf(link.pole) else f" ({x}, {y})"))
             yield LabelRequest(label, last[0], gap=1.0, away=last[1])
-
-    @staticmethod
-    def _far(place: complex) -> str:
-        return f" ({number(1e3 * place.real, 1e-6)}, {number(1e3 * place.imag, 1e-6)})"
 
     def field(self) -> Iterator[Entry]:
         """A light field of velocities over the link's plane, about its points and its pole."""
-        seen, window, room = self.seen, self.on.window, self.on.room
-        if not seen.moves:
+        link, window, room = self.link, self.on.window, self.on.room
+        if not link.moves:
             return
-        places = [window(carried.place) for carried in seen.points.values()]
-        if not cmath.isinf(seen.pole) and room.holds(window(seen.pole)):
-            places.append(window(seen.pole))
+        places = [window(carried.place) for carried in link.points.values()]
+        if not cmath.isinf(link.pole) and room.holds(window(link.pole)):
+            places.append(window(link.pole))
         for at in _lattice(places, room):
-            velocity = seen.carried(_back(self.on, at)).velocity
+            velocity = link.carried(((at - window.origin) * window.scale).conjugate()).velocity
             arrow = window.turned(velocity / self.pace) * _LIGHT
             if 1.0 < abs(arrow) <= _FIELD and room.holds(at + arrow) and all(abs(at - p) > 5 for p in places):
-                yield Stroke((at, at + arrow), "leader")
-                yield from _head(at + arrow, arrow / abs(arrow))
+                tip, along = at + arrow, arrow / abs(arrow)
+                yield Stroke((at, tip), "leader")
+                yield Stroke((tip - (1.3 - 0.45j) * along, tip, tip - (1.3 + 0.45j) * along), "leader")
 
     def velocities(self) -> Iterator[Entry]:
         """The velocity of each point, to the scale of velocities."""
-        for name, carried in self.seen.points.items():
+        for name, carried in self.link.points.items():
             arrow = self.on.window.turned(carried.velocity / self.pace)
             if abs(arrow) < 0.3:
                 continue
@@ -186,8 +211,7 @@ class _LinkDrawing:
 
     def poles(self) -> Iterator[Entry]:
         """P and J; at one place they share a label."""
-        seen = self.seen
-        pole, other = seen.pole, seen.acceleration_pole
+        pole, other = self.link.pole, self.link.acceleration_pole
         label, letter = self.name, plain("J", italic=True)
         if other is not None and cmath.isfinite(pole) and abs(self.on.window(pole) - self.on.window(other)) < 0.2:
             label, other = joined([label, letter]), None
@@ -198,10 +222,10 @@ class _LinkDrawing:
 
     def centres(self) -> Iterator[Entry]:
         """Centres of curvature, and the radius from each point; a mark where one is a pivot already drawn."""
-        seen, window, room = self.seen, self.on.window, self.on.room
+        link, window, room = self.link, self.on.window, self.on.room
         taken: list[complex] = []
-        for name, carried in seen.points.items():
-            if not cmath.isfinite(carried.centre) or abs(carried.centre - carried.place) < 1e-9 * seen.size:
+        for name, carried in link.points.items():
+            if not cmath.isfinite(carried.centre) or abs(carried.centre - carried.place) < 1e-9 * link.size:
                 continue
             at = window(carried.centre)
             yield from clipped([window(carried.place), at], room, "dashed")
@@ -216,11 +240,6 @@ class _LinkDrawing:
             yield LabelRequest(label, at, gap=radius + 0.2)
 
 
-def _back(on: Alone, at: Place) -> complex:
-    """From paper to SI."""
-    return ((at - on.window.origin) * on.window.scale).conjugate()
-
-
 def _lattice(places: list[Place], room: Room) -> Iterator[Place]:
     """Places on paper at even distances, about those given, inside the room."""
     if not places:
@@ -233,7 +252,74 @@ def _lattice(places: list[Place], room: Room) -> Iterator[Place]:
                 yield complex(x, y)
 
 
-def _head(tip: Place, along: complex) -> Iterator[Mark]:
-    """A small open arrow head."""
-    side = 0.45j * along
-    yield Stroke((tip - 1.3 * along + side, tip, tip - 1.3 * along - side), "leader")
+# --- Bobillier --------------------------------------------------------------------------------
+
+
+def bobillier_sheet(link: About, solution: Bobillier, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
+    """Bobillier's whole construction over the mechanism. Raises UnknownPaper."""
+    method, plot = link.found.method, link.plot
+    names = (solution.point, solution.pole, solution.answer, *solution.crossings)
+    places = [at for name in names if cmath.isfinite(at := as_place(solution.board.at(name)))]
+    shown = enlarged(shown_places(method, plot), places, _CURVATURE)
+    on = place_for(method, [plot], shown, paper, told=bobillier_words(solution, lang))
+    drawing = _BobillierDrawing(solution, on, solution.point not in method.mechanism.points)
+    figure = Figure.of(drawing.lines()) + on.mechanism(plot) + Figure.of(drawing.points())
+    return on.sheet(plot, BOBILLIER[lang].format(point=solution.point, link=link.called), figure, lang)
+
+
+def bobillier_step_sheets(
+    link: About, solution: Bobillier, *, paper: str | None = None, lang: Lang = "en"
+) -> Iterator[Sheet]:
+    """One sheet a step, its newest marks emphasised."""
+    whole = bobillier_sheet(link, solution, paper=paper, lang=lang)
+    yield from step_sheets(whole, range(1, len([*solution.construction.steps]) + 1))
+
+
+@frozen
+class _BobillierDrawing:
+    """The construction on a page. new: its point is a place of the plane, no point of the mechanism."""
+
+    solution: Bobillier
+    on: Alone
+    new: bool
+
+    def lines(self) -> Iterator[Mark]:
+        """Every line, past the points on it; thin, the axes as centre lines."""
+        for step_number, step in enumerate(self.solution.construction.steps, start=1):
+            if isinstance(step, LineStep):
+                pen: PenName = "centre" if step.name in ("axis", "axis c") else "construction"
+                yield from clipped(self._ends(step), self.on.room, pen, step_number)
+
+    def _ends(self, line: LineStep) -> list[Place]:
+        """From the first to the last of the points on a line, and a little more; towards one at infinity, farther.
+
+        Nothing for the line at infinity.
+        """
+        start, direction = map(as_place, self.solution.board.line(line.name))
+        if not abs(start) * INFINITE < 1:
+            return []
+        along, board = self.on.window.turned(direction), self.solution.board
+        names = [*drawn_through(line), *self.solution.construction.met_on(line.name)]
+        places = [self.on.window(at) for name in names if cmath.isfinite(at := as_place(board.at(name)))]
+        reach = [((place - places[0]) * along.conjugate()).real for place in places]
+        more = 8 * _BEYOND if len(places) < len(names) or len(places) < 2 else _BEYOND
+        return [places[0] + along * (max(reach) + more), places[0] + along * (min(reach) - more)]
+
+    def points(self) -> Iterator[Entry]:
+        """The points of the construction, and the point itself where the mechanism does not show it."""
+        named: list[tuple[str, int | None]] = [(self.solution.point, None)] if self.new else []
+        numbered = enumerate(self.solution.construction.steps, start=1)
+        named += [(step.name, step_number) for step_number, step in numbered if isinstance(step, PointStep)]
+        for name, step in named:
+            place = as_place(self.solution.board.at(name))
+            if cmath.isfinite(place) and self.on.room.holds(at := self.on.window(place)):
+                yield Disc(at, 0.6, "vector", "ink", step=step)
+                yield LabelRequest(self._label(name), at, gap=0.9, step=step)
+
+    def _label(self, name: str) -> Label:
+        point = self.solution.point
+        if name == self.solution.answer:
+            return quantity_label("K", point)
+        if name == self.solution.crossings[1]:
+            return quantity_label("Q", point)
+        return point_label(name) if name == point else plain(name.replace("'", "′"), italic=True)

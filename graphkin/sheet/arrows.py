@@ -12,10 +12,10 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import count
-from typing import Any
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.sheet.marks import Half, Mark, PointMark, VectorMark
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
@@ -53,7 +53,7 @@ def side_by_side(figure: Figure) -> Figure:
 
 
 def _with_arrow(want: LabelRequest, asides: dict[str, complex]) -> LabelRequest:
-    """On the side to which its arrow was moved."""
+    """A label on the side to which its arrow was moved."""
     aside = asides.get(want.of)
     if aside is None or want.end is None:
         return want
@@ -61,7 +61,7 @@ def _with_arrow(want: LabelRequest, asides: dict[str, complex]) -> LabelRequest:
 
 
 def _asides(vectors: Sequence[VectorMark]) -> Iterator[complex]:
-    """How far each is moved: by the least that keeps it off those before it."""
+    """The shift of each arrow: the least that keeps it off those before it."""
     start, end = (np.array([getattr(v, side) for v in vectors], dtype=complex) for side in ("start", "end"))
     planes, moved = np.array([vector.plane for vector in vectors]), np.zeros(len(vectors), dtype=bool)
     long = np.abs(end - start) >= _SHORT
@@ -76,8 +76,8 @@ def _asides(vectors: Sequence[VectorMark]) -> Iterator[complex]:
         yield aside
 
 
-def _aside(vector: VectorMark, start: Any, end: Any, others: Any) -> complex:
-    """How far an arrow is moved off others, of which some run along it."""
+def _aside(vector: VectorMark, start: Array, end: Array, others: Array) -> complex:
+    """The shift of an arrow off others, of which some run along it."""
     normal = 1j * (vector.end - vector.start) / vector.length if vector.length > _SHORT else 0j
     if (normal.imag, normal.real) > (0, 0):
         normal = -normal
@@ -88,13 +88,13 @@ def _aside(vector: VectorMark, start: Any, end: Any, others: Any) -> complex:
     raise AssertionError("paper ends somewhere")
 
 
-def _met(start: complex, end: complex, starts: Any, ends: Any, others: Any) -> bool:
-    """Whether an arrow runs along one of some others."""
+def _met(start: complex, end: complex, starts: Array, ends: Array, others: Array) -> bool:
+    """True for an arrow that runs along one of some others."""
     return bool(others.any() and _run_along(start, end, starts[others], ends[others]).any())
 
 
-def _run_along(start: Any, end: Any, starts: Any, ends: Any) -> Any:
-    """Which arrows run along which others; none does along one without a length."""
+def _run_along(start: complex | Array, end: complex | Array, starts: Array, ends: Array) -> Array:
+    """True where an arrow runs along another; none does along one without a length."""
     length = np.abs(end - start)
     along = ((end - start) / np.maximum(length, _NO_LENGTH)).conjugate()
     one, other = (starts - start) * along, (ends - start) * along
@@ -117,7 +117,7 @@ def heads_apart(figure: Figure) -> Figure:
 
 
 def _headed(vector: VectorMark, near: Sequence[VectorMark], dots: Sequence[PointMark]) -> VectorMark:
-    """With the head that leaves those near it their own."""
+    """The arrow with the head that leaves those near it their own."""
     rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)
     turns = {id(v): _turn(vector, v) for v in near if v is not vector}
     left = [turn for turn in turns.values() if -_MELT < turn <= 0]
@@ -128,10 +128,7 @@ def _headed(vector: VectorMark, near: Sequence[VectorMark], dots: Sequence[Point
 
 
 def _turn(vector: VectorMark, other: VectorMark) -> float:
-    """By which angle the other arrow, looking along this one, comes from the right of it [rad]; never 0.
-
-    An arrow that comes from the right of the end has its tail on the right.
-    """
+    """The angle by which the other arrow, looking along this one, comes from the right of it [rad]; never 0."""
     own, its = vector.start - vector.end, other.start - other.end
     turn = cmath.phase(its / own)
     return -turn or 1e-9

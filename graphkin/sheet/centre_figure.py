@@ -1,26 +1,201 @@
-"""The mechanism with its instant centres: signs, Kennedy's lines, marks, names."""
+"""The mechanism with its instant centres: Kennedy's lines, marks and names, arrows to centres that no mark shows."""
 
 from __future__ import annotations
 
-from graphkin.sheet.centre_arrows import centre_arrows
-from graphkin.sheet.centre_lines import centre_lines
-from graphkin.sheet.centre_places import SAME, OnPaper, Spot, centre_label
-from graphkin.sheet.lettering import Label, Run, joined
-from graphkin.sheet.marks import Disc, Mark, PointMark
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from graphkin.base.geometry import place
+from graphkin.construction.drafting import Far
+from graphkin.sheet.centre_places import SAME, CentreLine, Laid, OnPaper, Spot, centre_label, clipped, coordinates
+from graphkin.sheet.lettering import Label, Run, joined, plain
+from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, VectorMark
+from graphkin.sheet.obstacles import obstacles
+from graphkin.sheet.paper import PenName
 from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.symbols import HINGE
+from graphkin.sheet.symbols import BLOCK, HINGE
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.centres import Centres
 
+_BEYOND = 4.0
+"""How far a line goes on past the centres on it [mm]."""
+_NORMAL = 12.0
+"""How far a common normal goes on past the contact [mm]."""
+_PARALLEL = 16.0
+"""How far lines to a centre at infinity go on [mm]."""
+_SHORT = 0.8
+"""A shorter rest of a line already drawn is not drawn [mm]."""
+INFINITY: Label = plain(" → ∞ ")
+"""The room after the sign is because it is wider than what letters count as."""
+_ARROW, _EDGE_ARROW = 13.0, 8.0
+"""An arrow to infinity, and one to a centre beyond the edge [mm]."""
+_OFF = BLOCK.imag / 2 + 1.0
+"""From a block's middle to where its arrow starts [mm]."""
+_APART = 5.0
+"""Arrows in one direction start at least so far from one another [mm]."""
+_Start = tuple[Place, complex]
+"""The start of an arrow, and its direction."""
 _CIRCLE, _DOT = 1.0, 0.5
 """Radius of the circle and of the dot that mark a centre [mm]."""
 _BETWEEN = ", "
 
 
+def centre_lines(paper: OnPaper) -> Figure:
+    """The lines of all steps, the later ones where no earlier one lies."""
+    figure, drawn = Figure(), _DrawnStretches()
+    for spot in paper.spots:
+        for line in paper.lines(spot):
+            laid = reach_of(paper, spot, line, line.normal)
+            if laid is None:
+                continue
+            pen: PenName = "centre" if line.normal else "dashed"
+            for piece in drawn.fresh(laid):
+                figure.marks.append(Stroke(piece.ends, pen, step=spot.number))
+            for end, other in (laid.ends, laid.ends[::-1]) if line.normal else ():
+                letter = plain("n", italic=True)
+                figure.wanted.append(LabelRequest(letter, end, gap=0.2, away=end - other, step=spot.number))
+    return figure
+
+
+def reach_of(paper: OnPaper, spot: Spot, line: CentreLine, normal: bool = False) -> Laid | None:
+    """The stretch of a line that is drawn: past the centres on it, or to the room's edge towards those beyond."""
+    span = clipped(line, paper.room)
+    if span is None:
+        return None
+    low, high = span
+    beyond = _NORMAL if normal else _PARALLEL if spot.place is None else _BEYOND
+    seen = [line.along(place) for place in line.stops if paper.room.holds(place)]
+    outer = [line.along(place) for place in line.stops if not paper.room.holds(place)]
+    ends = [*(max(low, t - beyond) for t in seen), *(min(high, t + beyond) for t in seen)]
+    ends += [low if t < low else high for t in outer]
+    return Laid(line, min(ends), max(ends)) if max(ends, default=0) - min(ends, default=0) > SAME else None
+
+
+@dataclass
+class _DrawnStretches:
+    """Stretches that are drawn already."""
+
+    pieces: list[Laid] = field(default_factory=list)
+
+    def fresh(self, laid: Laid) -> list[Laid]:
+        """The pieces of a stretch that are not yet drawn."""
+        left = [(laid.start, laid.end)]
+        for piece in self.pieces:
+            if _one_line(laid.line, piece.line):
+                first, second = sorted(laid.line.along(end) for end in piece.ends)
+                left = [part for old in left for part in _without(old, first, second)]
+        fresh = [Laid(laid.line, *part) for part in left if part[1] - part[0] > _SHORT]
+        self.pieces += fresh
+        return fresh
+
+
+def _one_line(one: CentreLine, other: CentreLine) -> bool:
+    """True for two lines that are the same on paper."""
+    if abs((one.direction * other.direction.conjugate()).imag) > 2e-4:
+        return False
+    return abs(((other.at - one.at) * one.direction.conjugate()).imag) < 2 * SAME
+
+
+def _without(old: tuple[float, float], first: float, second: float) -> Iterator[tuple[float, float]]:
+    """A stretch without what lies between first and second."""
+    start, end = old
+    if second <= start or first >= end:
+        yield old
+        return
+    if start < first:
+        yield start, first
+    if second < end:
+        yield second, end
+
+
+def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
+    """One arrow for each centre that is not marked, with its name; off the sheet also with its coordinates."""
+    figure = Figure()
+    for spot in paper.spots:
+        if paper.shown(spot):
+            continue
+        taken = [mark for mark in figure.marks if isinstance(mark, VectorMark)]
+        length = _ARROW if spot.place is None else _EDGE_ARROW
+        start, along = _free(_places(paper, spot), length, taken, drawn, paper)
+        head, where = "∞", INFINITY
+        if spot.place is not None:
+            head, where = spot.name, (Run(" "), *coordinates(paper.found, spot.place), Run(" mm"))
+        arrow = VectorMark("centres", spot.name, "", head, start, start + length * along, spot.number)
+        figure.marks.append(arrow)
+        label = (*centre_label(spot.name), *where)
+        figure.wanted.append(LabelRequest(label, arrow.end, gap=0.7, away=along, step=spot.number))
+    return figure
+
+
+# --- where an arrow stands --------------------------------------------------------------------
+
+
+def _places(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
+    """Starts of the arrow of a centre: on both sides of its slide's block, at the end of a line, at last anywhere."""
+    if isinstance(spot.stage.last, Far):
+        name = spot.stage.last.line
+        slide = next(slide for slide in paper.found.method.mechanism.slides if slide.name == name)
+        at, normal = paper.window(place(paper.found.plot.position[slide.point])), paper.window.turned(spot.direction)
+        for off in (_OFF, _OFF + 6, _OFF + 14):
+            yield from ((at + off * side, side) for side in (normal, -normal))
+    for line in paper.lines(spot):
+        laid = reach_of(paper, spot, line)
+        if laid is not None:
+            yield from _at_ends(paper, spot, line, laid.ends)
+    yield from _anywhere(paper, spot)
+
+
+def _at_ends(paper: OnPaper, spot: Spot, line: CentreLine, ends: tuple[Place, Place]) -> Iterator[_Start]:
+    """Over the ends of a line that lead to the centre."""
+    for end, along in ((ends[1], line.direction), (ends[0], -line.direction)):
+        if spot.place is None:
+            yield end - 2 * along, along
+        elif ((paper.at(spot) - end) * along.conjugate()).real > 0:
+            for back in (0.0, _EDGE_ARROW + 4, 2 * _EDGE_ARROW + 8):
+                start = end - (_EDGE_ARROW + 0.5 + back) * along
+                yield start, _towards(paper.at(spot), start)
+
+
+def _anywhere(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
+    """From the middle of the figure to its edge."""
+    spread = 0.35 * paper.room.size
+    for x, y in ((0, 0), (1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)):
+        foot = paper.room.middle + complex(x * spread.real, y * spread.imag)
+        along = paper.window.turned(spot.direction) if spot.place is None else _towards(paper.at(spot), foot)
+        span = clipped(CentreLine(foot, along, ()), paper.room)
+        if span is not None:
+            yield foot + along * (span[1] - _ARROW - 1), along
+
+
+def _towards(place: Place, start: Place) -> complex:
+    return (place - start) / abs(place - start)
+
+
+def _free(
+    stands: Iterator[_Start], length: float, taken: Sequence[VectorMark], drawn: Sequence[Mark], paper: OnPaper
+) -> _Start:
+    """The place that touches the fewest things; the first of equals."""
+    tried = [(start, along, start + length * along) for start, along in stands]
+    known = obstacles([*drawn, *taken])
+    low = np.array([(start.real, start.imag) for start, _, _ in tried])
+    high = np.array([(end.real, end.imag) for _, _, end in tried])
+    hits = np.bincount(known.crossed(low, high), minlength=len(tried))
+
+    def price(k: int) -> float:
+        start, _, end = tried[k]
+        near = any(abs(start - other.start) < _APART or abs(end - other.end) < _APART for other in taken)
+        return float(min(hits[k], 6) + 8 * near + 30 * (not (paper.room.holds(start) and paper.room.holds(end))))
+
+    best = min(range(len(tried)), key=lambda k: (price(k) + 0.4 * k, k))
+    return tried[best][0], tried[best][1]
+
+
 def bare_mechanism(found: Centres, window: Window) -> Figure:
-    """The mechanism as it stands there before the first centre."""
+    """The mechanism before its first centre."""
     skeleton = Skeleton(found.method.mechanism, found.plot, window, {})
     return bare_figure(found.method, skeleton).numbered(None)
 
@@ -45,31 +220,21 @@ def _marked(paper: OnPaper, spot: Spot) -> list[Mark]:
     return [Disc(at, _CIRCLE, "thin", "paper", step=step), dot]
 
 
-# --- names ------------------------------------------------------------------------------------
-
-
-def _groups(paper: OnPaper) -> list[list[Spot]]:
-    """Centres on the paper; those at one place together."""
+def _names(paper: OnPaper) -> Iterator[LabelRequest]:
+    """A label for each place, with all centres there; each name comes with its own step."""
     groups: list[list[Spot]] = []
     for spot in filter(paper.shown, paper.spots):
-        for group in groups:
-            if abs(paper.at(group[0]) - paper.at(spot)) < SAME:
-                group.append(spot)
-                break
+        same = (group for group in groups if abs(paper.at(group[0]) - paper.at(spot)) < SAME)
+        if (group := next(same, None)) is not None:
+            group.append(spot)
         else:
             groups.append([spot])
-    return groups
-
-
-def _names(paper: OnPaper) -> list[LabelRequest]:
-    """A label for each place, in which each name comes with its own step."""
-    wanted: list[LabelRequest] = []
-    for group in _groups(paper):
-        label = joined([centre_label(spot.name) for spot in group], _BETWEEN)
-        parts = tuple((_part(spot, k), spot.number) for k, spot in enumerate(group))
-        wanted.append(LabelRequest(label, paper.at(group[0]), gap=HINGE, step=group[0].number, parts=parts))
-    return wanted
-
-
-def _part(spot: Spot, k: int) -> Label:
-    return ((Run(_BETWEEN),) if k else ()) + centre_label(spot.name)
+    for group in groups:
+        labels = [centre_label(spot.name) for spot in group]
+        parts = tuple(
+            (((Run(_BETWEEN),) if k else ()) + label, spot.number)
+            for k, (label, spot) in enumerate(zip(labels, group, strict=True))
+        )
+        yield LabelRequest(
+            joined(labels, _BETWEEN), paper.at(group[0]), gap=HINGE, step=group[0].number, parts=parts
+        )

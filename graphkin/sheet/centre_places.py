@@ -1,4 +1,4 @@
-"""Instant centres seen on paper: which lie on it, which beyond its edge, which at infinity, and on which lines.
+"""Instant centres on paper: those on it, beyond its edge and at infinity, and the lines they lie on.
 
 Source: Sun Huan, 机械原理, section 3-2.2.
 """
@@ -6,15 +6,15 @@ Source: Sun Huan, 机械原理, section 3-2.2.
 from __future__ import annotations
 
 import cmath
+import math
 from collections.abc import Iterator
 from functools import cached_property
 
-import numpy as np
-
+from graphkin.base import geometry
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import LineStep, Stage, drawn_through
 from graphkin.model.pairs import Cam, Pair, Rod
-from graphkin.sheet.lettering import Label, quantity_label
+from graphkin.sheet.lettering import Label, Run, number, quantity_label
 from graphkin.sheet.marks import Place
 from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Window
@@ -41,20 +41,24 @@ class Spot:
 
 def spots(found: Centres) -> list[Spot]:
     """All centres in the order in which they are found."""
-    return [_spot(found, stage, number) for number, stage in enumerate(found.centring.stages, start=1)]
-
-
-def _spot(found: Centres, stage: Stage, number: int) -> Spot:
-    name = stage.last.name
-    place = complex(found.board.at(name))
-    if cmath.isfinite(place):
-        return Spot(name, number, stage, place)
-    return Spot(name, number, stage, None, cmath.rect(1, float(found.board.direction(name))))
+    every = []
+    for step, stage in enumerate(found.centring.stages, start=1):
+        name, place = stage.last.name, geometry.place(found.board.at(stage.last.name))
+        finite = cmath.isfinite(place)
+        direction = 0j if finite else cmath.rect(1, geometry.number(found.board.direction(name)))
+        every.append(Spot(name, step, stage, place if finite else None, direction))
+    return every
 
 
 def centre_label(name: str) -> Label:
     """`P13` with its numbers as a subscript."""
     return quantity_label("P", name[1:])
+
+
+def coordinates(found: Centres, place: complex) -> Label:
+    """`(34.37, −115.6)`: in mm; what is smaller than rounding is 0."""
+    shown = 1000 * geometry.place(found.method.mechanism.usual.cut(place, "m"))
+    return (Run("("), *number(shown.real), Run(", "), *number(shown.imag), Run(")"))
 
 
 @frozen
@@ -65,16 +69,13 @@ class CentreLine:
     """
 
     at: Place
-    way: complex
+    direction: complex
     stops: tuple[Place, ...]
     normal: bool = False
 
     def along(self, place: Place) -> float:
-        """How far along the line a place lies [mm]."""
-        return ((place - self.at) * self.way.conjugate()).real
-
-    def point(self, t: float) -> Place:
-        return self.at + t * self.way
+        """Distance of a place along the line [mm]."""
+        return ((place - self.at) * self.direction.conjugate()).real
 
 
 @frozen
@@ -94,63 +95,59 @@ class OnPaper:
         return {spot.name: spot for spot in self.spots}
 
     def at(self, spot: Spot) -> Place:
-        """Where a centre that is not at infinity lies, on the paper or beyond it."""
+        """The place of a centre that is not at infinity, on the paper or beyond it."""
         assert spot.place is not None
         return self.window(spot.place)
 
     def shown(self, spot: Spot) -> bool:
-        """Whether a centre lies in the room."""
+        """True for a centre in the room."""
         return spot.place is not None and self.room.holds(self.at(spot))
 
     def lines(self, spot: Spot) -> Iterator[CentreLine]:
         """The lines that give a centre, but for the line at infinity."""
         for line in spot.stage.lines if spot.stage.say == "two lines" else ():
             normal = self.found.centring.normals.get(line.name)
-            seen = self._join(line, spot) if normal is None else self._normal(normal, spot)
-            if seen is not None:
-                yield seen
+            own = () if spot.place is None else (self.at(spot),)
+            on_paper = self._join(line, own) if normal is None else self._normal(normal, own)
+            if on_paper is not None:
+                yield on_paper
 
-    def _own(self, spot: Spot) -> tuple[Place, ...]:
-        return () if spot.place is None else (self.at(spot),)
+    def _normal(self, normal: CommonNormal, own: tuple[Place, ...]) -> CentreLine:
+        start = self._point(normal.line.through)
+        along = self.window.turned(geometry.place(self.found.plot.direction(normal.line.direction)))
+        return CentreLine(start, along / abs(along), (start, *self._contact(normal.pair), *own), normal=True)
 
-    def _normal(self, normal: CommonNormal, spot: Spot) -> CentreLine:
-        line = normal.line
-        start = self.window(complex(self.found.plot.position[line.through]))
-        way = self.window.turned(complex(self.found.plot.direction(line.direction)))
-        return CentreLine(start, way / abs(way), (start, *self._contact(normal.pair), *self._own(spot)), normal=True)
+    def _point(self, name: str) -> Place:
+        return self.window(geometry.place(self.found.plot.position[name]))
 
-    def _join(self, line: LineStep, spot: Spot) -> CentreLine | None:
+    def _join(self, line: LineStep, own: tuple[Place, ...]) -> CentreLine | None:
         ends = [self.by_name[end] for end in drawn_through(line)]
         places = [self.at(end) for end in ends if end.place is not None]
         if not places:
             return None
         if len(places) == 2:
-            way = places[1] - places[0]
+            along = places[1] - places[0]
         else:
-            way = self.window.turned(next(end.direction for end in ends if end.place is None))
+            along = self.window.turned(next(end.direction for end in ends if end.place is None))
         near = min(places, key=lambda place: abs(place - self.room.middle))
-        return CentreLine(near, way / abs(way), (*places, *self._own(spot)))
+        return CentreLine(near, along / abs(along), (*places, *own))
 
     def _contact(self, pair: Pair) -> Iterator[Place]:
-        """Where the links of a pair touch, unless the normal is drawn from there."""
-        position = self.found.plot.position
+        """The contact of a pair's links, unless the normal is drawn from there; of a rod, the end it keeps off."""
         if not isinstance(pair, Cam):
-            yield from (self.window(complex(position[end])) for end in _far_end(pair))
+            yield from map(self._point, pair.slipping.points[1:] if isinstance(pair.slipping, Rod) else ())
             return
-        (one, radius), *others = [(position[centre], radius) for _, centre, radius in pair.circles]
+        position = self.found.plot.position
+        (one, radius), *others = [(geometry.place(position[centre]), radius) for _, centre, radius in pair.circles]
         if others:
             other, less = others[0]
             side = -1 if pair.internal and radius < less else 1
-            yield self.window(complex(one + side * radius * (other - one) / np.abs(other - one)))
+            yield self.window(one + side * radius * (other - one) / abs(other - one))
         for straight in pair.lines:
-            way = straight.direction * np.exp(1j * self.found.plot.theta.get(straight.link, 0.0))
-            off = position[straight.origin] - one
-            yield self.window(complex(one + off - way * np.real(off * np.conj(way))))
-
-
-def _far_end(pair: Pair) -> tuple[str, ...]:
-    """The point that a rod keeps at its distance."""
-    return pair.slipping.points[1:] if isinstance(pair.slipping, Rod) else ()
+            turn = geometry.number(self.found.plot.theta.get(straight.link, 0.0))
+            along = straight.direction * cmath.exp(1j * turn)
+            off = geometry.place(position[straight.origin]) - one
+            yield self.window(one + off - along * (off * along.conjugate()).real)
 
 
 # --- rooms ------------------------------------------------------------------------------------
@@ -166,18 +163,20 @@ class Laid:
 
     @property
     def ends(self) -> tuple[Place, Place]:
-        return self.line.point(self.start), self.line.point(self.end)
+        return self.line.at + self.start * self.line.direction, self.line.at + self.end * self.line.direction
 
 
 def clipped(line: CentreLine, room: Room) -> tuple[float, float] | None:
-    """From where to where a line runs in a room [mm along it]; None where it does not cross it."""
-    low, high = -np.inf, np.inf
-    sides = ((line.at.real, line.way.real, room.left, room.right), (line.at.imag, line.way.imag, room.top, room.bottom))
-    for at, way, least, most in sides:
-        if abs(way) < 1e-12:
-            if not least <= at <= most:
+    """The ends of a line in a room [mm along it]; None where it does not cross it."""
+    low, high = -math.inf, math.inf
+    at, along = line.at, line.direction
+    for start, step, least, most in (
+        (at.real, along.real, room.left, room.right), (at.imag, along.imag, room.top, room.bottom)
+    ):  # fmt: skip
+        if abs(step) < 1e-12:
+            if not least <= start <= most:
                 return None
             continue
-        first, second = sorted(((least - at) / way, (most - at) / way))
+        first, second = sorted(((least - start) / step, (most - start) / step))
         low, high = max(low, first), min(high, second)
-    return (float(low), float(high)) if low < high else None
+    return (low, high) if low < high else None

@@ -5,17 +5,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from functools import cached_property, partial
 
+from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.sheet.centre_circle import circle_diagram
-from graphkin.sheet.centre_figure import centre_figure
-from graphkin.sheet.centre_layout import CentreLayout, layouts
-from graphkin.sheet.centre_places import OnPaper
-from graphkin.sheet.layout import HEAD
+from graphkin.sheet.centre_figure import bare_mechanism, centre_figure
+from graphkin.sheet.centre_places import OnPaper, spots
+from graphkin.sheet.centre_table import CentreTable, centre_table, circle_diagram, circle_size
+from graphkin.sheet.fit import Extent, corners
+from graphkin.sheet.grid import SheetGrid
+from graphkin.sheet.layout import HEAD, papers_for
 from graphkin.sheet.marks import Stroke
 from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
-from graphkin.sheet.titleblock import Strip
+from graphkin.sheet.paper import Paper, Room
+from graphkin.sheet.plain_mechanism import mechanism_places
+from graphkin.sheet.window import Window
 from graphkin.studies.centres import Centres
 
 _HEADING: dict[Lang, str] = {"en": "Mechanism and instant centres", "zh": "机构的速度瞬心"}
@@ -24,6 +30,20 @@ _CROWDED = 10
 _FEW = 4
 """So many labels without a place are put farther off at once; with more of them other layouts are tried first."""
 _TRIES = 3
+_TRIAL = 80.0
+"""Size of the mechanism when it is drawn to see how far its signs reach [mm]."""
+_LETTERS = 7.0
+"""Room for labels and arrows around the figure [mm]."""
+_LARGE_ENOUGH = 14.0
+"""The mechanism is to be so large, times the root of how many centres there are, which want letters in it [mm]."""
+_SHOWN, _LARGER_PAPER = 16, 30
+"""Worth of a centre on the sheet, and cost of a larger paper, which fewer printers have."""
+_NEAR = (2.0, 1.3, 0.9, 0.6, 0.3, 0.0)
+"""Centres so many times the mechanism's size away are looked for room for."""
+_FIT = 20.0
+"""The same, where all centres are to be on the sheet."""
+_TITLE, _BAR = 70.0, 10.0
+"""Width of the title block; height of the check bar under the table [mm]."""
 
 
 def centre_sheet(found: Centres, *, paper: str | None = None, lang: Lang = "en", fit: bool = False) -> Sheet:
@@ -36,9 +56,13 @@ def centre_sheet(found: Centres, *, paper: str | None = None, lang: Lang = "en",
 
     Raises UnknownPaper.
     """
+    measures = CentreExtent(found)
+    layouts = [layout for one in papers_for(paper) for layout in _layouts(measures, one, lang, fit)]
     tried: list[Lettered] = []
-    for way in layouts(found, paper, lang, fit)[:_TRIES]:
-        tried.append(_lettered(_page(found, way, lang)))
+    for layout in sorted(layouts, key=lambda one: -one.worth)[:_TRIES]:
+        page = _page(found, layout, lang)
+        near = page.lettered(far=False)
+        tried.append(min(near, page.lettered(), key=lambda one: one.lost) if 0 < near.lost <= _FEW else near)
         if not tried[-1].lost and tried[-1].crowded <= _CROWDED:
             break
     best = min(tried, key=lambda one: (one.lost, max(0, one.crowded - _CROWDED)))
@@ -53,24 +77,126 @@ def centre_step_sheets(
     yield from step_sheets(whole, range(1, len(found.centring.stages) + 1))
 
 
-def _lettered(page: Page) -> Lettered:
-    """The labels near what they name; where a few find no place, farther off."""
-    near = page.lettered(far=False)
-    return min(near, page.lettered(), key=lambda one: one.lost) if 0 < near.lost <= _FEW else near
-
-
 def _page(found: Centres, layout: CentreLayout, lang: Lang) -> Page:
-    field, machine = layout.field, found.method.mechanism
-    room = field.inset(2, HEAD, 2)
-    base = [*layout.table.drawn(complex(layout.strip.left + 3, layout.strip.top + 1.5))]
-    base += heading(_HEADING[lang], "position", layout.window.scale, field)
-    base += [_divider(layout), *circle_diagram(found, layout.circle, lang)]
+    """Table, heading, and the circle diagram beyond a thin line; then the figure."""
+    grid, circle, scale = layout.grid, layout.circle, layout.window.scale
+    assert grid.strip is not None, "a sheet of centres has a title block"
+    base = [*layout.table.drawn(complex(grid.strip.room.left + 3, grid.strip.room.top + 1.5))]
+    base += heading(_HEADING[lang], "position", scale, layout.figure)
+    other = complex(circle.left, circle.bottom) if grid.paper.landscape else complex(circle.right, circle.top)
+    base += [Stroke((complex(circle.left, circle.top), other), "thin"), *circle_diagram(found, circle, lang)]
+    room = layout.figure.inset(2, HEAD, 2)
     panel = Panel(centre_figure(OnPaper(found, layout.window, room)), layout.window, room)
-    return Page(layout.paper, [panel], machine, found.plot.facts.values, lang, Strip(layout.strip), base)
+    return grid.page([panel], found.method.mechanism, lang, drivers=found.plot.facts.values, base=base)
 
 
-def _divider(layout: CentreLayout) -> Stroke:
-    """A thin line between figure and circle diagram."""
-    room, corner = layout.circle, complex(layout.circle.left, layout.circle.top)
-    other = complex(room.left, room.bottom) if layout.paper.landscape else complex(room.right, room.top)
-    return Stroke((corner, other), "thin")
+# --- layouts ----------------------------------------------------------------------------------
+
+
+@frozen
+class CentreExtent:
+    """Places of a mechanism and its centres, and how far signs reach beyond them, on any paper."""
+
+    found: Centres
+
+    @cached_property
+    def places(self) -> list[complex]:
+        return mechanism_places(self.found.method, self.found.plot)
+
+    @cached_property
+    def extent(self) -> Extent:
+        """Of the mechanism alone."""
+        given = self.found.method.mechanism.scales.get("length")
+        return Extent.of(self.places, partial(bare_mechanism, self.found), given, letters=_LETTERS, trial=_TRIAL)
+
+    @property
+    def longest(self) -> float:
+        """The mechanism's larger side [m]."""
+        return self.extent.longest or 1.0
+
+    @cached_property
+    def finite(self) -> list[complex]:
+        """Centres that are not at infinity, the nearest first [m]."""
+        places = [spot.place for spot in spots(self.found) if spot.place is not None]
+        return sorted(places, key=lambda place: (self.off(place), place.real, place.imag))
+
+    def off(self, place: complex) -> float:
+        """Distance of a place from the mechanism's box, in its larger sides."""
+        low, high = self.extent.low, self.extent.high
+        x = max(low.real - place.real, place.real - high.real, 0.0)
+        y = max(low.imag - place.imag, place.imag - high.imag, 0.0)
+        return max(x, y) / self.longest
+
+    def box(self, places: Iterable[complex]) -> Extent:
+        """The box that holds the mechanism and more places."""
+        low, high = corners([*self.places, *places])
+        return replace(self.extent, low=low, high=high)
+
+
+@frozen
+class CentreLayout:
+    """A paper divided, the window through which the figure is seen.
+
+    shown   how many centres lie in its room
+    large   size of the mechanism, and least: what it is to be [mm]
+    """
+
+    grid: SheetGrid
+    figure: Room
+    circle: Room
+    table: CentreTable
+    window: Window
+    shown: int
+    large: float
+    least: float
+
+    @property
+    def worth(self) -> float:
+        """Centres on the sheet count, and that the mechanism is not small; larger paper only where it helps."""
+        small, paper = max(0.0, self.least - self.large), self.grid.paper
+        costs = 3 * small + _LARGER_PAPER * (paper.width * paper.height > 80_000) + 40 * self.table.lost
+        return _SHOWN * self.shown + min(self.large, 100) / 8 - costs
+
+
+def _layouts(measures: CentreExtent, paper: Paper, lang: Lang, fit: bool) -> Iterator[CentreLayout]:
+    """On one paper, with more or less room for centres outside the mechanism.
+
+    The circle diagram stands at the right, or under the figure on upright paper; the table in the strip at the foot.
+    """
+    table = centre_table(measures.found, lang, paper.frame.size.real - _TITLE, 0.4 * paper.height)
+    grid, size = SheetGrid.over(paper, least=table.height + 1 + _BAR), circle_size(measures.found)
+    right, bottom = grid.field.right - size.real, grid.field.bottom - size.imag
+    if paper.landscape:
+        figure, circle = replace(grid.field, right=right), replace(grid.field, left=right)
+    else:
+        figure, circle = replace(grid.field, bottom=bottom), replace(grid.field, top=bottom)
+    room = figure.inset(0, HEAD, 0)
+    inner = room.size - measures.extent.reach
+    if min(inner.real, inner.imag) < 15:
+        return
+    least = _LARGE_ENOUGH * len(measures.found.centring.stages) ** 0.5
+    boxes = (
+        measures.box(place for place in measures.finite if measures.off(place) <= near)
+        for near in ((_FIT,) if fit else _NEAR)
+    )
+    for scale in sorted({_scale(measures, box, room, fit) for box in boxes}):
+        shown = _held(measures, inner * scale)
+        window = measures.box(shown).window(room, scale)
+        yield CentreLayout(grid, figure, circle, table, window, len(shown), measures.longest / scale, least)
+
+
+def _scale(measures: CentreExtent, box: Extent, room: Room, fit: bool) -> float:
+    """The finest at which all fits; the file's own, where the mechanism (to fit: all of it) fits at that."""
+    given = measures.extent.given
+    kept = given is not None and (box if fit else measures.extent).fits(given, room)
+    return given if given is not None and kept else box.finest(room)
+
+
+def _held(measures: CentreExtent, room: complex) -> list[complex]:
+    """As many centres as a room holds beside the mechanism [m], the nearest first."""
+    held: list[complex] = []
+    for place in measures.finite:
+        size = measures.box([*held, place]).size
+        if size.real <= room.real * (1 + 1e-9) and size.imag <= room.imag * (1 + 1e-9):
+            held.append(place)
+    return held

@@ -1,20 +1,40 @@
-"""The table of centres: in the order in which they are found, where each is, and how it was found."""
+"""The circle diagram (消元法) and the table of instant centres, both in the order in which they are found."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import cmath
+import math
+from collections.abc import Iterator, Sequence
 from math import degrees
 
+from graphkin.base import geometry
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import LineStep, Pricked, drawn_through
 from graphkin.errors import Lang
-from graphkin.sheet.centre_arrows import coordinates
-from graphkin.sheet.centre_places import Spot, centre_label, spots
-from graphkin.sheet.lettering import Label, Run, number, plain, point_label
-from graphkin.sheet.marks import Mark, Place, Stroke, Text
+from graphkin.sheet.centre_places import Spot, centre_label, coordinates, spots
+from graphkin.sheet.lettering import Label, Run, link_label, number, plain, point_label, width
+from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
+from graphkin.sheet.paper import LABEL, LEAST, PenName, Room
+from graphkin.sheet.skeleton import off_stretch
 from graphkin.sheet.table import PITCH, SIZE, Table, height_of
 from graphkin.studies.centres import Centres
 
+_PENS: dict[str, PenName] = {
+    "hinge": "thin", "contact": "thin", "slide": "thin", "two lines": "dashed", "velocities": "centre",
+}  # fmt: skip
+_KEY: dict[Lang, dict[PenName, str]] = {
+    "en": {"thin": "by definition", "dashed": "by Kennedy's theorem", "centre": "from velocities"},
+    "zh": {"thin": "由定义直接确定", "dashed": "由三心定理确定", "centre": "由速度求得"},
+}
+_DIAGRAM: dict[Lang, str] = {"en": "Circle diagram", "zh": "消元法圆图"}
+_BALL = 1.95
+"""Radius of the circle around a chord's number [mm]."""
+_NUMBERS = 8.0
+"""Room for the links' numbers around the circle [mm]."""
+_HEAD, _LINE = 8.0, 4.6
+"""Height of the heading, and of a line of the key [mm]."""
+_SHARES = tuple(0.5 + sign * k / 40 for k in range(15) for sign in (1, -1))
+"""Places along its chord at which a number may stand."""
 _GAP, _BETWEEN = 2.6, 6.0
 _WORDS: dict[Lang, dict[str, str]] = {
     "en": {
@@ -29,6 +49,90 @@ _WORDS: dict[Lang, dict[str, str]] = {
         "none": "无相对运动", "more": "其余",
     },
 }  # fmt: skip
+
+
+def _radius(found: Centres) -> float:
+    return min(48.0, 15.0 + 2.6 * max(4, len(found.method.mechanism.links)))
+
+
+def _pens(found: Centres) -> list[PenName]:
+    used = {_PENS[stage.say] for stage in found.centring.stages}
+    return [pen for pen in _KEY["en"] if pen in used]
+
+
+def circle_size(found: Centres) -> complex:
+    """Width and height of the diagram with its heading and key [mm]."""
+    across = 2 * (_radius(found) + _NUMBERS)
+    return complex(max(across, 56.0), _HEAD + across + _LINE * len(_pens(found)) + 2)
+
+
+def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
+    """Links as points on a circle in the middle of a room, a chord for every centre, numbered as they are found.
+
+    A missing chord is found when it closes two triangles whose other sides are there: each triangle is a line with
+    three centres (Kennedy and Aronhold). The links' points stand clockwise from the top in the order of their numbers.
+    """
+    size, radius = circle_size(found), _radius(found)
+    top = room.top + max(0.0, (room.bottom - room.top - size.imag) / 3)
+    middle = complex((room.left + room.right) / 2, top + _HEAD + _NUMBERS + radius)
+    order = list(dict.fromkeys(link for pair in found.pairs for link in pair))
+    turn = 2 * math.pi / max(1, len(order))
+    nodes = {link: middle + cmath.rect(radius, turn * k - math.pi / 2) for k, link in enumerate(order)}
+    marks: list[Mark] = [Text(plain(_DIAGRAM[lang]), complex(room.left + 3, room.top + 5.5), LABEL)]
+    marks.append(Disc(middle, radius, "leader"))
+    marks += _chord_marks(found, nodes)
+    for link, at in nodes.items():
+        label, out = link_label(found.method.mechanism.called(link)), (at - middle) / abs(at - middle)
+        wide, high = width(label, LABEL), 0.68 * LABEL
+        beside = at + out * (2.6 + abs(out.real) * wide / 2 + abs(out.imag) * high / 2)
+        marks.append(Disc(at, 0.9, "outline", "ink"))
+        marks.append(Text(label, beside + complex(-wide / 2, high / 2), LABEL))
+    pens = _pens(found)
+    wide = max((width(plain(_KEY[lang][pen]), LEAST) for pen in pens), default=0.0) + 14
+    for k, pen in enumerate(pens):  # what full and dashed chords mean
+        at = complex(middle.real, middle.imag + radius + _NUMBERS + 3) + complex(-wide / 2, k * _LINE)
+        marks += [Stroke((at, at + 12), pen), Text(plain(_KEY[lang][pen]), at + complex(14, 0.33 * LEAST), LEAST)]
+    return marks
+
+
+@frozen
+class _Chord:
+    number: int
+    pen: PenName
+    start: Place
+    end: Place
+
+
+def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
+    """The chords with their numbers, each where most room is on its chord, the short chords first."""
+    chords = [
+        _Chord(k, _PENS[stage.say], *(nodes[link] for link in found.centring.links[stage.last.name]))
+        for k, stage in enumerate(found.centring.stages, start=1)
+    ]
+    marks: list[Mark] = [Stroke((chord.start, chord.end), chord.pen, step=chord.number) for chord in chords]
+    balls: list[Place] = []
+    for chord in sorted(chords, key=lambda c: (abs(c.end - c.start), c.number)):
+        at = _number_place(chord, [other for other in chords if other is not chord], balls)
+        balls.append(at)
+        label = plain(str(chord.number))
+        marks.append(Disc(at, _BALL, "leader", "paper", step=chord.number))
+        corner = at + complex(-width(label, LEAST) / 2, 0.33 * LEAST)
+        marks.append(Text(label, corner, LEAST, chord.number))
+    return marks
+
+
+def _number_place(chord: _Chord, others: Sequence[_Chord], balls: Sequence[Place]) -> Place:
+    """The place on a chord that is farthest from other chords and numbers, the first of equals."""
+
+    def room(at: Place) -> float:
+        to_chord = min((off_stretch(at, other.start, other.end) for other in others), default=9.0)
+        to_ball = min((abs(at - ball) - _BALL for ball in balls), default=9.0)
+        return round(min(to_chord, to_ball, 5.0), 3)
+
+    return max((chord.start + share * (chord.end - chord.start) for share in _SHARES), key=room)
+
+
+# --- table ------------------------------------------------------------------------------------
 
 
 @frozen
@@ -48,28 +152,27 @@ class CentreTable:
         """Each row comes with its own step."""
         step = 0
         for part in self.parts:
-            yield from _row(part, part.head, corner, 0, None)
-            under = corner + 1j * (PITCH * 1.05)
-            yield Stroke((under, under + part.wide), "thin")
-            for k, row in enumerate(part.rows, start=1):
-                step += 1
-                yield from _row(part, row, corner, k, min(step, self.steps))
+            for k, row in enumerate((part.head, *part.rows)):
+                step += k > 0
+                pen = corner + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
+                for cell, wide in zip(row, part.widths, strict=True):
+                    if cell:
+                        yield Text(cell, pen, SIZE, min(step, self.steps) if k else None)
+                    pen += wide + _GAP
+                if not k:
+                    under = corner + 1j * (PITCH * 1.05)
+                    yield Stroke((under, under + part.wide), "thin")
             corner += part.wide + _BETWEEN
-
-
-def _row(table: Table, row: tuple[Label, ...], corner: Place, k: int, step: int | None) -> Iterator[Mark]:
-    pen = corner + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
-    for cell, wide in zip(row, table.widths, strict=True):
-        if cell:
-            yield Text(cell, pen, SIZE, step)
-        pen += wide + _GAP
 
 
 def centre_table(found: Centres, lang: Lang, room: float, most: float) -> CentreTable:
     """The table in so many mm of width, as low as it gets, and not higher than `most`."""
     words = _WORDS[lang]
     head = (plain(words["number"]), plain(words["centre"]), plain(words["place"]), plain(words["by"]))
-    rows = [_cells(found, spot, words) for spot in spots(found)]
+    rows: list[tuple[Label, ...]] = []
+    for spot in spots(found):
+        place, by = _place(found, spot, words), _by(found, spot, words)
+        rows.append((plain(str(spot.number)), centre_label(spot.name), place, by))
     for pair in found.centring.together:
         rows.append((plain("–"), centre_label(found.name(*pair)), plain("–"), plain(words["none"])))
     for count in range(3, max(4, int(most / PITCH))):
@@ -93,19 +196,16 @@ def _shortened(whole: Table, room: float, count: int, more: str) -> tuple[tuple[
     return tuple(kept), left
 
 
-def _cells(found: Centres, spot: Spot, words: dict[str, str]) -> tuple[Label, ...]:
-    return plain(str(spot.number)), centre_label(spot.name), _place(found, spot, words), _by(found, spot, words)
-
-
 def _place(found: Centres, spot: Spot, words: dict[str, str]) -> Label:
     """`(34.37, 0)`, or the direction of a centre at infinity."""
     if spot.place is not None:
         return coordinates(found, spot.place)
-    angle = round(degrees(float(found.board.direction(spot.name))), 6) % 180
+    angle = round(degrees(geometry.number(found.board.direction(spot.name))), 6) % 180
     return (Run("→ ∞ "), Run(words["at"]), *number(angle), Run("°"))
 
 
 def _by(found: Centres, spot: Spot, words: dict[str, str]) -> Label:
+    """`P12P23 × P14P34`, a hinge with its point, or a word."""
     stage, step = spot.stage, spot.stage.last
     if stage.say == "two lines":
         first, second = (_line(found, line, words) for line in stage.lines)

@@ -1,4 +1,4 @@
-"""Centrodes on paper: the fixed curve and the moving one that rolls on it, with the mechanism at a position."""
+"""Centrodes on paper: the fixed curve and the moving one that rolls on it, with the mechanism."""
 
 from __future__ import annotations
 
@@ -6,23 +6,24 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from graphkin.construction import Plot
+from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.running.path import along
-from graphkin.say.centre_about import curves_met
+from graphkin.say.centre_curves import curves_met
 from graphkin.sheet.alone import Alone, place_for
-from graphkin.sheet.curves import clipped
 from graphkin.sheet.fit import corners, enlarged
 from graphkin.sheet.lettering import Label, link_label, plain, quantity_label
-from graphkin.sheet.marks import Disc, Mark, Place, Stroke
+from graphkin.sheet.marks import Disc, Place, Stroke
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName
+from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.plain_mechanism import shown_places
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 from graphkin.studies.centres.centrodes import Centrodes
 
+FRAMES = 48
 _ROUND = 0.75
 """Curves are shown so far around the mechanism, as part of its size."""
 _CENTRE = 2.0
@@ -44,74 +45,116 @@ END: dict[Lang, str] = {"en": ")", "zh": "）"}
 
 
 def centrode_sheet(curves: Centrodes, *, t: float = 0.0, paper: str | None = None, lang: Lang = "en") -> Sheet:
-    """Both curves (or a path) with the mechanism at t on the way, 0 being the drawn position.
+    """Both curves (or a path) with the mechanism at t along the motion, 0 being the drawn position.
 
     Raises UnknownPaper.
     """
-    plot = plot_at(curves, t)
-    on = centrode_page(curves, [t], paper, [*curves_met(curves, centre_at(curves, t), lang)])
-    figure = Figure([*centrode_marks(curves, t, on)])
-    figure.wanted += _names(curves, t, on, figure.marks, lang)
-    figure += on.mechanism(plot)
-    centre = centre_at(curves, t)
-    if centre is not None and on.room.holds(on.window(centre)):
-        figure.marks.append(Disc(on.window(centre), 1.0, "vector", "paper"))
-        figure.wanted.append(LabelRequest(quantity_label("P", curves.name[1:]), on.window(centre), gap=1.2))
-    return on.sheet(plot, heading(curves, lang), figure, lang)
+    told = [*curves_met(curves, _centre_at(curves, t), lang)]
+    return _CentrodePage(curves, _page(curves, [t], paper, told), lang).sheet(t, lettered=True)
 
 
-def heading(curves: Centrodes, lang: Lang) -> str:
-    """What the figure is."""
-    if len(curves.axes) == 1:
-        return PATH[lang].format(name=curves.name)
-    called = curves.found.method.mechanism.called
-    return HEADING[lang].format(first=called(curves.first), second=called(curves.second))
+def centrode_frames(
+    curves: Centrodes, count: int = FRAMES, *, paper: str | None = None, lang: Lang = "en"
+) -> Iterator[Sheet]:
+    """The same sheet at `count` positions evenly over the motion, without letters at what moves.
+
+    Of a motion that begins anew, the last position is the first; of others, they go there and back. Raises
+    UnknownPaper.
+    """
+    (low, high), links = curves.span, (curves.first, curves.second)
+    ends = [np.array(curves.standing(link, np.array(curves.span))) for link in links]
+    comes_back = all(bool(np.all(np.abs(end[:, 1] - end[:, 0]) < 1e-8)) for end in ends)
+    if comes_back or any(piece.closed for piece in curves.pieces):
+        times = low + (high - low) * np.arange(count) / count
+    else:
+        there = np.linspace(low, high, count // 2 + 1)
+        times = np.concatenate([there, there[-2:0:-1]])
+    page = _CentrodePage(curves, _page(curves, [*times[:: max(1, count // 12)]], paper), lang)
+    yield from (page.sheet(float(t), lettered=False) for t in times)
 
 
-def plot_at(curves: Centrodes, t: float) -> Plot:
-    """The mechanism at t on the way."""
-    return along(curves.found.method, curves.path, t)
-
-
-def centrode_page(
-    curves: Centrodes, times: Sequence[float], paper: str | None, told: Sequence[str] = ()
-) -> Alone:  # fmt: skip
+def _page(curves: Centrodes, times: Sequence[float], paper: str | None, told: Sequence[str] = ()) -> Alone:
     """A page with room for the mechanism at all these t, and for the curves near it; told: sentences in its strip."""
     method = curves.found.method
-    plots = [plot_at(curves, t) for t in times]
+    plots = [along(method, curves.path, t) for t in times]
     values = [place for plot in plots for place in shown_places(method, plot)]
     low, high = corners(values)
-    size = max((high - low).real, (high - low).imag)
+    more = _ROUND * max((high - low).real, (high - low).imag) * (1 + 1j)
+    low, high = low - more, high + more
     places = np.concatenate([curve for t in times for link in curves.axes for curve in _carried(curves, link, t)])
-    more = _ROUND * size * (1 + 1j)
-    near = places[_between(places, low - more, high + more)]
-    centre = centre_at(curves, times[0])
-    shown = enlarged([*values, *(corners(near) if near.size else ())], [] if centre is None else [centre], _CENTRE)
-    return place_for(method, plots, shown, paper, told=told)
-
-
-def _between(places: np.ndarray, low: complex, high: complex) -> np.ndarray:
     across = (low.real <= places.real) & (places.real <= high.real)
-    return np.asarray(across & (low.imag <= places.imag) & (places.imag <= high.imag))
+    near = places[across & (low.imag <= places.imag) & (places.imag <= high.imag)]
+    centre = _centre_at(curves, times[0])
+    shown = enlarged([*values, *(corners([*near]) if near.size else ())], [] if centre is None else [centre], _CENTRE)
+    return place_for(method, plots, shown, paper, told=told)
 
 
 def _carried(curves: Centrodes, link: str, t: float) -> list[np.ndarray]:
     """The curve on a link, as the link stands at t [m]."""
     origin, turn = curves.standing(link, t)
-    found = curves.fixed if link == curves.axes[0] else curves.moving
-    return [origin + turn * curve for curve in found]
+    return [origin + turn * curve for curve in (curves.fixed if link == curves.axes[0] else curves.moving)]
 
 
-def centrode_marks(curves: Centrodes, t: float, on: Alone) -> Iterator[Mark]:
-    """The curves as far as they lie in the room; a centre that stays at one point is a dot."""
-    for link, pen in zip(curves.axes, (_FIXED, _MOVING), strict=False):
-        yield from _curve(curves, link, t, on, pen)
+def _centre_at(curves: Centrodes, t: float) -> complex | None:
+    """The centre at t, if the curves were followed there [m]."""
+    origin, turn = curves.standing(curves.axes[0], t)
+    for piece in curves.pieces:
+        if piece.t[0] <= t <= piece.t[-1]:
+            place = np.interp(t, piece.t, piece.places[0].real) + 1j * np.interp(t, piece.t, piece.places[0].imag)
+            return complex(origin + turn * place)
+    return None
 
 
-def _curve(curves: Centrodes, link: str, t: float, on: Alone, pen: PenName) -> Iterator[Stroke]:
-    for curve, piece in zip(_carried(curves, link, t), curves.pieces, strict=True):
-        places = [*(on.window.origin + np.conj(curve) / on.window.scale)]
-        yield from clipped([*places, places[0]] if piece.closed else _once(places), on.room, pen)
+@frozen
+class _CentrodePage:
+    """Curves on a page, with the mechanism at any t along the motion."""
+
+    curves: Centrodes
+    on: Alone
+    lang: Lang
+
+    def sheet(self, t: float, lettered: bool) -> Sheet:
+        """The curves as far as they lie in the room, and the centre; lettered: with the names of curves and links."""
+        curves, on = self.curves, self.on
+        plot, centre = along(curves.found.method, curves.path, t), _centre_at(curves, t)
+        lines = [[*self._strokes(link, t, pen)] for link, pen in zip(curves.axes, (_FIXED, _MOVING), strict=False)]
+        figure, machine = Figure([stroke for strokes in lines for stroke in strokes]), on.mechanism(plot)
+        if lettered:
+            for label, strokes, share in zip(self._labels(), lines, (0.25, 0.75), strict=False):
+                if strokes:
+                    longest = max(strokes, key=lambda stroke: _lengths(stroke.places)[-1]).places
+                    figure.wanted.append(LabelRequest(label, _part_way(longest, share), gap=1.2))
+        figure += machine if lettered else Figure(machine.marks)
+        if centre is not None and on.room.holds(on.window(centre)):
+            figure.marks.append(Disc(on.window(centre), 1.0, "vector", "paper" if lettered else "ink"))
+            if lettered:
+                name = quantity_label("P", curves.name[1:])
+                figure.wanted.append(LabelRequest(name, on.window(centre), gap=1.2))
+        return on.sheet(plot, self._heading(), figure, self.lang)
+
+    def _heading(self) -> str:
+        if len(self.curves.axes) == 1:
+            return PATH[self.lang].format(name=self.curves.name)
+        called = self.curves.found.method.mechanism.called
+        return HEADING[self.lang].format(first=called(self.curves.first), second=called(self.curves.second))
+
+    def _strokes(self, link: str, t: float, pen: PenName) -> Iterator[Stroke]:
+        window = self.on.window
+        for curve, piece in zip(_carried(self.curves, link, t), self.curves.pieces, strict=True):
+            places = [*(window.origin + np.conj(curve) / window.scale)]
+            yield from clipped([*places, places[0]] if piece.closed else _once(places), self.on.room, pen)
+
+    def _labels(self) -> list[Label]:
+        """The names of the curves, or of the path."""
+        if len(self.curves.axes) == 1:
+            before, after = OF[self.lang]
+            return [(*plain(before), *quantity_label("P", self.curves.name[1:]), *plain(after))]
+        kinds = ("fixed", "moving") if self.curves.second == FRAME else ("on", "on")
+        links = [link_label(self.curves.found.method.mechanism.called(link)) for link in self.curves.axes]
+        return [
+            (*plain(CURVES[kind][self.lang]), *link, *plain(END[self.lang]))
+            for kind, link in zip(kinds, links, strict=True)
+        ]
 
 
 def _once(places: list[Place]) -> list[Place]:
@@ -132,46 +175,13 @@ def _once(places: list[Place]) -> list[Place]:
     return places[: end + 1] if np.all(shapely.distance(line, rest) < _AGAIN) else places
 
 
-def centre_at(curves: Centrodes, t: float) -> complex | None:
-    """Where the centre is at t, if the curves were followed there [m]."""
-    origin, turn = curves.standing(curves.axes[0], t)
-    for piece in curves.pieces:
-        if piece.t[0] <= t <= piece.t[-1]:
-            place = np.interp(t, piece.t, piece.places[0].real) + 1j * np.interp(t, piece.t, piece.places[0].imag)
-            return complex(origin + turn * place)
-    return None
+def _lengths(places: Sequence[Place]) -> np.ndarray:
+    """Length of a curve up to each of its places."""
+    return np.concatenate([[0.0], np.cumsum(np.abs(np.diff(np.array(places))))])
 
 
-# --- names ------------------------------------------------------------------------------------
-
-
-def _names(curves: Centrodes, t: float, on: Alone, marks: Sequence[Mark], lang: Lang) -> Iterator[LabelRequest]:
-    """Each curve's name at the longest part that is on the paper."""
-    for k, (pen, label) in enumerate(zip((_FIXED, _MOVING), _labels(curves, lang), strict=False)):
-        strokes = [mark for mark in marks if isinstance(mark, Stroke) and mark.pen == pen]
-        if strokes:
-            places = max(strokes, key=_length).places
-            yield LabelRequest(label, _at(places, (0.25, 0.75)[k]), gap=1.2)
-
-
-def _labels(curves: Centrodes, lang: Lang) -> list[Label]:
-    if len(curves.axes) == 1:
-        before, after = OF[lang]
-        return [(*plain(before), *quantity_label("P", curves.name[1:]), *plain(after))]
-    kinds = ("fixed", "moving") if curves.second == FRAME else ("on", "on")
-    called = curves.found.method.mechanism.called
-    return [
-        (*plain(CURVES[kind][lang]), *link_label(called(link)), *plain(END[lang]))
-        for kind, link in zip(kinds, curves.axes, strict=True)
-    ]
-
-
-def _length(stroke: Stroke) -> float:
-    return float(np.sum(np.abs(np.diff(np.array(stroke.places)))))
-
-
-def _at(places: Sequence[Place], share: float) -> Place:
+def _part_way(places: Sequence[Place], share: float) -> Place:
     """The place at a part of a curve's length."""
-    steps = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(np.array(places))))])
-    k = int(np.searchsorted(steps, share * steps[-1]))
+    lengths = _lengths(places)
+    k = int(np.searchsorted(lengths, share * lengths[-1]))
     return places[min(k, len(places) - 1)]

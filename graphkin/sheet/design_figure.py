@@ -1,4 +1,4 @@
-"""A designed linkage on paper: the construction in thin lines, the positions asked for, and the linkage found.
+"""A designed linkage on paper: the construction in thin lines, the positions asked for, angles, the linkage itself.
 
 Each step of the construction is drawn by what it does; a line reaches as far as the points that lie on it, a circle is
 whole, and its number is that of its stage, the numbered sentence of the solution.
@@ -12,33 +12,15 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import assert_never
 
+from graphkin.base import geometry
 from graphkin.base.value import frozen
-from graphkin.construction.drafting import (
-    Bisector,
-    Board,
-    ChosenPoint,
-    CircleAbout,
-    CircleThrough,
-    Drafting,
-    DraftLayOff,
-    DraftMeasure,
-    DraftMeet,
-    DraftTurn,
-    Far,
-    LineStep,
-    MarkOn,
-    MeasureAngle,
-    Pricked,
-    Reckon,
-    Step,
-    drawn_through,
-)
+from graphkin.construction import drafting
+from graphkin.construction.drafting import Bisector, Board, ChosenPoint, Drafting, LineStep, Step
 from graphkin.sheet.alone import Alone
-from graphkin.sheet.curves import clipped
-from graphkin.sheet.design_angles import DesignAngles
-from graphkin.sheet.lettering import joined, point_label
-from graphkin.sheet.marks import ArcMark, Disc, Stroke
-from graphkin.sheet.paper import PenName
+from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
+from graphkin.sheet.marks import ArcMark, Disc, Place, Stroke
+from graphkin.sheet.paper import BODY, PenName
+from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Entry, Figure
 from graphkin.studies.design import Family, Solution
@@ -51,6 +33,10 @@ _DOT = 0.45
 _PENS: Mapping[str, PenName] = {"admissible": "thin", "FG": "dashed", "minor": "dashed"}
 _PART = math.radians(14)
 """Half of a drawn arc of a compass."""
+_SQUARE = 2.2
+"""Side of the square in a right angle [mm]."""
+_ARC = 13.0
+"""Radius of the arcs that show angles [mm]."""
 
 
 @frozen
@@ -72,62 +58,78 @@ class DesignFigure:
     @cached_property
     def places(self) -> Mapping[str, complex]:
         """The construction's points [m]."""
-        return self.board.places
+        return {name: geometry.place(value) for name, value in self.board.places.items()}
+
+    @cached_property
+    def _size(self) -> float:
+        places = list(self.places.values())
+        return max(abs(p - q) for p in places for q in places)
+
+    def _at(self, name: str) -> Place:
+        return self.on.window(self.places[name])
+
+    def _circle(self, name: str) -> tuple[complex, float]:
+        centre, radius = self.board.circles[name]
+        return geometry.place(centre), geometry.number(radius)
+
+    def _line(self, name: str) -> tuple[complex, complex]:
+        start, along = self.board.line(name)
+        return geometry.place(start), geometry.place(along)
 
     def figure(self) -> Figure:
-        """Construction and positions; marks carry the number of their stage."""
+        """Construction, positions and angles; marks carry the number of their stage."""
         return Figure.of(self._entries())
 
     def _entries(self) -> Iterator[Entry]:
-        for number_, stage in enumerate(self.construction.stages, start=1):
+        for stage_number, stage in enumerate(self.construction.stages, start=1):
             for step in stage.steps:
-                yield from self._drawn(step, number_)
+                yield from self._step(step, stage_number)
         yield from self._positions()
         yield from self._points()
-        yield from DesignAngles(self.solution, self.on, self.board).entries()
+        yield from self._angles()
 
     # --- steps -----------------------------------------------------------------------------------
 
-    def _drawn(self, step: Step, stage: int) -> Iterator[Entry]:
+    def _step(self, step: Step, stage: int) -> Iterator[Entry]:
         if isinstance(step, LineStep):
             yield from self._ruled(step, stage)
             return
         match step:
-            case DraftLayOff(point, about):
-                yield from self._line([about, point], "construction", stage)
-            case CircleThrough():
+            case drafting.DraftLayOff(end, start) | drafting.DraftMeasure(_, start, end):
+                places = self._at(start), self._at(end)
+                if abs(places[0] - places[1]) > _NEAR:
+                    yield Stroke(places, "construction", step=stage)
+            case drafting.CircleThrough():
                 yield from self._locus(stage) if step.name == "locus" else self._spanned(step, stage)
-            case CircleAbout():
-                yield from self._compass(step, stage)
-            case DraftTurn(point, of, about):
-                yield from self._turned(point, of, about, stage)
-            case DraftMeasure(_, first, second):
-                yield from self._line([first, second], "construction", stage)
-            case ChosenPoint() | Pricked() | Far() | Reckon() | MarkOn() | DraftMeet() | MeasureAngle():
+            case drafting.CircleAbout(name):
+                yield from self._compass(name, stage)
+            case drafting.DraftTurn(point, of, about):
+                centre, old, new = (self._at(name) for name in (about, of, point))
+                start_angle, sweep = cmath.phase(old - centre), cmath.phase((new - centre) / (old - centre))
+                yield ArcMark(centre, abs(old - centre), start_angle, sweep, "dashed", step=stage)
+                yield Stroke((centre, new), "construction", step=stage)
+            case ChosenPoint() | drafting.Pricked() | drafting.Far() | drafting.Reckon() | drafting.MarkOn():
+                pass
+            case drafting.DraftMeet() | drafting.MeasureAngle():
                 pass
             case _:
                 assert_never(step)
 
-    def _line(self, names: list[str], pen: PenName, stage: int) -> Iterator[Entry]:
-        places = [self.on.window(self.places[name]) for name in names]
-        if abs(places[0] - places[-1]) > _NEAR:
-            yield Stroke(tuple(places), pen, step=stage)
-
     def _ruled(self, step: LineStep, stage: int) -> Iterator[Entry]:
         """A line from the first to the last of the points that lie on it, and a little beyond."""
-        start, along = self.board.line(step.name)
+        start, along = self._line(step.name)
         size = self._size
-        known = {*drawn_through(step), *(self.construction.met_on(step.name) or self._lying_on(step))}
-        ways = [(along.conjugate() * (self.places[name] - start)).real for name in known]
+        names = {*drafting.drawn_through(step), *(self.construction.met_on(step.name) or self._lying_on(step))}
+        reach = [(along.conjugate() * (self.places[name] - start)).real for name in names]
         if isinstance(step, Bisector):
             half = abs(self.places[step.first] - self.places[step.second]) / 2
             middle = (along.conjugate() * (self.places[step.first] - start)).real
-            ways += [middle, middle + 0.6 * half, middle - 0.6 * half]
-        if not ways or max(ways) - min(ways) < 1e-9 * size:
-            here = ways[0] if ways else 0.0
-            ways = [here - 0.2 * size, here + 0.2 * size]
-        reach = _BEYOND * self.on.window.scale
-        ends = [self.on.window(start + along * way) for way in (min(ways) - reach, max(ways) + reach)]
+            reach += [middle, middle + 0.6 * half, middle - 0.6 * half]
+        if not reach or max(reach) - min(reach) < 1e-9 * size:
+            here = reach[0] if reach else 0.0
+            reach = [here - 0.2 * size, here + 0.2 * size]
+        more = _BEYOND * self.on.window.scale
+        ends = [self.on.window(start + along * t) for t in (min(reach) - more, max(reach) + more)]
         pen: PenName = "centre" if isinstance(step, Bisector) else "construction"
         yield from clipped(ends, self.on.room, pen, stage)
 
@@ -135,41 +137,47 @@ class DesignFigure:
         """Points chosen on a bisector."""
         if not isinstance(step, Bisector):
             return []
-        start, along = self.board.line(step.name)
-        placed = (one.name for one in self.construction.steps if isinstance(one, ChosenPoint))
-        return [p for p in placed if abs((along.conjugate() * (self.places[p] - start)).imag) < 1e-6 * self._size]
+        start, along = self._line(step.name)
+        chosen = (one.name for one in self.construction.steps if isinstance(one, ChosenPoint))
+        return [p for p in chosen if abs((along.conjugate() * (self.places[p] - start)).imag) < 1e-6 * self._size]
 
     def _locus(self, stage: int) -> Iterator[Entry]:
         """The circle of crank centres: full where A may lie, dashed elsewhere; F and G end the arc between them."""
-        centre, radius = self.board.circles["locus"]
+        centre, radius = self._circle("locus")
         family = min(self.families, key=lambda one: abs(one.centre - centre))
         for arc in family.arcs:
             yield from self._swept(centre, radius, (arc.start, arc.end), _PENS[arc.name], stage)
-        parted = [arc for arc in family.arcs if arc.name == "FG"]
-        for turn in {end for arc in parted for end in (arc.start, arc.end)}:
+        for turn in {end for arc in family.arcs if arc.name == "FG" for end in (arc.start, arc.end)}:
             yield from self._parting(centre + cmath.rect(radius, turn), stage)
 
     def _parting(self, at: complex, stage: int) -> Iterator[Entry]:
         """F on the line C1D, or under C1; else G. Neither where it is a point of the linkage or of the construction."""
         first = self.places["C1"]
-        way = self.places["D"] - first if "D" in self.places else 1j
-        off = (way.conjugate() * (at - first)).imag / abs(way)
-        place = self.on.window(at)
-        taken = any(abs(self.on.window(z) - place) < _NEAR for z in self.places.values())
-        if not taken and self.on.room.holds(place):
-            yield Disc(place, _DOT, "thin", "ink", step=stage)
+        along = self.places["D"] - first if "D" in self.places else 1j
+        off = (along.conjugate() * (at - first)).imag / abs(along)
+        spot = self.on.window(at)
+        if self.on.room.holds(spot) and all(abs(self._at(name) - spot) >= _NEAR for name in self.places):
+            yield Disc(spot, _DOT, "thin", "ink", step=stage)
             letter = "F" if abs(off) < 1e-6 * abs(at - first) else "G"
-            yield LabelRequest(point_label(letter), place, gap=0.9, step=stage, spare=True)
+            yield LabelRequest(point_label(letter), spot, gap=0.9, step=stage, spare=True)
 
-    def _spanned(self, step: CircleThrough, stage: int) -> Iterator[Entry]:
+    def _spanned(self, step: drafting.CircleThrough, stage: int) -> Iterator[Entry]:
         """A circle through three points, from the first to the last and a little beyond."""
-        centre, radius = self.board.circles[step.name]
+        centre, radius = self._circle(step.name)
         turns = sorted(cmath.phase(self.places[name] - centre) for name in step.points)
         gaps = [(turns[(k + 1) % 3] - turns[k]) % math.tau for k in range(3)]
         widest = max(range(3), key=lambda k: gaps[k])
         start = turns[(widest + 1) % 3]
         ends = start - _PART, start + math.tau - gaps[widest] + _PART
         yield from self._swept(centre, radius, ends, "thin", stage)
+
+    def _compass(self, circle: str, stage: int) -> Iterator[Entry]:
+        """A short arc at each point that is constructed with it."""
+        centre, radius = self._circle(circle)
+        part = min(_PART, 9.0 * self.on.window.scale / radius)
+        for name in self.construction.met_on(circle):
+            turn = cmath.phase(self.places[name] - centre)
+            yield from self._swept(centre, radius, (turn - part, turn + part), "thin", stage)
 
     def _swept(
         self, centre: complex, radius: float, ends: tuple[float, float], pen: PenName, stage: int
@@ -180,78 +188,101 @@ class DesignFigure:
         places = [self.on.window(centre + cmath.rect(radius, turn)) for turn in turns]
         yield from clipped(places, self.on.room, pen, stage)
 
-    def _compass(self, step: CircleAbout, stage: int) -> Iterator[Entry]:
-        """A short arc at each point found with it."""
-        centre, radius = self.board.circles[step.name]
-        for name in self.construction.met_on(step.name):
-            turn = cmath.phase(self.places[name] - centre)
-            part = min(_PART, 9.0 * self.on.window.scale / radius)
-            yield from self._swept(centre, radius, (turn - part, turn + part), "thin", stage)
-
-    def _turned(self, point: str, of: str, about: str, stage: int) -> Iterator[Entry]:
-        centre, old, new = (self.on.window(self.places[name]) for name in (about, of, point))
-        start = cmath.phase(old - centre)
-        sweep = cmath.phase((new - centre) / (old - centre))
-        yield ArcMark(centre, abs(old - centre), start, sweep, "dashed", step=stage)
-        yield Stroke((centre, new), "construction", step=stage)
-
     # --- positions, points -------------------------------------------------------------------------
-
-    @property
-    def _size(self) -> float:
-        places = list(self.places.values())
-        return max(abs(p - q) for p in places for q in places)
-
-    @property
-    def _last(self) -> int:
-        return len(self.construction.stages)
 
     def _positions(self) -> Iterator[Entry]:
         """The linkage at its limits, or at the positions asked for, in thin lines."""
-        order = "ABCD" if "D" in self.solution.limits[0] else "ABC"
+        order, last = "ABCD" if "D" in self.solution.limits[0] else "ABC", len(self.construction.stages)
         for places in self.solution.limits:
-            bars = tuple(self.on.window(places[name]) for name in order)
-            yield Stroke(bars, "thin", step=self._last)
+            yield Stroke(tuple(self.on.window(places[name]) for name in order), "thin", step=last)
             for name in order[1:-1] if order == "ABCD" else order[1:]:
-                yield Disc(self.on.window(places[name]), 0.8, "thin", "paper", step=self._last)
+                yield Disc(self.on.window(places[name]), 0.8, "thin", "paper", step=last)
 
     def _points(self) -> Iterator[Entry]:
         """Points of the construction with their letters; those of the linkage itself are lettered with it."""
         for name in (name for name in self.places if name in self.solution.places):
-            at = self.on.window(self.places[name])
-            yield Disc(at, _DOT, "thin", "ink", step=self.construction.born(name))
-        shown = {name: self.on.window(z) for name, z in self._lettered().items()}
+            yield Disc(self._at(name), _DOT, "thin", "ink", step=self.construction.born(name))
+        shown = {name: self.on.window(z) for name, z in self._lettered.items()}
         hinges = [self.on.window(z) for places in self.solution.limits for z in places.values()]
-        used: list[complex] = [self.on.window(z) for z in self.solution.places.values()]
+        used = [self.on.window(z) for z in self.solution.places.values()]
         for name, at in shown.items():
             if any(abs(at - other) < _NEAR for other in used) or not self.on.room.holds(at):
                 continue
             used.append(at)
-            same = [other for other, z in shown.items() if abs(z - at) < _NEAR]
+            same = [point_label(other) for other, z in shown.items() if abs(z - at) < _NEAR]
             if all(abs(at - other) > _NEAR for other in hinges):
                 yield Disc(at, _DOT, "thin", "ink", step=self.construction.born(name))
-            yield LabelRequest(
-                joined([point_label(one) for one in same]), at, gap=0.9, step=self.construction.born(name)
-            )
+            yield LabelRequest(joined(same), at, gap=0.9, step=self.construction.born(name))
 
     def also(self, name: str) -> list[str]:
         """Points of the construction where a point of the linkage lies: B is at B3."""
         at = self.solution.places.get(name)
         if at is None:
             return []
-        return [other for other, z in self._lettered().items() if abs(z - at) < _NEAR * self.on.window.scale]
+        return [other for other, z in self._lettered.items() if abs(z - at) < _NEAR * self.on.window.scale]
 
+    @cached_property
     def _lettered(self) -> Mapping[str, complex]:
-        """The construction's points, and B and C of the positions where it has none."""
-        found = {name: z for name, z in self.places.items() if name != "X"}
-        for k, places in enumerate(self.solution.limits, start=1):
-            for name in self._moving:
-                if f"{name}1" not in self.places:
-                    found[f"{name}{k}"] = places[name]
-        return {name: z for name, z in found.items() if name not in self.solution.places}
+        """The construction's points, and B and C of the positions, where they are no pivots, if it has none."""
+        limits = self.solution.limits
+        moving = [n for n in "BC" if n in limits[0] and any(places[n] != limits[0][n] for places in limits)]
+        points = {name: z for name, z in self.places.items() if name != "X"}
+        for k, places in enumerate(limits, start=1):
+            points |= {f"{name}{k}": places[name] for name in moving if f"{name}1" not in self.places}
+        return {name: z for name, z in points.items() if name not in self.solution.places}
 
-    @property
-    def _moving(self) -> list[str]:
-        """B and C, where they are not pivots."""
-        first = self.solution.limits[0]
-        return [name for name in "BC" if name in first and any(p[name] != first[name] for p in self.solution.limits)]
+    # --- angles ------------------------------------------------------------------------------------
+
+    def _angles(self) -> Iterator[Entry]:
+        """theta at A, and the swing at D (at C for a guide bar), with their values, and the right angles for them."""
+        at, one = self.places, self.solution
+        if one.theta is None or len(one.limits) != 2 or "theta" not in self.board.numbers:
+            return
+        if one.shape == "guide-bar":
+            yield from self._angle("C", "B1", "B2", "ψ = θ", one.theta, 2)
+            for pin in ("B1", "B2"):
+                yield from self._right_angle(pin, "A", "C", "")
+            return
+        yield from self._angle("A", "C1", "C2", "θ", one.theta, len(one.construction.stages))
+        if {"C1", "C2", "P"} <= at.keys() and (square := list(self._right_angle("C2", "C1", "P", "90°"))):
+            yield from square
+            yield from self._complement(self.construction.born("P"))
+        if one.swing is not None and "D" in at:
+            yield from self._angle("D", "C1", "C2", "ψ", one.swing, 2)
+        if one.stroke is not None:
+            label = _valued("H", 1e3 * one.stroke, " mm")
+            yield LabelRequest(label, self._at("C1"), self._at("C2"), gap=3.4, step=2, spare=True)
+
+    def _complement(self, stage: int | None) -> Iterator[Entry]:
+        """90° − θ at C1 in the triangle on C1C2 that gives the circle."""
+        first, second, third = map(self._at, ("C1", "C2", "P"))
+        start, sweep = cmath.phase(second - first), cmath.phase((third - first) / (second - first))
+        radius = min(_ARC, 0.5 * abs(first - second))
+        yield ArcMark(first, radius, start, sweep, "thin", step=stage)
+        middle, label = cmath.rect(radius, start + sweep / 2), (*plain("90° − "), Run("θ", True))
+        yield LabelRequest(label, first + middle, gap=0.6, away=middle, size=BODY, step=stage, spare=True)
+
+    def _right_angle(self, corner: str, one: str, other: str, text: str) -> Iterator[Entry]:
+        """A square in a corner, with a text; nothing where the angle is another, or the sides are short."""
+        at = self._at(corner)
+        a, b = self._at(one) - at, self._at(other) - at
+        if abs((a.conjugate() * b).real) > 1e-6 * abs(a * b) or min(abs(a), abs(b)) < 3 * _SQUARE:
+            return
+        stage = max(self.construction.born(name) or 0 for name in (corner, one, other))
+        a, b = a / abs(a) * _SQUARE, b / abs(b) * _SQUARE
+        yield Stroke((at + a, at + a + b, at + b), "construction", step=stage)
+        if text:
+            yield LabelRequest(plain(text), at + a + b, gap=0.5, away=a + b, size=BODY, step=stage, spare=True)
+
+    def _angle(self, centre: str, first: str, second: str, letter: str, value: float, stage: int) -> Iterator[Entry]:
+        """An arc between the directions of two points from a third, with its value."""
+        at, one, other = map(self._at, (centre, first, second))
+        radius = min(_ARC, 0.6 * min(abs(one - at), abs(other - at)))
+        start, sweep = cmath.phase(one - at), cmath.phase((other - at) / (one - at))
+        yield ArcMark(at, radius, start, sweep, "thin", step=stage)
+        middle, label = at + cmath.rect(radius, start + sweep / 2), _valued(letter, math.degrees(value), "°")
+        yield LabelRequest(label, middle, gap=0.8, away=middle - at, step=stage)
+
+
+def _valued(letter: str, value: float, unit: str) -> Label:
+    return (*(Run(c, c.isalpha()) for c in letter), Run(" = "), *number(value, 5), *plain(unit))

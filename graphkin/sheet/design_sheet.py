@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from graphkin import planning
-from graphkin.base.value import frozen
+from graphkin.base import geometry
 from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
@@ -34,20 +34,6 @@ _MOST = 3.0
 _HEADING: dict[Lang, str] = {"en": "Design by construction", "zh": "图解设计"}
 
 
-@frozen
-class _DrawnSolution:
-    """The mechanism of a solution, planned and placed."""
-
-    solution: Solution
-    method: Method
-    plot: Plot
-
-    @classmethod
-    def of(cls, design: Design, solution: Solution) -> _DrawnSolution:
-        method = planning.plan(mechanism_of(solution, design.kind))
-        return cls(solution, method, proved(method).plot)
-
-
 def design_sheet(
     design: Design, *, solution: Solution | None = None, paper: str | None = None, lang: Lang = "en"
 ) -> Sheet:
@@ -55,14 +41,17 @@ def design_sheet(
     chosen = solution or design.best
     if chosen is None:
         raise error(design) or AssertionError("a design without a best solution has none")
-    drawn = _DrawnSolution.of(design, chosen)
-    on = _page(drawn, paper)
+    method = planning.plan(mechanism_of(chosen, design.kind))
+    plot = proved(method).plot
+    on = _page(chosen, method, plot, paper)
     construction = DesignFigure(chosen, on, design.families)
     last = len(chosen.construction.stages) + 1
-    machine = on.mechanism(drawn.plot).numbered(last)
+    machine = on.mechanism(plot).numbered(last)
     machine.wanted = [_named(want, construction) for want in machine.wanted]
-    figure = construction.figure() + machine
-    return on.sheet(drawn.plot, _HEADING[lang], figure, lang, after=_result(chosen, on, last))
+    corner = complex(on.layout.strip.left + 3, on.layout.strip.top + 6)
+    sizes = [Text(label, corner + complex(_COLUMN * (k % 2), _LINE * (k // 2)), LABEL, last)
+             for k, label in enumerate(_sizes(chosen))]  # fmt: skip
+    return on.sheet(plot, _HEADING[lang], construction.figure() + machine, lang, after=sizes)
 
 
 def _named(want: LabelRequest, construction: DesignFigure) -> LabelRequest:
@@ -83,26 +72,18 @@ def design_step_sheets(
     yield from step_sheets(whole, sorted({mark.step for mark in whole.marks if mark.step is not None}))
 
 
-def _page(drawn: _DrawnSolution, paper: str | None) -> Alone:
+def _page(one: Solution, method: Method, plot: Plot, paper: str | None) -> Alone:
     """Room for the linkage at all positions, the construction's points, and its circle if that is not too large."""
-    one = drawn.solution
     board = one.board()
-    values = shown_places(drawn.method, drawn.plot)
+    values = shown_places(method, plot)
     values += [place for places in one.limits for place in places.values()]
-    values = enlarged(values, board.places.values(), _MOST)
+    values = enlarged(values, map(geometry.place, board.places.values()), _MOST)
     if "locus" in board.circles:
-        centre, radius = board.circles["locus"]
-        round_about = [centre + radius * way for way in (1, 1j, -1, -1j)]
-        wider = enlarged(values, round_about, _MOST)
-        values = wider if all(place in wider for place in round_about) else values
-    return place_for(drawn.method, [drawn.plot], values, paper)
-
-
-def _result(one: Solution, on: Alone, step: int) -> list[Text]:
-    """l_AB = 20.773 mm, .. in the strip at the foot, on the left of the title block, two to a line."""
-    corner = complex(on.layout.strip.left + 3, on.layout.strip.top + 6)
-    places = (corner + complex(_COLUMN * (k % 2), _LINE * (k // 2)) for k in range(9))
-    return [Text(label, at, LABEL, step) for label, at in zip(_sizes(one), places)]
+        centre, radius = geometry.place(board.circles["locus"][0]), geometry.number(board.circles["locus"][1])
+        sides = [centre + radius * side for side in (1, 1j, -1, -1j)]
+        wider = enlarged(values, sides, _MOST)
+        values = wider if all(place in wider for place in sides) else values
+    return place_for(method, [plot], values, paper)
 
 
 def _sizes(one: Solution) -> Iterator[Label]:

@@ -1,25 +1,28 @@
-"""The fixed link: pivots on hatched ground, fixed guides, fixed slots."""
+"""The fixed link and what drives the mechanism: hatched ground, fixed guides and slots; arcs and arrows of drivers."""
 
 from __future__ import annotations
 
+import cmath
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
 from graphkin.base.value import filled
-from graphkin.model.mechanism import FRAME
+from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Slide
 from graphkin.sheet import symbols
-from graphkin.sheet.cams import follower
-from graphkin.sheet.lettering import link_label
+from graphkin.sheet.lettering import between, joined, link_label, quantity_label
 from graphkin.sheet.marks import Mark, Place, Shows
-from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.skeleton import Skeleton, off_stretch
 from graphkin.sheet.wanted import LabelRequest
+from graphkin.sheet.wheels import circles, follower, wheels_of
 from graphkin.sheet.window import Figure
 
 _REACH, _AWAY, _STUB = 13.0, 18.0, 6.5
 """How far a fixed guide is drawn to each side of its block; away from a bar over it, and under it [mm]."""
 _OVER = math.cos(math.radians(12))
 """A bar lies over a guide that leaves its block under a smaller angle."""
+_APART = 3.0
+"""Between two arcs about one point [mm]."""
 
 
 def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:
@@ -32,7 +35,12 @@ def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:
     for run in _runs(skeleton, *others):
         figure.marks += run.marks()
         spots.append(run.end(run.high) + run.side * 2)
-    figure.marks += _under_blocks(skeleton, *others)
+    for slide in skeleton.mechanism.slides:  # a block that the frame carries; on a pivot it stands on the pivot's
+        if slide.block == FRAME and len(skeleton.mechanism.owners[slide.point]) == 1:
+            at, along = skeleton.at(slide.point), skeleton.along(slide)
+            side = _ground_side(at, along, skeleton, *others)
+            foot, half = at + side * symbols.BLOCK.imag / 2, 0.7 * symbols.BLOCK.real * along
+            figure.marks += symbols.guide(foot - half, foot + half, side, skeleton.step(slide.point))
     for point in skeleton.points:
         owners = skeleton.mechanism.owners[point]
         if FRAME in owners and len(owners) > 1:
@@ -46,11 +54,11 @@ def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:
 
 
 def ground_way(point: str, *skeletons: Skeleton) -> complex:
-    """The side on which a pivot's ground lies: down, unless links leave that way."""
-    ways = [way for skeleton in skeletons for way in skeleton.directions(point)]
+    """The side on which a pivot's ground lies: down, unless links leave in that direction."""
+    leaving = [along for skeleton in skeletons for along in skeleton.directions(point)]
 
     def badness(down: complex) -> float:
-        nearest = max(((way * down.conjugate()).real for way in ways), default=-1.0)
+        nearest = max(((along * down.conjugate()).real for along in leaving), default=-1.0)
         return max(0.0, nearest - 0.35) + {1j: 0.0, -1j: 0.2}.get(down, 0.12)
 
     return min((1j, -1 + 0j, 1 + 0j, -1j), key=badness)
@@ -86,18 +94,6 @@ class _Run:
             *symbols.slot(start, end, shows, "outline", self.step),
             *symbols.hatch(start + wall, end + wall, self.side, self.step),
         ]
-
-
-def _under_blocks(skeleton: Skeleton, *others: Skeleton) -> list[Mark]:
-    """The ground under a block that the frame carries; on a pivot it stands on the pivot's."""
-    marks: list[Mark] = []
-    for slide in skeleton.mechanism.slides:
-        if slide.block == FRAME and len(skeleton.mechanism.owners[slide.point]) == 1:
-            at, along = skeleton.at(slide.point), skeleton.along(slide)
-            side = _ground_side(at, along, skeleton, *others)
-            foot, half = at + side * symbols.BLOCK.imag / 2, 0.7 * symbols.BLOCK.real * along
-            marks += symbols.guide(foot - half, foot + half, side, skeleton.step(slide.point))
-    return marks
 
 
 def _runs(skeleton: Skeleton, *others: Skeleton) -> list[_Run]:
@@ -136,22 +132,16 @@ def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _Run:
     stops = [0.0, *((along.conjugate() * (other.at(slide.point) - at)).real for other in others)]
     side = _ground_side(at, along, skeleton, *others)
     step = skeleton.step(slide.line.origin)
-    low, high = _reaches(along, [way for one in (skeleton, *others) for way in _bars(one, one.at(slide.point))])
+    bars = [bar for one in (skeleton, *others) for bar in _bars(one, one.at(slide.point))]
+    turned = [(bar * along.conjugate()).real for bar in bars]
+    back, on = any(t < -_OVER for t in turned), any(t > _OVER for t in turned)
+    low, high = (_REACH, _REACH) if back == on else (_STUB, _AWAY) if back else (_AWAY, _STUB)
     low, high = min(stops) - low, max(stops) + high
     return _Run(at, along, low, high, side, slide.block is None, step, slide.name, (slide.point,))
 
 
-def _reaches(along: complex, ways: list[complex]) -> tuple[float, float]:
-    """How far a guide goes back and on from its block: little where a bar hides it."""
-    turned = [(way * along.conjugate()).real for way in ways]
-    back, on = any(t < -_OVER for t in turned), any(t > _OVER for t in turned)
-    if back == on:
-        return _REACH, _REACH
-    return (_STUB, _AWAY) if back else (_AWAY, _STUB)
-
-
 def _bars(skeleton: Skeleton, at: Place) -> Iterator[complex]:
-    """Where bars leave a place to."""
+    """Directions in which bars leave a place."""
     for ends in skeleton.segments():
         for here, there in (ends, ends[::-1]):
             if abs(here - at) < 0.1 < abs(there - at):
@@ -170,3 +160,106 @@ def away_from(at: Place, along: complex, places: list[Place]) -> complex:
     if abs(weight) < 5:
         return below
     return -normal if weight > 0 else normal
+
+
+def drives(skeleton: Skeleton) -> Figure:
+    """Arrows of all drivers that move."""
+    figure = Figure()
+    for driver in skeleton.mechanism.drivers:
+        if driver.rate == 0 and driver.acceleration == 0:
+            continue
+        if driver.kind == "slide":
+            _slide_arrow(skeleton, driver, figure)
+        elif driver.vector is not None:
+            _turn_arrow(skeleton, driver, figure)
+        elif driver.kind == "spin":
+            _spin_arrow(skeleton, driver, figure)
+    return figure
+
+
+def _turn_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
+    """About the vector's tail, starting at the link in the sense of its rotation."""
+    assert driver.vector is not None
+    at, tip = skeleton.at(driver.vector[0]), skeleton.at(driver.vector[1])
+    if abs(tip - at) < 1:
+        return
+    towards = (tip - at) / abs(tip - at)
+    starts = [towards * cmath.rect(1, math.radians(turn)) for turn in (-14, 76, -149)]
+    radius = min(9.0, max(6.0, 0.45 * abs(tip - at)))
+    mirrored = [towards**2 * start.conjugate() for start in starts]
+    _arcs(skeleton, driver, figure, driver.vector, radius, {1: starts, -1: mirrored})
+
+
+def _spin_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
+    """In a wheel whose direction does not matter, about its centre."""
+    own = [wheel for wheel in wheels_of(skeleton.mechanism) if wheel.link == driver.link]
+    if own:
+        radius = min(9.0, max(4.0, 0.6 * own[0].radius / skeleton.window.scale))
+        starts = [cmath.rect(1, math.radians(turn)) for turn in range(0, 360, 45)]
+        _arcs(skeleton, driver, figure, (own[0].centre,), radius, {1: starts, -1: starts})
+
+
+def _arcs(
+    skeleton: Skeleton, driver: Driver, figure: Figure, on: tuple[str, ...], radius: float,
+    starts: Mapping[int, Sequence[complex]],
+) -> None:  # fmt: skip
+    """An arc about the first point; where the acceleration opposes the rate each has its own, the one about the other.
+
+    starts  directions at which an arc may begin, of counter-clockwise ones (1) and of others (-1)
+    """
+    at, seen_from = skeleton.at(on[0]), driver.from_link if driver.from_link != FRAME else ""
+    letters: dict[int, str] = {}  # by the sense of rate and acceleration
+    for letter, value in (("ω", driver.rate), ("α", driver.acceleration)):
+        if value:
+            sense = 1 if value > 0 else -1
+            letters[sense] = letters.get(sense, "") + letter
+    links = [driver.link] if driver.from_link == FRAME else [driver.link, driver.from_link]
+    called = between([skeleton.mechanism.called(link) for link in links])
+    for sense, text in letters.items():
+        half = cmath.rect(1, -sense * symbols.SWEEP / 2)  # from the start of an arc to its middle
+        start = _freest(skeleton, at, half, radius, starts[sense])
+        shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
+        marks = symbols.spin(at, start, sense, radius, skeleton.step(*on), shows)
+        figure.marks += marks
+        middle, label = start * half, joined([quantity_label(letter, called) for letter in text])
+        figure.wanted.append(LabelRequest(label, at + middle * radius, gap=0.3, away=middle, step=marks[0].step))
+        radius += _APART
+
+
+def _freest(skeleton: Skeleton, at: Place, half: complex, radius: float, starts: Sequence[complex]) -> complex:
+    """The start of an arc that has most room about its middle, the first of equals; half: the turn to there."""
+    return max(starts, key=lambda start: _room(skeleton, at + start * half * radius))
+
+
+def _room(skeleton: Skeleton, place: Place) -> float:
+    """Distance of a place from the nearest link, as far as it matters to the eye [mm]."""
+    stretches = [*skeleton.segments()]
+    for point in skeleton.points:
+        if FRAME in skeleton.mechanism.owners[point]:
+            at = skeleton.at(point)
+            stretches.append((at, at + symbols.PIVOT_DEPTH * ground_way(point, skeleton)))
+    gaps = [5.0, *(abs(abs(place - at) - radius) for at, radius in circles(skeleton))]
+    return min([*gaps, *(off_stretch(place, start, end) for start, end in stretches)])
+
+
+def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
+    """Beside the block (or what rolls), in the direction in which it goes."""
+    pair = skeleton.mechanism.pair(driver.link)
+    assert pair.path is not None
+    point, line = pair.path.point, pair.path.line
+    along = skeleton.direction(line) * math.copysign(1, driver.rate or driver.acceleration)
+    up = along * 1j if (along * 1j).imag <= 0 else along * -1j
+    at = skeleton.at(point)
+    for slide in skeleton.mechanism.slides:
+        if slide.name == driver.link and skeleton.is_cylinder(slide):
+            foot = skeleton.at(slide.line.origin)
+            at = foot + (1 + symbols.TUBE) / 2 * (at - foot) - 2 * along
+    out = 5.2 + max((radius for centre, radius in circles(skeleton) if abs(centre - at) < 0.1), default=0.0)
+    out -= 1.5 if out > 6 else 0.0
+    across = max((up, -up), key=lambda side: min(_room(skeleton, at + side * out + along * t) for t in (-3, 3, 6)))
+    start = at + across * out - along * 4
+    marks = symbols.push(start, along, Shows(line.link, "push", line=driver.link), skeleton.step(point))
+    figure.marks += marks
+    names = [skeleton.mechanism.called(link) for link in reversed(pair.joins)]
+    label = quantity_label("v", point if line.link == FRAME else between(names))
+    figure.wanted.append(LabelRequest(label, start, start + 11 * along, away=across, step=marks[0].step))

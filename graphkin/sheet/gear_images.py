@@ -6,6 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
+from graphkin.base import geometry
 from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
@@ -13,6 +14,7 @@ from graphkin.planning import Method
 from graphkin.planning.step_numbers import rate_found
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
+from graphkin.sheet.skeleton import off_stretch
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window
@@ -39,16 +41,17 @@ class GearImage:
 def gear_images(method: Method, plot: Plot) -> list[GearImage]:
     """Every gear once; wheels that only roll have none. `g` is another letter where the mechanism has a point G."""
     letter = next((c for c in "gwzu" if c.upper() not in method.mechanism.points), "g")
-    found: list[GearImage] = []
+    start = next((act.page for act in method.acts if act.plane == "velocity"), None)
+    images: list[GearImage] = []
     for wheel in wheels_of(method.mechanism):
         centre = _centre(method, wheel) if wheel.gear else None
         if centre is None or centre not in plot.velocity:
             continue
-        omega = abs(float(plot.omega[wheel.link]))
+        radius = abs(geometry.number(plot.omega[wheel.link])) * wheel.radius
         label = point_label(f"{letter}@{method.mechanism.called(wheel.link)}")
-        at = complex(plot.velocity[centre])
-        found.append(GearImage(label, at, omega * wheel.radius, centre, _known(method, wheel.link)))
-    return found
+        at, step = geometry.place(plot.velocity[centre]), rate_found(method, "velocity", wheel.link) or start
+        images.append(GearImage(label, at, radius, centre, step))
+    return images
 
 
 def _centre(method: Method, wheel: Wheel) -> str | None:
@@ -62,12 +65,6 @@ def _centre(method: Method, wheel: Wheel) -> str | None:
     return next((name for name, site in at_centre if site is not None and site.link in owners), None)
 
 
-def _known(method: Method, link: str) -> int | None:
-    """The act in which a link's angular velocity is found; the first of the plane for a driven one."""
-    first = next((act.page for act in method.acts if act.plane == "velocity"), None)
-    return rate_found(method, "velocity", link) or first
-
-
 def circles(
     images: Sequence[GearImage], window: Window, arrows: Sequence[VectorMark], places: Sequence[Place]
 ) -> Figure:
@@ -78,30 +75,27 @@ def circles(
         if radius < _LEAST:
             continue
         figure.marks.append(Disc(at, radius, "thin", step=image.step))
-        ways = [cmath.rect(1, math.radians(15 + 30 * k)) for k in range(12)]
-        others = [entry for entry in drawn if entry != (at, radius)]
-        way = max(ways, key=lambda w, at=at, radius=radius, o=others: _room(at + radius * w, arrows, places, o))  # type: ignore[misc]
-        figure.wanted.append(LabelRequest(image.label, at + radius * way, gap=0.4, away=way, step=image.step))
+        others = [circle for circle in drawn if circle != (at, radius)]
+        rim = [at + cmath.rect(radius, math.radians(15 + 30 * k)) for k in range(12)]
+        gaps = [_gap(spot, arrows, places, others) for spot in rim]
+        spot = rim[gaps.index(max(gaps))]
+        away = (spot - at) / radius
+        figure.wanted.append(LabelRequest(image.label, spot, gap=0.4, away=away, step=image.step))
     return figure
 
 
-def _room(
-    spot: Place, arrows: Sequence[VectorMark], places: Sequence[Place], others: list[tuple[Place, float]]
+def _gap(
+    spot: Place, arrows: Sequence[VectorMark], places: Sequence[Place], others: Sequence[tuple[Place, float]]
 ) -> float:
-    """How far a place is from arrows, points and the other circles, as far as it matters [mm]."""
-    gaps = [abs(spot - place) for place in places]
-    for arrow in arrows:
-        way = arrow.end - arrow.start
-        t = ((way.conjugate() * (spot - arrow.start)).real / abs(way) ** 2) if way else 0.0
-        gaps.append(abs(spot - arrow.start - way * max(0.0, min(1.0, t))))
-    gaps += [abs(abs(spot - at) - radius) for at, radius in others]
-    return min([9.0, *gaps])
+    """Distance of a place from arrows, points and the other circles, as far as it matters [mm]."""
+    gaps = [9.0, *(abs(spot - place) for place in places), *(abs(abs(spot - at) - radius) for at, radius in others)]
+    return min([*gaps, *(off_stretch(spot, arrow.start, arrow.end) for arrow in arrows)])
 
 
 def points(images: Sequence[GearImage], window: Window) -> dict[str, list[Label]]:
     """Letters of the gears whose image is a point, by the polygon's point they lie on."""
-    found: dict[str, list[Label]] = {}
+    letters: dict[str, list[Label]] = {}
     for image in images:
-        if image.radius / window.scale < _LEAST and image.label not in found.get(image.centre, []):
-            found.setdefault(image.centre, []).append(image.label)
-    return found
+        if image.radius / window.scale < _LEAST and image.label not in letters.get(image.centre, []):
+            letters.setdefault(image.centre, []).append(image.label)
+    return letters

@@ -1,10 +1,10 @@
-"""Several positions of a linkage of four links over each other: the first in thick lines, the others thin.
-
-The linkage itself is the mechanism's own figure at each position; here it is put together and lettered.
+"""Positions of a linkage of four links over each other, the first in thick lines, with its angles and lengths.
 """
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
@@ -12,17 +12,17 @@ from itertools import combinations
 from graphkin.model.mechanism import FRAME
 from graphkin.sheet import symbols
 from graphkin.sheet.fit import Extent
-from graphkin.sheet.fixed_link import grounds
+from graphkin.sheet.fixed_link import away_from, grounds
 from graphkin.sheet.formula import points_label
 from graphkin.sheet.lettering import Label, Run, point_label
-from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke
+from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke
 from graphkin.sheet.mechanism_figure import moving_links
 from graphkin.sheet.paper import BODY
 from graphkin.sheet.pictures import Caption, Picture
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
-from graphkin.studies.linkages import Linkage
+from graphkin.studies.linkages import Linkage, Report
 from graphkin.studies.linkages.linkage import LinkagePosition
 from graphkin.studies.linkages.placement import posed
 
@@ -34,16 +34,22 @@ _SHORT = 8.0
 """A shorter bar bears no letters of its own [mm]."""
 _TRIAL = 80.0
 """Size of a figure when it is drawn to see how far its signs reach [mm]."""
+_FOOT = 15.0
+"""How far from the guide the stroke's dimension line lies [mm]."""
+_BESIDE_HINGE, _BESIDE_BLOCK = (0.42, 11.0, 30.0), (0.3, 14.0, 34.0)
+"""Radius of psi: share of the output's arm, least and most [mm]; beside a block it needs more room."""
+_SEEN = 0.05
+"""An arm that leaves its link's line by more does not show its direction [mm]."""
+_SQUARE, _PAST_BLOCK, _RIGHT = 2.4, 6.5, 1e-6
+"""Side of the square in a right angle, and where it is to be seen beside a block [mm]; its cosine is no larger."""
+_NO_HEADS = 7.0
+"""An arc shorter than this has no arrow heads [mm]."""
 
 
 def pictured(positions: Row, draw: Callable[[Window], Figure], caption: Caption) -> Picture:
     """A figure of these positions that wants a cell."""
-    return Picture(Extent.of(_places(positions), draw, trial=_TRIAL), draw, caption)
-
-
-def _places(positions: Row) -> list[complex]:
-    """The places a figure shows [m]."""
-    return [place for position in positions for place in position.places]
+    places = [place for position in positions for place in position.places]
+    return Picture(Extent.of(places, draw, trial=_TRIAL), draw, caption)
 
 
 def on_paper(position: LinkagePosition, window: Window) -> list[Place]:
@@ -56,18 +62,15 @@ def drawn_over(linkage: Linkage, positions: Row, window: Window, primes: bool = 
     first, *others = (Skeleton(machine, posed(linkage, machine, position), window, {}) for position in positions)
     marks = list(grounds(first, *others).marks)
     for skeleton in reversed(others):
-        marks += [_thin(mark) for mark in _links(linkage, skeleton)]
-    wanted = [*_names(linkage, positions, first, primes), *_bars(linkage, positions[0], window)]
-    return Figure([*marks, *_links(linkage, first)], wanted)
-
-
-def _bars(linkage: Linkage, position: LinkagePosition, window: Window) -> Iterator[LabelRequest]:
-    """The links by their ends, as their lengths are called, where there is room for it."""
-    named = zip(linkage.names, on_paper(position, window), strict=True)
-    for (one, start), (other, end) in combinations(named, 2):
+        for mark in _links(linkage, skeleton):
+            marks.append(replace(mark, pen="thin") if isinstance(mark, Stroke | Disc) else mark)
+    labels = [*_names(linkage, positions, first, primes)]
+    named = zip(linkage.names, on_paper(positions[0], window), strict=True)
+    for (one, start), (other, end) in combinations(named, 2):  # links by their ends, as their lengths are called
         name = next((name for name in (one + other, other + one) if name in linkage.sizes), "")
         if name and abs(end - start) > _SHORT:
-            yield LabelRequest(points_label(name), start, end, gap=1.2, size=BODY, spare=True)
+            labels.append(LabelRequest(points_label(name), start, end, gap=1.2, size=BODY, spare=True))
+    return Figure([*marks, *_links(linkage, first)], labels)
 
 
 def _links(linkage: Linkage, skeleton: Skeleton) -> Iterator[Mark]:
@@ -79,28 +82,145 @@ def _links(linkage: Linkage, skeleton: Skeleton) -> Iterator[Mark]:
             yield Disc(mark.at, mark.radius, "outline", mark.fill)
 
 
-def _thin(mark: Mark) -> Mark:
-    return replace(mark, pen="thin") if isinstance(mark, Stroke | Disc) else mark
-
-
 def _names(linkage: Linkage, positions: Row, first: Skeleton, primes: bool) -> Iterator[LabelRequest]:
     """Pivots once, moving points at every position."""
-    window = first.window
-    centre = sum(places := _places(positions)) / len(places)
+    places = [place for position in positions for place in position.places]
+    window, centre = first.window, sum(places) / len(places)
     for k, name in enumerate(linkage.names):
         fixed = FRAME in first.mechanism.owners[name]
         for number, position in enumerate(positions[:1] if fixed else positions, start=1):
-            at = window(position.places[k])
-            label = _numbered(name, None if fixed or len(positions) == 1 else number, primes)
+            at, label = window(position.places[k]), point_label(name)
+            if primes and not fixed and len(positions) > 1:
+                label = (*label, Run("′" * number))
+            elif not fixed and len(positions) > 1:  # after a comma where the name has a subscript of its own
+                comma = "," if any(run.place == "sub" for run in label) else ""
+                label = (*label, Run(f"{comma}{number}", False, "sub"))
             yield LabelRequest(label, at, gap=symbols.HINGE + 0.4, away=at - window(centre))
 
 
-def _numbered(name: str, number: int | None, primes: bool) -> Label:
-    """`B` at position 1 as B with a subscript (after a comma where the name has one of its own), or with a prime."""
-    label = point_label(name)
-    if number is None:
-        return label
-    if primes:
-        return (*label, Run("′" * number))
-    low = any(run.place == "sub" for run in label)
-    return (*label, Run(f",{number}" if low else str(number), False, "sub"))
+def _degrees(sign: str, angle: float, primes: int = 0) -> Label:
+    """`ψ = 40.54°`, `γ′ = 32.98°`."""
+    index = (Run("′" * primes),) if primes else ()
+    return (Run(sign, True), *index, Run(f" = {math.degrees(angle):.2f}°"))
+
+
+def _arc(centre: Place, radius: float, start: complex, end: complex, label: Label) -> Figure:
+    """The smaller arc between two directions on paper."""
+    return _swept(centre, radius, cmath.phase(start), cmath.phase(end / start), label)
+
+
+def _swept(centre: Place, radius: float, begin: float, sweep: float, label: Label) -> Figure:
+    """An arc with arrow heads and its value; nothing for no angle."""
+    figure = Figure()
+    if abs(sweep) < 1e-6:
+        return figure
+    figure.marks.append(ArcMark(centre, radius, begin, sweep, "thin"))
+    if abs(sweep) * radius > _NO_HEADS:
+        for angle, side in ((begin, -1), (begin + sweep, 1)):
+            turn = side * (1 if sweep > 0 else -1) * (math.pi / 2 - 1.5 / radius)
+            tip = centre + cmath.rect(radius, angle)
+            figure.marks.append(symbols.arrow_head(tip, cmath.rect(1, angle + turn), None))
+    middle = cmath.rect(1, begin + sweep / 2)
+    figure.wanted.append(LabelRequest(label, centre + radius * middle, gap=0.6, away=middle, size=BODY + 0.3))
+    return figure
+
+
+# --- limits -------------------------------------------------------------------------------------
+
+
+def dimensioned_limits(report: Report, window: Window) -> Figure:
+    """psi or H between the limits, and theta at the crank's pivot."""
+    figure = _theta(report, window)
+    for end in report.limits:
+        if end.how == "across":  # a crank at right angles to a bar that slides over its pin
+            first, pin, last = on_paper(end, window)[:3]
+            figure.marks += _square(pin, first - pin, last - pin, _PAST_BLOCK)
+    if report.swing is not None:
+        figure += _psi(report, window)
+    elif report.stroke is not None:
+        figure += _stroke(report, report.stroke, window)
+    return figure
+
+
+def _square(at: Place, one: complex, other: complex, side: float = _SQUARE) -> Iterator[Mark]:
+    """Between two lines through a point that stand at right angles."""
+    one, other = one / abs(one), other / abs(other)
+    if abs((one.conjugate() * other).real) < _RIGHT:
+        yield Stroke((at + side * one, at + side * (one + other), at + side * other), "construction")
+
+
+def _psi(report: Report, window: Window) -> Figure:
+    """At the output's pivot, over its range."""
+    pivot, tip = report.linkage.arm
+    first = on_paper(report.limits[0], window)
+    at, span = first[pivot], report.output_range
+    share, least, most = _BESIDE_BLOCK if report.slide else _BESIDE_HINGE
+    radius = min(max(share * abs(first[tip] - at), least), most)
+    figure = _swept(at, radius, -span.low, -span.width, _degrees("ψ", span.width))
+    for end in report.limits:
+        along = window.turned(cmath.rect(1, end.output))
+        arm = on_paper(end, window)[tip] - at
+        if abs((along.conjugate() * arm).imag) > _SEEN:
+            figure.marks.append(Stroke((at, at + along * (radius + 3)), "construction"))
+    return figure
+
+
+def _theta(report: Report, window: Window) -> Figure:
+    """Between the crank at the first limit and the crank at the second, carried on beyond its pivot."""
+    figure = Figure()
+    if report.theta is None or report.theta < 1e-6 or report.timed_by:
+        return figure
+    order = -1 if report.linkage.driver == "rocker" else 1
+    first, second = (on_paper(end, window)[::order] for end in report.limits)
+    at, start, end = first[0], first[1] - first[0], second[0] - second[1]
+    radius = max(abs(start) + 7.0, 13.0)
+    if report.limits[0].how == "across":
+        figure.marks.append(Stroke((at, at + end / abs(end) * (radius + 3)), "construction"))
+        figure.marks.append(Stroke((first[1], at + start / abs(start) * (radius + 3)), "construction"))
+    return figure + _arc(at, radius, start / abs(start), end / abs(end), _degrees("θ", report.theta))
+
+
+def _stroke(report: Report, length: float, window: Window) -> Figure:
+    """A dimension line beside the guide, on the side of the ground."""
+    along = window.turned(cmath.rect(1, report.limits[0].turn))
+    places = [on_paper(end, window) for end in report.limits]
+    one, other = (there[-1] for there in places)
+    side = away_from(one, along, [place for there in places for place in there])
+    ends = [place + _FOOT * side for place in (one, other)]
+    marks: list[Mark] = []
+    for place in (one, other):
+        marks.append(Stroke((place + 4.5 * side, place + (_FOOT + 1.5) * side), "construction"))
+    marks.append(Stroke((ends[0], ends[1]), "thin"))
+    forward = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
+    marks += [symbols.arrow_head(ends[0], -forward, None), symbols.arrow_head(ends[1], forward, None)]
+    label: Label = (Run("H", True), Run(f" = {length * 1e3:.2f} mm"))
+    return Figure(marks, [LabelRequest(label, ends[0], ends[1], gap=0.4, away=side, size=BODY + 0.3)])
+
+
+# --- transmission -------------------------------------------------------------------------------
+
+
+def dimensioned_transmission(report: Report, positions: tuple[LinkagePosition, ...], window: Window) -> Figure:
+    """gamma at each position; for a slider the pressure angle alpha, which is seen against the guide."""
+    figure = Figure()
+    for number, end in enumerate(positions, start=1):
+        angle, gamma = report.linkage.seen(end), end.gamma or 0.0
+        if angle is None:
+            continue
+        radius, label = 15.0, _degrees("γ", gamma, number)
+        if angle.pressure:
+            radius, label = 8.0 + 8.0 * number, _degrees("α", math.pi / 2 - gamma, number)
+        figure += _between(window(angle.at), window.turned(angle.one), window.turned(angle.other), radius, label)
+    return figure
+
+
+def _between(at: Place, one: complex, other: complex, radius: float, label: Label) -> Figure:
+    """The acute angle between two lines through a point; what no link shows is drawn on."""
+    figure = Figure()
+    one, other = one / abs(one), other / abs(other)
+    if (one.conjugate() * other).real < 0:
+        one = -one
+    for along in (one, other):
+        figure.marks.append(Stroke((at, at + along * (radius + 3)), "construction"))
+    figure.marks += _square(at, one, other)
+    return figure + _arc(at, radius, one, other, label)

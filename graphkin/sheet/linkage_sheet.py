@@ -1,4 +1,4 @@
-"""A linkage's limits and its extreme transmission angles on one sheet, as textbooks draw them.
+"""Linkages on one sheet: limits and extreme transmission angles as textbooks draw them, or the family of kinds.
 
 On the left both limit positions over each other (the second thin) with psi or H and theta; on the right the
 positions between which the transmission angle lies. Both at one true scale.
@@ -6,113 +6,35 @@ positions between which the transmission angle lies. Both at one true scale.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from functools import partial
 
 from graphkin.errors import Lang
+from graphkin.say import numbers
 from graphkin.say.linkages import amount, kind_name, titled
-from graphkin.say.numbers import angle as degrees
-from graphkin.say.numbers import number
-from graphkin.sheet.layout import divided, papers_for
-from graphkin.sheet.linkage_angles import dimensioned_limits, dimensioned_transmission
-from graphkin.sheet.linkage_figure import drawn_over, pictured
-from graphkin.sheet.linkage_table import linkage_tables
-from graphkin.sheet.page import Page, Panel, Sheet
-from graphkin.sheet.paper import Room
+from graphkin.sheet.formula import points_label
+from graphkin.sheet.grid import SheetGrid, panels_in
+from graphkin.sheet.layout import papers_for
+from graphkin.sheet.lettering import Label, Run, number, plain, point_label, quantity_label, width
+from graphkin.sheet.linkage_figure import dimensioned_limits, dimensioned_transmission, drawn_over, pictured
+from graphkin.sheet.marks import Text
+from graphkin.sheet.page import Panel, Sheet
+from graphkin.sheet.paper import TITLE
 from graphkin.sheet.pictures import Caption, Picture
-from graphkin.sheet.titleblock import Strip, strip_height
+from graphkin.sheet.table import Table
+from graphkin.sheet.titleblock import frame
 from graphkin.sheet.window import Figure, Window
-from graphkin.studies.linkages import Report
-from graphkin.studies.linkages.linkage import LinkagePosition
+from graphkin.studies.linkages import FAMILY, Report, report
 
 _ON_A4 = 2
 """So many linkages are drawn on A4."""
 _CAPTION = 22.0
 """Room for a caption of four lines under each figure [mm]."""
-
-
-def limit_sheet(reports: Sequence[Report], lang: Lang = "en", *, paper: str | None = None, title: str = "") -> Sheet:
-    """The sheet of the linkages of a mechanism, or of one by itself: a row of figures each, at one scale.
-
-    paper   a key of `PAPERS`; A4 on its side where left out, A3 for three linkages and more
-    title   of the title block; the kind of the first where left out
-
-    Raises UnknownPaper.
-    """
-    chosen = papers_for(paper or ("A4-landscape" if len(reports) <= _ON_A4 else "A3-landscape"))[0]
-    rows, tables = [_pictures(report, lang, len(reports) > 1) for report in reports], linkage_tables(reports)
-    field, foot = divided(chosen, strip_height(chosen, tables))
-    placed = _placed(rows, field, chosen.landscape)
-    panels = [panel for row in placed for panel in _panels(row, len(rows) > 1)]
-    machine = titled(reports[0].linkage, title or kind_name(reports[0], lang))
-    drivers = [driver.value or 0.0 for driver in machine.drivers]
-    return Page(chosen, panels, machine, drivers, lang, Strip(foot, tables)).sheet()
-
-
-def _placed(rows: Sequence[list[Picture]], field: Room, landscape: bool) -> Iterator[list[tuple[Picture, Room]]]:
-    """Each figure with its cell: a row a linkage; a single one's over one another on upright paper."""
-    for pictures, row in zip(rows, field.cells(len(rows), 1), strict=True):
-        columns = 1 if len(rows) == 1 and not landscape else len(pictures)
-        yield list(zip(pictures, row.cells(len(pictures), columns), strict=True))
-
-
-def _panels(row: list[tuple[Picture, Room]], told: bool) -> Iterator[Panel]:
-    """A linkage's figures at one scale; with `told`, which the captions give."""
-    scale = max(picture.scale(cell) for picture, cell in row)
-    for picture, cell in row:
-        shown = picture.captioned(f"(1:{scale * 1e3:g}) ") if told else picture
-        yield shown.panel(cell, scale)
-
-
-# --- what is drawn ------------------------------------------------------------------------------
-
-
-def _pictures(report: Report, lang: Lang, several: bool) -> list[Picture]:
-    """With `several`, captions begin with the letters of the linkage."""
-    found = []
-    if report.limits:
-        found.append(_limits(report, lang))
-    if report.critical and report.gamma_min is not None and not report.level:
-        found.append(_transmission(report, lang))
-    if not found:
-        ends, name = report.critical[:2], kind_name(report, lang)
-        found.append(pictured(ends, lambda window: drawn_over(report.linkage, ends, window), _caption(name)))
-    name = "".join(report.linkage.names)
-    return [one.captioned(f"{name}: ") for one in found] if several else found
-
-
-def _caption(*texts: str) -> Caption:
-    return Caption(texts, _CAPTION)
-
-
-def _limits(report: Report, lang: Lang) -> Picture:
-    def draw(window: Window) -> Figure:
-        return _over(drawn_over(report.linkage, report.limits, window), dimensioned_limits(report, window))
-
-    return pictured(report.limits, draw, _caption(*_limit_caption(report, lang)))
-
-
-def _transmission(report: Report, lang: Lang) -> Picture:
-    shown = _shown(report)
-
-    def draw(window: Window) -> Figure:
-        angles = dimensioned_transmission(report, shown, window)
-        return _over(drawn_over(report.linkage, shown, window, primes=True), angles)
-
-    return pictured(shown, draw, _caption(*_gamma_caption(report, lang)))
-
-
-def _over(linkage: Figure, angles: Figure) -> Figure:
-    """The linkage over the arcs, its letters before theirs."""
-    return Figure(angles.marks + linkage.marks, linkage.wanted + angles.wanted)
-
-
-def _shown(report: Report) -> tuple[LinkagePosition, ...]:
-    """The position of the least transmission angle first, and one to compare it with."""
-    least = report.least[0]
-    others = [end for end in report.critical if end is not least]
-    return (least, *others[:1])
-
-
+_COLUMNS, _HEAD, _FOOT = 4, 10.0, 13.0
+"""Sketches of the family side by side; room for its title, and for the name under each sketch [mm]."""
+_FAMILY: dict[Lang, str] = {"en": "Linkages of four links", "zh": "平面四杆机构的类型"}
 _WORDS: dict[str, dict[Lang, str]] = {
     "limits": {"en": "Limit positions of {output}", "zh": "{output} 的极限位置"},
     "k": {"en": "K = (180° + θ)/(180° − θ) = {k}", "zh": "K = (180° + θ)/(180° − θ) = {k}"},
@@ -128,31 +50,130 @@ _WORDS: dict[str, dict[Lang, str]] = {
 }
 
 
-def _degrees(angle: float) -> str:
-    return degrees(angle)
+def limit_sheet(reports: Sequence[Report], lang: Lang = "en", *, paper: str | None = None, title: str = "") -> Sheet:
+    """The sheet of the linkages of a mechanism, or of one by itself: a row of figures each, at one scale.
+
+    paper   a key of `PAPERS`; A4 on its side where left out, A3 for three linkages and more
+    title   of the title block; the kind of the first where left out
+
+    Raises UnknownPaper.
+    """
+    chosen = papers_for(paper or ("A4-landscape" if len(reports) <= _ON_A4 else "A3-landscape"))[0]
+    grid, several = SheetGrid.over(chosen, _tables(reports)), len(reports) > 1
+    panels: list[Panel] = []
+    for one, row in zip(reports, grid.field.cells(len(reports), 1), strict=True):
+        pictures = _pictures(one, lang, several)
+        columns = len(pictures) if several or chosen.landscape else 1
+        cells = row.cells(len(pictures), columns)
+        scale = max(picture.scale(cell) for picture, cell in zip(pictures, cells, strict=True))
+        if several:
+            pictures = [picture.captioned(f"(1:{scale * 1e3:g}) ") for picture in pictures]
+        panels += panels_in(pictures, cells, scale)
+    machine = titled(reports[0].linkage, title or kind_name(reports[0], lang))
+    return grid.page(panels, machine, lang).sheet()
 
 
-def _limit_caption(report: Report, lang: Lang) -> tuple[str, ...]:
-    found = [_WORDS["limits"][lang].format(output=report.output)]
-    if report.k is not None:
-        key = "timed" if report.timed_by else "one" if report.slow is None else "k"
-        found.append(_WORDS[key][lang].format(k=number(report.k, digits=5), crank=report.timed_by))
-    other = [name for name in report.dead if name != report.driver][:1]
-    return (*found, *(_dead(report, name, lang) for name in other))
+def family_sheet(lang: Lang = "en", *, paper: str | None = None) -> Sheet:
+    """Every kind of the family once: a sketch at a scale of its own, with its name. Raises UnknownPaper."""
+    chosen, pictures = papers_for(paper or "A4-landscape")[0], list[Picture]()
+    for member in FAMILY:
+        linkage = member.linkage
+        caption = Caption((kind_name(report(linkage), lang),), _FOOT)
+        pictures.append(pictured([linkage.drawn], partial(drawn_over, linkage, [linkage.drawn]), caption))
+    grid = SheetGrid(chosen, chosen.frame.inset(0, _HEAD, 0))
+    panels = panels_in(pictures, grid.field.cells(len(pictures), _COLUMNS))
+    title, room = plain(_FAMILY[lang]), chosen.frame
+    head = Text(title, complex(room.middle.real - width(title, TITLE) / 2, room.top + 7.0), TITLE)
+    machine = replace(titled(FAMILY[0].linkage), name="linkages", file="linkages.toml", text="")
+    bare = [replace(panel, plane=None) for panel in panels]
+    return grid.page(bare, machine, lang, base=[frame(chosen), head], title=_FAMILY[lang]).sheet()
 
 
-def _gamma_caption(report: Report, lang: Lang) -> tuple[str, ...]:
-    values = ", ".join(amount(report, end.driver) for end in report.least)
-    words = {"gamma": _degrees(report.gamma_min or 0.0), "alpha": _degrees(report.alpha_max or 0.0)}
-    found = [_WORDS["gamma"][lang].format(driver=report.driver)]
-    letter = "s" if report.driver == report.slide else "φ"
-    found.append(_WORDS["least"][lang].format(**words, letter=letter, driver=report.driver, values=values))
-    return (*found, *([_dead(report, report.driver, lang)] if report.driver in report.dead else []))
+# --- figures with their captions ----------------------------------------------------------------
 
 
-def _dead(report: Report, driver: str, lang: Lang) -> str:
-    values = report.dead[driver]
-    slides = driver == report.slide
-    said = ", ".join(f"{round(value * 1e3, 6) + 0.0:.5g} mm" if slides else _degrees(value) for value in values)
-    said = said.replace("-", "−")
-    return _WORDS["dead" if values else "none"][lang].format(driver=driver, values=said)
+def _pictures(one: Report, lang: Lang, several: bool) -> list[Picture]:
+    """Limits and transmission angles; with `several`, captions begin with the letters of the linkage."""
+    pictures = []
+    if one.limits:
+        pictures.append(_limits(one, lang))
+    if one.critical and one.gamma_min is not None and not one.level:
+        pictures.append(_transmission(one, lang))
+    if not pictures:
+        ends, caption = one.critical[:2], Caption((kind_name(one, lang),), _CAPTION)
+        pictures.append(pictured(ends, partial(drawn_over, one.linkage, ends), caption))
+    name = "".join(one.linkage.names)
+    return [picture.captioned(f"{name}: ") for picture in pictures] if several else pictures
+
+
+def _limits(one: Report, lang: Lang) -> Picture:
+    def draw(window: Window) -> Figure:
+        return _over(drawn_over(one.linkage, one.limits, window), dimensioned_limits(one, window))
+
+    texts = [_WORDS["limits"][lang].format(output=one.output)]
+    if one.k is not None:
+        key = "timed" if one.timed_by else "one" if one.slow is None else "k"
+        texts.append(_WORDS[key][lang].format(k=numbers.number(one.k, digits=5), crank=one.timed_by))
+    texts += [_dead(one, name, lang) for name in one.dead if name != one.driver][:1]
+    return pictured(one.limits, draw, Caption(tuple(texts), _CAPTION))
+
+
+def _transmission(one: Report, lang: Lang) -> Picture:
+    """The position of the least transmission angle first, and one to compare it with."""
+    shown = (one.least[0], *[end for end in one.critical if end is not one.least[0]][:1])
+
+    def draw(window: Window) -> Figure:
+        angles = dimensioned_transmission(one, shown, window)
+        return _over(drawn_over(one.linkage, shown, window, primes=True), angles)
+
+    gamma, alpha = numbers.angle(one.gamma_min or 0.0), numbers.angle(one.alpha_max or 0.0)
+    letter, values = "s" if one.driver == one.slide else "φ", ", ".join(amount(one, end.driver) for end in one.least)
+    least = _WORDS["least"][lang].format(gamma=gamma, alpha=alpha, letter=letter, driver=one.driver, values=values)
+    texts = [_WORDS["gamma"][lang].format(driver=one.driver), least]
+    texts += [_dead(one, one.driver, lang)] if one.driver in one.dead else []
+    return pictured(shown, draw, Caption(tuple(texts), _CAPTION))
+
+
+def _over(linkage: Figure, angles: Figure) -> Figure:
+    """The linkage over the arcs, its letters before theirs."""
+    return Figure(angles.marks + linkage.marks, linkage.wanted + angles.wanted)
+
+
+def _dead(one: Report, driver: str, lang: Lang) -> str:
+    values, slides = one.dead[driver], driver == one.slide
+    texts = (f"{round(value * 1e3, 6) + 0.0:.5g} mm" if slides else numbers.angle(value) for value in values)
+    shown = ", ".join(texts).replace("-", "−")
+    return _WORDS["dead" if values else "none"][lang].format(driver=driver, values=shown)
+
+
+# --- tables -------------------------------------------------------------------------------------
+
+
+def _tables(reports: Sequence[Report]) -> list[Table]:
+    """Lengths, limits, time ratio and angles of transmission of each linkage, headed by its letters."""
+    heads = (tuple(run for name in one.linkage.names for run in point_label(name)) for one in reports)
+    return [Table((head, ()), tuple(_rows(one))) for head, one in zip(heads, reports, strict=True)]
+
+
+def _rows(one: Report) -> Iterator[tuple[Label, Label]]:
+    for name, size in one.linkage.sizes.items():
+        yield points_label(name), _mm(size)
+    if one.swing is not None:
+        yield quantity_label("ψ", ""), _degrees(one.swing)
+    if one.stroke is not None:
+        yield quantity_label("H", ""), _mm(one.stroke)
+    if one.theta is not None:
+        yield quantity_label("θ", ""), _degrees(one.theta)
+    if one.k is not None:
+        yield quantity_label("K", ""), number(one.k)
+    for letter, low, angle in (("γ", "min", one.gamma_min), ("α", "max", one.alpha_max)):
+        if angle is not None:
+            yield (Run(letter, True), Run(low, place="sub")), _degrees(angle)
+
+
+def _mm(length: float) -> Label:
+    return (*number(length * 1e3), Run(" mm"))
+
+
+def _degrees(angle: float) -> Label:
+    return (*number(math.degrees(angle)), Run("°"))

@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
+from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane, Plot
 from graphkin.errors import Lang
@@ -63,14 +64,14 @@ def mistake_sheet(
     own     the student's drawing, laid over with its pole on the pole
     answer  whether the right drawing may be shown: without it, the drawing with the mistakes alone
     """
-    rows = [row for plane in PLANES if (row := [*_versions(method, plot, plane, found, own or {}, answer)])]
-    if not rows:
-        return None
     panels: list[Panel] = []
     top = 0.0
-    for row in rows:
-        panels += _row(row, top, answer, lang)
-        top = panels[-1].room.bottom + _FOOT
+    for plane in PLANES:
+        if row := [*_versions(method, plot, plane, found, own or {}, answer)]:
+            panels += _row(row, top, answer, lang)
+            top = panels[-1].room.bottom + _FOOT
+    if not panels:
+        return None
     paper = Paper("figure", max(panel.room.right for panel in panels) + 1, top, 0.0)
     title = say("pictures.title", lang)
     whole = Page(paper, panels, method.mechanism, plot.facts.values, lang, title=title).sheet().upto(_OTHERWISE)
@@ -80,20 +81,20 @@ def mistake_sheet(
 # --- versions of a plane ----------------------------------------------------------------------
 
 
-@dataclass
+@frozen
 class Version:
     """A plane as it is drawn by somebody.
 
-    told    what it is, under it
+    name    its name in the catalogue, to be said under it
     thin    only to be compared with
-    arrows, images   what is drawn otherwise, as in `Beside`
+    arrows, images   drawn otherwise, as in `Beside`
     own     the student's points, from the pole
     """
 
     method: Method
     plane: Plane
     plot: Plot
-    told: str
+    name: str
     thin: bool = False
     arrows: frozenset[frozenset[str]] = frozenset()
     images: frozenset[str] = frozenset()
@@ -104,7 +105,7 @@ class Version:
         return constructions(self.method)[self.plane]
 
     def places(self) -> list[complex]:
-        """What it shows, SI."""
+        """The places that it shows, SI."""
         if self.plane == "position":
             return shown_places(self.method, self.plot)
         return [*self._there.values(), *self._own.values()]
@@ -113,40 +114,38 @@ class Version:
     def _there(self) -> Mapping[str, complex]:
         """The polygon's points."""
         names = {self.construction.pole, *self.construction.nodes}
-        return {name: complex(v) for name, v in self.plot.points(self.plane).items() if name in names}
+        return {name: place(v) for name, v in self.plot.points(self.plane).items() if name in names}
 
     def figure(self, window: Window) -> Figure:
         if self.plane == "position":
-            drawn = plain_mechanism(self.method, self.plot, window).numbered(None)
-            return Figure([self._penned(mark) for mark in drawn.marks], drawn.wanted)
-        drawn = polygon_figure(self._polygon(self.plot, window))
-        wanted = drawn.wanted
-        if len(wanted) > _CROWDED:
-            wanted = [label for label in wanted if not label.spare]
-        return Figure([self._penned(mark) for mark in drawn.marks], wanted) + self._over(window)
+            figure = plain_mechanism(self.method, self.plot, window).numbered(None)
+            return Figure([self._penned(mark) for mark in figure.marks], figure.wanted)
+        figure = polygon_figure(self._polygon(self.plot, window))
+        labels = figure.wanted
+        if len(labels) > _CROWDED:
+            labels = [label for label in labels if not label.spare]
+        return Figure([self._penned(mark) for mark in figure.marks], labels) + self._over(window)
 
     def _polygon(self, plot: Plot, window: Window) -> PolygonFigure:
         return PolygonFigure(self.method.mechanism, self.construction, plot, window, {})
 
     def _penned(self, mark: Mark) -> Mark:
         """Thick where it is drawn otherwise; thin where it is only compared with."""
-        if self._otherwise(mark):
+        match mark:
+            case VectorMark(tail=tail, head=head):
+                ends = frozenset((tail, head))
+                otherwise = ends in self.arrows or (self.construction.pole in ends and bool(ends & self.images))
+            case PointMark(name=name):
+                otherwise = name in self.images
+            case Stroke(shows=shows) if shows is not None:
+                otherwise = bool(self.images.intersection(shows.points))
+            case _:
+                otherwise = False
+        if otherwise:
             return replace(mark, step=_OTHERWISE)
         if self.thin and isinstance(mark, VectorMark | Stroke) and mark.pen in ("vector", "visible"):
             return replace(mark, pen="thin")
         return mark
-
-    def _otherwise(self, mark: Mark) -> bool:
-        match mark:
-            case VectorMark(tail=tail, head=head):
-                found = frozenset((tail, head))
-                return found in self.arrows or (self.construction.pole in found and bool(found & self.images))
-            case PointMark(name=name):
-                return name in self.images
-            case Stroke(shows=shows) if shows is not None:
-                return bool(self.images.intersection(shows.points))
-            case _:
-                return False
 
     @property
     def _own(self) -> Mapping[str, complex]:
@@ -164,12 +163,10 @@ class Version:
     def _over(self, window: Window) -> Figure:
         """The student's drawing, dashed; letters in brackets where its points lie elsewhere."""
         own = self._own
-        drawn = Plot(self.plot.facts)
-        drawn.points(self.plane).update(own)
-        polygon = self._polygon(drawn, window)
-        figure = Figure()
-        for arrow in polygon.vectors():
-            figure.marks.append(Stroke((arrow.start, arrow.end), "dashed"))
+        plot = Plot(self.plot.facts)
+        plot.points(self.plane).update(own)
+        polygon = self._polygon(plot, window)
+        figure = Figure([Stroke((arrow.start, arrow.end), "dashed") for arrow in polygon.vectors()])
         for name, at in polygon.points.items():
             figure.marks.append(Disc(at, _RING, "thin"))
             if abs(at - window(self._there[name])) > _OFF:
@@ -182,72 +179,45 @@ def _versions(
     method: Method, plot: Plot, plane: Plane, found: Beside | None, own: Own, answer: bool
 ) -> Iterator[Version]:
     changed = found is not None and plane in found.planes
-    drawn = own.get(plane) if plane != "position" else None
+    students = own.get(plane) if plane != "position" else None
     arrows = found.arrows.get(plane, frozenset()) if found is not None else frozenset()
     images = found.images.get(plane, frozenset()) if found is not None else frozenset()
-    if answer and (changed or drawn):
-        yield Version(method, plane, _drawable(plot, plane), "right", changed, arrows, images, drawn)
+    if answer and (changed or students):
+        yield Version(method, plane, _drawable(plot, plane), "right", changed, arrows, images, students)
     if changed and found is not None:
-        yield Version(method, plane, _drawable(found.other, plane), "mistake", False, arrows, images, drawn)
+        yield Version(method, plane, _drawable(found.other, plane), "mistake", False, arrows, images, students)
 
 
 def _drawable(plot: Plot, plane: Plane) -> Plot:
     """The same with the points alone that lie somewhere."""
     points = plot.points(plane)
-    there = {name: value for name, value in points.items() if cmath.isfinite(complex(value))}
+    there = {name: value for name, value in points.items() if cmath.isfinite(place(value))}
     if len(there) == len(points):
         return plot
-    found = Plot(plot.facts, position=dict(plot.position), theta=dict(plot.theta), s=dict(plot.s))
-    found.points(plane).clear()
-    found.points(plane).update(there)
-    return found
+    drawable = Plot(plot.facts, position=dict(plot.position), theta=dict(plot.theta), s=dict(plot.s))
+    drawable.points(plane).clear()
+    drawable.points(plane).update(there)
+    return drawable
 
 
 # --- on paper ---------------------------------------------------------------------------------
 
 
-@frozen
-class _Placed:
-    """A version with the room it wants."""
-
-    version: Version
-    extent: Extent
-
-    @classmethod
-    def of(cls, version: Version) -> _Placed:
-        return cls(version, Extent.of(version.places(), version.figure))
-
-    def height(self, scale: float) -> float:
-        return HEAD + self.extent.size.imag / scale + self.extent.reach.imag + _FOOT
-
-
 def _row(versions: Sequence[Version], top: float, answer: bool, lang: Lang) -> list[Panel]:
     """Side by side, or under one another, at one scale where all are large enough to be read at it."""
-    placed = [_Placed.of(version) for version in versions]
-    crowded = max(one.extent.labels for one in placed) > _CROWDED
+    extents = [Extent.of(version.places(), version.figure) for version in versions]
+    crowded = max(extent.labels for extent in extents) > _CROWDED
     wide, high = (_LARGE * _WIDE, _LARGE * _HIGH) if crowded else (_WIDE, _HIGH)
-    finest = [one.extent.finest(Room(0, HEAD, wide, high - _FOOT)) for one in placed]
-    scales = [max(finest) if one.extent.longest / max(finest) >= _SMALL else own for one, own in zip(placed, finest)]
-    heights = [one.height(scale) for one, scale in zip(placed, scales)]
-    cells = _under(wide, heights, top) if crowded else _beside(wide, heights, top)
-    return [_panel(one, cell, scale, answer, lang) for one, cell, scale in zip(placed, cells, scales)]
-
-
-def _beside(wide: float, heights: Sequence[float], top: float) -> Iterator[Room]:
-    for k in range(len(heights)):
-        yield Room(k * wide, top, (k + 1) * wide, top + max(heights))
-
-
-def _under(wide: float, heights: Sequence[float], top: float) -> Iterator[Room]:
-    for height in heights:
-        yield Room(0.0, top, wide, top + height)
-        top += height
-
-
-def _panel(placed: _Placed, cell: Room, scale: float, answer: bool, lang: Lang) -> Panel:
-    plane = placed.version.plane
-    caption = Caption((say(f"pictures.under {placed.version.told}", lang),), _FOOT, first=4.0)
-    panel = Picture(placed.extent, placed.version.figure, caption).panel(cell.inset(0, HEAD, 0), scale)
-    words = HEADINGS[lang][plane]
-    head = heading(words, plane, scale, cell)
-    return replace(panel, before=head if answer else head[:1], plane=None)
+    finest = [extent.finest(Room(0, HEAD, wide, high - _FOOT)) for extent in extents]
+    scales = [max(finest) if extent.longest / max(finest) >= _SMALL else own for extent, own in zip(extents, finest)]
+    heights = [HEAD + e.size.imag / scale + e.reach.imag + _FOOT for e, scale in zip(extents, scales, strict=True)]
+    panels: list[Panel] = []
+    for k, (version, extent, scale) in enumerate(zip(versions, extents, scales, strict=True)):
+        cell = Room(k * wide, top, (k + 1) * wide, top + max(heights))
+        if crowded:
+            cell = Room(0.0, top + sum(heights[:k]), wide, top + sum(heights[: k + 1]))
+        caption = Caption((say(f"pictures.under {version.name}", lang),), _FOOT, first=4.0)
+        panel = Picture(extent, version.figure, caption).panel(cell.inset(0, HEAD, 0), scale)
+        head = heading(HEADINGS[lang][version.plane], version.plane, scale, cell)
+        panels.append(replace(panel, before=head if answer else head[:1], plane=None))
+    return panels

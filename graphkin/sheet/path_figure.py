@@ -1,8 +1,10 @@
-"""Paths of points under the mechanism: the curve, a tick at each round value of the driver, velocities if asked."""
+"""Curves on paper, cut off at the edge of their room; paths of points with ticks and velocities."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import cmath
+import math
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,26 +14,49 @@ from graphkin.errors import Lang
 from graphkin.say.catalogue import say
 from graphkin.sheet.formula import points_label
 from graphkin.sheet.lettering import Label, number, plain, point_label
-from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke, Text
-from graphkin.sheet.paper import LEAST
+from graphkin.sheet.marks import Disc, Place, Shows, Stroke, Text
+from graphkin.sheet.paper import LEAST, PenName, Room
 from graphkin.sheet.scales import finest
 from graphkin.sheet.symbols import arrow
 from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Figure, Window
+from graphkin.sheet.window import Entry, Figure, Window
 
 if TYPE_CHECKING:
     from graphkin.studies.sweeps import PointPath
 
 _FINE = 0.01
-"""How far the drawn curve may stand off from the true one [mm]."""
+"""How far a drawn curve may stand off from the true one [mm]."""
 _TICK, _NUMBERED = 0.9, 1.5
 """Half of a tick [mm]."""
 _LONGEST = 16.0
 """The longest velocity [mm]."""
 _HERE = "\0"
-"""Where a name goes in a text."""
+"""The place of a name in a text."""
 _PITCH = 3.8
 """From line to line of what is said of the paths [mm]."""
+
+
+def clipped(
+    places: Sequence[Place] | np.ndarray, room: Room, pen: PenName, step: int | None = None
+) -> Iterator[Stroke]:
+    """A curve on paper as far as it lies in the room, with no more places than it needs."""
+    import shapely
+
+    if len(places) < 2:
+        return
+    line = shapely.LineString([(z.real, z.imag) for z in places]).simplify(_FINE)
+    inside = shapely.clip_by_rect(line, room.left, room.top, room.right, room.bottom)
+    for part in getattr(inside, "geoms", [inside]):
+        if part.geom_type == "LineString" and part.length > 0.1:
+            yield Stroke(tuple(complex(x, y) for x, y in part.coords), pen, step=step)
+
+
+def circle(centre: Place, radius: float, room: Room) -> list[Place]:
+    """A circle on paper as a polyline; of a very large one the part about the room."""
+    half = min(math.pi, 2 * abs(room.size) / radius) if radius > 0 else math.pi
+    start = cmath.phase(room.middle - centre)
+    count = max(120, math.ceil(half * math.sqrt(radius / _FINE)))
+    return [centre + cmath.rect(radius, start + half * (2 * k / count - 1)) for k in range(count + 1)]
 
 
 @frozen
@@ -47,11 +72,11 @@ class Paths:
 
     @property
     def places(self) -> list[complex]:
-        """What they take up [m]: two corners each."""
-        found = []
+        """Two corners of each [m]."""
+        corners = []
         for places in (curve.places for curve in self.curves):
-            found += [complex(places.real.min(), places.imag.min()), complex(places.real.max(), places.imag.max())]
-        return found
+            corners += [complex(places.real.min(), places.imag.min()), complex(places.real.max(), places.imag.max())]
+        return corners
 
     @property
     def scale(self) -> float:
@@ -60,45 +85,42 @@ class Paths:
         return finest(complex(fastest, 0.0), complex(_LONGEST, _LONGEST))
 
     def figure(self, window: Window) -> Figure:
-        figure = Figure()
-        for curve in self.curves:
-            figure += Figure.of(self._drawn(curve, window))
-        return figure
+        return Figure.of(entry for curve in self.curves for entry in self._entries(curve, window))
 
-    def _drawn(self, curve: PointPath, window: Window) -> Iterator[Mark | LabelRequest]:
+    def _entries(self, curve: PointPath, window: Window) -> Iterator[Entry]:
         places = _on_paper(curve, window)
         owner = curve.course.method.mechanism.owners[curve.point][0]
         shows = Shows(owner, "path", (curve.point,), curve.course.driver.name)
         yield Stroke(places, "outline", closed=curve.closed, shows=shows)
         middle = complex(np.mean(places))
-        named = places[len(places) // 8]
-        yield LabelRequest(_named(curve, self.lang), named, gap=1.2, away=named - middle, size=LEAST)
+        at = places[len(places) // 8]
+        name = _around(say("sheet.path of", self.lang, point=_HERE), point_label(curve.point))
+        yield LabelRequest(name, at, gap=1.2, away=at - middle, size=LEAST)
         for tick in curve.ticks:
             at, across = window(tick.place), window.turned(tick.way) * 1j
             half = _NUMBERED if tick.numbered else _TICK
             yield Stroke((at - half * across, at + half * across), "thin") if across else Disc(at, half / 2, "thin")
             if tick.numbered:
-                yield LabelRequest(
-                    plain(curve.shown(tick.value)), at, gap=1.6, away=at - middle, size=LEAST, spare=True
-                )
+                value = plain(curve.shown(tick.value))
+                yield LabelRequest(value, at, gap=1.6, away=at - middle, size=LEAST, spare=True)
             if self.arrows:
                 yield from arrow(at, at + window.turned(tick.velocity) / self.scale, "velocity")
 
-    # --- what is said of them ---------------------------------------------------------------------
+    # --- their legend -----------------------------------------------------------------------------
 
     @property
     def lines(self) -> list[Label]:
         """From tick to tick, and the scale of the velocities."""
-        said: list[Label] = []
+        lines: list[Label] = []
         if self.curves:
             one = self.curves[0]
             driver, step = one.course.driver.name, one.shown(one.step)
-            said.append(_around(say("sheet.ticks", self.lang, step=step, driver=_HERE), points_label(driver)))
+            lines.append(_around(say("sheet.ticks", self.lang, step=step, driver=_HERE), points_label(driver)))
         if self.arrows:
-            said.append((*plain(say("sheet.arrows", self.lang)), *number(self.scale), *plain(" m/s")))
+            lines.append((*plain(say("sheet.arrows", self.lang)), *number(self.scale), *plain(" m/s")))
         if self.arrows and self.curves[0].seconds is not None:
-            said.append((*plain(say("sheet.every", self.lang)), *number(self.curves[0].seconds), *plain(" s")))
-        return said
+            lines.append((*plain(say("sheet.every", self.lang)), *number(self.curves[0].seconds), *plain(" s")))
+        return lines
 
     @property
     def height(self) -> float:
@@ -120,12 +142,8 @@ def _on_paper(curve: PointPath, window: Window) -> tuple[Place, ...]:
 
     places = window.origin + np.conj(curve.places) / window.scale
     line = shapely.LineString(np.stack([places.real, places.imag], axis=-1)).simplify(_FINE)
-    found = tuple(complex(x, y) for x, y in line.coords)
-    return found[:-1] if curve.closed else found
-
-
-def _named(curve: PointPath, lang: Lang) -> Label:
-    return _around(say("sheet.path of", lang, point=_HERE), point_label(curve.point))
+    corners = tuple(complex(x, y) for x, y in line.coords)
+    return corners[:-1] if curve.closed else corners
 
 
 def _around(text: str, name: Label) -> Label:

@@ -1,4 +1,4 @@
-"""What a mechanism looks like before any sign is drawn: where its points and lines lie on paper."""
+"""A mechanism before any sign is drawn: its points and lines on paper."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import Protocol
 
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Value, number, place
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Line, Slide
@@ -19,7 +19,7 @@ OVERRUN = 9.0
 
 
 class PlacedMechanism(Protocol):
-    """Where a mechanism's points [m] and links [rad] are: a replayed plot, or a position known otherwise."""
+    """Places of a mechanism's points [m] and directions of its links [rad]: a replayed plot, or another position."""
 
     @property
     def position(self) -> Mapping[str, Value]: ...
@@ -41,8 +41,9 @@ class Skeleton:
     born: Mapping[str, int]
 
     def at(self, point: str) -> Place:
+        """A point on paper; one of the frame has its place even where the position does not name it."""
         if point in self.plot.position:
-            return self.window(self.plot.position[point])
+            return self.window(place(self.plot.position[point]))
         return self.window(self.mechanism.links[FRAME].points[point])
 
     def step(self, *points: str) -> int | None:
@@ -61,11 +62,7 @@ class Skeleton:
     @cached_property
     def blocks(self) -> dict[str, Slide]:
         """The slide each sliding block belongs to: the first, for a block on two guides."""
-        found: dict[str, Slide] = {}
-        for slide in self.mechanism.slides:
-            if slide.block is not None:
-                found.setdefault(slide.block, slide)
-        return found
+        return {slide.block: slide for slide in reversed(self.mechanism.slides) if slide.block is not None}
 
     def guides(self, link: str) -> Iterator[Slide]:
         return (slide for slide in self.mechanism.slides if slide.guide == link)
@@ -76,7 +73,7 @@ class Skeleton:
 
     def direction(self, line: Line) -> complex:
         """Direction of any line of a link on paper."""
-        return self.window.turned(line.direction * cmath.rect(1, float(self.plot.theta.get(line.link, 0.0))))
+        return self.window.turned(line.direction * cmath.rect(1, number(self.plot.theta.get(line.link, 0.0))))
 
     def is_cylinder(self, slide: Slide) -> bool:
         """A moving guide of one point that is its own line, with a block for its piston; a pin runs in a slot."""
@@ -84,11 +81,8 @@ class Skeleton:
         return alone and slide.line.on_axis and slide.block is not None
 
     def is_welded(self, slide: Slide) -> bool:
-        """Whether a guide's line is a bar of its own, joined to the rest of the link at its origin."""
-        return not all(
-            abs((self.along(slide).conjugate() * (self.at(p) - self.at(slide.line.origin))).imag) < 0.05
-            for p in self.named(slide.guide)
-        )
+        """True for a guide whose line is a bar of its own, joined to the rest of the link at its origin."""
+        return len([*self._on_line(slide)]) < len(self.named(slide.guide))
 
     def guide_bar(self, slide: Slide) -> tuple[Place, Place]:
         """A moving guide's line as far as it is drawn: past its points and past the block."""
@@ -111,14 +105,11 @@ class Skeleton:
             places = [self.at(p) for p in self.named(link)]
             yield from ((a, b) for k, a in enumerate(places) for b in places[:k])
             for slide in self.guides(link):
-                yield (
-                    (self.at(slide.line.origin), self.at(slide.point))
-                    if self.is_cylinder(slide)
-                    else self.guide_bar(slide)
-                )
+                cylinder = self.is_cylinder(slide)
+                yield (self.at(slide.line.origin), self.at(slide.point)) if cylinder else self.guide_bar(slide)
 
     def directions(self, point: str) -> Iterator[complex]:
-        """Where lines leave a point to, on paper."""
+        """Directions in which lines leave a point, on paper."""
         here = self.at(point)
         for link in self.mechanism.owners[point]:
             if link == FRAME:
@@ -131,17 +122,21 @@ class Skeleton:
             yield from ((p - here) / abs(p - here) for p in others if abs(p - here) > 0.5)
 
 
+def off_stretch(at: Place, start: Place, end: Place) -> float:
+    """Distance of a place from a stretch of a line [mm]."""
+    along = end - start
+    t = ((along.conjugate() * (at - start)).real / abs(along) ** 2) if along else 0.0
+    return abs(at - start - along * max(0.0, min(1.0, t)))
+
+
 def in_line(places: list[Place]) -> tuple[int, int] | None:
     """The two ends of points that lie on one line (within 0.05 mm), else None."""
     first, last = max(
         ((i, j) for i in range(len(places)) for j in range(i)), key=lambda ij: abs(places[ij[0]] - places[ij[1]])
     )
-    way = places[last] - places[first]
-    if abs(way) < 1e-9:
-        return last, first
-    if all(abs((way.conjugate() * (p - places[first])).imag) < 0.05 * abs(way) for p in places):
-        return last, first
-    return None
+    along = places[last] - places[first]
+    on_it = all(abs((along.conjugate() * (p - places[first])).imag) < 0.05 * abs(along) for p in places)
+    return (last, first) if on_it or abs(along) < 1e-9 else None
 
 
 def hull(places: list[Place]) -> list[int]:

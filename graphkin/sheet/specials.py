@@ -5,13 +5,15 @@ from __future__ import annotations
 import cmath
 from collections.abc import Iterator, Mapping
 
+from graphkin.base import geometry
 from graphkin.base.value import frozen
-from graphkin.construction import Along, Arc, Direction, Meet, Plot, Ray, Site, Touch
+from graphkin.construction import Along, Arc, Meet, Plot, Ray, Site, Touch
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.planning.step_numbers import pages
+from graphkin.sheet.fit import corners
 from graphkin.sheet.lettering import plain, point_label
-from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
+from graphkin.sheet.marks import Place, PointMark, Stroke
 from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import arrow_head
@@ -37,7 +39,7 @@ class _Special:
     step: int
 
 
-def _found(method: Method) -> Iterator[_Special]:
+def _special_points(method: Method) -> Iterator[_Special]:
     sites = {node.site: node.of for node in method.velocity.nodes.values() if node.site is not None}
     page = pages(method)
     for step in method.position.steps:
@@ -53,72 +55,59 @@ def _found(method: Method) -> Iterator[_Special]:
 
 def named_specials(method: Method, plot: Plot, others: list[complex]) -> Mapping[str, complex]:
     """Special points that lie near enough to the mechanism to be drawn [m]."""
-    xs, ys = [z.real for z in others], [z.imag for z in others]
-    size = max(max(xs) - min(xs), max(ys) - min(ys))
-    found: dict[str, complex] = {}
-    for special in _found(method):
-        at = complex(plot.position[special.name])
-        wide = max(*xs, at.real) - min(*xs, at.real)
-        high = max(*ys, at.imag) - min(*ys, at.imag)
-        if max(wide, high) <= _FAR * size:
-            found[special.name] = at
-    return found
+    low, high = corners(others)
+    size, near = max((high - low).real, (high - low).imag), dict[str, complex]()
+    for special in _special_points(method):
+        at = geometry.place(plot.position[special.name])
+        wide = max(high.real, at.real) - min(low.real, at.real)
+        tall = max(high.imag, at.imag) - min(low.imag, at.imag)
+        if max(wide, tall) <= _FAR * size:
+            near[special.name] = at
+    return near
 
 
 def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure:
     """The legs' lines, thin, to where they meet; towards it only where it is not among the places drawn [m]."""
     figure = Figure()
-    for special in _found(method):
+    for special in _special_points(method):
         at = skeleton.at(special.name)
         if not cmath.isfinite(at):  # the legs are parallel: neither points anywhere
             continue
-        if complex(skeleton.plot.position[special.name]) in drawn:
-            for ray in special.rays:
-                figure.marks += _line(skeleton, ray, at, special.step)
+        if geometry.place(skeleton.plot.position[special.name]) in drawn:
+            for ray in special.rays:  # from the leg's far end through the special point
+                start = max(_ends(skeleton, ray), key=lambda end: abs(end - at))
+                if abs(at - start) >= 0.5:
+                    end = at + (at - start) / abs(at - start) * _BEYOND
+                    figure.marks.append(Stroke((start, end), "thin", step=special.step))
             dot = PointMark("position", special.name, special.of, at, 0.6, step=special.step, site=special.site)
             figure.marks.append(dot)
             figure.wanted.append(LabelRequest(point_label(special.name), at, gap=0.8, step=special.step))
         else:
             for ray in special.rays:
-                towards = _towards(skeleton, ray, at, special.step)
-                figure.marks += towards
-                label = (*plain("→ "), *point_label(special.name))
-                tips = [mark.places[-1] for mark in towards if isinstance(mark, Stroke)]
-                figure.wanted += [LabelRequest(label, tip, gap=0.6, step=special.step) for tip in tips]
+                figure += _towards(skeleton, ray, at, special)
     return figure
 
 
-def _line(skeleton: Skeleton, ray: Ray, at: Place, step: int) -> list[Mark]:
-    """From the leg's far end through the special point."""
-    start = _start(skeleton, ray.through, ray.direction, at)
-    way = at - start
-    if abs(way) < 0.5:
-        return []
-    return [Stroke((start, at + way / abs(way) * _BEYOND), "thin", step=step)]
+def _ends(skeleton: Skeleton, ray: Ray) -> list[Place]:
+    """The ends of a leg on paper."""
+    names = [ray.through, *((ray.direction.tail, ray.direction.head) if isinstance(ray.direction, Along) else ())]
+    return [skeleton.at(name) for name in names]
 
 
-def _start(skeleton: Skeleton, through: str, direction: Direction, at: Place) -> Place:
-    """Of a bar, the end farther from the special point."""
-    ends = [through]
-    if isinstance(direction, Along):
-        ends += [direction.tail, direction.head]
-    return max((skeleton.at(end) for end in ends), key=lambda place: abs(place - at))
-
-
-def _towards(skeleton: Skeleton, ray: Ray, at: Place, step: int) -> list[Mark]:
-    """From the leg's near end a little way, with an arrow; nothing where that is the special point itself."""
-    ends = [ray.through]
-    if isinstance(ray.direction, Along):
-        ends += [ray.direction.tail, ray.direction.head]
-    start = min((skeleton.at(end) for end in ends), key=lambda place: abs(place - at))
+def _towards(skeleton: Skeleton, ray: Ray, at: Place, special: _Special) -> Figure:
+    """From the leg's near end a short stretch, with an arrow; nothing where that is the special point itself."""
+    start = min(_ends(skeleton, ray), key=lambda end: abs(end - at))
     if at == start:
-        return []
-    way = (at - start) / abs(at - start)
-    return [Stroke((start, start + way * _CUT), "thin", step=step), arrow_head(start + way * _CUT, way, step)]
+        return Figure()
+    along = (at - start) / abs(at - start)
+    tip, label = start + along * _CUT, (*plain("→ "), *point_label(special.name))
+    head = arrow_head(tip, along, special.step)
+    wanted = [LabelRequest(label, end, gap=0.6, step=special.step) for end in (tip, head.places[-1])]
+    return Figure([Stroke((start, tip), "thin", step=special.step), head], wanted)
 
 
 def contacts(method: Method, skeleton: Skeleton) -> Figure:
-    """Where wheels touch, as small points with their letters."""
+    """Contacts of wheels, as small points with their letters."""
     figure = Figure()
     page = pages(method)
     for step in method.position.steps:

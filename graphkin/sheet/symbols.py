@@ -1,6 +1,6 @@
 """The signs of kinematic sketches (ISO 3952, GB/T 4460), as strokes in millimetres on paper.
 
-Each function draws one sign where it is told and knows nothing of mechanisms. Hatching is made of lines.
+Each function draws one sign at a given place and knows nothing of mechanisms. Hatching is made of lines.
 """
 
 from __future__ import annotations
@@ -46,8 +46,7 @@ def hatch(start: Place, end: Place, side: complex, step: int | None = None) -> l
     length = abs(end - start)
     if length < _PITCH:
         return []
-    along = (end - start) / length
-    count = int(length / _PITCH)
+    along, count = (end - start) / length, int(length / _PITCH)
     first = (length - count * _PITCH) / 2
     slant = (side - along) / abs(side - along) * _SLANT
     feet = [start + along * (first + k * _PITCH) for k in range(count + 1)]
@@ -63,16 +62,16 @@ def rim_hatch(at: Place, radius: float, outward: float, step: int | None = None)
     marks: list[Mark] = []
     for begin, along in stretches:
         for k in range(int(along / _PITCH) + (length >= 60)):
-            way = cmath.rect(1, (begin + k * _PITCH) / radius)
-            slant = way * outward - 1j * way
-            foot = at + radius * way
+            out = cmath.rect(1, (begin + k * _PITCH) / radius)
+            slant = out * outward - 1j * out
+            foot = at + radius * out
             marks.append(Stroke((foot, foot + slant / abs(slant) * _SLANT), "hatch", step=step))
     return marks
 
 
 def centre_mark(at: Place, reach: float, step: int | None = None) -> list[Mark]:
     """A cross of thin lines."""
-    return [Stroke((at - reach * way, at + reach * way), "thin", step=step) for way in (1, 1j)]
+    return [Stroke((at - reach * along, at + reach * along), "thin", step=step) for along in (1, 1j)]
 
 
 def bar(places: Sequence[Place], shows: Shows | None, step: int | None = None) -> list[Mark]:
@@ -105,14 +104,16 @@ def corner(at: Place, one: Place, other: Place, step: int | None = None) -> list
 
 def block(at: Place, along: complex, shows: Shows, step: int | None = None) -> list[Mark]:
     """A sliding block: a white rectangle over its guide."""
+    return [Stroke(block_corners(at, along), "outline", closed=True, fill="paper", shows=shows, step=step)]
+
+
+def block_corners(at: Place, along: complex) -> tuple[Place, ...]:
+    """The corners of a sliding block."""
     x, y = along * BLOCK.real / 2, 1j * along * BLOCK.imag / 2
-    corners = (at + x + y, at + x - y, at - x - y, at - x + y)
-    return [Stroke(corners, "outline", closed=True, fill="paper", shows=shows, step=step)]
+    return at + x + y, at + x - y, at - x - y, at - x + y
 
 
-def guide(
-    start: Place, end: Place, side: complex, step: int | None = None, shows: Shows | None = None
-) -> list[Mark]:
+def guide(start: Place, end: Place, side: complex, step: int | None = None, shows: Shows | None = None) -> list[Mark]:
     """A fixed guide: a line with the ground hatched on one side."""
     return [Stroke((start, end), "outline", shows=shows, step=step), *hatch(start, end, side, step)]
 
@@ -139,9 +140,9 @@ def arc_slot(centre: Place, along: Sequence[Place], shows: Shows, step: int | No
     outer = [place + (place - centre) / abs(place - centre) * _SLOT for place in along]
     inner = [place - (place - centre) / abs(place - centre) * _SLOT for place in reversed(along)]
     sense = math.copysign(1, ((along[1] - along[0]) / (1j * (along[0] - centre))).real)
-    caps = [[cmath.rect(1, sense * math.pi * k / 10) for k in range(1, 10)] for _ in ends]
-    far = [along[-1] + ends[1] * turn for turn in caps[1]]
-    near = [along[0] - ends[0] * turn for turn in caps[0]]
+    cap = [cmath.rect(1, sense * math.pi * k / 10) for k in range(1, 10)]
+    far = [along[-1] + ends[1] * turn for turn in cap]
+    near = [along[0] - ends[0] * turn for turn in cap]
     return [Stroke((*outer, *far, *inner, *near), "outline", closed=True, fill="paper", shows=shows, step=step)]
 
 

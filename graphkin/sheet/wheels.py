@@ -1,19 +1,20 @@
-"""Pitch circles of gears and rolling wheels: centre marks, rings with a rim, hatching where they stand still."""
+"""Wheels, cams and circular slots: pitch circles, profiles, followers, and lower-pair equivalents in dashes."""
 
 from __future__ import annotations
 
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from itertools import product
 
+from graphkin.base.geometry import Value, place
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.model.pairs import Gear, Line, Pair, RollingContact
+from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, RollingContact, Slide, Slot
 from graphkin.sheet import symbols
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
-from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.skeleton import OVERRUN, Skeleton
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
@@ -22,6 +23,14 @@ _RIM = 3.0
 _CROSS = 4.4
 _SMALL = 9.0
 """In a wheel of less radius there is no room for its number [mm]."""
+_REACH = 14.0
+"""How far a slot of the equivalent goes to both sides of its block [mm]."""
+_ROD, _BUSH = 34.0, (15.0, 27.0)
+"""A follower's rod from its tip, and where it is guided [mm]."""
+_ARC = 15.0
+"""How far a slot goes on to both sides of its pin, along the arc [mm]."""
+_MOST = 2.4
+"""Half of the widest slot there is room for on a small circle [rad]."""
 
 
 @frozen
@@ -41,12 +50,13 @@ class Wheel:
 
 def wheels_of(machine: Mechanism) -> list[Wheel]:
     """Every wheel once: gears, then what rolls and what it rolls on. A ring stays a ring."""
-    found: dict[tuple[str, str, float], Wheel] = {}
-    for kind, rims in UNDER_LINKS.items():
-        for pair in machine.of(kind):
-            for wheel in rims(pair):
-                _add(found, wheel)
-    return list(found.values())
+    every: dict[tuple[str, str, float], Wheel] = {}
+    for kind, rims_of in UNDER_LINKS.items():
+        for wheel in (wheel for pair in machine.of(kind) for wheel in rims_of(pair)):
+            key = wheel.link, wheel.centre, round(wheel.radius, 12)
+            if key not in every or (wheel.ring and not every[key].ring):
+                every[key] = wheel
+    return list(every.values())
 
 
 def _gears(gear: Gear) -> Iterator[Wheel]:
@@ -62,14 +72,8 @@ def _rolling(roll: RollingContact) -> Iterator[Wheel]:
         yield Wheel(roll.track, roll.track_centre, roll.track_radius, gear=False, ring=ring)
 
 
-UNDER_LINKS: Mapping[type[Pair], Callable[[Any], Iterator[Wheel]]] = {Gear: _gears, RollingContact: _rolling}
+UNDER_LINKS: Mapping[type[Pair], Callable[..., Iterator[Wheel]]] = {Gear: _gears, RollingContact: _rolling}
 """The wheels of the pairs whose signs stand under the links; see `mechanism_figure.OVER_LINKS`."""
-
-
-def _add(found: dict[tuple[str, str, float], Wheel], wheel: Wheel) -> None:
-    known = found.get((wheel.link, wheel.centre, round(wheel.radius, 12)))
-    if known is None or (wheel.ring and not known.ring):
-        found[wheel.link, wheel.centre, round(wheel.radius, 12)] = wheel
 
 
 def wheels(skeleton: Skeleton) -> Figure:
@@ -112,25 +116,22 @@ def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
     """The number of a link that is a wheel alone, beside its rim."""
     at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale
     label, step = link_label(skeleton.mechanism.called(wheel.link)), skeleton.step(wheel.centre)
-    way = _free_way(skeleton, wheel.centre)
-    if wheel.ring:
-        return LabelRequest(label, at + way * (radius + _RIM), gap=0.6, away=way, step=step)
-    if radius < _SMALL:
-        return LabelRequest(label, at + way * radius, gap=0.4, away=way, step=step)
-    return LabelRequest(label, at + way * (radius - 4.2), gap=-2.6, away=way, step=step)
+    out, gap = (radius + _RIM, 0.6) if wheel.ring else (radius, 0.4) if radius < _SMALL else (radius - 4.2, -2.6)
+    away = _free_direction(skeleton, wheel.centre)
+    return LabelRequest(label, at + away * out, gap=gap, away=away, step=step)
 
 
-def _free_way(skeleton: Skeleton, centre: str) -> complex:
+def _free_direction(skeleton: Skeleton, centre: str) -> complex:
     """The direction from a wheel's centre that is farthest from links and from the wheels beside it."""
     taken = list(skeleton.directions(centre))
     here = skeleton.at(centre)
     for other in wheels_of(skeleton.mechanism):
         off = skeleton.at(other.centre) - here
         if abs(off) > 0.5:
-            taken += [off / abs(off)] if not other.ring else [-off / abs(off)]
+            taken.append(off / abs(off) if not other.ring else -off / abs(off))
     taken += [1j] if FRAME in skeleton.mechanism.owners.get(centre, ()) else []
-    ways = [cmath.rect(1, math.radians(a)) for a in (-45, -135, -90, 45, 135, 0, 180, 90)]
-    return max(ways, key=lambda way: -max(((t * way.conjugate()).real for t in taken), default=-1.0))
+    directions = [cmath.rect(1, math.radians(a)) for a in (-45, -135, -90, 45, 135, 0, 180, 90)]
+    return max(directions, key=lambda one: -max(((t * one.conjugate()).real for t in taken), default=-1.0))
 
 
 def _track(skeleton: Skeleton, roll: RollingContact, line: Line) -> list[Mark]:
@@ -164,14 +165,106 @@ def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float,
 
 def circles(skeleton: Skeleton) -> Iterator[tuple[Place, float]]:
     """Centre and radius of every circle on paper: of wheels and of cams [mm]."""
-    found = {(centre, radius) for pair in skeleton.mechanism.pairs for _, centre, radius in pair.circles}
-    for centre, radius in sorted(found):
+    for centre, radius in sorted({circle[1:] for pair in skeleton.mechanism.pairs for circle in pair.circles}):
         if radius > 0:
             yield skeleton.at(centre), radius / skeleton.window.scale
 
 
-def rims(machine: Mechanism, position: Mapping[str, complex]) -> Iterator[complex]:
-    """Corners of the squares around all circles, in the mechanism's plane [m]: how far they reach."""
+def rims(machine: Mechanism, position: Mapping[str, Value]) -> Iterator[complex]:
+    """Corners of the squares around all circles, in the mechanism's plane: how far they reach [m]."""
     for _, centre, radius in (circle for pair in machine.pairs for circle in pair.circles):
-        at = complex(position[centre])
+        at = place(position[centre])
         yield from (at - complex(radius, radius), at + complex(radius, radius))
+
+
+# --- cams ---------------------------------------------------------------------------------------
+
+
+def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
+    """The profiles that touch."""
+    step, scale = skeleton.step(*(centre for _, centre, _ in cam.circles)), skeleton.window.scale
+    marks: list[Mark] = []
+    for link, profile, other in zip(cam.links, cam.profiles, cam.profiles[::-1], strict=True):
+        if profile.centre is None:
+            assert profile.line is not None
+            near = other.centre or profile.line.origin
+            marks.append(straight(skeleton, profile.line, cam.name, near, other.radius / scale + 8, step))
+        elif profile.radius > 0:
+            shows = Shows(link, "wheel", (profile.centre,))
+            marks.append(Disc(skeleton.at(profile.centre), profile.radius / scale, "outline", shows=shows, step=step))
+    return marks
+
+
+def equivalents(skeleton: Skeleton) -> list[Mark]:
+    """In dashes: the link between two centres, or the slot through a centre at a face's distance."""
+    marks: list[Mark] = []
+    for pair in skeleton.mechanism.pairs:
+        match pair.equivalent:
+            case Rod(_, centres) if pair.rolling is None:
+                edges, step = {centre for _, centre, radius in pair.circles if radius == 0}, skeleton.step(*centres)
+                marks.append(Stroke((skeleton.at(centres[0]), skeleton.at(centres[1])), "dashed", step=step))
+                hinges = [skeleton.at(centre) for centre in centres if centre not in edges]
+                marks += [Disc(hinge, symbols.HINGE, "thin", step=step) for hinge in hinges]
+            case Slot(line, centre) if pair.rolling is None:
+                marks += _slotted(skeleton, line, centre, skeleton.step(centre))
+    return marks
+
+
+def _slotted(skeleton: Skeleton, line: Line, centre: str, step: int | None) -> list[Mark]:
+    """The block runs on the face's line moved sideways to the centre; both belong to one link."""
+    at, along = skeleton.at(centre), skeleton.direction(line)
+    return [
+        Stroke((at - along * _REACH, at + along * _REACH), "dashed", step=step),
+        Stroke(symbols.block_corners(at, along), "dashed", closed=True, step=step),
+        Disc(at, symbols.HINGE, "thin", step=step),
+    ]
+
+
+def follower(skeleton: Skeleton, slide: Slide) -> list[Mark] | None:
+    """A fixed guide's block that a cam moves at its point: a rod with its tip or roller, guided above; else None."""
+    if slide.guide != FRAME or slide.block is None or len(skeleton.named(slide.block)) > 1:
+        return None
+    for cam in skeleton.mechanism.of(Cam):
+        for profile, other in (cam.profiles, cam.profiles[::-1]):
+            if profile.centre == slide.point and other.centre is not None:
+                return _rod(skeleton, slide, profile.radius / skeleton.window.scale, other.centre)
+    return None
+
+
+def _rod(skeleton: Skeleton, slide: Slide, radius: float, cam_centre: str) -> list[Mark]:
+    at, along = skeleton.at(slide.point), skeleton.along(slide)
+    out = along * math.copysign(1, (along.conjugate() * (at - skeleton.at(cam_centre))).real)
+    side, step = 1j * out, skeleton.step(slide.point)
+    shows = Shows(slide.block or "", "guide", (), slide.name)
+    near, far = (max(0.0, radius - 3) + reach for reach in _BUSH)
+    foot = 2.6 if radius == 0 else 0.0
+    rod = Stroke((at + out * foot, at + out * (far - _BUSH[1] + _ROD)), "visible", shows=shows, step=step)
+    marks: list[Mark] = [rod]
+    if radius == 0:
+        tip = (at, at + out * 3.4 + side * 1.1, at + out * 3.4 - side * 1.1)
+        marks.append(Stroke(tip, "outline", closed=True, fill="ink", step=step))
+    for wall in (side, -side):
+        marks += symbols.guide(at + out * near + wall * 1.1, at + out * far + wall * 1.1, wall, step)
+    return marks
+
+
+def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
+    """Over its link's arc, or on the ground; the centre line is what a ruler holds against the radius."""
+    centre, pin = skeleton.at(slot.centre), skeleton.at(slot.point)
+    step, radius = skeleton.step(slot.centre, slot.point), slot.radius / skeleton.window.scale
+    arm, half = radius * ((pin - centre) / abs(pin - centre)), min(_ARC / radius, _MOST)
+    cut = symbols.arc_places(centre, arm, -half, half)
+    fixed = slot.guide == FRAME
+    marks = symbols.arc_ground(centre, cut, step) if fixed else _plate(skeleton, slot, centre, arm, half)
+    shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
+    marks += symbols.arc_slot(centre, cut, shows, step)
+    return [*marks, Stroke(tuple(cut), "centre", shows=shows, step=step)]
+
+
+def _plate(skeleton: Skeleton, slot: CircularSlot, centre: Place, start: complex, half: float) -> list[Mark]:
+    """The arc of a moving link that carries the slot, joined to the nearest of the link's points."""
+    step, more = skeleton.step(slot.centre, slot.point), half + min(OVERRUN / abs(start), 0.4)
+    arc = symbols.arc_places(centre, start, -more, more)
+    points = [skeleton.at(point) for point in skeleton.named(slot.guide)]
+    arm = min(product((arc[0], arc[-1]), points), key=lambda ends: abs(ends[1] - ends[0]))
+    return [Stroke(tuple(arc), "visible", step=step), Stroke(arm, "visible", step=step)]

@@ -1,4 +1,4 @@
-"""The solution of a mechanism, cut into what is given, what is asked, the planes, and the answers."""
+"""A problem drawn at the scales of its handout; its solution in sections: given, asked, the planes, the answers."""
 
 from __future__ import annotations
 
@@ -6,16 +6,23 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 
-from graphkin.api import Drawing
+from graphkin.api import Drawing, plan
 from graphkin.base.value import frozen
-from graphkin.construction import Plane
+from graphkin.construction import Construction, Plane
 from graphkin.errors import Lang
+from graphkin.model.mechanism import Mechanism
+from graphkin.running import replay_all
 from graphkin.say import entry
+from graphkin.say.asked import Asked, asked
 from graphkin.say.explained import derivation
 from graphkin.say.reading import Reading
-from graphkin.say.solution_goal import SolutionGoal, solution_goal
-from graphkin.sheet.scales import KEYS
+from graphkin.sheet.fit import corners
+from graphkin.sheet.planes import Planes
+from graphkin.sheet.scales import KEYS, finest
 from graphkin.sheet.window import PLANES
+
+ROOM = complex(160.0, 120.0)
+"""Of any polygon that is drawn as large as a handout draws it [mm]."""
 
 
 @frozen
@@ -38,23 +45,27 @@ class HandoutProblem:
 
     @cached_property
     def _sections(self) -> tuple[Section, ...]:
-        found: list[tuple[entry.Heading, list[entry.Entry]]] = []
+        sections: list[tuple[entry.Heading, list[entry.Entry]]] = []
         drawing = self.drawing
         for each in derivation(drawing.method, drawing.plot, self._keys, self.lang, everything=False):
             if isinstance(each, entry.Heading):
-                found.append((each, []))
+                sections.append((each, []))
             else:
-                found[-1][1].append(each)
-        return tuple(Section(heading.text, tuple(entries), heading.plane) for heading, entries in found)
+                sections[-1][1].append(each)
+        return tuple(Section(heading.text, tuple(entries), heading.plane) for heading, entries in sections)
 
     @property
     def _keys(self) -> dict[str, float]:
         return {KEYS[plane]: scale for plane, scale in self.scales.items()}
 
+    def construction(self, plane: Plane) -> Construction:
+        """The construction of a polygon."""
+        return self.drawing.method.velocity if plane == "velocity" else self.drawing.method.acceleration
+
     @cached_property
-    def goal(self) -> SolutionGoal:
-        """What is asked, in the symbols of the field."""
-        return solution_goal(Reading(self.drawing.method, self.drawing.plot, self._keys, self.lang))
+    def goal(self) -> Asked:
+        """The goal: quantities that are asked for, in the symbols of the field."""
+        return asked(Reading(self.drawing.method, self.drawing.plot, self._keys, self.lang))
 
     @property
     def title(self) -> str:
@@ -65,12 +76,12 @@ class HandoutProblem:
         return self._sections[1]
 
     @property
-    def solution_goal(self) -> Section:
+    def asked(self) -> Section:
         return self._sections[2]
 
     @property
     def solution(self) -> Section:
-        """What is said before the first plane: the scales."""
+        """The section before the first plane: the scales."""
         return self._sections[3]
 
     @property
@@ -86,15 +97,10 @@ class HandoutProblem:
     def answers(self) -> Section:
         return self._sections[-1]
 
-    @property
-    def equations(self) -> int:
-        """How many vector equations the solution has."""
-        return sum(isinstance(each, entry.VectorEquation) for section in self.parts for each in section.entries)
-
     def upto(self, equations: int) -> Iterator[tuple[Section, entry.VectorEquation | None]]:
         """The parts as far as whole equations go, the last with the equation that comes next, if one does.
 
-        What leads to that equation, its known arrows, is told; it stands between it and the one before.
+        Sentences on its known arrows, between it and the one before, are part of them.
         """
         seen = 0
         for section in self.parts:
@@ -105,3 +111,19 @@ class HandoutProblem:
                         return
                     seen += 1
             yield section, None
+
+
+def drawn_problem(mechanism: Mechanism, lang: Lang, whose: str = "") -> HandoutProblem:
+    """A mechanism drawn and proved at the scales of its handout, which all its figures share.
+
+    They are the file's own; else the finest at which each figure has room on a page.
+    """
+    drawing = Drawing.of(mechanism)
+    planes = Planes(drawing.method, drawing.plot, PLANES, "construction", "en")
+    scales: dict[Plane, float] = {}
+    for plane in PLANES:
+        low, high = corners(planes.values(plane))
+        scales[plane] = mechanism.scales.get(KEYS[plane]) or finest(high - low, ROOM / 1.2)
+    scaled = replace(mechanism, scales={KEYS[plane]: scale for plane, scale in scales.items()})
+    method = plan(scaled)
+    return HandoutProblem(Drawing(scaled, method, replay_all(method)), scales, lang, whose)

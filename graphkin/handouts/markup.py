@@ -1,0 +1,223 @@
+"""A handout as a web page that needs nothing but itself; a written solution also as LaTeX and as Markdown."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Iterable, Mapping
+from html import escape
+from typing import assert_never
+
+import graphkin
+from graphkin.api import Drawing
+from graphkin.construction import Plane
+from graphkin.errors import Lang
+from graphkin.handouts.document import (
+    Block,
+    Foot,
+    FormulaLine,
+    GridRoom,
+    Handout,
+    HandoutHeading,
+    HandoutPicture,
+    HandoutTable,
+    NewPage,
+    Paragraph,
+    Sign,
+    TermRows,
+    signs,
+)  # fmt: skip
+from graphkin.handouts.grid import room_svg
+from graphkin.handouts.stages import blocks_of
+from graphkin.outputs.svg import inline
+from graphkin.outputs.tex_words import tex_words
+from graphkin.say.catalogue import say
+from graphkin.say.explained import derivation
+from graphkin.sheet import scales_of
+from graphkin.sheet.lettering import Label, Run
+from graphkin.sheet.paper import PAPERS
+from graphkin.sheet.scales import KEYS
+
+MARK = "graphkin solution"
+"""By this graphkin knows a written solution of its own; a handout's page says `graphkin handout`."""
+
+
+def solution(drawing: Drawing, lang: Lang, *, everything: bool = False, only: Plane = "acceleration") -> Handout:
+    """The written solution that `explain` prints, as blocks, at the scales of the sheet."""
+    scales = {KEYS[plane]: scale for plane, scale in scales_of(drawing.method, drawing.plot, lang).items()}
+    entries = derivation(drawing.method, drawing.plot, scales, lang, everything, only)
+    digest = hashlib.sha256(drawing.mechanism.text.encode()).hexdigest()[:12]
+    foot = Foot(say("handouts.stage solution", lang), graphkin.__version__, digest, "", say("handouts.bar", lang))
+    return Handout(drawing.mechanism.headline(lang), lang, tuple(blocks_of([*entries], lang)), foot)
+
+
+# --- web page ---------------------------------------------------------------------------------
+
+_STYLE = """@page{{size:{width}mm {height}mm;margin:15mm 20mm 20mm}}
+body,mi,mn,mtext{{font-family:"Times New Roman","Liberation Serif",Tinos,"Noto Serif CJK SC","Source Han Serif SC",
+SimSun,serif}}body{{font-size:10.5pt;line-height:1.45;max-width:{room}mm;margin:0 auto}}
+h1{{font-size:15pt}}h2{{font-size:12pt;break-after:avoid}}
+math{{font-family:"DejaVu Math TeX Gyre","TeX Gyre Termes Math","XITS Math","STIX Two Math",math}}
+mi{{font-style:italic;text-transform:none}}
+.formula{{margin-left:8mm}}figure{{margin:3mm 0;text-align:center;break-inside:avoid}}svg{{max-width:none}}
+table{{border-collapse:collapse;break-inside:avoid}}.filled td,.filled th{{border:.18mm solid;min-width:24mm;height:7mm;
+text-align:center;font-weight:normal}}.rows{{margin-left:8mm}}.rows td{{text-align:center;padding:.6mm 1mm}}
+.rule{{display:inline-block;width:20mm;height:6mm;border-bottom:.18mm solid}}
+footer{{margin-top:8mm;font-size:8pt;display:flex;justify-content:space-between;align-items:flex-end}}
+.bar{{width:100mm;height:2mm;border:solid;border-width:.35mm .18mm 0}}
+.new{{break-before:page}}.front{{break-before:right}}
+small{{font-size:8pt;font-weight:normal}}
+.act{{display:inline-block;min-width:3.6mm;line-height:3.6mm;border:.2mm solid;border-radius:2mm;text-align:center;
+font-size:7.5pt}}"""
+
+
+def html(handout: Handout, paper: str = "A4") -> str:
+    """The whole page: MathML, drawings in it, printed in true millimetres."""
+    size = PAPERS[paper]
+    style = _STYLE.format(width=size.width, height=size.height, room=size.width - 40)
+    contents = ""
+    if handout.contents:
+        heads = (block for block in handout.blocks if isinstance(block, HandoutHeading) and block.level == 1)
+        items = "".join(f"<li>{_html_words(head.words)}</li>" for head in heads)
+        contents = f"<h1>{escape(handout.contents)}</h1>\n<ol>{items}</ol>\n"
+    bar = f'<div><div class="bar"></div>{escape(handout.foot.bar)}</div>'
+    body = "\n".join(map(_html, handout.blocks))
+    foot = f"<footer>{bar}<span>{escape(handout.foot.words)}</span></footer>"
+    return (
+        f'<!DOCTYPE html>\n<html lang="{handout.lang}"><head><meta charset="utf-8">'
+        f'<meta name="generator" content="graphkin handout"><title>{escape(handout.title)}</title>\n'
+        f"<style>{style}</style></head>\n<body>\n{contents}{body}\n{foot}\n</body></html>\n"
+    )
+
+
+def _html(block: Block) -> str:
+    match block:
+        case HandoutHeading(words, level, said):
+            small = f" <small>{escape(said)}</small>" if said else ""
+            return f"<h{level}>{_html_words(words)}{small}</h{level}>"
+        case Paragraph(words, act):
+            number = f'<span class="act">{escape(act)}</span> ' if act else ""
+            return f"<p>{number}{_html_words(words)}</p>"
+        case FormulaLine(words):
+            return f'<p class="formula">{_html_words(words)}</p>'
+        case TermRows():
+            rule = '<span class="rule"></span>'
+            lines = ([rule if cell is None else _html_words(cell) for cell in line] for line in block.lines)
+            return '<table class="rows">' + "".join(_row("td", line) for line in lines) + "</table>"
+        case HandoutPicture(sheet, words):
+            return f'<figure role="img" aria-label="{escape(words)}">{inline(sheet)}</figure>'
+        case GridRoom():
+            return f"<figure>{room_svg(block)}</figure>"
+        case HandoutTable(heads, rows):
+            body = "".join(_row("td", map(_html_words, row)) for row in rows)
+            return f'<table class="filled">{_row("th", map(_html_words, heads))}{body}</table>'
+        case NewPage(front):
+            return f'<div class="{"front" if front else "new"}"></div>'
+        case _:
+            assert_never(block)
+
+
+def _html_words(label: Label) -> str:
+    return "".join(map(_mathml, signs(label)))
+
+
+def _row(tag: str, cells: Iterable[str]) -> str:
+    return "<tr>" + "".join(f"<{tag}>{cell}</{tag}>" for cell in cells) + "</tr>"
+
+
+def _mathml(sign: Sign) -> str:
+    """Letters as they are; a letter with scripts as MathML."""
+    base = sign.base
+    if not sign.low and not sign.high:
+        return "" if base is None else f"<i>{escape(base.text)}</i>" if base.italic else escape(base.text)
+    letter = _token(base) if base is not None else "<mrow></mrow>"
+    low, high = ("<mrow>" + "".join(map(_token, runs)) + "</mrow>" for runs in (sign.low, sign.high))
+    if sign.low and sign.high:
+        return f"<math><msubsup>{letter}{low}{high}</msubsup></math>"
+    return f"<math><msub>{letter}{low}</msub></math>" if sign.low else f"<math><msup>{letter}{high}</msup></math>"
+
+
+def _token(run: Run) -> str:
+    """Browsers set several letters in one `mi` upright; the page's style slants them as the drawings have them."""
+    kind = "mi" if run.italic else "mn" if run.text.isdigit() else "mtext"
+    return f"<{kind}>{escape(run.text)}</{kind}>"
+
+
+# --- LaTeX ------------------------------------------------------------------------------------
+
+_TEX_PAGE = r"""\usepackage[margin=25mm]{geometry}
+\raggedright
+\newsavebox{\wide}
+% an equation that is wider than the page is made smaller
+\newcommand{\fit}[1]{\sbox{\wide}{#1}%
+  \ifdim\wd\wide>0.95\linewidth\resizebox{0.95\linewidth}{!}{\usebox{\wide}}\else\usebox{\wide}\fi}"""
+
+
+def tex(handout: Handout) -> str:
+    """A LaTeX file that stands alone; Chinese wants xelatex."""
+    chinese = [r"\usepackage[fontset=fandol]{ctex}"] if handout.lang == "zh" else []
+    body = "\n\n".join(map(_latex, handout.blocks))
+    head = [f"% {MARK}", r"\documentclass[a4paper]{article}", r"\usepackage{amsmath,amssymb,graphicx}", *chinese]
+    return "\n".join([*head, _TEX_PAGE, r"\begin{document}", body, r"\end{document}", ""])
+
+
+def _latex(block: Block) -> str:
+    match block:
+        case HandoutHeading(words):
+            return rf"\subsection*{{{tex_words(words)}}}"
+        case Paragraph(words, act):
+            number = rf"\textcircled{{\scriptsize {act}}} " if act else ""
+            return rf"\noindent {number}{tex_words(words)}"
+        case FormulaLine(words):
+            return rf"\quad {tex_words(words)}"
+        case TermRows():
+            lines = (" & ".join(tex_words(cell or ()) for cell in line) for line in block.lines)
+            table = rf"\begin{{tabular}}{{{'c' * len(block.lines[0])}}}" + r" \\ ".join(lines) + r"\end{tabular}"
+            return rf"\quad\fit{{{table}}}"
+        case HandoutPicture() | HandoutTable() | GridRoom() | NewPage():
+            raise TypeError(f"{type(block).__name__} has no place in a solution of words alone")
+        case _:
+            assert_never(block)
+
+
+# --- Markdown ---------------------------------------------------------------------------------
+
+
+def markdown(handout: Handout) -> str:
+    """Plain Markdown: subscripts and parts as HTML has them, equations as tables."""
+    return "\n\n".join([f"<!-- {MARK} -->", *map(_markdown, handout.blocks)]) + "\n"
+
+
+def _markdown(block: Block) -> str:
+    match block:
+        case HandoutHeading(words):
+            return f"## {_markdown_words(words)}"
+        case Paragraph(words, act):
+            return (f"({act}) " if act else "") + _markdown_words(words)
+        case FormulaLine(words):
+            return f"> {_markdown_words(words)}"
+        case TermRows():
+            lines = ["| " + " | ".join(_markdown_words(cell or ()) for cell in line) + " |" for line in block.lines]
+            return "\n".join([lines[0], "|" + ":-:|" * len(block.lines[0]), *lines[1:]])
+        case HandoutPicture() | HandoutTable() | GridRoom() | NewPage():
+            raise TypeError(f"{type(block).__name__} has no place in a solution of words alone")
+        case _:
+            assert_never(block)
+
+
+def _markdown_words(label: Label) -> str:
+    return "".join(map(_markdown_sign, signs(label)))
+
+
+def _markdown_sign(sign: Sign) -> str:
+    base = _markdown_run(sign.base) if sign.base is not None else ""
+    low, high = ("".join(map(_markdown_run, runs)) for runs in (sign.low, sign.high))
+    return base + (f"<sup>{high}</sup>" if high else "") + (f"<sub>{low}</sub>" if low else "")
+
+
+def _markdown_run(run: Run) -> str:
+    text = "".join("\\" + letter if letter in "\\`*_<>#|[]" else letter for letter in run.text)
+    return f"*{text}*" if run.italic and text.strip() else text
+
+
+WRITERS: Mapping[str, Callable[[Handout], str]] = {".html": html, ".tex": tex, ".md": markdown}
+"""By the file's ending."""
