@@ -37,9 +37,9 @@ from graphkin.sheet.centrode_frames import centrode_frames
 from graphkin.sheet.centrode_sheet import centrode_sheet
 from graphkin.sheet.marks import Stroke
 from graphkin.studies.centres import Centres, centres
-from graphkin.studies.centres.centrode_places import carried_to, over
 from graphkin.studies.centres.centrode_sampling import arc_length
 from graphkin.studies.centres.centrodes import Centrodes, centrodes, path, whole
+from graphkin.studies.centres.instant_centres import carried_to, over
 from graphkin.studies.sweeps import Course, course
 
 

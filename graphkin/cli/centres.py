@@ -148,7 +148,7 @@ def _told(asked: _Asked, source: str) -> Iterator[str]:
         yield from _about(asked, found)
     elif asked.pair or asked.centre:
         from graphkin.say.centre_curves import curve_lines
-        from graphkin.studies.centres.about_data import centrodes_json
+        from graphkin.studies.centres.centrodes import centrodes_json
 
         curves = asked.curves(found)
         yield from [json_line(centrodes_json(curves))] if asked.as_json else curve_lines(curves, asked.lang)
@@ -172,9 +172,8 @@ def _listed(asked: _Asked, found: Centres) -> Iterator[str]:
 
 def _about(asked: _Asked, found: Centres) -> Iterator[str]:
     from graphkin.say.centre_about import about_words, bobillier_words
-    from graphkin.studies.centres.about import about
+    from graphkin.studies.centres.about import about, about_json
     from graphkin.studies.centres.about_bobillier import bobillier
-    from graphkin.studies.centres.about_data import about_json
 
     seen = about(found, asked.link)
     if asked.as_json:

@@ -12,7 +12,7 @@ from graphkin.say.centre_steps import CentreReader
 from graphkin.say.entry import Entry
 from graphkin.say.reading import Reading
 from graphkin.studies.centres import centres
-from graphkin.studies.centres.shortest import shortest
+from graphkin.studies.centres.instant_centres import shortest
 
 
 @frozen

@@ -6,18 +6,16 @@ Positions come in cells, each with its middle, so that a length can be found fro
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 
 FIRST, DEEPEST = 90, 9
-"""Cells to begin with; how often a cell may be halved."""
+"""Cells to begin with, and the number of times a cell may be halved."""
 BEND, FLAT = 0.08, 2e-4
 """A cell is halved while its half chords make a greater angle [rad], or its middle stands off more [of the size]."""
-Marked = Any
-"""An array of true and false."""
 LEAST = 1e-5
 """Nothing smaller is looked at [of the size]."""
 
@@ -56,7 +54,7 @@ def _cells(values: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     return values[..., :-2:2], values[..., 1::2], values[..., 2::2]
 
 
-def _coarse(sample: Sample, size: float, far: float) -> Marked:
+def _coarse(sample: Sample, size: float, far: float) -> Array:
     """Cells that bend too much, or that leave the paper."""
     begin, middle, end = _cells(sample.places)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
@@ -69,12 +67,13 @@ def _coarse(sample: Sample, size: float, far: float) -> Marked:
         long = (chord > size / 20).any(axis=0)
         inside = _inside(sample, far)
     first, mid, last = _cells(inside)
-    return ((bent | long) & (first | mid | last)) | ((first | mid | last) & ~(first & mid & last))
+    some, all_of_it = first | mid | last, first & mid & last
+    return np.asarray(some & (bent | long | ~all_of_it))
 
 
-def _inside(sample: Sample, far: float) -> Marked:
+def _inside(sample: Sample, far: float) -> Array:
     with np.errstate(invalid="ignore"):
-        return np.isfinite(sample.places).all(axis=0) & (np.abs(sample.places) <= far).all(axis=0)
+        return np.asarray((np.isfinite(sample.places) & (np.abs(sample.places) <= far)).all(axis=0))
 
 
 def _halved(at: Callable[[np.ndarray], Sample], sample: Sample, coarse: np.ndarray) -> Sample:
@@ -91,23 +90,17 @@ def _halved(at: Callable[[np.ndarray], Sample], sample: Sample, coarse: np.ndarr
 
 
 def _cut(sample: Sample, far: float) -> list[CentrodePiece]:
-    """Runs of cells that lie inside, cut between positions on two sides of infinity."""
+    """Runs of cells that lie inside, cut between positions on two sides of infinity: w changes its sign there."""
     first, mid, last = _cells(_inside(sample, far))
-    through = _through_infinity(sample.homogeneous)
+    before, after = sample.homogeneous[:, :-1], sample.homogeneous[:, 1:]
+    with np.errstate(invalid="ignore"):
+        through = before[2] * after[2] * np.sign(np.sum(before * after, axis=0)) < 0
     good = first & mid & last & ~through[::2] & ~through[1::2]
     edges = np.flatnonzero(np.diff(np.concatenate([[0], good.astype(int), [0]])))
     return [
         CentrodePiece(sample.t[2 * a : 2 * b + 1], sample.places[:, 2 * a : 2 * b + 1])
         for a, b in zip(edges[::2], edges[1::2], strict=True)
     ]
-
-
-def _through_infinity(homogeneous: np.ndarray) -> Marked:
-    """Whether the centre passes infinity between one position and the next: w changes its sign on the short way."""
-    before, after = homogeneous[:, :-1], homogeneous[:, 1:]
-    with np.errstate(invalid="ignore"):
-        way = np.sign(np.sum(before * after, axis=0))
-        return before[2] * after[2] * way < 0
 
 
 def arc_length(piece: CentrodePiece, axes: int = 0) -> np.ndarray:
@@ -117,19 +110,19 @@ def arc_length(piece: CentrodePiece, axes: int = 0) -> np.ndarray:
     return np.concatenate([[0.0], np.cumsum((4 * halves - chord) / 3)])
 
 
-def joined(found: Sequence[CentrodePiece], turn: float, near: float) -> list[CentrodePiece]:
-    """Where the motion comes back to its beginning, the last piece goes on into the first.
+def joined(parts: Sequence[CentrodePiece], turn: float, near: float) -> list[CentrodePiece]:
+    """The pieces of a motion that comes back to its beginning: the last goes on into the first.
 
     A single piece that meets itself is closed.
-    turn  how far t goes; near  places closer than this are one [m]
+    turn  the extent of t; near  places closer than this are one [m]
     """
-    if not found:
+    if not parts:
         return []
-    first, last = found[0], found[-1]
+    first, last = parts[0], parts[-1]
     if np.abs(first.places[:, 0] - last.places[:, -1]).max() > near:
-        return list(found)
-    if len(found) == 1:
+        return list(parts)
+    if len(parts) == 1:
         return [CentrodePiece(first.t, first.places, closed=True)]
     t = np.concatenate([last.t, first.t[1:] + turn])
     places = np.concatenate([last.places, first.places[:, 1:]], axis=1)
-    return [CentrodePiece(t, places), *found[1:-1]]
+    return [CentrodePiece(t, places), *parts[1:-1]]

@@ -11,6 +11,7 @@ from typing import Protocol
 import numpy as np
 
 from graphkin.base.geometry import Value
+from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Where
 from graphkin.errors.centring import NoCentrode, UnknownCentre
@@ -18,21 +19,20 @@ from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import centre_of
 from graphkin.running.path import DriverPath, along
 from graphkin.studies.centres.about import link_of
-from graphkin.studies.centres.centrode_places import carried_to, over
 from graphkin.studies.centres.centrode_sampling import CentrodePiece, Sample, arc_length, joined, pieces
-from graphkin.studies.centres.instant_centres import Centres
+from graphkin.studies.centres.instant_centres import Centres, carried_to, over
 
 FAR = 25.0
 """A centre is followed so many times the mechanism's size away."""
 MARGIN = 1e-6
-"""How far inside a dead point the curves end, as part of the way."""
+"""The curves end so far inside a dead point, as part of the path."""
 CLOSE = 1e-8
 """Places closer than this part of the size are one."""
 WHERE = Where("--centrodes")
 
 
 class Coursed(Protocol):
-    """What is needed of a course: the way, the positions asked for on it, whether the driver goes all round."""
+    """The side of a course that is read here: path, positions t on it, True if the driver goes all round."""
 
     @property
     def path(self) -> DriverPath: ...
@@ -48,7 +48,7 @@ class Centrodes:
 
     axes    in whose axes the curves are: (second, first), that is fixed and moving; of a path the frame alone
     pieces  unbroken parts, in the order of the motion: t (n,), places (len(axes), n) [m] in each axes
-    span    from which t to which the links were moved
+    span    the t between which the links were moved
     """
 
     found: Centres
@@ -76,13 +76,13 @@ class Centrodes:
 
     @cached_property
     def is_point(self) -> bool:
-        """Whether the centre stays at one place of each link, as on a hinge."""
+        """True if the centre stays at one place of each link, as on a hinge."""
         small = CLOSE * self.found.board.size
         places = np.concatenate([piece.places for piece in self.pieces], axis=1)
         return bool(np.all(np.abs(places - places[:, :1]) <= small))
 
     def standing(self, link: str, t: Value) -> tuple[Value, Value]:
-        """Where a link's axes stand at t, scalar or (n,): origin [m] and unit vector of the x axis."""
+        """The axes of a link at t, scalar or (n,): origin [m] and unit vector of the x axis."""
         plot = along(self.found.method, self.path, np.atleast_1d(np.asarray(t, dtype=float)))
         origin, turn = carried_to(plot, link)
         shape = np.shape(t)
@@ -96,7 +96,7 @@ class Centrodes:
 
 
 def whole(course: Coursed) -> tuple[float, float]:
-    """From which t to which the mechanism gets: a full turn, or all that is reached."""
+    """The t between which the mechanism moves: a full turn, or all that is reached."""
     if course.full_turn:
         return float(course.t.min()), float(course.t.min()) + 2 * np.pi
     return course.path.first, course.path.last
@@ -108,7 +108,7 @@ def centrodes(
     """The fixed centrode, on `second`, and the moving one, on `first`, which rolls on it.
 
     found   the centres at the drawn position; first, second  links, as people call them
-    course  how the mechanism moves; span: from which t to which, all positions of the course where left out
+    course  of the mechanism; span: the first and last t, all positions of the course where left out
 
     Raises UnknownLink; NoCentrode where the links never turn against each other.
     """
@@ -123,17 +123,11 @@ def path(
 
     Raises UnknownCentre, UnknownLink, NoCentrode as `centrodes` does.
     """
-    links = _links(found, name) if isinstance(name, str) else name
+    links = centre_of(found.method.mechanism, name) if isinstance(name, str) else name
+    if links is None:
+        raise UnknownCentre(WHERE, str(name), tuple(found.names))
     one, other = (link_of(found, link, WHERE) for link in links)
     return _traced(found, one, other, (FRAME,), course, span)
-
-
-def _links(found: Centres, name: str) -> tuple[str, str]:
-    """The two links of a centre. Raises UnknownCentre."""
-    links = centre_of(found.method.mechanism, name)
-    if links is None:
-        raise UnknownCentre(WHERE, name, tuple(found.names))
-    return links
 
 
 def _traced(
@@ -142,16 +136,15 @@ def _traced(
     low, high = _inside(course, span)
     name, origin, size = found.name(first, second), found.board.origin, found.board.size
 
-    def at(t: np.ndarray) -> Sample:
+    def sample(t: np.ndarray) -> Sample:
         there = over(found, course.path, t)
         seen = np.broadcast_to(there.board.points.get(name, np.full((3, 1), np.nan)).reshape(3, -1), (3, t.size))
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             places = origin + size * (seen[0] + 1j * seen[1]) / seen[2]
-            stand = [carried_to(there.plot, link) for link in axes]
-            curves = [(places - foot) / turn for foot, turn in stand]
+            curves = [(places - foot) / turn for foot, turn in (carried_to(there.plot, link) for link in axes)]
         return Sample(t, np.array(curves), seen)
 
-    parts = pieces(at, low, high, size, FAR * size) if first != second else []
+    parts = pieces(sample, low, high, size, FAR * size) if first != second else []
     if not parts:
         machine = found.method.mechanism
         raise NoCentrode(WHERE, machine.called(first), machine.called(second))
@@ -160,7 +153,7 @@ def _traced(
 
 
 def _inside(course: Coursed, span: tuple[float, float] | None) -> tuple[float, float]:
-    """From which t to which; a little inside of dead points."""
+    """The first and the last t, a little inside of dead points."""
     low, high = (float(course.t.min()), float(course.t.max())) if span is None else span
     path = course.path
     margin = MARGIN * (path.last - path.first)
@@ -168,3 +161,23 @@ def _inside(course: Coursed, span: tuple[float, float] | None) -> tuple[float, f
     first = path.first + margin if any(at < 0 for at in stops) else -np.inf
     last = path.last - margin if any(at > 0 for at in stops) else np.inf
     return max(low, first), min(high, last)
+
+
+def centrodes_json(curves: Centrodes) -> dict[str, Plain]:
+    """One object: of each piece of the curves the drivers' values [rad, m] and the places [m] in each link's axes."""
+    machine = curves.found.method.mechanism
+    return {
+        "format": 1,
+        "name": machine.name,
+        "centre": curves.name,
+        "axes": [machine.called(link) for link in curves.axes],
+        "drivers": [driver.name for driver in machine.drivers],
+        "pieces": [
+            {
+                "closed": piece.closed,
+                "drivers": [np.broadcast_to(value, piece.t.shape).tolist() for value in curves.path.values(piece.t)],
+                "curves": [[[z.real, z.imag] for z in places.tolist()] for places in piece.places],
+            }
+            for piece in curves.pieces
+        ],
+    }

@@ -20,8 +20,8 @@ from graphkin.studies.finding.answers import Position, SlowPoint, Speeds
 from graphkin.studies.finding.conditions import WHERE, Scaling, Slowest, value
 from graphkin.studies.finding.quantities import looked_for
 from graphkin.studies.sweeps import Road, course, prove
-from graphkin.studies.sweeps.quantities import series
 from graphkin.studies.sweeps.roads import moving
+from graphkin.studies.sweeps.sweep import series
 
 
 @frozen

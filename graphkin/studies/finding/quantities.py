@@ -18,8 +18,8 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import Quantity, named
 from graphkin.studies.finding.conditions import WHERE
 from graphkin.studies.sweeps import Course, Road, Series
-from graphkin.studies.sweeps.quantities import series
 from graphkin.studies.sweeps.roads import moving
+from graphkin.studies.sweeps.sweep import series
 
 
 def checked(mechanism: Mechanism, names: Sequence[str], where: Where = WHERE) -> tuple[Series, ...]:
