@@ -13,8 +13,7 @@ from graphkin.say.figures import figures, written
 from graphkin.say.numbers import angle, exact, millimetres, number
 from graphkin.say.transmission import cosine
 from graphkin.studies.linkages import FAMILY, FoundLinkage, Linkage, Report, filed, inverted, report
-from graphkin.studies.linkages.equal import EVEN
-from graphkin.studies.linkages.linkage import LinkagePosition
+from graphkin.studies.linkages.linkage import EVEN, LinkagePosition
 
 _DIGITS = 5
 """Of K."""

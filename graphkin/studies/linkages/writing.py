@@ -64,7 +64,7 @@ def _slide(machine: Mechanism, slide: Slide) -> dict[str, str]:
 
 
 def _tilts(machine: Mechanism, slide: Slide) -> bool:
-    """Whether the block has a direction of its own: it is the frame, has two points, or slides on a line before."""
+    """True if the block has a direction of its own: it is the frame, has two points, or slides on a line before."""
     if slide.block is None:
         return False
     first = next(other for other in machine.slides if other.block == slide.block)
