@@ -13,7 +13,8 @@ from graphkin.say.figures import figures, written
 from graphkin.say.numbers import angle, exact, millimetres, number
 from graphkin.say.transmission import cosine
 from graphkin.studies.linkages import FAMILY, FoundLinkage, Linkage, Report, filed, inverted, report
-from graphkin.studies.linkages.linkage import EVEN, LinkagePosition
+from graphkin.studies.linkages.linkage import LinkagePosition
+from graphkin.studies.linkages.triangles import EVEN
 
 _DIGITS = 5
 """Of K."""

@@ -17,18 +17,8 @@ import numpy as np
 
 from graphkin.base.geometry import cross, number
 from graphkin.base.value import frozen
-from graphkin.construction.drafting import (
-    INFINITE,
-    Board,
-    CarriedAngle,
-    Drafting,
-    DraftMeet,
-    Far,
-    Pricked,
-    Stage,
-    Through,
-    replay,
-)  # fmt: skip
+from graphkin.construction.drafting import INFINITE, Board, replay
+from graphkin.construction.drafting.steps import CarriedAngle, Drafting, DraftMeet, Far, Pricked, Stage, Through
 from graphkin.errors.centring import NoBobillier
 from graphkin.model.mechanism import FRAME
 from graphkin.studies.centres.about import About

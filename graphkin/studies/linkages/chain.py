@@ -11,10 +11,10 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from graphkin.studies.linkages.linkage import SLIDES, Linkage, LinkagePosition, MotionRange
+from graphkin.studies.linkages.linkage import SLIDES, Linkage, LinkagePosition
 from graphkin.studies.linkages.recognised import FoundLinkage
 from graphkin.studies.linkages.report import Report, report, timed
-from graphkin.studies.linkages.triangles import whole
+from graphkin.studies.linkages.triangles import MotionRange, whole
 
 _SAMPLES = 180
 

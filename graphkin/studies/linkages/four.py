@@ -15,29 +15,9 @@ from typing import ClassVar
 
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.studies.linkages import triangles
 from graphkin.studies.linkages.assembled import assembled, turning
-from graphkin.studies.linkages.linkage import (
-    DriverScale,
-    LinkagePosition,
-    MotionRange,
-    Sums,
-    TransmissionAngle,
-    Turn,
-    even,
-)  # fmt: skip
-from graphkin.studies.linkages.triangles import (
-    TURNS,
-    angles,
-    apex,
-    check_closing,
-    check_parts,
-    folded,
-    phase,
-    sine,
-    spanned,
-    well_drawn,
-    whole,
-)  # fmt: skip
+from graphkin.studies.linkages.linkage import DriverScale, LinkagePosition, Sums, TransmissionAngle, Turn
 
 
 @frozen
@@ -67,22 +47,22 @@ class FourBar:
 
     def __post_init__(self) -> None:
         sizes = self.sizes
-        check_parts(sizes, self.driver, self.drivers)
+        triangles.check_parts(sizes, self.driver, self.drivers)
         long = max(sizes, key=lambda link: sizes[link])
         others = [link for link in sizes if link != long]
-        check_closing(long, sizes[long], others, sum(self.lengths) - sizes[long])
+        triangles.check_closing(long, sizes[long], others, sum(self.lengths) - sizes[long])
         object.__setattr__(self, "places", self.places or self._first_places())
 
     def _first_places(self) -> tuple[complex, ...]:
         """The crank at 60 deg or near, as far as it gets, C on the left of BD."""
-        low, high = angles(self.crank, self.frame, self.coupler, self.rocker)
+        low, high = triangles.angles(self.crank, self.frame, self.coupler, self.rocker)
         positions = []
-        for turn in (*(turn for turn in TURNS if low + 0.02 < turn < high - 0.02), (low + high) / 2):
+        for turn in (*(turn for turn in triangles.TURNS if low + 0.02 < turn < high - 0.02), (low + high) / 2):
             b, d = cmath.rect(self.crank, turn), complex(self.frame)
-            positions.append((0j, b, apex(b, d, self.coupler, self.rocker, 1.0), d))
+            positions.append((0j, b, triangles.apex(b, d, self.coupler, self.rocker, 1.0), d))
         if self.driver == "rocker":
-            return well_drawn(positions, lambda a, b, c, d: sine(b - a, c - b))
-        return well_drawn(positions, lambda a, b, c, d: sine(b - c, d - c))
+            return triangles.well_drawn(positions, lambda a, b, c, d: triangles.sine(b - a, c - b))
+        return triangles.well_drawn(positions, lambda a, b, c, d: triangles.sine(b - c, d - c))
 
     @property
     def lengths(self) -> tuple[float, float, float, float]:
@@ -143,7 +123,7 @@ class FourBar:
 
     def _family(self) -> str:
         def same(one: float, other: float) -> bool:
-            return even(one - other, sum(self.lengths)) == 0
+            return triangles.even(one - other, sum(self.lengths)) == 0
 
         a, b, c, d = self.lengths
         pa, pb, pc, pd = self.places
@@ -158,7 +138,7 @@ class FourBar:
     def turns(self) -> tuple[Turn, ...]:
         """The four hinges, then the two pairs of opposite links."""
         names, sizes = tuple(self.called.values()), self.lengths
-        hinges = [angles(*(sizes[(k + step) % 4] for step in range(4))) == (0.0, math.pi) for k in range(4)]
+        hinges = [triangles.angles(*(sizes[(k + step) % 4] for step in range(4))) == (0.0, math.pi) for k in range(4)]
         turns = [Turn(names[k], names[(k + 1) % 4], hinges[k], True) for k in range(4)]
         parallel = self.kind()[1] in ("parallelogram", "rhombus")
         for k in (0, 1):
@@ -168,11 +148,11 @@ class FourBar:
 
     # --- ranges and positions -----------------------------------------------------------------
 
-    def driver_range(self) -> MotionRange:
+    def driver_range(self) -> triangles.MotionRange:
         bar = self._from_driver()
         return bar._range().turned(bar._base)
 
-    def output_range(self) -> MotionRange:
+    def output_range(self) -> triangles.MotionRange:
         bar = self._from_driver()._swapped()
         return bar._range().turned(bar._base)
 
@@ -249,10 +229,11 @@ class FourBar:
         _, b, c, d = self.places
         return 1.0 if ((d - b).conjugate() * (c - b)).imag >= 0 else -1.0
 
-    def _range(self) -> MotionRange:
+    def _range(self) -> triangles.MotionRange:
         """Angles of AB against AD."""
         a, b, _, d = self.places
-        return spanned(*angles(self.crank, self.frame, self.coupler, self.rocker), cmath.phase((b - a) / (d - a)))
+        least, greatest = triangles.angles(self.crank, self.frame, self.coupler, self.rocker)
+        return triangles.spanned(least, greatest, cmath.phase((b - a) / (d - a)))
 
     def _limit(self, direction: float) -> LinkagePosition:
         """DC at a direction at which AB and BC lie in line."""
@@ -269,14 +250,14 @@ class FourBar:
         b = a + cmath.rect(self.crank, self._base + angle)
         if abs(d - b) < 1e-9 * self.frame:  # AB lies on AD, BC on DC: C may be anywhere about D
             return replace(self._position((a, b, c, d), how), gamma=0.0)
-        return self._position((a, b, apex(b, d, self.coupler, self.rocker, side), d), how)
+        return self._position((a, b, triangles.apex(b, d, self.coupler, self.rocker, side), d), how)
 
     def _position(self, places: tuple[complex, ...], how: str) -> LinkagePosition:
         a, b, c, d = places
-        turned = phase(b - a)
-        value = turned if self.scale is None else whole(self.scale(turned))
-        gamma = None if self.driver == "coupler" else folded(b - c, d - c)
-        return LinkagePosition(places, 0.0, value, phase(c - d), gamma, how)
+        turned = triangles.phase(b - a)
+        value = turned if self.scale is None else triangles.whole(self.scale(turned))
+        gamma = None if self.driver == "coupler" else triangles.folded(b - c, d - c)
+        return LinkagePosition(places, 0.0, value, triangles.phase(c - d), gamma, how)
 
     def mechanism(self, omega: float = 10.0) -> Mechanism:
         (a, b, c, d), (pa, pb, pc, pd) = self.names, self.places

@@ -15,21 +15,9 @@ from typing import ClassVar
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Slide
+from graphkin.studies.linkages import triangles
 from graphkin.studies.linkages.assembled import assembled, drawn_line, free_names, pushing, turning
-from graphkin.studies.linkages.linkage import EVEN, DriverScale, LinkagePosition, MotionRange, Sums, Turn, even
-from graphkin.studies.linkages.triangles import (
-    TURNS,
-    check_closing,
-    check_parts,
-    folded,
-    limited,
-    passes,
-    phase,
-    sine,
-    spanned,
-    well_drawn,
-    whole,
-)  # fmt: skip
+from graphkin.studies.linkages.linkage import DriverScale, LinkagePosition, Sums, Turn
 
 
 @frozen
@@ -65,8 +53,8 @@ class GuideBar:
 
     def __post_init__(self) -> None:
         crank, frame, _ = self.sizes
-        check_parts({crank: self.crank, frame: self.frame}, self.driver, self.drivers, self.offset)
-        check_closing("e", abs(self.offset), [crank, frame], self.crank + self.frame)
+        triangles.check_parts({crank: self.crank, frame: self.frame}, self.driver, self.drivers, self.offset)
+        triangles.check_closing("e", abs(self.offset), [crank, frame], self.crank + self.frame)
         if not self.places:
             places, turn = self._first_places()
             object.__setattr__(self, "places", places)
@@ -76,17 +64,18 @@ class GuideBar:
         """The crank at 60 deg or near, farther out where B would come too near to C; and the bar's direction."""
         r, d, e = self.crank, self.frame, self.offset
         low = self._nearest if abs(d - r) < abs(e) else 0.0
-        turns = (*(turn for turn in TURNS if turn > low + 0.02), (low + math.pi) / 2)
+        turns = (*(turn for turn in triangles.TURNS if turn > low + 0.02), (low + math.pi) / 2)
         positions = [(0j, cmath.rect(r, turn), complex(d)) for turn in turns]
 
         def line(b: complex, c: complex) -> complex:
             return (b - c) / complex(math.sqrt(max(0.0, abs(b - c) ** 2 - e * e)), e)
 
         sines: dict[str, Callable[..., float]] = {
-            "crank": lambda a, b, c: sine(b - c, 1j * line(b, c)), "bar": lambda a, b, c: sine(b - a, 1j * line(b, c)),
-            "slide": lambda a, b, c: sine(b - a, b - c),
-        }  # fmt: skip
-        places = well_drawn(positions, sines[self.driver])
+            "crank": lambda a, b, c: triangles.sine(b - c, 1j * line(b, c)),
+            "bar": lambda a, b, c: triangles.sine(b - a, 1j * line(b, c)),
+            "slide": lambda a, b, c: triangles.sine(b - a, b - c),
+        }
+        places = triangles.well_drawn(positions, sines[self.driver])
         return places, cmath.phase(line(places[1], places[2]))
 
     @property
@@ -134,23 +123,24 @@ class GuideBar:
     def turns(self) -> tuple[Turn, ...]:
         """Three hinges (the block turns with the bar), then crank against bar, frame against block."""
         crank, bar, frame, _ = self.called.values()
-        short, other = passes(self.crank, self.frame, self.offset), passes(self.frame, self.crank, self.offset)
+        short = triangles.passes(self.crank, self.frame, self.offset)
+        other = triangles.passes(self.frame, self.crank, self.offset)
         return (
             Turn(crank, frame, short or other, True), Turn(bar, frame, other, True), Turn(crank, bar, short, True),
         )  # fmt: skip
 
     # --- ranges and positions -----------------------------------------------------------------
 
-    def driver_range(self) -> MotionRange:
+    def driver_range(self) -> triangles.MotionRange:
         if self.driver == "slide":
             low, high = sorted(along if self.scale is None else self.scale(along) for along in self._slide_range())
-            return MotionRange(low, high)
+            return triangles.MotionRange(low, high)
         return self._directions(self.driver)
 
-    def output_range(self) -> MotionRange:
+    def output_range(self) -> triangles.MotionRange:
         return self._directions(self.output)
 
-    def _directions(self, link: str) -> MotionRange:
+    def _directions(self, link: str) -> triangles.MotionRange:
         """The directions of crank or bar on the drawing."""
         if link == "crank":
             return self._crank_range().turned(self._base)
@@ -223,27 +213,27 @@ class GuideBar:
     def _nearest(self) -> float:
         """The angle of AB against AC at which B is as near to C as the offset."""
         r, d, e = self.crank, self.frame, self.offset
-        return math.acos(limited((r * r + d * d - e * e) / (2 * r * d)))
+        return math.acos(triangles.limited((r * r + d * d - e * e) / (2 * r * d)))
 
-    def _crank_range(self) -> MotionRange:
+    def _crank_range(self) -> triangles.MotionRange:
         """Angles of AB against AC: B may not come nearer to C than the offset."""
-        if even(abs(self.frame - self.crank) - abs(self.offset), self.frame + self.crank) >= 0:
-            return MotionRange(0.0, math.tau, True)
-        return MotionRange(self._nearest, math.tau - self._nearest)
+        if triangles.even(abs(self.frame - self.crank) - abs(self.offset), self.frame + self.crank) >= 0:
+            return triangles.MotionRange(0.0, math.tau, True)
+        return triangles.MotionRange(self._nearest, math.tau - self._nearest)
 
-    def _normal_range(self) -> MotionRange:
+    def _normal_range(self) -> triangles.MotionRange:
         """Angles of the bar's left normal against AC: the bar's line may not pass A at more than the crank's length."""
         r, d, e = self.crank, self.frame, self.offset
-        over, under = even(r - e - d, r + d) < 0, even(r + e - d, r + d) < 0
-        least = math.acos(limited((r - e) / d)) if over else 0.0
-        greatest = math.acos(limited((-r - e) / d)) if under else math.pi
-        return spanned(least, greatest, self.turn + math.pi / 2 - self._base)
+        over, under = triangles.even(r - e - d, r + d) < 0, triangles.even(r + e - d, r + d) < 0
+        least = math.acos(triangles.limited((r - e) / d)) if over else 0.0
+        greatest = math.acos(triangles.limited((-r - e) / d)) if under else math.pi
+        return triangles.spanned(least, greatest, self.turn + math.pi / 2 - self._base)
 
     def _slide_range(self) -> tuple[float, float]:
         """The ends of B's motion along the bar from the foot of C: farthest end first."""
         r, d, e = self.crank, self.frame, abs(self.offset)
         far, near = math.sqrt((d + r - e) * (d + r + e)), abs(d - r)
-        if even(near - e, d + r) <= 0:
+        if triangles.even(near - e, d + r) <= 0:
             return far, -far
         return self._ahead * far, self._ahead * math.sqrt((near - e) * (near + e))
 
@@ -251,7 +241,7 @@ class GuideBar:
         """The bar's left normal at an angle against AC, and B on it where the crank reaches it, on the side drawn."""
         n = cmath.rect(1, normal)
         high = self.offset + self.frame * n.real
-        gap = even(self.crank - abs(high), self.crank)
+        gap = triangles.even(self.crank - abs(high), self.crank)
         along = self._ahead * math.sqrt(max(0.0, gap * (self.crank + abs(high))))
         return self._position(n * complex(high, -along), complex(self.frame), -1j * n, how)
 
@@ -259,18 +249,18 @@ class GuideBar:
         """The crank at an angle against AC."""
         b, c = cmath.rect(self.crank, angle), complex(self.frame)
         far, e = abs(b - c), abs(self.offset)
-        gap = even(far - e, self.crank + self.frame)
+        gap = triangles.even(far - e, self.crank + self.frame)
         arm = complex(self._ahead * math.sqrt(max(0.0, gap * (far + e))), self.offset)
-        along = -1j * b if abs(arm) < EVEN * self.frame else (b - c) / arm
+        along = -1j * b if abs(arm) < triangles.EVEN * self.frame else (b - c) / arm
         return self._position(b, c, along / abs(along), how)
 
     def _position(self, b: complex, c: complex, along: complex, how: str) -> LinkagePosition:
         """From the axes of the frame to the drawing's."""
         turn, a = cmath.rect(1, self._base), self.places[0]
-        crank, direction = phase(b * turn), phase(along * turn)
+        crank, direction = triangles.phase(b * turn), triangles.phase(along * turn)
         value = {"crank": crank, "bar": direction, "slide": ((b - c) * along.conjugate()).real}[self.driver]
         if self.scale is not None:
-            value = self.scale(value) if self.driver == "slide" else whole(self.scale(value))
+            value = self.scale(value) if self.driver == "slide" else triangles.whole(self.scale(value))
         output, gamma = direction if self.output == "bar" else crank, self._gamma(b, c, along)
         return LinkagePosition((a, a + b * turn, a + c * turn), direction, value, output, gamma, how)
 
@@ -281,8 +271,8 @@ class GuideBar:
         """
         if self.driver == "crank":
             arm = complex(((b - c) * along.conjugate()).real, self.offset)
-            return folded(1j, arm) if abs(arm) > EVEN * self.frame else 0.0
-        return folded(1j * along, b) if self.driver == "bar" else folded(b - c, b)
+            return triangles.folded(1j, arm) if abs(arm) > triangles.EVEN * self.frame else 0.0
+        return triangles.folded(1j * along, b) if self.driver == "bar" else triangles.folded(b - c, b)
 
     def mechanism(self, omega: float = 10.0) -> Mechanism:
         """The bar is hinged at C, or at B where it slides through a block at C; its line ends in a point."""

@@ -15,18 +15,12 @@ from typing import ClassVar, Protocol
 
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import Mechanism
+from graphkin.studies.linkages.triangles import MotionRange, even
 
 SLIDES = ("slider", "slide")
 """The parts whose motion is a displacement [m]; all others turn [rad]."""
 CRANKS = ("crank", "rocker")
 """The drivers that can turn round and round and have an output with two ends."""
-EVEN = 1e-9
-"""Sums of lengths that differ by less than this part of all lengths together are equal: a change point."""
-
-
-def even(difference: float, size: float) -> float:
-    """A difference of sums of lengths, 0 where it is 0 but for rounding."""
-    return 0.0 if abs(difference) <= EVEN * size else difference
 
 
 @frozen
@@ -39,23 +33,6 @@ class DriverScale:
 
     def __call__(self, ours: float) -> float:
         return self.zero + self.sense * ours
-
-
-@frozen
-class MotionRange:
-    """The range of a link or a slider, from low to high [rad or m]; `full`: it turns round and round."""
-
-    low: float
-    high: float
-    full: bool = False
-
-    @property
-    def width(self) -> float:
-        return self.high - self.low
-
-    def turned(self, base: float) -> MotionRange:
-        """The same range counted from a line that lies at `base` [rad]."""
-        return MotionRange(base + self.low, base + self.high, self.full)
 
 
 @frozen

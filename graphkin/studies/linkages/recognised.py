@@ -19,8 +19,9 @@ from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.model.pairs import Slide
 from graphkin.studies.linkages.four import FourBar
 from graphkin.studies.linkages.guide import GuideBar
-from graphkin.studies.linkages.linkage import DriverScale, Linkage, even
+from graphkin.studies.linkages.linkage import DriverScale, Linkage
 from graphkin.studies.linkages.slider import SliderCrank
+from graphkin.studies.linkages.triangles import even
 
 
 @frozen

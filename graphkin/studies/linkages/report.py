@@ -14,8 +14,8 @@ from functools import cached_property
 
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
-from graphkin.studies.linkages.linkage import CRANKS, SLIDES, Linkage, LinkagePosition, MotionRange, Turn, even
-from graphkin.studies.linkages.triangles import whole
+from graphkin.studies.linkages.linkage import CRANKS, SLIDES, Linkage, LinkagePosition, Turn
+from graphkin.studies.linkages.triangles import MotionRange, even, whole
 
 _SAME = 1e-9
 """Transmission angles nearer than this are both the least [rad]."""

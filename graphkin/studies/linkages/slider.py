@@ -14,29 +14,9 @@ from typing import ClassVar
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.model.pairs import Slide
+from graphkin.studies.linkages import triangles
 from graphkin.studies.linkages.assembled import assembled, drawn_line, free_names, pushing, turning
-from graphkin.studies.linkages.linkage import (
-    EVEN,
-    DriverScale,
-    LinkagePosition,
-    MotionRange,
-    Sums,
-    TransmissionAngle,
-    Turn,
-    even,
-)  # fmt: skip
-from graphkin.studies.linkages.triangles import (
-    TURNS,
-    check_closing,
-    check_parts,
-    folded,
-    limited,
-    passes,
-    phase,
-    sine,
-    well_drawn,
-    whole,
-)  # fmt: skip
+from graphkin.studies.linkages.linkage import DriverScale, LinkagePosition, Sums, TransmissionAngle, Turn
 
 
 @frozen
@@ -70,22 +50,23 @@ class SliderCrank:
 
     def __post_init__(self) -> None:
         crank, rod, _ = self.called.values()
-        check_parts({crank: self.crank, rod: self.coupler}, self.driver, self.drivers, self.offset)
-        check_closing("e", abs(self.offset), [crank, rod], self.crank + self.coupler)
+        triangles.check_parts({crank: self.crank, rod: self.coupler}, self.driver, self.drivers, self.offset)
+        triangles.check_closing("e", abs(self.offset), [crank, rod], self.crank + self.coupler)
         object.__setattr__(self, "places", self.places or self._first_places())
 
     def _first_places(self) -> tuple[complex, ...]:
         """The crank at 60 deg or near, as far as it gets, the slider on the right."""
         r, rod, e = self.crank, self.coupler, self.offset
-        low, high = limited((e - rod) / r), limited((e + rod) / r)
+        low, high = triangles.limited((e - rod) / r), triangles.limited((e + rod) / r)
         positions = []
-        for turn in (*(turn for turn in TURNS if low < math.sin(turn) < high), (math.asin(low) + math.asin(high)) / 2):
+        turns = [turn for turn in triangles.TURNS if low < math.sin(turn) < high]
+        for turn in (*turns, (math.asin(low) + math.asin(high)) / 2):
             b = cmath.rect(r, turn)
             positions.append((0j, b, complex(b.real + math.sqrt(max(0.0, rod * rod - (e - b.imag) ** 2)), e)))
         positions = [places for places in positions if places[2].real > 0] or positions
         if self.driver == "slider":
-            return well_drawn(positions, lambda a, b, c: sine(b - a, c - b))
-        return well_drawn(positions, lambda a, b, c: sine(c - b, 1j))
+            return triangles.well_drawn(positions, lambda a, b, c: triangles.sine(b - a, c - b))
+        return triangles.well_drawn(positions, lambda a, b, c: triangles.sine(c - b, 1j))
 
     @property
     def called(self) -> dict[str, str]:
@@ -123,7 +104,7 @@ class SliderCrank:
     def kind(self) -> tuple[str, str]:
         """The kind, and its special case."""
         gap = self.sums().gap
-        line = "in-line" if even(self.offset, self.crank + self.coupler + abs(self.offset)) == 0 else "offset"
+        line = "in-line" if triangles.even(self.offset, self.crank + self.coupler + abs(self.offset)) == 0 else "offset"
         if gap == 0:
             return "change-point", "isosceles" if line == "in-line" else "slider-crank"
         if gap > 0:
@@ -133,7 +114,8 @@ class SliderCrank:
     def turns(self) -> tuple[Turn, ...]:
         """Three hinges, then crank against slider and rod against the guide's link."""
         crank, rod, block = self.called.values()
-        first, second = passes(self.crank, self.coupler, self.offset), passes(self.coupler, self.crank, self.offset)
+        first = triangles.passes(self.crank, self.coupler, self.offset)
+        second = triangles.passes(self.coupler, self.crank, self.offset)
         return (
             Turn(crank, FRAME, first, True), Turn(crank, rod, first or second, True), Turn(rod, block, second, True),
             Turn(crank, block, first, False), Turn(rod, FRAME, second, False),
@@ -141,17 +123,17 @@ class SliderCrank:
 
     # --- ranges and positions -----------------------------------------------------------------
 
-    def driver_range(self) -> MotionRange:
+    def driver_range(self) -> triangles.MotionRange:
         if self.driver == "slider":
             low, high = sorted(self._counted(along) for along in self._reach())
-            return MotionRange(low, high)
+            return triangles.MotionRange(low, high)
         return self._range().turned(self.way)
 
-    def output_range(self) -> MotionRange:
+    def output_range(self) -> triangles.MotionRange:
         if self.driver == "slider":
             return self._range().turned(self.way)
         low, high = sorted(self._reach())
-        return MotionRange(low, high)
+        return triangles.MotionRange(low, high)
 
     def limits(self) -> tuple[LinkagePosition, ...]:
         """The two ends of the slider's motion, or of the crank's where the slider drives."""
@@ -163,7 +145,7 @@ class SliderCrank:
             return self._slider_ends()
         side, away, square = self._side, -1.0 if self.offset > 0 else 1.0, []
         for sense, how in ((away, "far"), (-away, "near")):
-            if abs(self.offset - self.crank * sense) <= self.coupler * (1 + EVEN):
+            if abs(self.offset - self.crank * sense) <= self.coupler * (1 + triangles.EVEN):
                 square.append(self._at(sense * math.pi / 2, side, how))
         return (*square, *self._crank_ends())
 
@@ -179,7 +161,7 @@ class SliderCrank:
             c = complex(along, self.offset)
             stretched = abs(abs(c) - far) < abs(abs(c) - abs(self.crank - self.coupler))
             sense = 1.0 if stretched or self.crank > self.coupler else -1.0
-            b = sense * self.crank * c / abs(c) if abs(c) > EVEN * far else self.crank * 1j
+            b = sense * self.crank * c / abs(c) if abs(c) > triangles.EVEN * far else self.crank * 1j
             ends.append(self._position(b, c, "stretched" if stretched else "folded"))
         return tuple(ends)
 
@@ -222,26 +204,26 @@ class SliderCrank:
         b, c = self._drawn_places()
         return 1.0 if c.real >= b.real else -1.0
 
-    def _range(self) -> MotionRange:
+    def _range(self) -> triangles.MotionRange:
         """Angles of AB against the guide: B may be no farther than BC from it."""
         r, rod, e = self.crank, self.coupler, self.offset
         size = r + rod + abs(e)
-        over, under = even(e + rod - r, size) < 0, even(rod - e - r, size) < 0
-        high, low = math.asin(limited((e + rod) / r)), math.asin(limited((e - rod) / r))
+        over, under = triangles.even(e + rod - r, size) < 0, triangles.even(rod - e - r, size) < 0
+        high, low = math.asin(triangles.limited((e + rod) / r)), math.asin(triangles.limited((e - rod) / r))
         if over and under:
             left = self._drawn_places()[0].real < 0
-            return MotionRange(math.pi - high, math.pi - low) if left else MotionRange(low, high)
+            return triangles.MotionRange(math.pi - high, math.pi - low) if left else triangles.MotionRange(low, high)
         if over:
-            return MotionRange(math.pi - high, math.tau + high)
+            return triangles.MotionRange(math.pi - high, math.tau + high)
         if under:
-            return MotionRange(low, math.pi - low)
-        return MotionRange(0.0, math.tau, True)
+            return triangles.MotionRange(low, math.pi - low)
+        return triangles.MotionRange(0.0, math.tau, True)
 
     def _reach(self) -> tuple[float, float]:
         """The ends of the slider's motion along the guide, from the foot of A: its stretched end first."""
         e, far_arm, near_arm = self.offset, self.crank + self.coupler, abs(self.crank - self.coupler)
         far = math.sqrt((far_arm - e) * (far_arm + e))
-        if even(near_arm - abs(e), far_arm) <= 0:
+        if triangles.even(near_arm - abs(e), far_arm) <= 0:
             return far, -far
         side = 1.0 if self._drawn_places()[1].real >= 0 else -1.0
         return side * far, side * math.sqrt((near_arm - e) * (near_arm + e))
@@ -250,18 +232,18 @@ class SliderCrank:
         """The crank at an angle against the guide, the slider ahead of B (side 1), behind it (-1), or level (0)."""
         b = cmath.rect(self.crank, angle)
         high = abs(self.offset - b.imag)
-        gap = even(self.coupler - high, self.coupler)
+        gap = triangles.even(self.coupler - high, self.coupler)
         along = side * math.sqrt(max(0.0, gap * (self.coupler + high)))
         return self._position(b, complex(b.real + along, self.offset), how)
 
     def _position(self, b: complex, c: complex, how: str) -> LinkagePosition:
         """From the axes of the guide to the drawing's."""
         turn, a = cmath.rect(1, self.way), self.places[0]
-        places, angle = (a, a + b * turn, a + c * turn), phase(b * turn)
+        places, angle = (a, a + b * turn, a + c * turn), triangles.phase(b * turn)
         if self.driver == "slider":
-            return LinkagePosition(places, self.way, self._counted(c.real), angle, folded(b, c - b), how)
-        gamma = None if self.driver == "coupler" else folded(c - b, 1j)
-        value = angle if self.scale is None else whole(self.scale(angle))
+            return LinkagePosition(places, self.way, self._counted(c.real), angle, triangles.folded(b, c - b), how)
+        gamma = None if self.driver == "coupler" else triangles.folded(c - b, 1j)
+        value = angle if self.scale is None else triangles.whole(self.scale(angle))
         return LinkagePosition(places, self.way, value, c.real, gamma, how)
 
     def _counted(self, along: float) -> float:

@@ -6,15 +6,40 @@ import cmath
 import math
 from collections.abc import Callable, Mapping, Sequence
 
+from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, CannotClose, CannotDriveBy, NotALength, OnlyStretched
 from graphkin.model.usual import ROUNDING
-from graphkin.studies.linkages.linkage import MotionRange, even
 
+EVEN = 1e-9
+"""Sums of lengths that differ by less than this part of all lengths together are equal: a change point."""
 _IN_LINE = 1e-7
 """Lines at a smaller angle lie in line: positions are laid in line from 4e-5 on (`EVEN`)."""
 TURNS = tuple(math.radians(turn) for turn in (60, 100, 35, 140, 80, 15, 165))
 """The crank is drawn at the first of these at which the driver is well off a dead point, if nothing else is said."""
 _WELL = math.sin(math.radians(25))
+
+
+@frozen
+class MotionRange:
+    """The range of a link or a slider, from low to high [rad or m]; `full`: it turns round and round."""
+
+    low: float
+    high: float
+    full: bool = False
+
+    @property
+    def width(self) -> float:
+        return self.high - self.low
+
+    def turned(self, base: float) -> MotionRange:
+        """The same range counted from a line that lies at `base` [rad]."""
+        return MotionRange(base + self.low, base + self.high, self.full)
+
+
+def even(difference: float, size: float) -> float:
+    """A difference of sums of lengths, 0 where it is 0 but for rounding."""
+    return 0.0 if abs(difference) <= EVEN * size else difference
+
 
 # --- lengths ----------------------------------------------------------------------------------
 

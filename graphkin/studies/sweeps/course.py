@@ -18,16 +18,7 @@ from graphkin.planning import Method
 from graphkin.running.path import DriverPath, Event
 from graphkin.running.reaching import reached
 from graphkin.running.tracing import trace
-from graphkin.studies.sweeps.ranges import (
-    ROWS,
-    TURN,
-    WHERE,
-    DriverValues,
-    Ranges,
-    first_free,
-    given_ranges,
-    in_proportion,
-)  # fmt: skip
+from graphkin.studies.sweeps.ranges import ROWS, TURN, WHERE, DriverValues, Ranges, aligned, first_free, given_ranges
 
 
 @frozen
@@ -207,7 +198,7 @@ def _together(method: Method, spans: dict[int, DriverValues], moving: list[int])
     counts = {spans[k].values.size for k in moving}
     if len(counts) > 1:
         raise BadRange(WHERE, ", ".join(str(count) for count in sorted(counts)))
-    spans = in_proportion(method, spans, moving)
+    spans = aligned(method, spans, moving)
     begin = [spans[k].begin if k in spans else value for k, value in enumerate(method.facts(None).values)]
     before = reached(method, begin)
     t = spans[swept].values - spans[swept].begin

@@ -60,7 +60,7 @@ def first_free(method: Method, ranged: Collection[int]) -> int | None:
     return next((k for k in free if method.drivers[k].rate), free[0] if free else None)
 
 
-def in_proportion(method: Method, spans: dict[int, DriverValues], moving: list[int]) -> dict[int, DriverValues]:
+def aligned(method: Method, spans: dict[int, DriverValues], moving: list[int]) -> dict[int, DriverValues]:
     """Several drivers go along one straight line: where values are listed, from the least of the first driver's on."""
     if not any(spans[k].listed for k in moving):
         return spans
