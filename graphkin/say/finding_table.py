@@ -14,8 +14,7 @@ from graphkin.say.numbers import exact, in_print, quantity
 from graphkin.say.text_table import table
 from graphkin.studies.finding.answers import Findings
 from graphkin.studies.finding.conditions import Comparison, Extreme, Scaling, Slowest
-from graphkin.studies.finding.dimensions import DimensionPlace
-from graphkin.studies.finding.varying import VaryingTable
+from graphkin.studies.finding.varying import DimensionPlace, VaryingTable
 
 
 def table_lines(found: VaryingTable, lang: Lang = "en") -> Iterator[str]:
