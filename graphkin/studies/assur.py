@@ -100,21 +100,17 @@ def structure(method: Method) -> Structure:
     others = [pair for pair in mechanism.pairs if not isinstance(pair, RollingContact)]
     low = sum(len(hinge.links) - 1 for hinge in mechanism.hinges) + sum(pair.lower for pair in others)
     high = sum(not pair.lower for pair in others)
+    spaced = {slide.name for slide in method.structure.joining if slide.stands_for is not None}
+    rolls = []  # other pairs keep its distance where neither a path nor a rod stands for a rolling contact
+    for pair in mechanism.pairs:
+        if isinstance(pair, RollingContact):
+            alone = pair.name in spaced or rod_name(pair) in method.structure.bodies
+            rolls.append((tuple(mechanism.called(link) for link in pair.joins), 2 if alone else 1))
     uncounted = sum(each.part == "line" and each.pair[0] == RollingContact.table for each in method.aside)
     return Structure(
         len(mechanism.moving), low, high, mobility(mechanism),
-        groups(method), tuple(_methods(method)), tuple(_rolls(method)), uncounted,
+        groups(method), tuple(_methods(method)), tuple(rolls), uncounted,
     )  # fmt: skip
-
-
-def _rolls(method: Method) -> Iterator[tuple[tuple[str, ...], int]]:
-    """Each rolling contact; other pairs keep its distance where neither a path nor a rod stands for it."""
-    mechanism, structure = method.mechanism, method.structure
-    kept = {slide.name for slide in structure.joining if slide.stands_for is not None}
-    for pair in mechanism.pairs:
-        if isinstance(pair, RollingContact):
-            alone = pair.name in kept or rod_name(pair) in structure.bodies
-            yield tuple(mechanism.called(link) for link in pair.joins), 2 if alone else 1
 
 
 def groups(method: Method) -> tuple[Together, ...]:
@@ -145,20 +141,15 @@ def _dyad(method: Method, stage: Loop) -> Together:
     letters = [_letter(method, joint) for joint in stage.joints]
     bodies = stage.bodies
     if len(bodies) == 1:
-        ends = [_far_end(method, joint, bodies[0]) for joint in stage.joints]
+        ends = []
+        for joint in stage.joints:
+            slide = None if isinstance(joint, Hinge) else method.structure.slides[joint.slide]
+            pair = (slide.guide, method.structure.block(slide)) if slide else (FRAME, FRAME)
+            ends.append(pair[0] if pair[1] == bodies[0] else pair[1])
         k = next(k for k, end in enumerate(ends) if end != FRAME)
         bodies, letters[k] = (*bodies, ends[k]), "RP" if k == 0 else "PR"
     links, added, merged = _links_of_file(method, bodies), _added(method, bodies), _merged(method, stage)
     return Together("dyad", 2, links, "".join(letters), added=added, merged=merged)
-
-
-def _far_end(method: Method, joint: Joint, body: str) -> str:
-    """The other body of a sliding pair."""
-    if isinstance(joint, Hinge):
-        return FRAME
-    slide = method.structure.slides[joint.slide]
-    ends = (slide.guide, method.structure.block(slide))
-    return ends[0] if ends[1] == body else ends[1]
 
 
 def _group(method: Method, stage: Group) -> Together:

@@ -252,7 +252,13 @@ def about(found: Centres, link: str, points: Collection[str] = ()) -> About:
     # speeds may have been assumed since the accelerations were drawn
     plot = replay(found.method.acceleration, replace(found.plot, acceleration={}, alpha={}, s_acceleration={}))
     own = next(point for point in machine.links[link].points if point in plot.position)
-    velocity, acceleration, omega, alpha = _motion(found, plot, link, own)
+    motions, size, pace = readings(found.method, plot), found.board.size, _pace(found, plot)
+    velocity, omega = complex(motions.velocity_at(own, link)), float(plot.omega[link])
+    acceleration, alpha = complex(motions.acceleration_at(own, link)), float(plot.alpha[link])
+    if abs(omega) <= STILL * pace:  # 0 but for rounding
+        omega, velocity = 0.0, velocity if abs(velocity) > STILL * pace * size else 0j
+    change = pace**2 + max(abs(float(value)) for value in plot.alpha.values())
+    alpha = alpha if abs(alpha) > STILL * change else 0.0
     assumed = not any(driver.rate for driver in found.method.drivers)
     base = complex(plot.position[own]), velocity, acceleration
     return About(found, plot, link, base, omega, alpha, tuple(points) or machine.named(link), assumed)
@@ -265,18 +271,6 @@ def link_of(found: Centres, called: str, where: Where = WHERE) -> str:
     if called not in names:
         raise UnknownLink(where, called, tuple(machine.called(link) for link in machine.links))
     return names[called]
-
-
-def _motion(found: Centres, plot: Plot, link: str, point: str) -> tuple[complex, complex, float, float]:
-    """Velocity and acceleration of a point of the link, omega and alpha; what is 0 but for rounding as 0."""
-    motions, size, pace = readings(found.method, plot), found.board.size, _pace(found, plot)
-    velocity, omega = complex(motions.velocity_at(point, link)), float(plot.omega[link])
-    acceleration, alpha = complex(motions.acceleration_at(point, link)), float(plot.alpha[link])
-    if abs(omega) <= STILL * pace:
-        omega = 0.0
-        velocity = velocity if abs(velocity) > STILL * pace * size else 0j
-    change = pace**2 + max(abs(float(value)) for value in plot.alpha.values())
-    return velocity, acceleration, omega, alpha if abs(alpha) > STILL * change else 0.0
 
 
 def _pace(found: Centres, plot: Plot) -> float:
@@ -326,8 +320,8 @@ def _point(carried: CarriedPoint) -> dict[str, Plain]:
     }
 
 
-def _circle(drawn: Circle) -> dict[str, Plain]:
-    return {"centre": _pair(drawn.centre), "radius": drawn.radius}
+def _circle(circle: Circle) -> dict[str, Plain]:
+    return {"centre": _pair(circle.centre), "radius": circle.radius}
 
 
 def _pair(value: complex | None) -> list[float] | None:

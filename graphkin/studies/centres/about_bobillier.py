@@ -140,16 +140,6 @@ def bobillier(seen: About, point: str | complex) -> Bobillier:
 
     place = complex(seen.plot.position[point]) if isinstance(point, str) else complex(point)
     letter = point if isinstance(point, str) else free("C")
-    _refuse(seen, place)
-    first, second = map(lettered, _pair(seen, place))
-    points = {entry.point: _finite(entry.place) for entry in (first, second)} | {letter: _finite(place)}
-    points |= {first.written: first.centre, second.written: second.centre}
-    pole, q, qc, answer = (free(name) for name in ("P", "Q", f"Q_{letter}", f"K_{letter}"))
-    stages = tuple(_stages(first, second, letter, pole, (q, qc), answer))
-    return Bobillier(Drafting({}, stages, points), (first, second), letter, pole, (q, qc), answer)
-
-
-def _refuse(seen: About, place: complex) -> None:
     reason = ""
     if seen.diameter is None:
         reason = "translation" if seen.moves else "rest"
@@ -159,6 +149,12 @@ def _refuse(seen: About, place: complex) -> None:
         reason = "cusp"
     if reason:
         raise NoBobillier(seen.found.method.mechanism.where("links", seen.link), seen.called, reason)
+    first, second = map(lettered, _pair(seen, place))
+    points = {entry.point: _finite(entry.place) for entry in (first, second)} | {letter: _finite(place)}
+    points |= {first.written: first.centre, second.written: second.centre}
+    pole, q, qc, answer = (free(name) for name in ("P", "Q", f"Q_{letter}", f"K_{letter}"))
+    stages = tuple(_stages(first, second, letter, pole, (q, qc), answer))
+    return Bobillier(Drafting({}, stages, points), (first, second), letter, pole, (q, qc), answer)
 
 
 def _pair(seen: About, place: complex) -> tuple[Guided, Guided]:

@@ -16,7 +16,6 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plot, replay
 from graphkin.construction.drafting import Board, Drafting, DraftMeet, Stage, draw, drawn_through, ruled
 from graphkin.construction.drafting.projective import product
-from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
@@ -135,21 +134,16 @@ def _at_positions(found: Centres, path: DriverPath, t: np.ndarray) -> Centres:
             if stage.say == "velocities":
                 board.underlay.points[pole_name(*links)] = from_velocities(board, motions, *links)
             draw(stage, board)
-            if stage.last.name in board.lean:
-                _mend(board, motions, stage.last.name, links)
+            centre = stage.last.name
+            doubtful = ~(np.asarray(board.lean[centre]).real > LEAN) if centre in board.lean else False
+            if np.any(doubtful):
+                places: tuple[Array, Array] = from_velocities(board, motions, *links), board.points[centre]
+                other, met = (place.reshape(3, -1) for place in places)
+                better = doubtful & np.isfinite(other).all(axis=0)
+                board.points[centre] = np.where(better, other, met)
         for links in centring.together:
             board.points[found.name(*links)] = from_velocities(board, motions, *links)
     return Centres(method, centring, plot, board)
-
-
-def _mend(board: Board, motions: Motions, centre: str, links: tuple[str, str]) -> None:
-    """Take the centre from velocities where its two lines are nearly one."""
-    doubtful = ~(np.asarray(board.lean[centre]).real > LEAN)
-    if np.any(doubtful):
-        places: tuple[Array, Array] = from_velocities(board, motions, *links), board.points[centre]
-        other, met = (place.reshape(3, -1) for place in places)
-        better = doubtful & np.isfinite(other).all(axis=0)
-        board.points[centre] = np.where(better, other, met)
 
 
 def carried_to(plot: Plot, link: str) -> tuple[Value, Value]:

@@ -188,22 +188,18 @@ def _cost(found: Centres, size: float, base: str, link: str) -> float:
         return 1.0
     own, other, common = found.finite(FRAME, base), found.finite(FRAME, link), found.finite(base, link)
     if common is None:
-        if (own is None) != (other is None):
+        if own is not None and other is not None:
+            return 1.0
+        if own is not None or other is not None or found.together(FRAME, link):
             return inf
-        return 1.0 if own is not None else 5.0 if _triangle_closes(found, base, link) else inf
+        # neither turns: the triangle of velocities closes where their directions differ
+        far, common_far = (number(found.direction(*two)) for two in ((FRAME, link), (base, link)))
+        return 5.0 if abs(cmath.rect(1, far - common_far).imag) > 1e-3 else inf
     if other is None:
         return inf if own is None else 1.0 + badness(own, common)
     if abs(other - common) < 1e-4 * size:
         return inf
     return 1.0 + badness(other, common) + (badness(own, common) if own is not None else 0.0)
-
-
-def _triangle_closes(found: Centres, base: str, link: str) -> bool:
-    """True where the velocities of two links that do not turn have different directions against each other."""
-    if found.together(FRAME, link):
-        return False
-    far, common = (number(found.direction(*two)) for two in ((FRAME, link), (base, link)))
-    return abs(cmath.rect(1, far - common).imag) > 1e-3
 
 
 # --- exact motions ----------------------------------------------------------------------------
