@@ -210,7 +210,8 @@ def _crank_rocker(construction: Drafting, board: Board, worth: str) -> Solution:
     why = _against(worth, a, b + c + d, gamma)
     starts = _cranks(at, first, second, a)
     limits = tuple({"A": at, "B": foot, "C": end, "D": pivot} for foot, end in zip(starts, (first, second)))
-    pace, theta = _slow_stroke(at, starts, first, second)
+    pace = 1.0 if number(cross(starts[0] - at, starts[1] - at)) < 0 else -1.0
+    theta = angle_between(first - at, second - at)
     best, most = limits[0], -1.0
     if not why:  # the slow stroke, where coupler and rocker stand best to each other
         side = 1.0 if number(cross(pivot - starts[0], first - starts[0])) >= 0 else -1.0
@@ -235,7 +236,8 @@ def _slider_crank(construction: Drafting, board: Board, worth: str) -> Solution:
     why = _against(worth, a, b, gamma)
     starts = _cranks(at, first, second, a)
     limits = tuple({"A": at, "B": foot, "C": end} for foot, end in zip(starts, (first, second)))
-    pace, theta = _slow_stroke(at, starts, first, second)
+    pace = 1.0 if number(cross(starts[0] - at, starts[1] - at)) < 0 else -1.0
+    theta = angle_between(first - at, second - at)
     places = limits[0]
     if not why:  # the middle of the slow stroke, C on the side of A where the limits are
         b_there = at + (starts[0] - at) * cmath.rect(1, pace * (math.pi + theta) / 2)
@@ -253,14 +255,6 @@ def _cranks(at: complex, first: complex, second: complex, a: float) -> tuple[com
     """B at the two limits: on the far side of A from C where the linkage is folded, else towards C."""
     sign = -1.0 if abs(first - at) <= abs(second - at) else 1.0
     return at + sign * a * (first - at) / abs(first - at), at - sign * a * (second - at) / abs(second - at)
-
-
-def _slow_stroke(
-    at: complex, starts: tuple[complex, complex], first: complex, second: complex
-) -> tuple[float, float]:  # fmt: skip
-    """The sense in which the crank turns from limit 1 to 2 through more than 180 deg, and theta, seen from A."""
-    pace = 1.0 if number(cross(starts[0] - at, starts[1] - at)) < 0 else -1.0
-    return pace, angle_between(first - at, second - at)
 
 
 def _against(worth: str, a: float, size: float, gamma: float) -> tuple[Reason, ...]:
@@ -297,18 +291,16 @@ def guide_bar(k: float, *, frame: float | None = None, crank: float | None = Non
         Perpendicular("AB2", "A", "n"), DraftMeet("B2", "AB2", "n"),
         DraftMeasure("a", "A", "B1"), DraftMeasure("d", "A", "C"),
     ))  # fmt: skip
-    limits = _limits_by_frame() if name == "frame" else _limits_by_crank()
+    if name == "frame":  # the bar's two limits lie to both sides of CA
+        pivots = (ChosenPoint("A", 0j), DraftLayOff("C", "A", "frame"))
+        sides = (Slanted("m", "C", "A", "halved", 1.0), Slanted("n", "C", "A", "halved", -1.0))
+        limits = Stage("guide pivots", pivots), Stage("guide limits", sides)
+    else:
+        limits = _limits_by_crank()
     return Design("guide-bar", values, (_bar_solution(Drafting(values, (swing, *limits, lengths))),))
 
 
-def _limits_by_frame() -> tuple[Stage, ...]:
-    """The bar's two limits, to both sides of CA."""
-    pivots = (ChosenPoint("A", 0j), DraftLayOff("C", "A", "frame"))
-    sides = (Slanted("m", "C", "A", "halved", 1.0), Slanted("n", "C", "A", "halved", -1.0))
-    return Stage("guide pivots", pivots), Stage("guide limits", sides)
-
-
-def _limits_by_crank() -> tuple[Stage, ...]:
+def _limits_by_crank() -> tuple[Stage, Stage]:
     """C and both limits first; A is where the crank's length fits between them."""
     limits: tuple[Step, ...] = (
         Reckon("straight", "straight", ()), ChosenPoint("C", 0j), Reckon("one", "same", ("crank",)),

@@ -11,6 +11,7 @@ from graphkin.files.names import tidy
 from graphkin.files.units import Dimension, read_quantity
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import GRAVITY, SHAPE
+from graphkin.studies.sweeps.ranges import plain
 
 WHERE = Where("find")
 
@@ -145,14 +146,6 @@ def value(text: str, unit: str, where: Where = WHERE) -> float:
         return read_quantity(plain(text), dimension)
     except GraphkinError as error:
         raise error.at(where) from None
-
-
-def plain(text: str) -> float | str:
-    """The number, where a text is one; a text with a unit as it stands."""
-    try:
-        return float(text)
-    except ValueError:
-        return text
 
 
 def _bare(text: str) -> float:

@@ -31,6 +31,7 @@ from graphkin.studies.finding.answers import Findings, as_json
 from graphkin.studies.finding.find import find, line_of
 from graphkin.studies.finding.stretch import checked
 from graphkin.studies.sweeps import Road
+from graphkin.studies.sweeps.ranges import plain
 
 WHERE = Where("--vary")
 MOST = 10_000
@@ -219,7 +220,7 @@ def _values(text: str, span: str, place: DimensionPlace) -> np.ndarray:
     if len(parts) not in (1, 3):
         raise BadRange(WHERE, text)
     try:
-        numbers = [read_quantity(conditions.plain(part), place.kind) for part in parts]
+        numbers = [read_quantity(plain(part), place.kind) for part in parts]
     except GraphkinError as error:
         raise error.at(WHERE) from None
     if len(numbers) == 1:

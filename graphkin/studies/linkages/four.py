@@ -35,6 +35,8 @@ class FourBar:
 
     word: ClassVar[str] = "fourbar"
     drivers: ClassVar[tuple[str, ...]] = ("crank", "coupler", "rocker")
+    block: ClassVar[bool] = False
+    stroke: ClassVar[float | None] = None
 
     crank: float
     coupler: float
@@ -83,17 +85,9 @@ class FourBar:
         return "crank" if self.driver == "rocker" else "rocker"
 
     @property
-    def block(self) -> bool:
-        return False
-
-    @property
     def drawn(self) -> LinkagePosition:
         bar = self._from_driver()
         return self._lettered([bar._position(bar.places, "")])[0]
-
-    @property
-    def stroke(self) -> float | None:
-        return None
 
     @property
     def arm(self) -> tuple[int, int]:

@@ -40,6 +40,7 @@ class GuideBar:
 
     word: ClassVar[str] = "guide"
     drivers: ClassVar[tuple[str, ...]] = ("crank", "bar", "slide")
+    stroke: ClassVar[float | None] = None
 
     crank: float
     frame: float
@@ -97,10 +98,6 @@ class GuideBar:
     def drawn(self) -> LinkagePosition:
         b, c = ((place - self.places[0]) * cmath.rect(1, -self._base) for place in self.places[1:])
         return self._position(b, c, cmath.rect(1, self.turn - self._base), "")
-
-    @property
-    def stroke(self) -> float | None:
-        return None
 
     @property
     def arm(self) -> tuple[int, int]:

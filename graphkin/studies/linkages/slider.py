@@ -37,6 +37,7 @@ class SliderCrank:
 
     word: ClassVar[str] = "slider"
     drivers: ClassVar[tuple[str, ...]] = ("crank", "coupler", "slider")
+    arm: ClassVar[tuple[int, int]] = (0, 1)
 
     crank: float
     coupler: float
@@ -91,10 +92,6 @@ class SliderCrank:
     def stroke(self) -> float | None:
         first, second = self._reach()
         return abs(first - second)
-
-    @property
-    def arm(self) -> tuple[int, int]:
-        return 0, 1
 
     # --- kinds --------------------------------------------------------------------------------
 

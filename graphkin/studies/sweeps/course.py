@@ -147,8 +147,12 @@ def _over(
     ends = (*usual, span.begin, span.end) if span else usual
     path = trace(method, pace, min(ends) - start, max(ends) - start, before)
     values = span.values if span else _usual(method, driver, path, swept)
-    t, on_path = _turned_back(method, path, driver, values - start)
-    return _as_far_as_reached(Course(method, path, swept, t, values, values[:0]), on_path)
+    t = values - start
+    if path.stops and driver.kind != "slide" and not method.structure.contacts and sum(map(bool, path.pace)) == 1:
+        # positions whole turns away are the same ones
+        t = np.where(path.leads_to(t), t, t - TURN * np.round((t - (path.first + path.last) / 2) / TURN))
+    whole = Course(method, path, swept, t, values, values[:0])
+    return _as_far_as_reached(whole, np.broadcast_to(path.leads_to(t), t.shape))
 
 
 def _as_far_as_reached(whole: Course, on_path: np.ndarray) -> Course:
@@ -159,16 +163,6 @@ def _as_far_as_reached(whole: Course, on_path: np.ndarray) -> Course:
         return replace(whole, t=whole.t[on_path], values=whole.values[on_path], dropped=whole.values[~on_path])
     low, high = map(EDGE[whole.unit].shown, whole.reach)
     raise NoPosition(whole.method.mechanism.where("driver", whole.swept), whole.driver.name, low, high)
-
-
-def _turned_back(method: Method, path: DriverPath, driver: Driver, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The positions turned back by whole turns onto the path, where nothing rolls; true for those that are reached."""
-    turns_alike = driver.kind != "slide" and not method.structure.contacts and sum(map(bool, path.pace)) == 1
-    if turns_alike and path.stops:
-        middle = (path.first + path.last) / 2
-        turned = t - TURN * np.round((t - middle) / TURN)
-        t = np.where(path.leads_to(t), t, turned)
-    return t, np.broadcast_to(path.leads_to(t), t.shape)
 
 
 def _usual(method: Method, driver: Driver, path: DriverPath, swept: int) -> np.ndarray:

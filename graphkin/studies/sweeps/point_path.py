@@ -169,18 +169,14 @@ def _ticks(
         numbers = numbers[: round(TURN / step)]
     t = np.clip(course.at(numbers * step), min(span), max(span))
     places, velocities = _places(course, point, t), _vectors(course, f"v {point}", t)
-    tangents = _tangents(course, point, t, max(span) - min(span))
+    # unit vectors along the curve; 0 where the point rests
+    aside, (first, last) = 1e-4 * (max(span) - min(span)), (course.path.first, course.path.last)
+    before, after = (_places(course, point, np.clip(t + side, first, last)) for side in (-aside, aside))
+    chord = np.nan_to_num(after - before)
+    size = np.abs(chord)
+    tangents = np.where(size > 1e-9 * course.method.size, chord / np.where(size > 0, size, 1.0), 0.0)
     for count, place, velocity, tangent in zip(numbers, places, velocities, tangents, strict=True):
         if np.isfinite(place) and np.isfinite(velocity):
             value = float(count) * step
             within_turn = value % TURN if closed else value
             yield Tick(within_turn, complex(place), complex(velocity), complex(tangent), int(count) % every == 0)
-
-
-def _tangents(course: Course, point: str, t: np.ndarray, length: float) -> np.ndarray:
-    """Unit vectors along the curve; 0 where the point rests."""
-    aside, (low, high) = 1e-4 * length, (course.path.first, course.path.last)
-    before, after = (_places(course, point, np.clip(t + side, low, high)) for side in (-aside, aside))
-    chord = np.nan_to_num(after - before)
-    size = np.abs(chord)
-    return np.where(size > 1e-9 * course.method.size, chord / np.where(size > 0, size, 1.0), 0.0)

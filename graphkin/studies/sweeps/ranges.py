@@ -118,7 +118,7 @@ def _listed(dimension: Dimension, span: object, written: Written) -> DriverValue
 def _from_text(dimension: Dimension, span: str, written: Written) -> DriverValues:
     """Values from `begin:end:step`, `begin:end`, or one value that is held."""
     try:
-        numbers = [read_quantity(_without_unit(part), dimension) for part in span.split(":")]
+        numbers = [read_quantity(plain(part), dimension) for part in span.split(":")]
     except GraphkinError as error:
         raise error.at(WHERE) from None
     if len(numbers) == 1:
@@ -137,7 +137,7 @@ def _from_text(dimension: Dimension, span: str, written: Written) -> DriverValue
     return DriverValues(begin + math.copysign(step, end - begin) * np.arange(count + 1), begin, end, True)
 
 
-def _without_unit(text: str) -> float | str:
+def plain(text: str) -> float | str:
     """The number, where a text is one; a text with a unit as it stands."""
     try:
         return float(text)

@@ -38,6 +38,9 @@ ALIKE, NEARER = 1e-7, 4
 CLEAR = 10
 """Another change point, or a stop, is as many times their distance away."""
 PLACES = np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
+INNER = weights_of(np.zeros(1), PLACES)[0]
+INNER[1:-1] -= weights_of(np.zeros(1), PLACES[1:-1])[0]
+"""How far the inner six lead from all neighbours, as weights of these."""
 FAR_SINE, OTHER_POINTS = 0.05, 4
 """Where the lines of a special point meet under a smaller angle, another one is taken; so often at most."""
 STOP_DEG, STOP_PART = 0.5, 0.005
@@ -80,23 +83,16 @@ def _beside(method: Method, path: DriverPath, t: np.ndarray, centre: float) -> P
         neighbours, patches = _constructed(method, path, centre + aside * PLACES)
         if patches:
             neighbours = mended(neighbours, PLACES.size, tuple(patches))
-        if _alike(method, neighbours):
+        points = [neighbours.position[point] for point in method.mechanism.points]
+        places = np.array([np.broadcast_to(point, PLACES.shape) for point in points])
+        if np.max(np.abs(places @ INNER)) < ALIKE * method.size:
             break
         aside /= 2
     rows = np.flatnonzero(np.abs(t - centre) < aside)
     if not rows.size:
         return None
-    places = np.broadcast_to(np.arange(PLACES.size), (rows.size, PLACES.size))
-    return Patch(rows, neighbours, places, weights_of((t[rows] - centre) / aside, PLACES))
-
-
-def _alike(method: Method, neighbours: Motions) -> bool:
-    """True if all neighbours lead to the same places at a change point as the inner ones do."""
-    weights = weights_of(np.zeros(1), PLACES)[0]
-    weights[1:-1] -= weights_of(np.zeros(1), PLACES[1:-1])[0]
-    points = method.mechanism.points
-    places = np.array([np.broadcast_to(neighbours.position[point], PLACES.shape) for point in points])
-    return bool(np.max(np.abs(places @ weights)) < ALIKE * method.size)
+    numbers = np.broadcast_to(np.arange(PLACES.size), (rows.size, PLACES.size))
+    return Patch(rows, neighbours, numbers, weights_of((t[rows] - centre) / aside, PLACES))
 
 
 # --- special points far off -------------------------------------------------------------------
