@@ -235,48 +235,48 @@ def euler_savary(pole: complex, diameter: complex, place: complex) -> complex:
     return place + ray * away**2 / (on - away)
 
 
-def about(found: Centres, link: str, points: Collection[str] = ()) -> About:
-    """A moving link about its pole, at the one position of `found`.
+def about(centres: Centres, link: str, points: Collection[str] = ()) -> About:
+    """A moving link about its pole, at the one position of `centres`.
 
     link    its name; points of the mechanism whose motion is read; all of the link's own where left out
 
     Raises FrameStands, UnknownLink, UnknownPoint.
     """
-    machine = found.method.mechanism
-    link = link_of(found, link)
+    machine = centres.method.mechanism
+    link = link_of(centres, link)
     if link == FRAME:
         raise FrameStands(WHERE, machine.frame)
     for name in points:
         if name not in machine.points:
             raise UnknownPoint(WHERE, name, machine.points)
     # speeds may have been assumed since the accelerations were drawn
-    plot = replay(found.method.acceleration, replace(found.plot, acceleration={}, alpha={}, s_acceleration={}))
+    plot = replay(centres.method.acceleration, replace(centres.plot, acceleration={}, alpha={}, s_acceleration={}))
     own = next(point for point in machine.links[link].points if point in plot.position)
-    motions, size, pace = readings(found.method, plot), found.board.size, _pace(found, plot)
+    motions, size, pace = readings(centres.method, plot), centres.board.size, _pace(centres, plot)
     velocity, omega = complex(motions.velocity_at(own, link)), float(plot.omega[link])
     acceleration, alpha = complex(motions.acceleration_at(own, link)), float(plot.alpha[link])
     if abs(omega) <= STILL * pace:  # 0 but for rounding
         omega, velocity = 0.0, velocity if abs(velocity) > STILL * pace * size else 0j
     change = pace**2 + max(abs(float(value)) for value in plot.alpha.values())
     alpha = alpha if abs(alpha) > STILL * change else 0.0
-    assumed = not any(driver.rate for driver in found.method.drivers)
+    assumed = not any(driver.rate for driver in centres.method.drivers)
     base = complex(plot.position[own]), velocity, acceleration
-    return About(found, plot, link, base, omega, alpha, tuple(points) or machine.named(link), assumed)
+    return About(centres, plot, link, base, omega, alpha, tuple(points) or machine.named(link), assumed)
 
 
-def link_of(found: Centres, called: str, where: Where = WHERE) -> str:
+def link_of(centres: Centres, called: str, where: Where = WHERE) -> str:
     """A link's own name from what people call it. Raises UnknownLink."""
-    machine = found.method.mechanism
+    machine = centres.method.mechanism
     names = {machine.called(link): link for link in machine.links} | {link: link for link in machine.links}
     if called not in names:
         raise UnknownLink(where, called, tuple(machine.called(link) for link in machine.links))
     return names[called]
 
 
-def _pace(found: Centres, plot: Plot) -> float:
+def _pace(centres: Centres, plot: Plot) -> float:
     """The fastest motion [rad/s], slides counted by the mechanism's size."""
     turning = [abs(float(value)) for value in plot.omega.values()]
-    sliding = [abs(complex(value)) / found.board.size for value in plot.velocity.values()]
+    sliding = [abs(complex(value)) / centres.board.size for value in plot.velocity.values()]
     return float(np.max([*turning, *sliding, 1e-300]))
 
 

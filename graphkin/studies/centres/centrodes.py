@@ -130,44 +130,44 @@ def whole(course: Coursed) -> tuple[float, float]:
 
 
 def centrodes(
-    found: Centres, first: str, second: str, course: Coursed, span: tuple[float, float] | None = None
+    centres: Centres, first: str, second: str, course: Coursed, span: tuple[float, float] | None = None
 ) -> Centrodes:
     """The fixed centrode, on `second`, and the moving one, on `first`, which rolls on it.
 
-    found   the centres at the drawn position; first, second  links, as people call them
+    centres at the drawn position; first, second  links, as people call them
     course  of the mechanism; span: the first and last t, all positions of the course where left out
 
     Raises UnknownLink; NoCentrode where the links never turn against each other.
     """
-    one, other = (link_of(found, name, WHERE) for name in (first, second))
-    return _traced(found, one, other, (other, one), course, span)
+    one, other = (link_of(centres, name, WHERE) for name in (first, second))
+    return _traced(centres, one, other, (other, one), course, span)
 
 
 def path(
-    found: Centres, name: str | tuple[str, str], course: Coursed, span: tuple[float, float] | None = None
+    centres: Centres, name: str | tuple[str, str], course: Coursed, span: tuple[float, float] | None = None
 ) -> Centrodes:
     """The path of a centre over a motion, in the frame (figure 3-10). name: `P13`, or its two links.
 
     Raises UnknownCentre, UnknownLink, NoCentrode as `centrodes` does.
     """
-    links = centre_of(found.method.mechanism, name) if isinstance(name, str) else name
+    links = centre_of(centres.method.mechanism, name) if isinstance(name, str) else name
     if links is None:
-        raise UnknownCentre(WHERE, str(name), tuple(found.names))
-    one, other = (link_of(found, link, WHERE) for link in links)
-    return _traced(found, one, other, (FRAME,), course, span)
+        raise UnknownCentre(WHERE, str(name), tuple(centres.names))
+    one, other = (link_of(centres, link, WHERE) for link in links)
+    return _traced(centres, one, other, (FRAME,), course, span)
 
 
 def _traced(
-    found: Centres, first: str, second: str, axes: tuple[str, ...], course: Coursed, span: tuple[float, float] | None
+    centres: Centres, first: str, second: str, axes: tuple[str, ...], course: Coursed, span: tuple[float, float] | None
 ) -> Centrodes:
     low, high = (float(course.t.min()), float(course.t.max())) if span is None else span
     margin, stops = MARGIN * (course.path.last - course.path.first), [stop.at for stop in course.path.stops]
     low = max(low, course.path.first + margin) if any(at < 0 for at in stops) else low
     high = min(high, course.path.last - margin) if any(at > 0 for at in stops) else high
-    name, origin, size = found.name(first, second), found.board.origin, found.board.size
+    name, origin, size = centres.name(first, second), centres.board.origin, centres.board.size
 
     def sample(t: np.ndarray) -> Sample:
-        there = over(found, course.path, t)
+        there = over(centres, course.path, t)
         seen = np.broadcast_to(there.board.points.get(name, np.full((3, 1), np.nan)).reshape(3, -1), (3, t.size))
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             places = origin + size * (seen[0] + 1j * seen[1]) / seen[2]
@@ -176,10 +176,10 @@ def _traced(
 
     parts = pieces(sample, low, high, size, FAR * size) if first != second else []
     if not parts:
-        machine = found.method.mechanism
+        machine = centres.method.mechanism
         raise NoCentrode(WHERE, machine.called(first), machine.called(second))
     parts = joined(parts, high - low, CLOSE * size) if course.full_turn else parts
-    return Centrodes(found, course.path, first, second, axes, tuple(parts), (low, high))
+    return Centrodes(centres, course.path, first, second, axes, tuple(parts), (low, high))
 
 
 # --- curves drawn fine ------------------------------------------------------------------------

@@ -87,20 +87,20 @@ def centres(method: Method, plot: Plot) -> Centres:
 # --- at many positions ------------------------------------------------------------------------
 
 
-def over(found: Centres, path: DriverPath, t: np.ndarray) -> Centres:
+def over(centres: Centres, path: DriverPath, t: np.ndarray) -> Centres:
     """The same centres at other positions t (n,) on a path.
 
     Drivers move as the path goes, whatever their speeds are: with several of them the centres hang on that. At a change
     point velocities are 0/0 on paper: there the centres are what those beside it lead to.
     """
-    there = _at_positions(found, path, t)
+    there = _at_positions(centres, path, t)
     for change in path.changes:
         others = [abs(event.at - change.at) for event in (*path.changes, *path.stops) if event.at != change.at]
-        aside = min(stride(found.method, path.pace, ASIDE_DEG, ASIDE_PART), min(others, default=np.inf) / 10)
+        aside = min(stride(centres.method, path.pace, ASIDE_DEG, ASIDE_PART), min(others, default=np.inf) / 10)
         rows = np.flatnonzero(np.abs(t - change.at) < aside * (1 - 1e-9))
         if rows.size:
-            beside = _at_positions(found, path, change.at + aside * BESIDE).board
-            for name in (found.name(*links) for links in found.pairs):
+            beside = _at_positions(centres, path, change.at + aside * BESIDE).board
+            for name in (centres.name(*links) for links in centres.pairs):
                 if name in beside.points:
                     _interpolate(there.board, beside, name, rows, (t[rows] - change.at) / aside, t.size)
     return there
@@ -117,13 +117,13 @@ def _interpolate(board: Board, beside: Board, name: str, rows: np.ndarray, x: np
     board.points[name] = seen
 
 
-def _at_positions(found: Centres, path: DriverPath, t: np.ndarray) -> Centres:
+def _at_positions(centres: Centres, path: DriverPath, t: np.ndarray) -> Centres:
     """The stages of the centres drawn at other positions.
 
     Lines that are chosen well apart for one position may run together elsewhere; there the centre is taken from
     velocities instead, and later centres go on from it.
     """
-    method, centring = found.method, found.centring
+    method, centring = centres.method, centres.centring
     plot = along(method, path, t)
     plot = replace(plot, facts=replace(plot.facts, rates=path.pace))
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -142,7 +142,7 @@ def _at_positions(found: Centres, path: DriverPath, t: np.ndarray) -> Centres:
                 better = doubtful & np.isfinite(other).all(axis=0)
                 board.points[centre] = np.where(better, other, met)
         for links in centring.together:
-            board.points[found.name(*links)] = from_velocities(board, motions, *links)
+            board.points[centres.name(*links)] = from_velocities(board, motions, *links)
     return Centres(method, centring, plot, board)
 
 
@@ -159,60 +159,60 @@ def carried_to(plot: Plot, link: str) -> tuple[Value, Value]:
 # --- plain data -------------------------------------------------------------------------------
 
 
-def as_json(found: Centres) -> dict[str, Plain]:
+def as_json(centres: Centres) -> dict[str, Plain]:
     """One object: of each centre its links, its place [m] or direction [rad], and how it is found.
 
     `by` is "hinge", "contact" (wheels that roll on each other), "slide", "velocities", or the two lines: each two
     centres that it joins, or ["normal"]. Links that do not move against each other have "by": "together" and no place.
     """
-    mechanism, normals = found.method.mechanism, found.centring.normals
-    stages = {stage.last.name: stage for stage in found.centring.stages}
+    mechanism, normals = centres.method.mechanism, centres.centring.normals
+    stages = {stage.last.name: stage for stage in centres.centring.stages}
     entries: dict[str, Plain] = {}
-    for first, second in found.pairs:
-        name, links = found.name(first, second), [mechanism.called(first), mechanism.called(second)]
+    for first, second in centres.pairs:
+        name, links = centres.name(first, second), [mechanism.called(first), mechanism.called(second)]
         if name in stages:
             stage = stages[name]
             lines = [["normal"] if line.name in normals else [*drawn_through(line)] for line in stage.lines]
             by: Plain = lines if stage.say == "two lines" else stage.say
-            entries[name] = {"links": links, **place(found, first, second), "by": by}
+            entries[name] = {"links": links, **place(centres, first, second), "by": by}
         else:
             entries[name] = {"links": links, "by": "together"}
     return {"format": 1, "name": mechanism.name, "centres": entries}
 
 
-def place(found: Centres, first: str, second: str) -> dict[str, Plain]:
+def place(centres: Centres, first: str, second: str) -> dict[str, Plain]:
     """`at` [m], `direction` [rad] for a centre at infinity, nothing where there is none."""
-    if found.together(first, second):
+    if centres.together(first, second):
         return {}
-    cut = found.method.mechanism.usual.cut
-    at = complex(cut(found.place(first, second), "m"))
+    cut = centres.method.mechanism.usual.cut
+    at = complex(cut(centres.place(first, second), "m"))
     if np.isfinite(at):
         return {"at": [at.real + 0.0, at.imag + 0.0]}
-    return {"direction": number(cut(found.direction(first, second), "rad")) + 0.0}
+    return {"direction": number(cut(centres.direction(first, second), "rad")) + 0.0}
 
 
 # --- some of them, by the fewest lines --------------------------------------------------------
 
 
-def shortest(found: Centres, names: Collection[str]) -> Centring:
+def shortest(centres: Centres, names: Collection[str]) -> Centring:
     """The centring with no more stages than lead to some centres, in their order.
 
     `search` finds all centres in the order of the circle diagram; for a few of them fewer lines do.
     """
-    stages = _cheapest_stages(found)
+    stages = _cheapest_stages(centres)
     needs = _all_needs(stages)
     needed = {name for one in names if one in stages for name in (one, *needs[one])}
-    first_order = [*found.centring.links]
+    first_order = [*centres.centring.links]
     order = sorted(needed, key=lambda name: (len(needs[name]), first_order.index(name)))
-    return replace(found.centring, construction=Drafting({}, tuple(stages[name] for name in order)))
+    return replace(centres.centring, construction=Drafting({}, tuple(stages[name] for name in order)))
 
 
-def _cheapest_stages(found: Centres) -> dict[str, Stage]:
+def _cheapest_stages(centres: Centres) -> dict[str, Stage]:
     """By centre the stage that gives it: those by definition, then better and better ones until there are none."""
-    stages = {stage.last.name: stage for stage in found.centring.stages}
+    stages = {stage.last.name: stage for stage in centres.centring.stages}
     direct = {name for name, stage in stages.items() if not isinstance(stage.last, DraftMeet)}
     prices = {name: _FROM_VELOCITIES if stages[name].say == "velocities" else 1 for name in direct}
-    crossings = {name: _crossings(found, name) for name in stages if name not in direct}
+    crossings = {name: _crossings(centres, name) for name in stages if name not in direct}
 
     def price(names: Collection[str]) -> int:
         return sum(prices.get(name, _MET) for name in names)
@@ -254,12 +254,12 @@ def _needs(stage: Stage, needs: Mapping[str, frozenset[str]]) -> frozenset[str]:
     return frozenset(ends).union(*(needs[end] for end in ends))
 
 
-def _crossings(found: Centres, name: str) -> list[Stage]:
+def _crossings(centres: Centres, name: str) -> list[Stage]:
     """Every two lines that give a centre and lie well apart."""
-    by_links = {frozenset(pair): each for each, pair in found.centring.links.items()}
+    by_links = {frozenset(pair): each for each, pair in centres.centring.links.items()}
     lines = []
-    for line in lines_to(found.method.mechanism, by_links, found.centring.links[name]):
-        place = np.asarray(ruled(line, found.board))
+    for line in lines_to(centres.method.mechanism, by_links, centres.centring.links[name]):
+        place = np.asarray(ruled(line, centres.board))
         if np.isfinite(place).all():
             lines.append((line, place))
     return [

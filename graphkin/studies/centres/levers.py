@@ -177,23 +177,23 @@ class Levers(LeverBoard):
         return self.summed("pair", link, link, name, "speed", omega, arm, SCALE)
 
 
-def _cost(found: Centres, size: float, base: str, link: str) -> float:
+def _cost(centres: Centres, size: float, base: str, link: str) -> float:
     """1 for a good lever, more for one that is very short or very long; infinite for none."""
 
     def badness(first: complex, second: complex) -> float:
         length = max(abs(first - second) / size, 1e-9)
         return max(0.0, log10(0.1 / length)) + max(0.0, log10(length / 10))
 
-    if found.together(base, link):
+    if centres.together(base, link):
         return 1.0
-    own, other, common = found.finite(FRAME, base), found.finite(FRAME, link), found.finite(base, link)
+    own, other, common = centres.finite(FRAME, base), centres.finite(FRAME, link), centres.finite(base, link)
     if common is None:
         if own is not None and other is not None:
             return 1.0
-        if own is not None or other is not None or found.together(FRAME, link):
+        if own is not None or other is not None or centres.together(FRAME, link):
             return inf
         # neither turns: the triangle of velocities closes where their directions differ
-        far, common_far = (number(found.direction(*two)) for two in ((FRAME, link), (base, link)))
+        far, common_far = (number(centres.direction(*two)) for two in ((FRAME, link), (base, link)))
         return 5.0 if abs(cmath.rect(1, far - common_far).imag) > 1e-3 else inf
     if other is None:
         return inf if own is None else 1.0 + badness(own, common)
@@ -205,9 +205,9 @@ def _cost(found: Centres, size: float, base: str, link: str) -> float:
 # --- exact motions ----------------------------------------------------------------------------
 
 
-def carried_through(found: Centres, scale: float = 0.0) -> Levers:
+def carried_through(centres: Centres, scale: float = 0.0) -> Levers:
     """The motions of all links that levers reach, from the first driver that moves. scale: as of `Levers`."""
-    levers = Levers(found, scale)
+    levers = Levers(centres, scale)
     drivers = levers.mechanism.drivers
     levers.start(next((driver for driver in drivers if driver.rate), drivers[0]))
     for link in levers.mechanism.moving:
@@ -215,13 +215,13 @@ def carried_through(found: Centres, scale: float = 0.0) -> Levers:
     return levers
 
 
-def advantages(found: Centres) -> dict[str, float]:
+def advantages(centres: Centres) -> dict[str, float]:
     """Mechanical advantage of each link that turns with a frame hinge: its torque by the driver's, without losses.
 
     Power in is power out, so it is omega of the driver by omega of the link: P1j Pij / P1i Pij turned over. Empty
     where the driver does not turn.
     """
-    levers, mechanism = carried_through(found), found.method.mechanism
+    levers, mechanism = carried_through(centres), centres.method.mechanism
     driver = next((d for d in mechanism.drivers if d.rate), mechanism.drivers[0])
     if driver.kind == "slide" or driver.from_link != FRAME or not isfinite(levers.omega(driver.link)):
         return {}

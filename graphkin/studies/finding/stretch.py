@@ -37,7 +37,7 @@ TURN = 2 * math.pi
 LEAST, MOST = 1441, 40_001
 """Places at which a stretch is read, at least and at most."""
 FINE_DEG, FINE_PART = 0.25, 0.001
-"""How far apart they are at most [deg, of the mechanism's size]."""
+"""They are at most so far apart [deg, of the mechanism's size]."""
 HALVINGS = 24
 """Before a dead point they lie each half as far from it as the one before."""
 ROUNDING = 1e-11

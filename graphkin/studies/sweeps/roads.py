@@ -32,7 +32,7 @@ from graphkin.studies.sweeps.course import Course
 Road = Literal["construction", "analysis"]
 
 ASIDE_DEG, ASIDE_PART = 1.2, 0.02
-"""How far apart the neighbours of a change point are [deg, of the mechanism's size]."""
+"""Distance between the neighbours of a change point [deg, of the mechanism's size]."""
 ALIKE, NEARER = 1e-7, 4
 """Neighbours are nearer by half, so often at most, where all and the inner six lead farther apart [of the size]."""
 CLEAR = 10
@@ -40,9 +40,9 @@ CLEAR = 10
 PLACES = np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
 INNER = weights_of(np.zeros(1), PLACES)[0]
 INNER[1:-1] -= weights_of(np.zeros(1), PLACES[1:-1])[0]
-"""How far the inner six lead from all neighbours, as weights of these."""
+"""Weights of the neighbours for the difference between what the inner six lead to and what all do."""
 FAR_SINE, OTHER_POINTS = 0.05, 4
-"""Where the lines of a special point meet under a smaller angle, another one is taken; so often at most."""
+"""Another special point is taken if lines meet under a smaller angle; so often at most."""
 STOP_DEG, STOP_PART = 0.5, 0.005
 """The roads are compared no nearer to a stop: speeds grow without bound there, and digits are lost."""
 BESIDE = 4

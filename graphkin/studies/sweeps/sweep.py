@@ -34,7 +34,7 @@ Quantities = Mapping[str, Quantity]
 PART = 8192
 """Positions done at once: what they need stays in the processor's cache, and memory stays flat."""
 FINE_DEG, FINE_PART = 0.5, 0.002
-"""How closely angles are followed, so that none jumps by a turn [deg, of the mechanism's size]."""
+"""Angles are followed in such steps, so that none jumps by a turn [deg, of the mechanism's size]."""
 
 
 @frozen
