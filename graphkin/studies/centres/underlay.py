@@ -53,20 +53,18 @@ def board_over(method: Method, plot: Plot) -> Board:
     reaches += [abs(place) for link, shape in shapes.items() if link != frame for place in shape.values()]
     board = Board(fixed, max(reaches) or 1.0)
     points = {name: board.seen(place) for name, place in plot.position.items()}
-    points |= {contact_name(one): board.seen(touch(_touching(one), plot)) for one in method.structure.contacts}
+    for contact in method.structure.contacts:
+        first, second = contact.centres
+        if contact.slide:
+            touching = Touch("", second, slide=contact.slide, offset=-contact.radii[1])
+        else:
+            touching = Touch("", first, second, contact.radii[0] / sum(contact.radii))
+        points[contact_name(contact)] = board.seen(touch(touching, plot))
     lines = {name: board.sloping(board.origin, plot.guide_direction(name)) for name in plot.facts.lines}
     for one in normals(method.mechanism):
         lines[one.name] = board.sloping(plot.position[one.line.through], plot.direction(one.line.direction))
     board.underlay = Underlay(points, lines)
     return board
-
-
-def _touching(contact: Contact) -> Touch:
-    """The point where two wheels touch, or a wheel and its track."""
-    first, second = contact.centres
-    if contact.slide:
-        return Touch("", second, slide=contact.slide, offset=-contact.radii[1])
-    return Touch("", first, second, contact.radii[0] / sum(contact.radii))
 
 
 def normals(mechanism: Mechanism) -> Iterator[CommonNormal]:

@@ -31,6 +31,7 @@ from graphkin.construction.drafting import (
     Through,
 )  # fmt: skip
 from graphkin.studies.design.model import CentreArc, Family, Reason
+from graphkin.studies.linkages.triangles import greatest_between
 
 _COUNT = 721
 """Directions looked at on an arc."""
@@ -122,12 +123,8 @@ def _highest(size: Callable[[Real], Real], arc: CentreArc) -> tuple[float, float
     """The direction on an arc at which a function is largest, and its value: by steps, then by golden section."""
     turns = [arc.start, *_inside(arc).tolist(), arc.end]
     k = 1 + int(np.argmax(size(np.array(turns[1:-1]))))
-    low, high, part = turns[k - 1], turns[k + 1], (math.sqrt(5) - 1) / 2
-    for _ in range(_HALVINGS):
-        left, right = high - part * (high - low), low + part * (high - low)
-        low, high = (low, right) if number(size(left)) > number(size(right)) else (left, high)
-    middle = (low + high) / 2
-    return middle, number(size(middle))
+    top = greatest_between(lambda turn: number(size(turn)), turns[k - 1], turns[k + 1], _HALVINGS)
+    return top, number(size(top))
 
 
 def _roots(size: Callable[[Real], Real], arc: CentreArc) -> list[float]:

@@ -109,17 +109,14 @@ def _check_positions(points: Hinges, a: complex | None, d: complex | None) -> No
             if abs(points[i][row] - points[k][row]) < 1e-9 * lengths[0]:
                 raise SameWanted(f"{letter}{i + 1}", f"{letter}{k + 1}")
     for letter, pivot, row in (("A", a, 0), ("D", d, 1)):
-        if pivot is not None:
-            _check_on_bisector(letter, pivot, points[0][row], points[1][row])
-
-
-def _check_on_bisector(name: str, pivot: complex, first: complex, second: complex) -> None:
-    along = geometry.place(unit(second - first))
-    off = number(dot(along, pivot - (first + second) / 2))
-    if abs(off) > ROUNDED * abs(second - first):
-        nearest = (pivot - off * along) * 1e3
-        hinge = _HINGE[name]
-        raise NotOnBisector(name, abs(off) * 1e3, f"{hinge}1", f"{hinge}2", nearest.real, nearest.imag)
+        if pivot is None:
+            continue
+        first, second, hinge = points[0][row], points[1][row], _HINGE[letter]
+        along = geometry.place(unit(second - first))
+        off = number(dot(along, pivot - (first + second) / 2))
+        if abs(off) > ROUNDED * abs(second - first):
+            nearest = (pivot - off * along) * 1e3
+            raise NotOnBisector(letter, abs(off) * 1e3, f"{hinge}1", f"{hinge}2", nearest.real, nearest.imag)
 
 
 def _centre(pivot: str, hinge: str) -> Stage:

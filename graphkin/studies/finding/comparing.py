@@ -6,7 +6,6 @@ A comparison is the zero of the difference of its two sides; a stroke lies betwe
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
@@ -71,15 +70,11 @@ def difference(stretch: Stretch, condition: Comparison, drawn: tuple[Series, ...
     small = max(ROUNDING * scale, stretch.noise(first.unit))
     everywhere = bool(finite.size) and float(np.max(np.abs(finite))) <= small
     to_nothing = target == 0 and unsigned and condition.sign == "="
-    if finite.size and float(np.ptp(finite)) <= small:
-        curve, to_nothing = _level(curve, float(np.median(finite))), False
+    if finite.size and float(np.ptp(finite)) <= small:  # without its rounding, of whose tops there are thousands
+        level, to_nothing = float(np.median(finite)), False
+        values = np.where(np.isfinite(curve.values), level, np.nan)
+        curve = Curve(curve.t, values, lambda t: np.full(t.shape, level), lambda t: np.zeros(t.shape))
     return Difference(stretch, target, to_nothing, curve, everywhere)
-
-
-def _level(curve: Curve, value: float) -> Curve:
-    """The curve without its rounding, of whose tops and bottoms there are thousands."""
-    values = np.where(np.isfinite(curve.values), value, np.nan)
-    return Curve(curve.t, values, lambda t: np.full(t.shape, value), lambda t: np.zeros(t.shape))
 
 
 # --- zeros ------------------------------------------------------------------------------------
@@ -91,18 +86,16 @@ def holding(sides: Difference) -> tuple[Position, ...]:
     if sides.vanishing:
         t, _ = vanishing(stretch.places, *_vectors(stretch))
         return tuple(stretch.position(place, "zero") for place in stretch.within(t))
-    crossed, touched = (stretch.within(_real(sides.curve, zeros)) for zeros in (crossings, touches))
+    places = []
+    for zeros in (crossings(sides.curve), touches(sides.curve)):
+        with np.errstate(invalid="ignore"):  # no zeros are the jumps of an angle's difference half a turn off
+            near = np.abs(sides.curve.function(zeros)) < 1.0 + 1e-3 * sides.curve.size
+        places.append(stretch.within(zeros[near]))
+    crossed, touched = places
     kinds: dict[float, Kind] = {float(t): "zero" for t in crossed}
     close = 1e-7 * (stretch.high - stretch.low)
     kinds |= {float(t): "touch" for t in touched if np.all(np.abs(crossed - t) > close)}
     return tuple(stretch.position(t, kinds[t]) for t in sorted(kinds))
-
-
-def _real(curve: Curve, zeros: Callable[[Curve], np.ndarray]) -> np.ndarray:
-    """Zeros of an angle's difference that are none half a turn off, where it jumps."""
-    places = zeros(curve)
-    with np.errstate(invalid="ignore"):
-        return places[np.abs(curve.function(places)) < 1.0 + 1e-3 * curve.size]
 
 
 def _vectors(stretch: Stretch) -> tuple[np.ndarray, Function]:
@@ -140,18 +133,14 @@ def intervals(sides: Difference, sign: str) -> tuple[Interval, ...]:
     """Parts of the stretch where the left side is greater (`>`) or less (`<`) than the right one."""
     stretch, curve = sides.stretch, sides.curve
     up = 1.0 if sign == ">" else -1.0
-    cuts = sorted({stretch.low, *stretch.within(crossings(curve)), *_jumps(curve), stretch.high})
+    with np.errstate(invalid="ignore"):
+        changes = np.flatnonzero(curve.values[:-1] * curve.values[1:] < 0)
+    zeros = np.searchsorted(crossings(curve), curve.t)
+    jumps = [float(curve.t[j]) for j in changes if zeros[j] == zeros[j + 1]]  # a quotient goes through infinity
+    cuts = sorted({stretch.low, *stretch.within(crossings(curve)), *jumps, stretch.high})
     parts = [(a, b) for a, b in pairwise(cuts) if b - a > 1e-9 * (stretch.high - stretch.low)]
     inside = [(a, b) for a, b in parts if _mostly(curve, up, a, b)]
     return tuple(_interval(stretch, curve, up, a, b) for a, b in _joined(stretch, inside))
-
-
-def _jumps(curve: Curve) -> list[float]:
-    """Places at which a quotient goes through infinity: its sign changes, but not through zero."""
-    with np.errstate(invalid="ignore"):
-        k = np.flatnonzero(curve.values[:-1] * curve.values[1:] < 0)
-    zeros = np.searchsorted(crossings(curve), curve.t)
-    return [float(curve.t[j]) for j in k if zeros[j] == zeros[j + 1]]
 
 
 def _mostly(curve: Curve, up: float, begin: float, end: float) -> bool:

@@ -90,7 +90,12 @@ class Reader:
             one = self.read(np.zeros(1))
             return [replace(entry, values=t, vectors=None if entry.vectors is None else t + 0j) for entry in one]
         motions = motions or self.motions(t)
-        return [self._turned(series(*entry, motions, t.size), t) for entry in self.quantities]
+        entries = [series(*entry, motions, t.size) for entry in self.quantities]
+        for k, entry in enumerate(entries):
+            if entry.name in self.tables:
+                turns = np.round((np.interp(t, *self.tables[entry.name]) - entry.values) / TURN)
+                entries[k] = Series(entry.name, entry.quantity, entry.values + TURN * turns)
+        return entries
 
     def follow(self, t: np.ndarray, start: float) -> None:
         """Follow angles over places t, close to each other, so that none jumps; at `start` they are 0 to a turn."""
@@ -102,12 +107,6 @@ class Reader:
             angles = np.unwrap(entry.values[finite])
             begin = np.interp(start, t[finite], angles)
             self.tables[entry.name] = t[finite], angles - TURN * np.floor(begin / TURN + 1e-12)
-
-    def _turned(self, entry: Series, t: np.ndarray) -> Series:
-        if entry.name not in self.tables:
-            return entry
-        near = np.interp(t, *self.tables[entry.name])
-        return Series(entry.name, entry.quantity, entry.values + TURN * np.round((near - entry.values) / TURN))
 
 
 # --- rates of change --------------------------------------------------------------------------

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 import re
 import tomllib
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -64,7 +64,8 @@ def dimension(mechanism: Mechanism, name: str) -> DimensionPlace:
     """
     name = tidy(name.strip())
     document = tomllib.loads(mechanism.text) if mechanism.text else {}
-    single = {path: kind for path in mechanism.lines if (kind := _kind(path)) and _is_single(value_at(document, path))}
+    single = {path: kind for path in mechanism.lines if (kind := _kind(path))}
+    single = {path: single[path] for path in single if type(value_at(document, path)) in (int, float, str)}
     places = [DimensionPlace(path, kind) for path, kind in single.items() if _is_called(path, name)]
     if len(places) == 1:
         return places[0]
@@ -108,10 +109,6 @@ def value_at(document: object, path: Path) -> object:
     return document
 
 
-def _is_single(value: object) -> bool:
-    return isinstance(value, int | float | str) and not isinstance(value, bool)
-
-
 def replaced(mechanism: Mechanism, place: DimensionPlace, value: float) -> str:
     """The file's text with another value [SI] at a place, in the units of plain numbers."""
     text = mechanism.text
@@ -123,18 +120,14 @@ def replaced(mechanism: Mechanism, place: DimensionPlace, value: float) -> str:
     shown = repr(value * (divided / times))
     for match in re.finditer(rf"""(=\s*)({_NUMBER})""", text[start:end]):
         changed = text[: start + match.start(2)] + shown + text[start + match.end(2) :]
-        if _differs_only_at(before, changed, place.path):
+        try:
+            after = tomllib.loads(changed)
+        except tomllib.TOMLDecodeError:
+            continue
+        same = _without(before, place.path) == _without(after, place.path)
+        if same and value_at(after, place.path) is not None:
             return changed
     raise NoDimension(WHERE, ".".join(map(str, place.path)), ())
-
-
-def _differs_only_at(before: Mapping[str, object], changed: str, path: Path) -> bool:
-    """True if a changed text is the same file but for one value."""
-    try:
-        after = tomllib.loads(changed)
-    except tomllib.TOMLDecodeError:
-        return False
-    return _without(before, path) == _without(after, path) and value_at(after, path) is not None
 
 
 def _without(value: object, path: Path) -> object:

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping
 from dataclasses import replace
 
 from graphkin.analytic import Motion, motion
@@ -17,7 +16,7 @@ from graphkin.base.geometry import place as place_of
 from graphkin.errors import NoFixing
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.model.pairs import Slide
-from graphkin.studies.linkages.assembled import Places, ahead_on, assembled, drawn_line, free_names
+from graphkin.studies.linkages.assembled import ahead_on, assembled, drawn_line, free_names
 
 
 def inverted(mechanism: Mechanism, link: str) -> Mechanism:
@@ -76,8 +75,13 @@ class _Inversion:
         drivers = tuple(self._driver(driver) for driver in self.old.drivers)
         order = sorted(self.points, key=lambda name: (name != self.fixed, name == FRAME))
         links = {self.called(name): self.points[name] for name in order}
-        slides = tuple(self._slide(slide, links) for slide in self.old.slides)
-        return assembled(self.fixed, links, slides, drivers, self.old.scales.get("length"))
+        slides = []
+        for slide in self.old.slides:
+            guide, block = self.called(slide.guide), None if slide.block is None else self.called(slide.block)
+            line = drawn_line(links, guide, self.names[slide.line.origin], self._along(slide))
+            tilt, point = self._tilt(slide), self.names[slide.point]
+            slides.append(replace(slide, line=line, point=point, block=block, tilt=tilt))
+        return assembled(self.fixed, links, tuple(slides), drivers, self.old.scales.get("length"))
 
     def _along(self, slide: Slide) -> complex:
         return slide.line.direction * cmath.rect(1, number(self.now.theta[slide.guide]))
@@ -89,11 +93,6 @@ class _Inversion:
             return
         ahead = ((place_of(self.now.position[slide.point]) - points[origin]) * along.conjugate()).real
         self._added(slide.guide, points[origin] + along * max(ahead, 0.25 * self.reach))
-
-    def _slide(self, slide: Slide, links: Mapping[str, Places]) -> Slide:
-        guide, block = self.called(slide.guide), None if slide.block is None else self.called(slide.block)
-        line = drawn_line(links, guide, self.names[slide.line.origin], self._along(slide))
-        return replace(slide, line=line, point=self.names[slide.point], block=block, tilt=self._tilt(slide))
 
     def _added(self, link: str, place: complex) -> str:
         """The name of a point that a link gets at a place."""

@@ -51,9 +51,8 @@ class FoundLinkage:
 
 @frozen
 class LoopPair:
-    """Two links joined at a point (a hinge), or by a slide."""
+    """A pair of two links: at a point (a hinge), or a slide."""
 
-    links: tuple[str, str]
     point: str = ""
     slide: Slide | None = None
 
@@ -119,11 +118,11 @@ def loops(mechanism: Mechanism) -> Iterator[LinkLoop]:
     numbers = {link: k for k, link in enumerate(mechanism.links)}
     numbers |= {pin_block(slide): len(numbers) + k for k, slide in enumerate(mechanism.slides)}
     others = sorted({link for links in table for link in links if link != FRAME}, key=numbers.__getitem__)
-    beside = [link for link in others if _key(FRAME, link) in table]
+    beside = [link for link in others if frozenset((FRAME, link)) in table]
     for first, last in combinations(beside, 2):
         for middle in others:
             links = (FRAME, first, middle, last)
-            keys = [_key(links[k], links[(k + 1) % 4]) for k in range(4)]
+            keys = [frozenset((links[k], links[(k + 1) % 4])) for k in range(4)]
             if middle in (first, last) or not all(key in table for key in keys):
                 continue
             for pairs in product(*(table[key] for key in keys)):
@@ -132,18 +131,13 @@ def loops(mechanism: Mechanism) -> Iterator[LinkLoop]:
                     yield LinkLoop(links, pairs)
 
 
-def _key(one: str, other: str) -> tuple[str, str]:
-    return (one, other) if one < other else (other, one)
-
-
-def _pairs_between(mechanism: Mechanism) -> dict[tuple[str, str], list[LoopPair]]:
+def _pairs_between(mechanism: Mechanism) -> dict[frozenset[str], list[LoopPair]]:
     """The pairs between each two links."""
-    pairs: dict[tuple[str, str], list[LoopPair]] = {}
+    pairs: dict[frozenset[str], list[LoopPair]] = {}
 
     def join(one: str, other: str, point: str = "", slide: Slide | None = None) -> None:
-        key = _key(one, other)
         if one != other:
-            pairs.setdefault(key, []).append(LoopPair(key, point, slide))
+            pairs.setdefault(frozenset((one, other)), []).append(LoopPair(point, slide))
 
     for hinge in mechanism.hinges:
         for one, other in combinations(hinge.links, 2):

@@ -8,7 +8,7 @@ Closed forms throughout; only the least mechanical advantage, which has none, is
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -16,7 +16,7 @@ from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.studies.linkages.linkage import CRANKS, SLIDES, Linkage, LinkagePosition, Turn
 from graphkin.studies.linkages.recognised import FoundLinkage
-from graphkin.studies.linkages.triangles import MotionRange, even, whole
+from graphkin.studies.linkages.triangles import MotionRange, even, greatest_between, whole
 
 _SAME = 1e-9
 """Transmission angles nearer than this are both the least [rad]."""
@@ -142,20 +142,17 @@ def report(linkage: Linkage) -> Report:
     theta, k, slow = None, None, None
     if linkage.driver in CRANKS and span.full and len(limits) == 2 and kind != "change-point":
         theta, k, slow = timed(limits[0].driver, limits[1].driver)
+    dead: dict[str, tuple[float, ...]] = {}
+    for part in linkage.drivers:  # that have a transmission angle where they drive
+        ends = (linkage if part == linkage.driver else replace(linkage, driver=part, scale=None)).critical()
+        if all(end.gamma is not None for end in ends):
+            dead[linkage.called[part]] = tuple(sorted({end.driver for end in ends if end.gamma == 0}))
     grashof = kind not in ("triple-rocker", "rocking guide bar") and family != "no full turn"
     return Report(
         linkage, kind, family, grashof, sums.ends, sums.middle, sums.sum_ends, sums.sum_middle, linkage.turns(),
         linkage.called[linkage.driver], linkage.called[linkage.output], span, linkage.output_range(), limits,
-        linkage.stroke, theta, k, slow, linkage.critical(), dict(_dead(linkage)),
+        linkage.stroke, theta, k, slow, linkage.critical(), dead,
     )  # fmt: skip
-
-
-def _dead(linkage: Linkage) -> Iterator[tuple[str, tuple[float, ...]]]:
-    """By each part that has a transmission angle where it drives, its values at which that is 0."""
-    for part in linkage.drivers:
-        ends = (linkage if part == linkage.driver else replace(linkage, driver=part, scale=None)).critical()
-        if all(end.gamma is not None for end in ends):
-            yield linkage.called[part], tuple(sorted({end.driver for end in ends if end.gamma == 0}))
 
 
 def timed(first: float, second: float) -> tuple[float, float, tuple[int, int] | None]:
@@ -178,11 +175,7 @@ def advantage(whole_report: Report) -> Advantage | None:
 
     step = math.tau / _STEPS
     best = max(range(_STEPS), key=lambda k: size(span.low + k * math.tau / _STEPS))
-    low, high, part = span.low + (best - 1) * step, span.low + (best + 1) * step, (math.sqrt(5) - 1) / 2
-    for _ in range(60):
-        left, right = high - part * (high - low), low + part * (high - low)
-        low, high = (low, right) if size(left) > size(right) else (left, high)
-    at = (low + high) / 2
+    at = greatest_between(size, span.low + (best - 1) * step, span.low + (best + 1) * step, 60)
     greatest = size(at)
     least = 0.0 if math.isinf(greatest) or greatest > 1e12 else 1 / greatest
     value = at if linkage.scale is None else linkage.scale(at)

@@ -151,6 +151,15 @@ def well_drawn(positions: Sequence[tuple[complex, ...]], sine: Callable[..., flo
     return next(good, max(positions, key=lambda places: sine(*places)))
 
 
+def greatest_between(size: Callable[[float], float], low: float, high: float, rounds: int) -> float:
+    """The place of a function's greatest value, by golden section."""
+    part = (math.sqrt(5) - 1) / 2
+    for _ in range(rounds):
+        left, right = high - part * (high - low), low + part * (high - low)
+        low, high = (low, right) if size(left) > size(right) else (left, high)
+    return (low + high) / 2
+
+
 def sine(one: complex, other: complex) -> float:
     """Sine of the angle between two lines."""
     size = abs(one) * abs(other)
