@@ -214,25 +214,19 @@ class About:
     def savary(self, place: complex) -> complex:
         """The centre of curvature of the path of a point by the inflection circle alone (Euler-Savary) [m].
 
-        NaN where the pole is at infinity.
+        PA^2 = AK AJ, all on the ray from the pole P through the point A; J is where it meets the inflection circle.
+        Infinite where A lies on the circle, NaN where the pole is at infinity.
         """
-        return NOWHERE if self.diameter is None else euler_savary(self.pole, self.diameter, place)
-
-
-def euler_savary(pole: complex, diameter: complex, place: complex) -> complex:
-    """PA^2 = AK AJ, all on the ray from the pole P through the point A; J is where it meets the inflection circle.
-
-    diameter  from P to the inflection pole [m]. Infinite where A lies on the circle.
-    """
-    ray = place - pole
-    if ray == 0:
-        return place
-    away = abs(ray)
-    ray /= away
-    on = number(dot(ray, diameter))
-    if abs(on - away) <= INFINITE * (away + abs(diameter)):
-        return INFINITY
-    return place + ray * away**2 / (on - away)
+        if self.diameter is None:
+            return NOWHERE
+        ray, away = place - self.pole, abs(place - self.pole)
+        if away == 0:
+            return place
+        ray /= away
+        on = number(dot(ray, self.diameter))
+        if abs(on - away) <= INFINITE * (away + abs(self.diameter)):
+            return INFINITY
+        return place + ray * away**2 / (on - away)
 
 
 def about(centres: Centres, link: str, points: Collection[str] = ()) -> About:

@@ -79,18 +79,16 @@ def pole_of(
     if abs(vb - va) <= PARALLEL * fastest:
         omega = 0.0
     place = a + 1j * va / omega if omega else complex(cmath.inf if fastest else cmath.nan)
-    return TwoVelocities((first, second), (a, b), (va, vb), _case(va, vb, omega), place, omega)
-
-
-def _case(va: complex, vb: complex, omega: float) -> Case:
-    fastest = max(abs(va), abs(vb))
+    case: Case = "meet"
     if fastest == 0:
-        return "rest"
-    if omega == 0:
-        return "infinity"
-    if min(abs(va), abs(vb)) <= PARALLEL * fastest:
-        return "point"
-    return "similar" if abs(number(cross(va, vb))) <= PARALLEL * abs(va) * abs(vb) else "meet"
+        case = "rest"
+    elif omega == 0:
+        case = "infinity"
+    elif min(abs(va), abs(vb)) <= PARALLEL * fastest:
+        case = "point"
+    elif abs(number(cross(va, vb))) <= PARALLEL * abs(va) * abs(vb):
+        case = "similar"
+    return TwoVelocities((first, second), (a, b), (va, vb), case, place, omega)
 
 
 def from_text(text: str) -> TwoVelocities:

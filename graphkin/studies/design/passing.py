@@ -68,8 +68,14 @@ def passing(positions: Positions) -> Passing:
     notes += [] if whole.grashof else [Reason("no Grashof")]
     if not whole.driver_range.full:
         notes.append(Reason("crank rocks"))
-    if not why:
-        notes.append(_passed(positions, whole))
+    if not why:  # all positions lie on one branch, and the crank comes to them in order, turning in one sense
+        angles = [cmath.phase(places["B"] - places["A"]) for places in positions]
+        if whole.driver_range.full:
+            left = sum((other - one) % math.tau for one, other in pairwise(angles)) < math.tau
+        else:
+            low = whole.driver_range.low - _EDGE
+            left = (angles[-1] - low) % math.tau > (angles[0] - low) % math.tau
+        notes.append(Reason("passed ccw" if left else "passed cw"))
     else:
         swapped = [{"A": p["D"], "B": p["C"], "C": p["B"], "D": p["A"]} for p in positions]
         notes += [] if list(_against(swapped, report(_bar(swapped[0])))) else [Reason("drive at CD")]
@@ -101,17 +107,6 @@ def _against(positions: Positions, whole: Report) -> Iterator[Reason]:
     steps = [other - one for one, other in pairwise(angles)]
     if min(steps) < 0 < max(steps):
         yield Reason("order")
-
-
-def _passed(positions: Positions, whole: Report) -> Reason:
-    """All positions lie on one branch, and the crank comes to them in order, turning in one sense."""
-    angles = [cmath.phase(places["B"] - places["A"]) for places in positions]
-    if whole.driver_range.full:
-        left = sum((other - one) % math.tau for one, other in pairwise(angles)) < math.tau
-    else:
-        low = whole.driver_range.low - _EDGE
-        left = (angles[-1] - low) % math.tau > (angles[0] - low) % math.tau
-    return Reason("passed ccw" if left else "passed cw")
 
 
 def _side(places: Mapping[str, complex]) -> float:

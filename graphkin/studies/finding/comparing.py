@@ -16,8 +16,9 @@ from graphkin.studies.finding import conditions
 from graphkin.studies.finding.answers import Interval, Kind, OutputStroke, Phase, Position
 from graphkin.studies.finding.conditions import Comparison
 from graphkin.studies.finding.search import Curve, Function, crossings, differences, followed, tops, touches, vanishing
-from graphkin.studies.finding.stretch import ROUNDING, TURN, Stretch
+from graphkin.studies.finding.stretch import ROUNDING, Stretch
 from graphkin.studies.sweeps import Series
+from graphkin.studies.sweeps.ranges import TURN
 
 EQUAL = 1e-9
 """Extremes that differ by less than this part of the quantity's change are equal."""

@@ -269,22 +269,15 @@ def _scaled(method: Method, condition: Scaling, at: SearchPoints) -> tuple[Speed
         raise NegativeSize(WHERE, name, condition.value)
     speeds = []
     for k, now in enumerate(map(float, entry.signed)):
-        factor = _factor(now, target, degree)
+        factor: float | None = None
+        if target == 0:
+            factor = 0.0
+        elif abs(now) > 1e-12 * abs(target) and math.isfinite(now):  # the sense changes only where it must
+            ratio = target / now
+            factor = ratio if degree == 1 else math.sqrt(ratio) if ratio > 0 else None
         if factor is None:
             shown = f"{now:.6g} {entry.unit}" if abs(now) > 1e-12 else f"0 {entry.unit}"
             raise CannotScale(WHERE, name, shown, condition.value)
         rates = tuple(driver.rate * factor for driver in method.drivers)
         speeds.append(Speeds(at.position(k, (target,)), factor, rates, now))
     return tuple(speeds)
-
-
-def _factor(now: float, target: float, degree: int) -> float | None:
-    """The factor of the speeds; the sense changes only where it must."""
-    if target == 0:
-        return 0.0
-    if abs(now) <= 1e-12 * abs(target) or not math.isfinite(now):
-        return None
-    ratio = target / now
-    if degree == 1:
-        return ratio
-    return math.sqrt(ratio) if ratio > 0 else None

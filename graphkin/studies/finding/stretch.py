@@ -30,10 +30,10 @@ from graphkin.studies.finding.answers import Kind, Position
 from graphkin.studies.finding.conditions import WHERE
 from graphkin.studies.finding.search import Function, differences
 from graphkin.studies.sweeps import Course, Road, Series
+from graphkin.studies.sweeps.ranges import TURN
 from graphkin.studies.sweeps.roads import moving
-from graphkin.studies.sweeps.sweep import series
+from graphkin.studies.sweeps.sweep import Turns, series
 
-TURN = 2 * math.pi
 LEAST, MOST = 1441, 40_001
 """Places at which a stretch is read, at least and at most."""
 FINE_DEG, FINE_PART = 0.25, 0.001
@@ -71,15 +71,11 @@ def quantity_of(mechanism: Mechanism, name: str, where: Where = WHERE) -> kinds.
 
 
 class Reader:
-    """Reads quantities at places t of a course; angles go on beyond a full turn.
-
-    tables  angles (m,) without jumps at places t (m,), by quantity
-    """
+    """Reads quantities at places t of a course; angles that are followed go on beyond a full turn."""
 
     def __init__(self, course: Course, names: Sequence[str], by: Road) -> None:
-        self.course, self.by = course, by
+        self.course, self.by, self.turns = course, by, Turns()
         self.quantities = [(name, quantity_of(course.method.mechanism, name)) for name in names]
-        self.tables: dict[str, tuple[np.ndarray, np.ndarray]] = {}
 
     def motions(self, t: np.ndarray) -> Motions:
         return moving(self.course.method, self.course.path, t, self.by)
@@ -90,23 +86,7 @@ class Reader:
             one = self.read(np.zeros(1))
             return [replace(entry, values=t, vectors=None if entry.vectors is None else t + 0j) for entry in one]
         motions = motions or self.motions(t)
-        entries = [series(*entry, motions, t.size) for entry in self.quantities]
-        for k, entry in enumerate(entries):
-            if entry.name in self.tables:
-                turns = np.round((np.interp(t, *self.tables[entry.name]) - entry.values) / TURN)
-                entries[k] = Series(entry.name, entry.quantity, entry.values + TURN * turns)
-        return entries
-
-    def follow(self, t: np.ndarray, start: float) -> None:
-        """Follow angles over places t, close to each other, so that none jumps; at `start` they are 0 to a turn."""
-        self.tables = {}
-        for entry in self.read(t):
-            finite = np.isfinite(entry.values)
-            if entry.unit != "rad" or not finite.any():
-                continue
-            angles = np.unwrap(entry.values[finite])
-            begin = np.interp(start, t[finite], angles)
-            self.tables[entry.name] = t[finite], angles - TURN * np.floor(begin / TURN + 1e-12)
+        return [self.turns.on(series(*entry, motions, t.size), t) for entry in self.quantities]
 
 
 # --- rates of change --------------------------------------------------------------------------
@@ -222,7 +202,8 @@ class Stretch:
     def reader(self) -> Reader:
         """Reads the quantities; angles are followed all along."""
         reader = Reader(self.course, self.names, self.by)
-        reader.follow(self.places, self.low + self.step if self.stopped[0] else self.low)
+        start = self.low + self.step if self.stopped[0] else self.low
+        reader.turns.follow(reader.read(self.places), self.places, start)
         return reader
 
     def read(self, t: np.ndarray) -> list[Series]:

@@ -25,7 +25,7 @@ from graphkin.running.program import Entry
 from graphkin.running.program.memory import lent
 from graphkin.running.program.program import VERY_MANY
 from graphkin.studies.sweeps.course import Course, course
-from graphkin.studies.sweeps.ranges import Ranges
+from graphkin.studies.sweeps.ranges import TURN, Ranges
 from graphkin.studies.sweeps.roads import Road, centre_path, moving, prove
 
 Quantities = Mapping[str, Quantity]
@@ -222,7 +222,7 @@ def sweep_over(course: Course, names: Sequence[str], by: Road = "construction") 
 def in_parts(course: Course, names: Sequence[str], by: Road = "construction", size: int = PART) -> Iterator[Sweep]:
     """The same, some positions at a time: a sweep of any length needs no more memory."""
     quantities = _read(course, names)
-    turns = _Turns(course, quantities, by)
+    turns = _turns(course, quantities, by)
     course = replace(course, compiled=course.t.size >= VERY_MANY or None) if course.compiled is None else course
     entries: set[Entry] | None = None
     if course.t.size > size:  # the first few positions show from what the quantities are read
@@ -251,7 +251,7 @@ def _defined(whole: Sweep) -> Sweep:
 def quantities_at(course: Course, names: Sequence[str], t: np.ndarray, by: Road = "construction") -> Sweep:
     """Quantities at positions t (n,) of the course."""
     quantities = _read(course, names)
-    return _at(course, quantities, t, by, _Turns(course, quantities, by))
+    return _at(course, quantities, t, by, _turns(course, quantities, by))
 
 
 def _read(course: Course, names: Sequence[str]) -> Quantities:
@@ -259,7 +259,7 @@ def _read(course: Course, names: Sequence[str]) -> Quantities:
 
 
 def _at(
-    course: Course, quantities: Quantities, t: np.ndarray, by: Road, turns: _Turns, entries: set[Entry] | None = None
+    course: Course, quantities: Quantities, t: np.ndarray, by: Road, turns: Turns, entries: set[Entry] | None = None
 ) -> Sweep:
     motions = moving(course.method, course.path, t, by, entries, course.compiled)
     rows = []
@@ -273,40 +273,43 @@ def _at(
     return Sweep(course, t, np.asarray(course.value(t)), shown, np.empty(0), by)
 
 
-class _Turns:
-    """The turns of links since the first position: angles that go on beyond a full turn."""
+class Turns:
+    """The turns of angles: over many positions they go on beyond a full turn.
 
-    def __init__(self, course: Course, quantities: Quantities, by: Road) -> None:
-        self.tables: dict[str, np.ndarray] = {}
-        angles = {name: quantity for name, quantity in quantities.items() if quantity.unit == "rad"}
-        if not angles:
-            return
-        low, high = float(course.t.min()), float(course.t.max())
-        count = 2 + int((high - low) / stride(course.method, course.path.pace, FINE_DEG, FINE_PART))
-        self.t = np.linspace(low, high, count)
-        motions = moving(course.method, course.path, self.t, by)
-        first = np.interp(course.t[0], self.t, np.arange(count))
-        for name, quantity in angles.items():
-            table = _unwrapped(series(name, quantity, motions, count).values)
-            start = np.interp(first, np.arange(count), table)
-            self.tables[name] = table - 2 * np.pi * np.floor(start / (2 * np.pi) + 1e-12)
+    tables  angles (m,) without jumps at places t (m,), by quantity
+    """
+
+    def __init__(self) -> None:
+        self.tables: dict[str, tuple[np.ndarray, np.ndarray]] = {}
+
+    def follow(self, entries: Iterable[Series], t: np.ndarray, start: float) -> None:
+        """Follow angles over places t, close to each other; at `start` they lie between 0 and a full turn."""
+        self.tables = {}
+        for entry in entries:
+            finite = np.isfinite(entry.values)
+            if entry.unit == "rad" and finite.any():
+                angles = np.unwrap(entry.values[finite])
+                begin = np.interp(start, t[finite], angles)
+                self.tables[entry.name] = t[finite], angles - TURN * np.floor(begin / TURN + 1e-12)
 
     def on(self, entry: Series, t: np.ndarray) -> Series:
         """A series at t (n,), its angles continued."""
         if entry.name not in self.tables:
             return entry
-        near = np.interp(t, self.t, self.tables[entry.name])
-        values = entry.values + 2 * np.pi * np.round((near - entry.values) / (2 * np.pi))
-        return Series(entry.name, entry.quantity, values)
+        near = np.interp(t, *self.tables[entry.name])
+        return Series(entry.name, entry.quantity, entry.values + TURN * np.round((near - entry.values) / TURN))
 
 
-def _unwrapped(angles: np.ndarray) -> np.ndarray:
-    """Without jumps of a turn; positions that are not reached are passed over."""
-    finite = np.isfinite(angles)
-    smooth = np.array(angles)
-    smooth[finite] = np.unwrap(angles[finite])
-    smooth[~finite] = np.interp(np.flatnonzero(~finite), np.flatnonzero(finite), smooth[finite])
-    return smooth
+def _turns(course: Course, quantities: Quantities, by: Road) -> Turns:
+    """The turns of a course's angles since its first position."""
+    turns, angles = Turns(), {name: quantity for name, quantity in quantities.items() if quantity.unit == "rad"}
+    if angles:
+        low, high = float(course.t.min()), float(course.t.max())
+        count = 2 + int((high - low) / stride(course.method, course.path.pace, FINE_DEG, FINE_PART))
+        t = np.linspace(low, high, count)
+        motions = moving(course.method, course.path, t, by)
+        turns.follow((series(*entry, motions, count) for entry in angles.items()), t, course.t[0])
+    return turns
 
 
 def _joined(parts: Iterable[Sweep], count: int) -> Sweep:
