@@ -194,11 +194,11 @@ def pieces(at: Callable[[np.ndarray], Sample], low: float, high: float, size: fl
             break
         begin, middle, end = _cells(sample.t)  # both halves of a coarse cell become cells with middles of their own
         more = at(np.concatenate([(begin + middle)[coarse] / 2, (middle + end)[coarse] / 2]))
-        order = np.argsort(np.concatenate([sample.t, more.t]), kind="stable")
-        sample = Sample(*(
-            np.concatenate([getattr(sample, name), getattr(more, name)], axis=-1)[..., order]
-            for name in ("t", "places", "homogeneous")
-        ))  # fmt: skip
+        t = np.concatenate([sample.t, more.t])
+        places = np.concatenate([sample.places, more.places], axis=1)
+        homogeneous = np.concatenate([sample.homogeneous, more.homogeneous], axis=1)
+        order = np.argsort(t, kind="stable")
+        sample = Sample(t[order], places[:, order], homogeneous[:, order])
     return _cut(sample, far)
 
 

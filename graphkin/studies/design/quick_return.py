@@ -38,20 +38,9 @@ from graphkin.construction.drafting import (
     replay,
     theta_of,
 )  # fmt: skip
+from graphkin.studies.design import model
 from graphkin.studies.design.crank_circle import Chord, bounds, family, steps_to_centre, worth_of
-from graphkin.studies.design.model import (
-    Design,
-    Family,
-    Kind,
-    Reason,
-    Solution,
-    angle_within,
-    gamma_four,
-    gamma_slider,
-    one_of,
-    positive,
-    ratio_within,
-)  # fmt: skip
+from graphkin.studies.design.model import Design, Family, Kind, Reason, Solution
 
 LOW = math.radians(40)
 """A least transmission angle below this is said to be small (教材：一般 gamma_min >= 40 deg)."""
@@ -85,11 +74,11 @@ def rocker(
     (20.773, 89.96)
     """
     conditions = {"frame": frame, "crank": crank, "coupler": coupler, "gamma_min": gamma_min, "ac1": ac1}
-    positive(length=length, frame=frame, crank=crank, coupler=coupler, ac1=ac1)
-    angle_within("swing", swing, math.pi)
-    angle_within("gamma_min", gamma_min, math.pi / 2)
-    ratio_within(k)
-    name = one_of(conditions)
+    model.positive(length=length, frame=frame, crank=crank, coupler=coupler, ac1=ac1)
+    model.angle_within("swing", swing, math.pi)
+    model.angle_within("gamma_min", gamma_min, math.pi / 2)
+    model.ratio_within(k)
+    name = model.one_of(conditions)
     values = {"c": length, "psi": swing, "K": k} | ({name: conditions[name] or 0.0} if name else {})
     chord = _rocker_chord(length, swing, k)
     limits: tuple[Step, ...] = (
@@ -114,7 +103,7 @@ def _rocker_chord(length: float, swing: float, k: float) -> Chord:
 
     def gamma(at: Value) -> Real:
         of = lengths(at)
-        return gamma_four(of["a"], of["b"], length, of["d"])
+        return model.gamma_four(of["a"], of["b"], length, of["d"])
 
     def parted(at: Value) -> bool | Array:
         return cross(at, first) * cross(at, second) <= 0
@@ -138,10 +127,10 @@ def slider(
     (18.891, 49.865)
     """
     conditions = {"offset": offset, "crank": crank, "rod": rod, "gamma_min": gamma_min}
-    positive(stroke=stroke, offset=abs(offset) if offset is not None else None, crank=crank, rod=rod)
-    angle_within("gamma_min", gamma_min, math.pi / 2)
-    ratio_within(k)
-    name = one_of(conditions)
+    model.positive(stroke=stroke, offset=abs(offset) if offset is not None else None, crank=crank, rod=rod)
+    model.angle_within("gamma_min", gamma_min, math.pi / 2)
+    model.ratio_within(k)
+    name = model.one_of(conditions)
     values = {"H": stroke, "K": k} | ({name: abs(conditions[name] or 0.0)} if name else {})
     chord = _slider_chord(stroke, k)
     limits = Stage("slider limits", (ChosenPoint("C1", 0j), DraftLayOff("C2", "C1", "H")))
@@ -164,7 +153,7 @@ def _slider_chord(stroke: float, k: float) -> Chord:
 
     def gamma(at: Value) -> Real:
         of = lengths(at)
-        return gamma_slider(of["a"], of["b"], of["e"])
+        return model.gamma_slider(of["a"], of["b"], of["e"])
 
     def parted(at: Value) -> bool | Array:
         x = np.asarray(at).real
@@ -206,7 +195,7 @@ def _solution(construction: Drafting, chord: Chord, side: float) -> Solution | N
 def _crank_rocker(construction: Drafting, board: Board, worth: str) -> Solution:
     at, pivot, first, second = (geometry.place(board.at(name)) for name in ("A", "D", "C1", "C2"))
     a, b, c, d = (number(board.numbers[name]) for name in "abcd")
-    gamma = number(gamma_four(a, b, c, d))
+    gamma = number(model.gamma_four(a, b, c, d))
     why = _against(worth, a, b + c + d, gamma)
     starts = _cranks(at, first, second, a)
     limits = tuple({"A": at, "B": foot, "C": end, "D": pivot} for foot, end in zip(starts, (first, second)))
@@ -232,7 +221,7 @@ def _slider_crank(construction: Drafting, board: Board, worth: str) -> Solution:
     a, b = number(board.numbers["a"]), number(board.numbers["b"])
     along = (second - first) / abs(second - first)
     e = number(cross(along, first - at))
-    gamma = number(gamma_slider(a, b, e))
+    gamma = number(model.gamma_slider(a, b, e))
     why = _against(worth, a, b, gamma)
     starts = _cranks(at, first, second, a)
     limits = tuple({"A": at, "B": foot, "C": end} for foot, end in zip(starts, (first, second)))
@@ -281,9 +270,9 @@ def guide_bar(k: float, *, frame: float | None = None, crank: float | None = Non
     >>> round(best.a * 1e3, 4), round(math.degrees(best.swing), 6)
     (30.9017, 36.0)
     """
-    positive(frame=frame, crank=crank)
-    ratio_within(k, _MOST_K)
-    name = one_of({"frame": frame, "crank": crank}, 1)
+    model.positive(frame=frame, crank=crank)
+    model.ratio_within(k, _MOST_K)
+    name = model.one_of({"frame": frame, "crank": crank}, 1)
     values = {"K": k, name: frame or crank or 0.0}
     swing = Stage("theta swing", (Reckon("theta", "theta", ("K",)), Reckon("halved", "half", ("theta",))))
     lengths = Stage("guide lengths", (

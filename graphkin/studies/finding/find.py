@@ -9,18 +9,10 @@ from typing import assert_never
 
 import numpy as np
 
+from graphkin import errors
 from graphkin.base.geometry import dot, number, place
 from graphkin.base.value import frozen
-from graphkin.errors import (
-    BadCondition,
-    CannotScale,
-    GivenTwice,
-    NegativeSize,
-    NoLineOf,
-    NoSuchDriver,
-    NotScaled,
-    Where,
-)
+from graphkin.errors import Where
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import common_link, pair
@@ -64,7 +56,7 @@ def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = 
             drawn = checked(method.mechanism, parsed.quantities)
             over = _proved_stretch(method, ranges, parsed.quantities, by)
             if parsed.which == "stroke" and drawn[0].unit not in ("rad", "m"):
-                raise BadCondition(WHERE, condition)
+                raise errors.BadCondition(WHERE, condition)
             return _extreme(parsed, drawn, over)
         case Slowest():
             line_of(method.mechanism, parsed.of)
@@ -91,7 +83,7 @@ def check_limit(mechanism: Mechanism, text: str) -> None:
     parsed, where = conditions.limit(text), Where("--limit")
     target = conditions.value(parsed.other, checked(mechanism, parsed.quantities, where)[0].unit, where)
     if target < 0:
-        raise NegativeSize(where, parsed.quantity, parsed.other)
+        raise errors.NegativeSize(where, parsed.quantity, parsed.other)
 
 
 def _proved_stretch(method: Method, ranges: Sequence[str], names: tuple[str, ...], by: Road) -> Stretch:
@@ -212,10 +204,10 @@ def _driver_values(method: Method, ranges: Sequence[str]) -> list[float]:
     for count, text in enumerate(ranges):
         name, equals, size = text.rpartition("=")
         if (equals and name.strip() not in names) or (not equals and count >= len(names)):
-            raise NoSuchDriver(where, name.strip() or text, tuple(names))
+            raise errors.NoSuchDriver(where, name.strip() or text, tuple(names))
         at = names.index(name.strip()) if equals else count
         if at in changed:
-            raise GivenTwice(where, names[at])
+            raise errors.GivenTwice(where, names[at])
         changed.add(at)
         values[at] = conditions.value(size.strip(), "m" if method.drivers[at].kind == "slide" else "rad", where)
     return values
@@ -232,7 +224,7 @@ def line_of(mechanism: Mechanism, of: str) -> tuple[str, str, str]:
         if link is not None and {site.point for site in sites} <= set(mechanism.links[link].points):
             return link, sites[0].point, sites[1].point
     lines = [link for link in mechanism.moving if len(mechanism.named(link)) > 1]
-    raise NoLineOf(WHERE, of, tuple(lines))
+    raise errors.NoLineOf(WHERE, of, tuple(lines))
 
 
 def _slowest(method: Method, condition: Slowest, at: SearchPoints) -> tuple[SlowPoint, ...]:
@@ -263,10 +255,10 @@ def _scaled(method: Method, condition: Scaling, at: SearchPoints) -> tuple[Speed
     entry = series(name, quantity_of(method.mechanism, name), at.motions, at.t.size)
     degree = _DEGREES.get(entry.unit)
     if degree is None:
-        raise NotScaled(WHERE, name)
+        raise errors.NotScaled(WHERE, name)
     target = conditions.value(condition.value, entry.unit)
     if target < 0 and entry.vectors is not None and entry.along is None:
-        raise NegativeSize(WHERE, name, condition.value)
+        raise errors.NegativeSize(WHERE, name, condition.value)
     speeds = []
     for k, now in enumerate(map(float, entry.signed)):
         factor: float | None = None
@@ -277,7 +269,7 @@ def _scaled(method: Method, condition: Scaling, at: SearchPoints) -> tuple[Speed
             factor = ratio if degree == 1 else math.sqrt(ratio) if ratio > 0 else None
         if factor is None:
             shown = f"{now:.6g} {entry.unit}" if abs(now) > 1e-12 else f"0 {entry.unit}"
-            raise CannotScale(WHERE, name, shown, condition.value)
+            raise errors.CannotScale(WHERE, name, shown, condition.value)
         rates = tuple(driver.rate * factor for driver in method.drivers)
         speeds.append(Speeds(at.position(k, (target,)), factor, rates, now))
     return tuple(speeds)
