@@ -7,11 +7,11 @@ from collections.abc import Collection, Mapping
 from dataclasses import replace
 from functools import cached_property
 from itertools import combinations
+from typing import TypedDict
 
 import numpy as np
 
 from graphkin.base.geometry import Array, Value, number, weights_of
-from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.construction import Plot, replay
 from graphkin.construction.drafting import Board, Drafting, DraftMeet, Stage, draw, drawn_through, ruled
@@ -159,7 +159,24 @@ def carried_to(plot: Plot, link: str) -> tuple[Value, Value]:
 # --- plain data -------------------------------------------------------------------------------
 
 
-def as_json(centres: Centres) -> dict[str, Plain]:
+class CentreEntry(TypedDict, total=False):
+    """A centre as data: its links, its place [m] or, at infinity, its direction [rad], and how it is found."""
+
+    links: list[str]
+    at: list[float]
+    direction: float
+    by: str | list[list[str]]
+
+
+class CentresData(TypedDict):
+    """All centres as data, by name."""
+
+    format: int
+    name: str
+    centres: dict[str, CentreEntry]
+
+
+def as_json(centres: Centres) -> CentresData:
     """One object: of each centre its links, its place [m] or direction [rad], and how it is found.
 
     `by` is "hinge", "contact" (wheels that roll on each other), "slide", "velocities", or the two lines: each two
@@ -167,20 +184,20 @@ def as_json(centres: Centres) -> dict[str, Plain]:
     """
     mechanism, normals = centres.method.mechanism, centres.centring.normals
     stages = {stage.last.name: stage for stage in centres.centring.stages}
-    entries: dict[str, Plain] = {}
+    entries: dict[str, CentreEntry] = {}
     for first, second in centres.pairs:
         name, links = centres.name(first, second), [mechanism.called(first), mechanism.called(second)]
         if name in stages:
             stage = stages[name]
             lines = [["normal"] if line.name in normals else [*drawn_through(line)] for line in stage.lines]
-            by: Plain = lines if stage.say == "two lines" else stage.say
+            by: str | list[list[str]] = lines if stage.say == "two lines" else stage.say
             entries[name] = {"links": links, **place(centres, first, second), "by": by}
         else:
             entries[name] = {"links": links, "by": "together"}
     return {"format": 1, "name": mechanism.name, "centres": entries}
 
 
-def place(centres: Centres, first: str, second: str) -> dict[str, Plain]:
+def place(centres: Centres, first: str, second: str) -> CentreEntry:
     """`at` [m], `direction` [rad] for a centre at infinity, nothing where there is none."""
     if centres.together(first, second):
         return {}
