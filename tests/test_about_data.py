@@ -10,9 +10,8 @@ from graphkin.files import library
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.studies.centres import centres
-from graphkin.studies.centres.about import about
-from graphkin.studies.centres.about_data import about_json, centrodes_json
-from graphkin.studies.centres.centrodes import centrodes, whole
+from graphkin.studies.centres.about import about, about_json
+from graphkin.studies.centres.centrodes import centrodes, centrodes_json, whole
 from graphkin.studies.sweeps import course
 
 

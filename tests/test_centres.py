@@ -20,9 +20,8 @@ from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.model.quantities import centre_of, named
 from graphkin.running import replay_all
 from graphkin.studies.centres import Centres, centres
-from graphkin.studies.centres.advantages import carried_through
-from graphkin.studies.centres.levers import Levers
-from graphkin.studies.centres.shortest import shortest
+from graphkin.studies.centres.instant_centres import shortest
+from graphkin.studies.centres.levers import Levers, carried_through
 from graphkin.studies.sweeps import sweep
 
 KINDS = (

@@ -36,9 +36,8 @@ from graphkin.running import replay_all
 from graphkin.sheet.centrode_sheet import centrode_frames, centrode_sheet
 from graphkin.sheet.marks import Stroke
 from graphkin.studies.centres import Centres, centres
-from graphkin.studies.centres.centrode_places import carried_to, over
-from graphkin.studies.centres.centrode_sampling import arc_length
-from graphkin.studies.centres.centrodes import Centrodes, centrodes, path, whole
+from graphkin.studies.centres.centrodes import Centrodes, arc_length, centrodes, path, whole
+from graphkin.studies.centres.instant_centres import carried_to, over
 from graphkin.studies.sweeps import Course, course
 
 
@@ -254,7 +253,7 @@ def test_cut_at_infinity_and_closed():
 
 def test_lengths_to_the_fourth_order():
     """A circle of radius 1: a quarter of it from twenty chords."""
-    from graphkin.studies.centres.centrode_sampling import CentrodePiece
+    from graphkin.studies.centres.centrodes import CentrodePiece
 
     t = np.linspace(0, np.pi / 2, 41)
     assert arc_length(CentrodePiece(t, np.exp(1j * t)[None]))[-1] == pytest.approx(np.pi / 2, rel=1e-7)

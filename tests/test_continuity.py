@@ -127,7 +127,7 @@ def test_a_fit_ends_where_it_stands_at_right_angles():
 
 
 def test_roads_that_differ_give_no_sweep(monkeypatch: pytest.MonkeyPatch):
-    module = import_module("graphkin.studies.sweeps.proof")
+    module = import_module("graphkin.studies.sweeps.roads")
     moved = course(plan(folding("parallelogram", "crank", 0)), ["0:360:30"])
     assert prove(moved) < 1e-9
     other = course(plan(folding("parallelogram", "crank", 1)), ["0:360:30"])

@@ -21,7 +21,7 @@ from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Text
 from graphkin.sheet.obstacles import bounds
 from graphkin.studies import finding
-from graphkin.studies.finding.dimensions import dimension, replaced
+from graphkin.studies.finding.varying import dimension, replaced
 
 
 def test_strokes_over_the_screw_of_the_engine() -> None:

@@ -36,7 +36,7 @@ from graphkin.studies.linkages import (
     reported,
     some_found_in,
 )
-from graphkin.studies.linkages.placement import posed
+from graphkin.studies.linkages.assembled import posed
 from graphkin.studies.linkages.triangles import whole
 
 deg = math.degrees

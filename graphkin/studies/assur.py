@@ -1,4 +1,4 @@
-"""What a mechanism is made of: links, pairs, freedoms, and its Assur groups in the order they are solved.
+"""The structure of a mechanism: links, pairs, freedoms, and its Assur groups in the order they are solved.
 
 The class of a group is that of its most complex part: II for a dyad, III for a ternary link on three legs, IV for
 two links more that close a four-sided figure. The class of the mechanism is the highest of its groups'.
@@ -7,13 +7,14 @@ two links more that close a four-sided figure. The class of the mechanism is the
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import assert_never
 
 from graphkin.analytic import Mobility, mobility
+from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
-from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import PairName
-from graphkin.model.pairs import Pair, RollingContact, pin_name, rod_name
+from graphkin.model.pairs import RollingContact, pin_name, rod_name
 from graphkin.planning import Method
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh
 from graphkin.planning.structure import Hinge, Joint
@@ -53,12 +54,12 @@ class SupposedLink:
 
 @frozen
 class Structure:
-    """What a mechanism is made of.
+    """The links, pairs, freedoms and groups of a mechanism.
 
     moving, low, high   counts of moving links, of lower and of higher pairs; rolling contacts are neither
     rolls               each rolling contact by its links, with the freedoms it takes: no slip, and the distance kept,
                         unless other pairs keep that
-    uncounted           how many redundant constraints the formula leaves out: distances from a track that others keep
+    uncounted           redundant constraints that the formula leaves out: distances from a track that others keep
     mobility            degrees of freedom by rank
     groups              in the order they are solved
     methods             keys of the methods that the construction needs: "two points", "coincident", ..
@@ -94,52 +95,45 @@ class Structure:
 
 
 def structure(method: Method) -> Structure:
-    """A pin in a slot, a cam pair and a gear pair take one freedom; rolling contact one, or two."""
+    """The structure; a pin in a slot, a cam pair and a gear pair take one freedom, rolling contact one, or two."""
     mechanism = method.mechanism
     others = [pair for pair in mechanism.pairs if not isinstance(pair, RollingContact)]
     low = sum(len(hinge.links) - 1 for hinge in mechanism.hinges) + sum(pair.lower for pair in others)
     high = sum(not pair.lower for pair in others)
+    spaced = {slide.name for slide in method.structure.joining if slide.stands_for is not None}
+    rolls = []  # other pairs keep its distance where neither a path nor a rod stands for a rolling contact
+    for pair in mechanism.pairs:
+        if isinstance(pair, RollingContact):
+            alone = pair.name in spaced or rod_name(pair) in method.structure.bodies
+            rolls.append((tuple(mechanism.called(link) for link in pair.joins), 2 if alone else 1))
+    uncounted = sum(each.part == "line" and each.pair[0] == RollingContact.table for each in method.aside)
     return Structure(
         len(mechanism.moving), low, high, mobility(mechanism),
-        groups(method), tuple(_methods(method)), tuple(_rolls(method)), _uncounted(method),
+        groups(method), tuple(_methods(method)), tuple(rolls), uncounted,
     )  # fmt: skip
 
 
-def _rolls(method: Method) -> Iterator[tuple[tuple[str, ...], int]]:
-    """Each rolling contact; other pairs keep its distance where neither a path nor a rod stands for it."""
-    mechanism, structure = method.mechanism, method.structure
-    kept = {slide.name for slide in structure.joining if slide.stands_for is not None}
-    for pair in mechanism.pairs:
-        if isinstance(pair, RollingContact):
-            alone = pair.name in kept or rod_name(pair) in structure.bodies
-            yield tuple(mechanism.called(link) for link in pair.joins), 2 if alone else 1
-
-
-def _uncounted(method: Method) -> int:
-    return sum(each.part == "line" and each.pair[0] == RollingContact.table for each in method.aside)
-
-
 def groups(method: Method) -> tuple[Together, ...]:
-    """The groups in the order they are solved."""
-    return tuple(_groups(method))
-
-
-def _groups(method: Method) -> Iterator[Together]:
-    """Driven links are Class I by themselves and make no group."""
+    """The groups in the order they are solved; driven links are Class I by themselves and make no group."""
+    solved: list[Together] = []
     for stage in method.stages:
         match stage:
             case Loop():
-                yield _dyad(method, stage)
+                solved.append(_dyad(method, stage))
             case Group() if not stage.loops:
-                yield Together("train", 1, _named(method, stage.angles))
+                solved.append(Together("train", 1, _links_of_file(method, stage.angles)))
             case Group() if len(stage.loops) == 1 and not stage.contacts and not stage.bodies:  # it floats
-                yield _dyad(method, stage.loops[0])
+                solved.append(_dyad(method, stage.loops[0]))
             case Group():
-                yield _group(method, stage)
+                solved.append(_group(method, stage))
             case Mesh():
-                yield Together("wheel", 1, tuple(method.mechanism.called(wheel) for wheel in stage.contact.wheels))
+                wheels = tuple(method.mechanism.called(wheel) for wheel in stage.contact.wheels)
+                solved.append(Together("wheel", 1, wheels))
             case Carry() | Bridge():
                 pass
+            case _:
+                assert_never(stage)
+    return tuple(solved)
 
 
 def _dyad(method: Method, stage: Loop) -> Together:
@@ -147,26 +141,22 @@ def _dyad(method: Method, stage: Loop) -> Together:
     letters = [_letter(method, joint) for joint in stage.joints]
     bodies = stage.bodies
     if len(bodies) == 1:
-        ends = [_far_end(method, joint, bodies[0]) for joint in stage.joints]
+        ends = []
+        for joint in stage.joints:
+            slide = None if isinstance(joint, Hinge) else method.structure.slides[joint.slide]
+            pair = (slide.guide, method.structure.block(slide)) if slide else (FRAME, FRAME)
+            ends.append(pair[0] if pair[1] == bodies[0] else pair[1])
         k = next(k for k, end in enumerate(ends) if end != FRAME)
         bodies, letters[k] = (*bodies, ends[k]), "RP" if k == 0 else "PR"
-    merged = tuple(_merged(method, stage))
-    return Together("dyad", 2, _named(method, bodies), "".join(letters), added=_added(method, bodies), merged=merged)
-
-
-def _far_end(method: Method, joint: Joint, body: str) -> str:
-    """The other body of a sliding pair."""
-    if isinstance(joint, Hinge):
-        return FRAME
-    slide = method.structure.slides[joint.slide]
-    ends = (slide.guide, method.structure.block(slide))
-    return ends[0] if ends[1] == body else ends[1]
+    links, added, merged = _links_of_file(method, bodies), _added(method, bodies), _merged(method, stage)
+    return Together("dyad", 2, links, "".join(letters), added=added, merged=merged)
 
 
 def _group(method: Method, stage: Group) -> Together:
-    links, added, merged = _named(method, stage.bodies), _added(method, stage.bodies), tuple(_merged(method, stage))
-    if (found := method.ternaries.get(stage)) is not None:
-        return Together("triad", 3, links, point=found.name, ternary=found.link, added=added, merged=merged)
+    bodies = stage.bodies
+    links, added, merged = _links_of_file(method, bodies), _added(method, bodies), _merged(method, stage)
+    if (ternary := method.ternaries.get(stage)) is not None:
+        return Together("triad", 3, links, point=ternary.name, ternary=ternary.link, added=added, merged=merged)
     cls = 4 if len(stage.loops) == 2 and not stage.contacts else 3 + len(stage.loops) - 1
     return Together("higher", min(cls, 5), links, added=added, merged=merged)
 
@@ -175,40 +165,37 @@ def _letter(method: Method, joint: Joint) -> str:
     """R for a hinge, P for a sliding pair; a driven one counts as rigid."""
     if isinstance(joint, Hinge):
         owners = method.mechanism.owners.get(joint.point, ())
-        return "" if any({*pair} <= {*owners} for pair in _turned(method)) else "R"
+        return "" if any({*pair} <= {*owners} for pair in _motors(method)) else "R"
     return "" if joint.slide in method.structure.slides_driven else "P"
 
 
-def _named(method: Method, bodies: tuple[str, ...]) -> tuple[str, ...]:
+def _links_of_file(method: Method, bodies: tuple[str, ...]) -> tuple[str, ...]:
     """Links of the file; blocks that stand for pins and links of an equivalent are none."""
     return tuple(body for body in bodies if body in method.mechanism.links and body != FRAME)
 
 
 def _added(method: Method, bodies: tuple[str, ...]) -> tuple[SupposedLink, ...]:
     """Pins in slots, and links that stand for a cam pair or hold a rolling wheel."""
-    structure, found = method.structure, list[SupposedLink]()
-    made = {name(pair): pair for name in (pin_name, rod_name) for pair in method.mechanism.pairs}
+    structure, pairs = method.structure, method.mechanism.pairs
+    supposed: list[SupposedLink] = []
+    made = {name(pair): pair for name in (pin_name, rod_name) for pair in pairs}
     for body in bodies:
         if not structure.is_link(body) and body in made:
-            found.append(
-                SupposedLink("block" if structure.is_pin(body) else "rod", _number(method.mechanism, made[body]))
-            )
-    return tuple(found)
+            pair = made[body]
+            number = [each for each in pairs if each.table == pair.table].index(pair)
+            supposed.append(SupposedLink("block" if structure.is_pin(body) else "rod", (pair.table, number)))
+    return tuple(supposed)
 
 
-def _number(mechanism: Mechanism, pair: Pair) -> PairName:
-    return pair.table, [each for each in mechanism.pairs if each.table == pair.table].index(pair)
-
-
-def _merged(method: Method, stage: Loop | Group) -> Iterator[tuple[str, ...]]:
+def _merged(method: Method, stage: Loop | Group) -> tuple[tuple[str, ...], ...]:
     """A cylinder and its rod are one link while the displacement is given, as two links with a motor between are."""
     structure = method.structure
     driven = [slide for slide in structure.joining if slide.name in structure.slides_driven]
-    pairs = [*((slide.guide, structure.block(slide)) for slide in driven), *_turned(method)]
-    yield from (_named(method, pair) for pair in pairs if {*pair} <= {*stage.bodies})
+    pairs = [*((slide.guide, structure.block(slide)) for slide in driven), *_motors(method)]
+    return tuple(_links_of_file(method, pair) for pair in pairs if {*pair} <= {*stage.bodies})
 
 
-def _turned(method: Method) -> list[tuple[str, str]]:
+def _motors(method: Method) -> list[tuple[str, str]]:
     """Two moving links each whose angle to each other is driven."""
     drivers = method.mechanism.drivers
     return [(d.from_link, d.link) for d in drivers if d.kind != "slide" and d.from_link != FRAME]
@@ -231,19 +218,19 @@ def _methods(method: Method) -> Iterator[str]:
         yield "lower"
 
 
-def as_json(method: Method) -> dict[str, Any]:
-    """What `structure --json` prints."""
-    mechanism, found = method.mechanism, structure(method)
-    groups = [
-        {"kind": group.kind, "class": group.cls, "links": list(group.links)}
-        | ({"letters": group.letters} if group.letters else {})
-        | ({"point": group.point, "ternary": group.ternary} if group.point else {})
-        for group in found.groups
-    ]
+def as_json(method: Method) -> dict[str, Plain]:
+    """The structure as `structure --json` prints it."""
+    mechanism, whole = method.mechanism, structure(method)
+    groups: list[Plain] = []
+    for group in whole.groups:
+        entry: dict[str, Plain] = {"kind": group.kind, "class": group.cls, "links": list(group.links)}
+        entry |= {"letters": group.letters} if group.letters else {}
+        entry |= {"point": group.point, "ternary": group.ternary} if group.point else {}
+        groups.append(entry)
     return {
         "format": 1, "name": mechanism.name, "links": list(mechanism.moving), "frame": mechanism.frame,
-        "lower_pairs": found.low, "higher_pairs": found.high, "formula": found.formula,
-        "freedoms": found.mobility.freedoms,
-        "drivers": [driver.name for driver in mechanism.drivers], "class": found.cls, "groups": groups,
-        "methods": list(found.methods),
+        "lower_pairs": whole.low, "higher_pairs": whole.high, "formula": whole.formula,
+        "freedoms": whole.mobility.freedoms,
+        "drivers": [driver.name for driver in mechanism.drivers], "class": whole.cls, "groups": groups,
+        "methods": list(whole.methods),
     }  # fmt: skip

@@ -16,7 +16,8 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.base.geometry import cross, dot
+from graphkin.base.geometry import cross, dot, number
+from graphkin.base.plain import Plain
 from graphkin.base.tolerances import STILL
 from graphkin.base.value import frozen
 from graphkin.construction import Plot, replay
@@ -73,7 +74,7 @@ class About:
     plot     the position with all three planes drawn
     base     place, velocity and acceleration of one point of the link [m, m/s, m/s^2]
     omega, alpha  [rad/s, rad/s^2]; 0 where they are 0 but for rounding
-    names    points whose motion is asked for
+    names    points whose motion is read
     assumed  no driver moves, so that each was taken to move at 1 rad/s (1 m/s)
     """
 
@@ -88,7 +89,7 @@ class About:
 
     @property
     def called(self) -> str:
-        """What people call the link."""
+        """The name that people call the link."""
         return self.found.method.mechanism.called(self.link)
 
     @cached_property
@@ -100,7 +101,7 @@ class About:
 
     @cached_property
     def pole(self) -> complex:
-        """P, where the link has no velocity [m]; infinite in translation, NaN where a link at rest shows none."""
+        """P, the place without velocity [m]; infinite in translation, NaN where a link at rest shows none."""
         place, velocity, _ = self.base
         if self.omega:
             return place + 1j * velocity / self.omega
@@ -114,23 +115,23 @@ class About:
             return NOWHERE
         if velocity:
             return 1j * velocity / abs(velocity)
-        return cmath.rect(1.0, float(self.found.direction(FRAME, self.link)))
+        return cmath.rect(1.0, number(self.found.direction(FRAME, self.link)))
 
     @property
     def moves(self) -> bool:
-        """Whether the link moves at this instant."""
+        """True if the link moves at this instant."""
         return bool(self.omega or self.base[1])
 
     @cached_property
     def acceleration_pole(self) -> complex | None:
-        """J, where the link has no acceleration [m]; None where omega and alpha are 0."""
+        """J, the place without acceleration [m]; None where omega and alpha are 0."""
         place, _, acceleration = self.base
         turn = self._turn
         return place - acceleration / turn if turn else None
 
     @property
     def _turn(self) -> complex:
-        """What the vector from J to a point is multiplied by to give its acceleration."""
+        """The factor by which the vector from J to a point is multiplied to give its acceleration."""
         return 1j * self.alpha - self.omega**2
 
     # --- the circles --------------------------------------------------------------------------
@@ -144,8 +145,8 @@ class About:
         if not self.omega:
             return None
         place, _, acceleration = self.base
-        found = (acceleration + self._turn * (self.pole - place)) / self.omega**2
-        return found if abs(found) > INFINITE * (self.size + abs(self.pole - place)) else 0j
+        diameter = (acceleration + self._turn * (self.pole - place)) / self.omega**2
+        return diameter if abs(diameter) > INFINITE * (self.size + abs(self.pole - place)) else 0j
 
     @property
     def pole_velocity(self) -> complex | None:
@@ -174,7 +175,7 @@ class About:
         if not velocity or not self.alpha:
             return None
         along = velocity / abs(velocity)
-        return InflectionLine(place - along * float(cross(along, acceleration)) / self.alpha, 1j * along)
+        return InflectionLine(place - along * number(cross(along, acceleration)) / self.alpha, 1j * along)
 
     @property
     def returning(self) -> Circle | None:
@@ -193,19 +194,19 @@ class About:
 
     @cached_property
     def points(self) -> Mapping[str, CarriedPoint]:
-        """The points asked for, as points of the link."""
+        """The named points, as points of the link."""
         motions = readings(self.found.method, self.plot)
-        found: dict[str, CarriedPoint] = {}
+        points: dict[str, CarriedPoint] = {}
         for name in self.names:
             velocity, acceleration = motions.velocity_at(name, self.link), motions.acceleration_at(name, self.link)
-            found[name] = self._moved(complex(self.plot.position[name]), complex(velocity), complex(acceleration))
-        return found
+            points[name] = self._moved(complex(self.plot.position[name]), complex(velocity), complex(acceleration))
+        return points
 
     def _moved(self, place: complex, velocity: complex, acceleration: complex) -> CarriedPoint:
         speed = abs(velocity)
         if speed <= STILL * _pace(self.found, self.plot) * self.size:
             return CarriedPoint(place, velocity, acceleration, place if self.diameter else NOWHERE)
-        curvature = float(cross(velocity, acceleration)) / speed**3
+        curvature = number(cross(velocity, acceleration)) / speed**3
         if abs(curvature) * self.size <= INFINITE:
             return CarriedPoint(place, velocity, acceleration, INFINITY)
         return CarriedPoint(place, velocity, acceleration, place + 1j * velocity / speed / curvature)
@@ -213,76 +214,112 @@ class About:
     def savary(self, place: complex) -> complex:
         """The centre of curvature of the path of a point by the inflection circle alone (Euler-Savary) [m].
 
-        NaN where the pole is at infinity.
+        PA^2 = AK AJ, all on the ray from the pole P through the point A; J is where it meets the inflection circle.
+        Infinite where A lies on the circle, NaN where the pole is at infinity.
         """
-        return NOWHERE if self.diameter is None else euler_savary(self.pole, self.diameter, place)
+        if self.diameter is None:
+            return NOWHERE
+        ray, away = place - self.pole, abs(place - self.pole)
+        if away == 0:
+            return place
+        ray /= away
+        on = number(dot(ray, self.diameter))
+        if abs(on - away) <= INFINITE * (away + abs(self.diameter)):
+            return INFINITY
+        return place + ray * away**2 / (on - away)
 
 
-def euler_savary(pole: complex, diameter: complex, place: complex) -> complex:
-    """PA^2 = AK AJ, all on the ray from the pole P through the point A; J is where it meets the inflection circle.
+def about(centres: Centres, link: str, points: Collection[str] = ()) -> About:
+    """A moving link about its pole, at the one position of `centres`.
 
-    diameter  from P to the inflection pole [m]. Infinite where A lies on the circle.
-    """
-    ray = place - pole
-    if ray == 0:
-        return place
-    away = abs(ray)
-    ray /= away
-    on = float(dot(ray, diameter))
-    if abs(on - away) <= INFINITE * (away + abs(diameter)):
-        return INFINITY
-    return place + ray * away**2 / (on - away)
-
-
-def about(found: Centres, link: str, points: Collection[str] = ()) -> About:
-    """A moving link about its pole, at the one position of `found`.
-
-    link    its name; points whose motion is wanted, any of the mechanism; all of the link's own where left out
+    link    its name; points of the mechanism whose motion is read; all of the link's own where left out
 
     Raises FrameStands, UnknownLink, UnknownPoint.
     """
-    machine = found.method.mechanism
-    link, plot = link_of(found, link), _accelerated(found)
+    machine = centres.method.mechanism
+    link = link_of(centres, link)
     if link == FRAME:
         raise FrameStands(WHERE, machine.frame)
     for name in points:
         if name not in machine.points:
             raise UnknownPoint(WHERE, name, machine.points)
+    # speeds may have been assumed since the accelerations were drawn
+    plot = replay(centres.method.acceleration, replace(centres.plot, acceleration={}, alpha={}, s_acceleration={}))
     own = next(point for point in machine.links[link].points if point in plot.position)
-    named = tuple(points) or machine.named(link)
-    place, motion = complex(plot.position[own]), _motion(found, plot, link, own)
-    assumed = not any(driver.rate for driver in found.method.drivers)
-    return About(found, plot, link, (place, *motion[:2]), *motion[2:], named, assumed)
+    motions, size, pace = readings(centres.method, plot), centres.board.size, _pace(centres, plot)
+    velocity, omega = complex(motions.velocity_at(own, link)), float(plot.omega[link])
+    acceleration, alpha = complex(motions.acceleration_at(own, link)), float(plot.alpha[link])
+    if abs(omega) <= STILL * pace:  # 0 but for rounding
+        omega, velocity = 0.0, velocity if abs(velocity) > STILL * pace * size else 0j
+    change = pace**2 + max(abs(float(value)) for value in plot.alpha.values())
+    alpha = alpha if abs(alpha) > STILL * change else 0.0
+    assumed = not any(driver.rate for driver in centres.method.drivers)
+    base = complex(plot.position[own]), velocity, acceleration
+    return About(centres, plot, link, base, omega, alpha, tuple(points) or machine.named(link), assumed)
 
 
-def link_of(found: Centres, called: str, where: Where = WHERE) -> str:
+def link_of(centres: Centres, called: str, where: Where = WHERE) -> str:
     """A link's own name from what people call it. Raises UnknownLink."""
-    machine = found.method.mechanism
+    machine = centres.method.mechanism
     names = {machine.called(link): link for link in machine.links} | {link: link for link in machine.links}
     if called not in names:
         raise UnknownLink(where, called, tuple(machine.called(link) for link in machine.links))
     return names[called]
 
 
-def _accelerated(found: Centres) -> Plot:
-    """The plot with its accelerations drawn anew: speeds may have been assumed since they were."""
-    return replay(found.method.acceleration, replace(found.plot, acceleration={}, alpha={}, s_acceleration={}))
-
-
-def _motion(found: Centres, plot: Plot, link: str, point: str) -> tuple[complex, complex, float, float]:
-    """Velocity and acceleration of a point of the link, omega and alpha; what is 0 but for rounding as 0."""
-    motions, size, pace = readings(found.method, plot), found.board.size, _pace(found, plot)
-    velocity, omega = complex(motions.velocity_at(point, link)), float(plot.omega[link])
-    acceleration, alpha = complex(motions.acceleration_at(point, link)), float(plot.alpha[link])
-    if abs(omega) <= STILL * pace:
-        omega = 0.0
-        velocity = velocity if abs(velocity) > STILL * pace * size else 0j
-    change = pace**2 + max(abs(float(value)) for value in plot.alpha.values())
-    return velocity, acceleration, omega, alpha if abs(alpha) > STILL * change else 0.0
-
-
-def _pace(found: Centres, plot: Plot) -> float:
+def _pace(centres: Centres, plot: Plot) -> float:
     """The fastest motion [rad/s], slides counted by the mechanism's size."""
     turning = [abs(float(value)) for value in plot.omega.values()]
-    sliding = [abs(complex(value)) / found.board.size for value in plot.velocity.values()]
+    sliding = [abs(complex(value)) / centres.board.size for value in plot.velocity.values()]
     return float(np.max([*turning, *sliding, 1e-300]))
+
+
+# --- plain data -------------------------------------------------------------------------------
+
+
+def about_json(seen: About) -> dict[str, Plain]:
+    """One object: poles, circles, and of each point its motion and the centre of curvature of its path.
+
+    `pole` is a place [m], or {"direction": [x, y]} at infinity; null stands for what there is none of. `centre` of a
+    point is "infinity" where its path is straight.
+    """
+    inflection, pole = seen.inflection, seen.pole
+    line = inflection if isinstance(inflection, InflectionLine) else None
+    return {
+        "format": 1,
+        "name": seen.found.method.mechanism.name,
+        "link": seen.called,
+        "speeds_assumed": seen.assumed,
+        "pole": {"direction": _pair(seen.towards)} if cmath.isinf(pole) else _pair(pole),
+        "omega": seen.omega,
+        "alpha": seen.alpha,
+        "acceleration_pole": _pair(seen.acceleration_pole),
+        "pole_velocity": _pair(seen.pole_velocity),
+        "tangent": _pair(seen.tangent),
+        "inflection_circle": _circle(inflection) if isinstance(inflection, Circle) else None,
+        "inflection_line": {"through": _pair(line.through), "direction": _pair(line.direction)} if line else None,
+        "return_circle": _circle(seen.returning) if seen.returning else None,
+        "points": {name: _point(carried) for name, carried in seen.points.items()},
+    }
+
+
+def _point(carried: CarriedPoint) -> dict[str, Plain]:
+    straight = cmath.isinf(carried.centre)
+    return {
+        "at": _pair(carried.place),
+        "velocity": _pair(carried.velocity),
+        "acceleration": _pair(carried.acceleration),
+        "centre": "infinity" if straight else _pair(carried.centre),
+        "radius": None if straight or cmath.isnan(carried.centre) else carried.radius,
+    }
+
+
+def _circle(circle: Circle) -> dict[str, Plain]:
+    return {"centre": _pair(circle.centre), "radius": circle.radius}
+
+
+def _pair(value: complex | None) -> list[float] | None:
+    """[x, y]; None for nothing, and for what is nowhere."""
+    if value is None or not cmath.isfinite(value):
+        return None
+    return [value.real + 0.0, value.imag + 0.0]

@@ -15,20 +15,10 @@ from itertools import permutations
 
 import numpy as np
 
-from graphkin.base.geometry import cross
+from graphkin.base.geometry import cross, number
 from graphkin.base.value import frozen
-from graphkin.construction.drafting import (
-    INFINITE,
-    Board,
-    CarriedAngle,
-    Drafting,
-    DraftMeet,
-    Far,
-    Pricked,
-    Stage,
-    Through,
-    replay,
-)
+from graphkin.construction.drafting import INFINITE, Board, replay
+from graphkin.construction.drafting.steps import CarriedAngle, Drafting, DraftMeet, Far, Pricked, Stage, Through
 from graphkin.errors.centring import NoBobillier
 from graphkin.model.mechanism import FRAME
 from graphkin.studies.centres.about import About
@@ -40,7 +30,7 @@ class Guided:
     """A point of the link whose path's centre of curvature is known: a pivot, or at infinity across a guide.
 
     centre  homogeneous (3,) [m]; written  the centre's letter
-    measured  the centre was found from velocity and acceleration, nothing guides the point itself
+    measured  the centre is that of velocity and acceleration, nothing guides the point itself
     pivoted  the centre is a point of the mechanism
     """
 
@@ -54,7 +44,7 @@ class Guided:
 
 @frozen
 class Bobillier:
-    """The construction, and the letters of what it gives.
+    """The construction, and the letters of its points.
 
     guides   the two points it starts from
     point, answer  the point and its centre of curvature; pole, crossings: the letters of P, and of Q and the second Q
@@ -78,13 +68,27 @@ class Bobillier:
         return complex(self.board.at(self.answer))
 
 
-# --- which points are guided ------------------------------------------------------------------
+# --- guided points ----------------------------------------------------------------------------
 
 
 def guided(seen: About) -> list[Guided]:
     """Points of the link that a pivoted link, a fixed guide or a wheel on a fixed track leads; then measured ones."""
-    found = {entry.point: entry for entry in (*_led(seen), *_measured(seen))}
-    return sorted(found.values(), key=lambda entry: entry.measured)
+    led = {entry.point: entry for entry in _led(seen)}
+    machine, points = seen.found.method.mechanism, dict(led)
+    for point in machine.links[seen.link].points:
+        if point not in led and point in seen.plot.position:
+            carried = seen.carried(complex(seen.plot.position[point]))
+            centre = _infinite(1j * carried.velocity) if np.isinf(carried.centre) else _finite(carried.centre)
+            points[point] = Guided(point, f"{point}0", carried.place, centre, measured=True)
+    return sorted(points.values(), key=lambda entry: entry.measured)
+
+
+def _finite(place: complex) -> tuple[float, float, float]:
+    return place.real, place.imag, 1.0
+
+
+def _infinite(direction: complex) -> tuple[float, float, float]:
+    return direction.real, direction.imag, 0.0
 
 
 def _led(seen: About) -> Iterator[Guided]:
@@ -95,8 +99,7 @@ def _led(seen: About) -> Iterator[Guided]:
                 yield Guided(point, written or f"{point}0", complex(position[point]), centre, pivoted=bool(written))
     for slide in machine.slides:
         if slide.guide == FRAME and slide.point in machine.links[seen.link].points:
-            across = 1j * complex(seen.plot.guide_direction(slide.name))
-            centre = across.real, across.imag, 0.0
+            centre = _infinite(1j * complex(seen.plot.guide_direction(slide.name)))
             yield Guided(slide.point, f"{slide.point}0", complex(position[slide.point]), centre)
 
 
@@ -109,28 +112,9 @@ def _leads(seen: About) -> Iterator[tuple[str, str, tuple[float, float, float]]]
             continue
         link = next(name for name in links if name != FRAME)
         if isinstance(step, Pricked) and stage.say == "hinge" and step.point in plot.position:
-            pivot = complex(plot.position[step.point])
-            yield link, step.point, (pivot.real, pivot.imag, 1.0)
+            yield link, step.point, _finite(complex(plot.position[step.point]))
         elif isinstance(step, Far):
-            across = 1j * complex(plot.guide_direction(step.line))
-            yield link, "", (across.real, across.imag, 0.0)
-
-
-def _measured(seen: About) -> Iterator[Guided]:
-    """The link's other points, their centres from velocity and acceleration."""
-    machine = seen.found.method.mechanism
-    led = {entry.point for entry in _led(seen)}
-    for point in machine.links[seen.link].points:
-        if point in led or point not in seen.plot.position:
-            continue
-        carried = seen.carried(complex(seen.plot.position[point]))
-        across = 1j * carried.velocity
-        centre = (across.real, across.imag, 0.0) if np.isinf(carried.centre) else _finite(carried.centre)
-        yield Guided(point, f"{point}0", carried.place, centre, measured=True)
-
-
-def _finite(place: complex) -> tuple[float, float, float]:
-    return place.real, place.imag, 1.0
+            yield link, "", _infinite(1j * complex(plot.guide_direction(step.line)))
 
 
 # --- the construction -------------------------------------------------------------------------
@@ -142,36 +126,20 @@ def bobillier(seen: About, point: str | complex) -> Bobillier:
     Raises NoBobillier where the pole is a fixed point or at infinity, where the link is at rest or the point at the
     pole, and where the guided points lie on one ray.
     """
-    letters = _Letters(seen)
-    place = complex(seen.plot.position[point]) if isinstance(point, str) else complex(point)
-    letter = point if isinstance(point, str) else letters.free("C")
-    _refuse(seen, place)
-    first, second = (replace(entry, written=letters.of_centre(entry)) for entry in _pair(seen, place))
-    known = {entry.point: _finite(entry.place) for entry in (first, second)} | {letter: _finite(place)}
-    known |= {first.written: first.centre, second.written: second.centre}
-    pole, q, qc, answer = (letters.free(name) for name in ("P", "Q", f"Q_{letter}", f"K_{letter}"))
-    stages = tuple(_stages(first, second, letter, pole, (q, qc), answer))
-    return Bobillier(Drafting({}, stages, known), (first, second), letter, pole, (q, qc), answer)
+    owners = seen.found.method.mechanism.owners
 
-
-@frozen
-class _Letters:
-    """Letters that no point of the mechanism has."""
-
-    seen: About
-
-    def free(self, letter: str) -> str:
-        """The letter, or with primes."""
-        while letter in self.seen.found.method.mechanism.owners:
+    def free(letter: str) -> str:
+        """The letter, with primes where a point of the mechanism has it."""
+        while letter in owners:
             letter += "'"
         return letter
 
-    def of_centre(self, entry: Guided) -> str:
-        """A pivot keeps its own letter."""
-        return entry.written if entry.pivoted else self.free(entry.written)
+    def lettered(entry: Guided) -> Guided:
+        """A guided point; a pivot keeps its own letter."""
+        return entry if entry.pivoted else replace(entry, written=free(entry.written))
 
-
-def _refuse(seen: About, place: complex) -> None:
+    place = complex(seen.plot.position[point]) if isinstance(point, str) else complex(point)
+    letter = point if isinstance(point, str) else free("C")
     reason = ""
     if seen.diameter is None:
         reason = "translation" if seen.moves else "rest"
@@ -181,28 +149,33 @@ def _refuse(seen: About, place: complex) -> None:
         reason = "cusp"
     if reason:
         raise NoBobillier(seen.found.method.mechanism.where("links", seen.link), seen.called, reason)
+    first, second = map(lettered, _pair(seen, place))
+    points = {entry.point: _finite(entry.place) for entry in (first, second)} | {letter: _finite(place)}
+    points |= {first.written: first.centre, second.written: second.centre}
+    pole, q, qc, answer = (free(name) for name in ("P", "Q", f"Q_{letter}", f"K_{letter}"))
+    stages = tuple(_stages(first, second, letter, pole, (q, qc), answer))
+    return Bobillier(Drafting({}, stages, points), (first, second), letter, pole, (q, qc), answer)
 
 
 def _pair(seen: About, place: complex) -> tuple[Guided, Guided]:
-    """Two guided points on different rays, the first on another ray than the point; guides before measured ones."""
+    """Two guided points on different rays, the first on another ray than the point; guides before measured ones.
+
+    Rays are far from being one, and the first point far from the pole, where its lines would say nothing.
+    """
     near = INFINITE * seen.size
     able = [entry for entry in guided(seen) if abs(entry.place - seen.pole) > near or not entry.measured]
+    out = (place - seen.pole) / abs(place - seen.pole)
     best: tuple[tuple[bool, float], tuple[Guided, Guided]] | None = None
     for first, second in permutations(able, 2):
-        clear = _clear(seen, first, second, place)
+        ray = _ray(first)
+        rays = abs(number(cross(ray, _ray(second)))), abs(number(cross(ray, out)))
+        clear = min(*rays, abs(first.place - seen.pole) / seen.size)
         worth = not (first.measured or second.measured), round(min(clear, 0.3), 6)
         if clear > CLEAR and (best is None or worth > best[0]):
             best = worth, (first, second)
     if best is None:
         raise NoBobillier(seen.found.method.mechanism.where("links", seen.link), seen.called, "line")
     return best[1]
-
-
-def _clear(seen: About, first: Guided, second: Guided, place: complex) -> float:
-    """How far the rays are from being one, and the first point from the pole, where its lines would say nothing."""
-    out = (place - seen.pole) / abs(place - seen.pole)
-    rays = abs(cross(_ray(first), _ray(second))), abs(cross(_ray(first), out))
-    return float(min(*rays, abs(first.place - seen.pole) / seen.size))
 
 
 def _ray(entry: Guided) -> complex:

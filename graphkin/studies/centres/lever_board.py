@@ -10,7 +10,7 @@ from functools import cached_property
 from math import copysign, nan
 from typing import Literal
 
-from graphkin.base.geometry import unit
+from graphkin.base.geometry import Value, number, unit
 from graphkin.base.value import Lazy, frozen
 from graphkin.construction.drafting import Board, DraftMeasure, MeasureAngle, Pricked, Reckon, Stage, Step, draw
 from graphkin.model.kinematic_state import Motions
@@ -24,7 +24,7 @@ SCALE = "scale"
 
 @frozen
 class BoardNumber:
-    """What a number on the board is the size of.
+    """The quantity of which a number on the board is the size.
 
     kind   "omega" of a link, "against": of a link that turns against another, "speed" of a link that does not turn,
            "velocity" of a point, or of one against another, "slide": the speed of a driven slide, "length" on paper
@@ -62,14 +62,15 @@ class Sense:
     of: str
     angles: tuple[str, ...] = ()
 
-    def step(self, number: str) -> Reckon:
+    def step(self, name: str) -> Reckon:
+        """The step that gives the sense of a number."""
         rule = ("same", "sense", "sense of sines")[len(self.angles)]
-        return Reckon(_sense(number), rule, (_sense(self.of), *self.angles))
+        return Reckon(_sense(name), rule, (_sense(self.of), *self.angles))
 
 
-def _sense(number: str) -> str:
+def _sense(name: str) -> str:
     """The number that is another's sense."""
-    return f"sense of {number}"
+    return f"sense of {name}"
 
 
 @dataclass
@@ -81,7 +82,7 @@ class LeverBoard:
 
     scale    of the drawing from which lengths are taken [m/mm]; 0 without paper: lengths [m]
     turning  links with known motion; whether each turns
-    meant    what each number is
+    meant    the quantity behind each number
     letters  points of the mechanism by their names on the board
     stages   all that was done
     """
@@ -106,28 +107,28 @@ class LeverBoard:
 
     @cached_property
     def board(self) -> Board:
-        """The centres' board; a ruler reads millimetres of paper on it."""
-        found = self.found.board
-        board = Board(found.origin, found.size, found.underlay, dict(found.points))
-        return replace(board, read=self._read) if self.scale else board
+        """The centres' board; a ruler reads millimetres of paper on it, and nothing for what is only rounding."""
+        base = self.found.board
+        board = Board(base.origin, base.size, base.underlay, dict(base.points))
+
+        def read(length: Value) -> float:
+            return number(length) / self.scale if number(length) > NEAR * self.size else 0.0
+
+        return replace(board, read=read) if self.scale else board
 
     @cached_property
     def size(self) -> float:
         places = [complex(place) for place in self.found.plot.position.values()]
         return max(abs(place - places[0]) for place in places) or 1.0
 
-    def _read(self, length: float) -> float:
-        """What a ruler reads [mm]; nothing for what is only rounding."""
-        return length / self.scale if length > NEAR * self.size else 0.0
-
-    # --- what is known --------------------------------------------------------------------------
+    # --- numbers --------------------------------------------------------------------------------
 
     def rate(self, link: str) -> str:
         """The number that is known of a link: its angular velocity, or its speed."""
         return f"{'omega' if self.turning[link] else 'speed'} {link}"
 
     def value(self, link: str) -> float:
-        return float(self.board.numbers[self.rate(link)])
+        return number(self.board.numbers[self.rate(link)])
 
     def omega(self, link: str) -> float:
         """Angular velocity with its sense [rad/s]; 0 for a link that does not turn, NaN for one that is not known."""
@@ -139,9 +140,9 @@ class LeverBoard:
         """The same of a link, or of one against another."""
         return self._with_sense(f"{rate.kind} {rate.of} {rate.other}".rstrip())
 
-    def _with_sense(self, number: str) -> float:
-        size = float(self.board.numbers[number])
-        return copysign(size, float(self.board.numbers[_sense(number)])) if size else 0.0
+    def _with_sense(self, name: str) -> float:
+        size = number(self.board.numbers[name])
+        return copysign(size, number(self.board.numbers[_sense(name)])) if size else 0.0
 
     def way(self, link: str) -> complex:
         """The direction in which a link moves that does not turn (unit vector)."""
@@ -167,33 +168,34 @@ class LeverBoard:
 
     def moved(self, velocity: BoardNumber, link: str) -> complex:
         """Velocity of a point of a link [m/s], or of one point against another."""
-        found = self.motions.velocity_at(velocity.of, link)
-        return complex(found - self.motions.velocity_at(velocity.other, link) if velocity.other else found)
+        motions = self.motions
+        first = motions.velocity_at(velocity.of, link)
+        return complex(first - motions.velocity_at(velocity.other, link) if velocity.other else first)
 
     def velocity(self, point: str, link: str) -> complex:
         """Velocity of a point of a link [m/s], of the length that was worked out by `of_point`."""
-        size = float(self.board.numbers[f"velocity {point} {link}"])
+        size = number(self.board.numbers[f"velocity {point} {link}"])
         return complex(size * unit(self._velocity(point, link))) if size else 0j
 
     def know(self, name: str, meant: BoardNumber, value: float) -> str:
-        """A number that is given."""
+        """Put a given number on the board; returns its name."""
         self.board.numbers |= {name: abs(value), _sense(name): copysign(1.0, value)}
         self.meant[name] = meant
         return name
 
     def move(self, link: str, turns: bool, value: float) -> None:
-        """The motion of a link is given."""
+        """Put the given motion of a link on the board."""
         name = self.becomes(link, turns)
         self.know(name, self.meant[name], value)
 
     def stands(self, link: str) -> bool:
-        """Whether a link is at rest for good: nothing can be carried on from it."""
+        """True for a link that is at rest for good: nothing can be carried on from it."""
         return not self.turning[link] and self.value(link) == 0.0
 
     # --- steps ----------------------------------------------------------------------------------
 
     def do(self, step: Step) -> str:
-        """A step towards the next sum."""
+        """Add a step towards the next sum; returns the name of what it makes."""
         self._steps.append(step)
         return step.name
 
@@ -231,9 +233,9 @@ class LeverBoard:
     def summed(
         self, say: str, base: str, link: str, name: str, rule: str, *of: str, sense: Sense | None = None
     ) -> Lever:
-        """A sum, and the sense of what it gives."""
-        carried = (sense.step(name),) if sense else ()
-        stage = Stage(say, (*self._steps, *carried, Reckon(name, rule, of)))
+        """Do a sum, after the steps that lead to it and the sense of what it gives."""
+        senses = (sense.step(name),) if sense else ()
+        stage = Stage(say, (*self._steps, *senses, Reckon(name, rule, of)))
         self._steps.clear()
         self.stages.append(stage)
         draw(stage, self.board)

@@ -7,19 +7,22 @@ Source: Sun Huan, 机械原理, section 3-2.2.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import cached_property
+import cmath
+import heapq
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass, field
 from itertools import pairwise
+from math import inf, isfinite, log10
 
+from graphkin.base.geometry import number
 from graphkin.construction.drafting import Far, Reckon, Stage, Traced
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
+from graphkin.studies.centres.instant_centres import Centres
 from graphkin.studies.centres.lever_board import NEAR, SCALE, BoardNumber, Lever, LeverBoard, Sense
-from graphkin.studies.centres.lever_paths import LeverPaths
 
 
 def driven_point(mechanism: Mechanism, driver: Driver) -> tuple[str, str, str]:
-    """The point that a driver slides, the link it is driven with, and the link that carries its way."""
+    """The point that a driver slides, the link it is driven with, and the link that carries its guide."""
     pair = mechanism.pair(driver.link)
     assert pair.path is not None
     point, track = pair.path.point, pair.path.line.link
@@ -29,9 +32,14 @@ def driven_point(mechanism: Mechanism, driver: Driver) -> tuple[str, str, str]:
 
 @dataclass
 class Levers(LeverBoard):
-    """What is given, and what is carried on from link to link."""
+    """Motions that are given, and those carried on from link to link.
 
-    # --- what is given --------------------------------------------------------------------------
+    costs   of levers between two links that were asked for
+    """
+
+    costs: dict[tuple[str, str], float] = field(default_factory=dict)
+
+    # --- given motions --------------------------------------------------------------------------
 
     def start(self, driver: Driver) -> list[Lever]:
         """The first motions, of the driven link or of the one it is driven from."""
@@ -53,7 +61,7 @@ class Levers(LeverBoard):
         if self.found.finite(FRAME, other) is None or self.found.finite(link, other) is None:
             name, sense = self.becomes(link), Sense(relative)
             return self.summed("against", other, link, name, "same", relative, sense=sense)
-        if abs(complex(self.found.place(FRAME, link) - self.found.place(FRAME, other))) <= NEAR * self.size:
+        if abs(complex(self.found.place(FRAME, link)) - complex(self.found.place(FRAME, other))) <= NEAR * self.size:
             return Lever(Stage("none", ()), other, link)
         arms = self.length(seat, shared), self.length(own, seat)
         name, sense = self.becomes(link), Sense(relative, (self.angle(seat, own, shared),))
@@ -87,19 +95,33 @@ class Levers(LeverBoard):
     # --- from link to link ------------------------------------------------------------------------
 
     def path(self, target: str) -> list[str] | None:
-        """The way to a link from those with known motion; None where no way leads there."""
+        """The links from one with known motion to a target, by the cheapest levers; None where nothing leads there."""
         if target in self.turning:
             return [target]
-        standing = {link for link in self.turning if self.stands(link)}
-        moving = [link for link in self.turning if link not in standing]
-        return self._paths.path(moving, standing, target)
+        resting = {link for link in self.turning if self.stands(link)}
+        return self._cheapest([link for link in self.turning if link not in resting], resting, target)
 
-    @cached_property
-    def _paths(self) -> LeverPaths:
-        return LeverPaths(self.found, self.size)
+    def _cheapest(self, moving: Collection[str], resting: Collection[str], target: str) -> list[str] | None:
+        """Dijkstra's search from links whose motion is known; from resting ones none is carried on."""
+        best, queue = dict.fromkeys(moving, 0.0), [(0.0, link, [link]) for link in moving]
+        heapq.heapify(queue)
+        while queue:
+            cost, base, path = heapq.heappop(queue)
+            if base == target:
+                return path
+            for link in self.mechanism.moving:
+                if link in path or link in resting:
+                    continue
+                if (base, link) not in self.costs:
+                    self.costs[base, link] = _cost(self.found, self.size, base, link)
+                total = cost + self.costs[base, link]
+                if total < best.get(link, inf):
+                    best[link] = total
+                    heapq.heappush(queue, (total, link, [*path, link]))
+        return None
 
     def along(self, path: list[str]) -> list[Lever]:
-        """What is worked out on the way to a link."""
+        """Work out the motion of each link on a path."""
         return [self._carry(base, link) for base, link in pairwise(path) if link not in self.turning]
 
     def _carry(self, base: str, link: str) -> Lever:
@@ -130,15 +152,13 @@ class Levers(LeverBoard):
         return self.summed(say, base, link, name, "rate", speed, arm, SCALE, sense=sense)
 
     def _triangle(self, base: str, link: str, known: str, across: str, other: str) -> Lever:
-        """Links that do not turn: each velocity, and that against each other, are at right angles to a centre's way.
+        """Links that do not turn: velocities, and that against each other, are at right angles to their centres' rays.
 
         known, across   the number of one of these velocities, and its centre; other: the third one's centre
         """
         angles = self.between(other, across), self.between(other, self.found.name(FRAME, link))
         name, sense = self.becomes(link, turns=False), Sense(known, angles)
         return self.summed("triangle", base, link, name, "sines", known, *angles, sense=sense)
-
-    # --- the motion of points -----------------------------------------------------------------
 
     def of_point(self, point: str, link: str) -> Lever:
         """v_E = omega P1jE mu_l, at right angles to P1jE."""
@@ -155,3 +175,57 @@ class Levers(LeverBoard):
         arm, name = self.length(self.pricked(second), self.pricked(first)), f"pair {first} {second}"
         self.meant[name] = BoardNumber("velocity", first, second)
         return self.summed("pair", link, link, name, "speed", omega, arm, SCALE)
+
+
+def _cost(centres: Centres, size: float, base: str, link: str) -> float:
+    """1 for a good lever, more for one that is very short or very long; infinite for none."""
+
+    def badness(first: complex, second: complex) -> float:
+        length = max(abs(first - second) / size, 1e-9)
+        return max(0.0, log10(0.1 / length)) + max(0.0, log10(length / 10))
+
+    if centres.together(base, link):
+        return 1.0
+    own, other, common = centres.finite(FRAME, base), centres.finite(FRAME, link), centres.finite(base, link)
+    if common is None:
+        if own is not None and other is not None:
+            return 1.0
+        if own is not None or other is not None or centres.together(FRAME, link):
+            return inf
+        # neither turns: the triangle of velocities closes where their directions differ
+        far, common_far = (number(centres.direction(*two)) for two in ((FRAME, link), (base, link)))
+        return 5.0 if abs(cmath.rect(1, far - common_far).imag) > 1e-3 else inf
+    if other is None:
+        return inf if own is None else 1.0 + badness(own, common)
+    if abs(other - common) < 1e-4 * size:
+        return inf
+    return 1.0 + badness(other, common) + (badness(own, common) if own is not None else 0.0)
+
+
+# --- exact motions ----------------------------------------------------------------------------
+
+
+def carried_through(centres: Centres, scale: float = 0.0) -> Levers:
+    """The motions of all links that levers reach, from the first driver that moves. scale: as of `Levers`."""
+    levers = Levers(centres, scale)
+    drivers = levers.mechanism.drivers
+    levers.start(next((driver for driver in drivers if driver.rate), drivers[0]))
+    for link in levers.mechanism.moving:
+        levers.along(levers.path(link) or [])
+    return levers
+
+
+def advantages(centres: Centres) -> dict[str, float]:
+    """Mechanical advantage of each link that turns with a frame hinge: its torque by the driver's, without losses.
+
+    Power in is power out, so it is omega of the driver by omega of the link: P1j Pij / P1i Pij turned over. Empty
+    where the driver does not turn.
+    """
+    levers, mechanism = carried_through(centres), centres.method.mechanism
+    driver = next((d for d in mechanism.drivers if d.rate), mechanism.drivers[0])
+    if driver.kind == "slide" or driver.from_link != FRAME or not isfinite(levers.omega(driver.link)):
+        return {}
+    hinged = {link for hinge in mechanism.hinges if FRAME in hinge.links for link in hinge.links} - {FRAME, driver.link}
+    omega = {link: levers.omega(link) for link in mechanism.moving if link in hinged}
+    least = 1e-9 * abs(driver.rate or 1.0)
+    return {link: levers.omega(driver.link) / rate for link, rate in omega.items() if abs(rate) > least}

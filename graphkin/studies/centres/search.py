@@ -19,31 +19,14 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plot, replay
-from graphkin.construction.drafting import (
-    Board,
-    Drafting,
-    DraftMeet,
-    Far,
-    LineStep,
-    Pricked,
-    Stage,
-    Through,
-    Traced,
-    draw,
-    ruled,
-)
+from graphkin.construction.drafting import Board, draw, ruled
 from graphkin.construction.drafting.projective import Homogeneous, product
+from graphkin.construction.drafting.steps import Drafting, DraftMeet, Far, LineStep, Pricked, Stage, Through, Traced
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
-from graphkin.studies.centres.underlay import (
-    CommonNormal,
-    board_over,
-    contact_name,
-    from_velocities,
-    normals,
-    pole_name,
-)
+from graphkin.studies.centres import underlay
+from graphkin.studies.centres.underlay import CommonNormal
 
 CLEAR = 1e-3
 """Two lines that are less than this far from being one give no centre."""
@@ -55,7 +38,7 @@ Pair = frozenset[str]
 
 @frozen
 class Centring:
-    """How the centres of a mechanism are found, one stage each, in an order in which every line is known in time.
+    """The stages by which the centres of a mechanism are found, in an order in which every line is known in time.
 
     A stage says "hinge", "contact" (wheels that roll on each other), "slide", "two lines" or "velocities".
 
@@ -92,40 +75,35 @@ def in_order(mechanism: Mechanism, links: Iterable[str]) -> list[str]:
     return sorted(links, key=lambda link: _by_number(mechanism.called(link)))
 
 
-def lines_to(mechanism: Mechanism, known: Mapping[Pair, str], pair: Iterable[str]) -> Iterator[LineStep]:
+def lines_to(mechanism: Mechanism, centres: Mapping[Pair, str], pair: Iterable[str]) -> Iterator[LineStep]:
     """Every line on which the centre of two links lies, through the centres that are known by their links."""
     first, second = in_order(mechanism, pair)
-    yield from (Traced(one.name, one.name) for one in normals(mechanism) if one.links == {first, second})
+    yield from (Traced(one.name, one.name) for one in underlay.normals(mechanism) if one.links == {first, second})
     for third in in_order(mechanism, mechanism.links):
-        one, other = known.get(frozenset((first, third))), known.get(frozenset((third, second)))
+        one, other = centres.get(frozenset((first, third))), centres.get(frozenset((third, second)))
         if one is not None and other is not None:
             yield Through(f"{one} {other}", one, other)
 
 
 def search(method: Method, plot: Plot) -> tuple[Centring, Plot, Board]:
-    """How all instant centres are found at the position of a plot, that plot in motion, and a board that holds them.
+    """The stages to all instant centres at the position of a plot, that plot in motion, and a board that holds them.
 
-    Two lines that give a centre are chosen well apart for this position.
+    Two lines that give a centre are chosen well apart for this position. All drivers move at 1 where none of them
+    moves: centres do not need a speed.
     """
-    plot = _moving(method, plot)
-    found = _CentreSearch(method, plot, board_over(method, plot))
-    found.run()
-    lines = {normal.name: normal for normal in normals(method.mechanism)}
-    centring = Centring(Drafting({}, tuple(found.stages)), found.links, lines, tuple(found.missing))
-    return centring, plot, found.board
-
-
-def _moving(method: Method, plot: Plot) -> Plot:
-    """The plot, with all drivers at 1 where none of them moves: centres do not need a speed."""
-    if any(driver.rate for driver in method.drivers):
-        return plot
-    facts = replace(plot.facts, rates=tuple(1.0 for _ in method.drivers))
-    return replay(method.velocity, replace(plot, facts=facts, velocity={}, omega={}, s_rate={}))
+    if not any(driver.rate for driver in method.drivers):
+        facts = replace(plot.facts, rates=tuple(1.0 for _ in method.drivers))
+        plot = replay(method.velocity, replace(plot, facts=facts, velocity={}, omega={}, s_rate={}))
+    state = _CentreSearch(method, plot, underlay.board_over(method, plot))
+    state.run()
+    lines = {normal.name: normal for normal in underlay.normals(method.mechanism)}
+    centring = Centring(Drafting({}, tuple(state.stages)), state.links, lines, tuple(state.missing))
+    return centring, plot, state.board
 
 
 @dataclass
 class _CentreSearch:
-    """Centres found so far, by their pair of links.
+    """The centres of a search so far, by their pair of links.
 
     count   of centres that are known, by link
     tried   how many of its two links were known when a pair was last tried, and how clear its lines had to be
@@ -137,7 +115,7 @@ class _CentreSearch:
     board: Board
     stages: list[Stage] = field(default_factory=list)
     links: dict[str, tuple[str, str]] = field(default_factory=dict)
-    known: dict[Pair, str] = field(default_factory=dict)
+    centres: dict[Pair, str] = field(default_factory=dict)
     count: Counter[str] = field(default_factory=Counter)
     tried: dict[tuple[Pair, float], int] = field(default_factory=dict)
     lines: dict[Pair, dict[str, Homogeneous]] = field(default_factory=dict)
@@ -152,11 +130,12 @@ class _CentreSearch:
 
     @property
     def missing(self) -> list[tuple[str, str]]:
-        return [pair for pair in combinations(self.names, 2) if frozenset(pair) not in self.known]
+        return [pair for pair in combinations(self.names, 2) if frozenset(pair) not in self.centres]
 
     def run(self) -> None:
+        """All centres: by definition, then rounds of lines, and one from velocities where a round brings nothing."""
         for pair, stage in self._by_definition():
-            if pair not in self.known:
+            if pair not in self.centres:
                 self.take(pair, stage)
         left: set[tuple[str, str]] = set()
         while any(pair not in left for pair in self.missing):
@@ -164,73 +143,69 @@ class _CentreSearch:
                 return
 
     def take(self, pair: Pair, stage: Stage) -> None:
+        """Draw a stage; the centre that it gives is known from now on."""
         draw(stage, self.board)
         self.stages.append(stage)
-        self.known[pair] = stage.last.name
+        self.centres[pair] = stage.last.name
         self.count.update(pair)
         self.lines.pop(pair, None)
         first, second = in_order(self.mechanism, pair)
         self.links[stage.last.name] = first, second
 
-    def named(self, pair: Pair) -> str:
-        first, second = pair
-        return centre_name(self.mechanism, first, second)
-
-    # --- by definition ------------------------------------------------------------------------
-
     def _by_definition(self) -> Iterator[tuple[Pair, Stage]]:
         """Hinges, sliding pairs, and contacts without sliding."""
-        for hinge in self.mechanism.hinges:
-            for two in map(frozenset, combinations(hinge.links, 2)):
-                yield two, Stage("hinge", (Pricked(self.named(two), hinge.point),))
-        for slide in self.mechanism.slides:
+        machine = self.mechanism
+        for hinge in machine.hinges:
+            for two in combinations(hinge.links, 2):
+                yield frozenset(two), Stage("hinge", (Pricked(centre_name(machine, *two), hinge.point),))
+        for slide in machine.slides:
             if slide.block is not None:
-                two = frozenset((slide.guide, slide.block))
-                yield two, Stage("slide", (Traced(slide.name, slide.name), Far(self.named(two), slide.name)))
+                name = centre_name(machine, slide.guide, slide.block)
+                stage = Stage("slide", (Traced(slide.name, slide.name), Far(name, slide.name)))
+                yield frozenset((slide.guide, slide.block)), stage
         for contact in self.method.structure.contacts:
-            two = frozenset(contact.wheels)
-            yield two, Stage("contact", (Pricked(self.named(two), contact_name(contact)),))
+            first, second = contact.wheels
+            name = centre_name(machine, first, second)
+            yield frozenset((first, second)), Stage("contact", (Pricked(name, underlay.contact_name(contact)),))
 
-    # --- Kennedy's lines ----------------------------------------------------------------------
+    def _joined(self, pair: Iterable[str]) -> int:
+        """The number of known centres of either of two links."""
+        return sum(self.count[link] for link in pair)
 
     def _round(self, clear: float) -> bool:
-        """One round over the missing centres; whether any was found."""
-        found = False
+        """One round of Kennedy's lines over the missing centres; true if it gave any.
+
+        A pair is tried again only where more centres of its links are known than before.
+        """
+        any_new = False
         for two in self.missing:
             pair = frozenset(two)
-            if self._has_new_lines(pair, clear) and (stage := self._on_two_lines(pair, clear)) is not None:
+            before, now = self.tried.get((pair, clear)), self._joined(pair)
+            self.tried[pair, clear] = now
+            if before != now and (stage := self._on_two_lines(pair, clear)) is not None:
                 self.take(pair, stage)
-                found = True
-        return found
-
-    def _has_new_lines(self, pair: Pair, clear: float) -> bool:
-        """Whether it may be found now, though it was not before: there are more centres of its links."""
-        before, now = self.tried.get((pair, clear)), self._joined(pair)
-        self.tried[pair, clear] = now
-        return before != now
+                any_new = True
+        return any_new
 
     def _on_two_lines(self, pair: Pair, clear: float) -> Stage | None:
         """The two lines that are farthest from being one; the first two, where several are clear."""
-        lines = [(line, self._ruled(pair, line)) for line in lines_to(self.mechanism, self.known, pair)]
-        lines = [(line, place) for line, place in lines if np.isfinite(place).all()]
+        ruled_lines = self.lines.setdefault(pair, {})
+        lines = []
+        for line in lines_to(self.mechanism, self.centres, pair):
+            if line.name not in ruled_lines:
+                ruled_lines[line.name] = ruled(line, self.board)
+            if np.isfinite(ruled_lines[line.name]).all():
+                lines.append(line)
         if len(lines) < 2:
             return None
         first, second = np.triu_indices(len(lines), 1)
-        places = np.array([place for _, place in lines]).T
+        places = np.array([ruled_lines[line.name] for line in lines]).T
         apart = np.linalg.norm(product(places[:, first], places[:, second]), axis=0)
         best = int(np.argmax(np.where(apart > clear, np.minimum(apart, 0.3), 0.0)))
         if not apart[best] > clear:
             return None
-        one, other = lines[first[best]][0], lines[second[best]][0]
-        return Stage("two lines", (one, other, DraftMeet(self.named(pair), one.name, other.name)))
-
-    def _ruled(self, pair: Pair, line: LineStep) -> Homogeneous:
-        drawn = self.lines.setdefault(pair, {})
-        if line.name not in drawn:
-            drawn[line.name] = ruled(line, self.board)
-        return drawn[line.name]
-
-    # --- from velocities ----------------------------------------------------------------------
+        one, other = lines[first[best]], lines[second[best]]
+        return Stage("two lines", (one, other, DraftMeet(centre_name(self.mechanism, *pair), one.name, other.name)))
 
     def _pole(self, left: set[tuple[str, str]]) -> bool:
         """One centre from velocities, of the pair that most lines wait for; pairs without relative motion are left."""
@@ -238,15 +213,11 @@ class _CentreSearch:
         waiting.sort(key=lambda pair: (FRAME not in pair, -self._joined(pair)))
         motions = readings(self.method, self.plot)
         for pair in waiting:
-            place = from_velocities(self.board, motions, *pair)
+            place = underlay.from_velocities(self.board, motions, *pair)
             if np.isfinite(place).all():
-                self.board.underlay.points[pole_name(*pair)] = place
-                centre = self.named(frozenset(pair))
-                self.take(frozenset(pair), Stage("velocities", (Pricked(centre, pole_name(*pair)),)))
+                pole = underlay.pole_name(*pair)
+                self.board.underlay.points[pole] = place
+                self.take(frozenset(pair), Stage("velocities", (Pricked(centre_name(self.mechanism, *pair), pole),)))
                 return True
             left.add(pair)
         return False
-
-    def _joined(self, pair: Iterable[str]) -> int:
-        """How many centres of either of two links are known."""
-        return sum(self.count[link] for link in pair)

@@ -1,4 +1,4 @@
-"""The pole of a body from the velocities of two of its points: the three ways of the textbook.
+"""The pole of a body from the velocities of two of its points: the three constructions of the textbook.
 
 Source: course notes on instant centres; Sun Huan, 机械原理, section 3-2.2; velocity projection theorem.
 """
@@ -10,11 +10,11 @@ import re
 from collections.abc import Sequence
 from typing import Literal
 
-from graphkin.base.geometry import cross, dot
+from graphkin.base.geometry import cross, dot, number
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, Where
 from graphkin.errors.centring import BadVelocities, NotOneBody, OnePlace
-from graphkin.files.values import read_quantity
+from graphkin.files.units import read_quantity
 
 Case = Literal["meet", "infinity", "similar", "point", "rest"]
 
@@ -28,8 +28,8 @@ PARALLEL = 1e-6
 class TwoVelocities:
     """A body's pole, from two points [m] and their velocities [m/s].
 
-    case   how it is found: perpendiculars "meet"; equal and parallel velocities: at "infinity"; parallel and unequal
-           ones: "similar" triangles; one "point" stands still and is the pole; both are at "rest", no pole is seen
+    case   of the construction: perpendiculars "meet"; velocities equal and parallel: at "infinity"; parallel and
+           unequal: "similar" triangles; one "point" stands still and is the pole; both are at "rest", no pole is seen
     place  the pole [m]; infinite at infinity, NaN at rest
     omega  angular velocity [rad/s]
     """
@@ -43,7 +43,7 @@ class TwoVelocities:
 
     @property
     def direction(self) -> float | None:
-        """Where the pole lies if it is at infinity [rad], in (-pi/2, pi/2]; None where it is not."""
+        """Direction of a pole at infinity [rad], in (-pi/2, pi/2]; None where it is not."""
         if self.case != "infinity":
             return None
         angle = cmath.phase(1j * self.velocities[0])
@@ -72,25 +72,23 @@ def pole_of(
     if abs(b - a) <= 1e-12 * max(abs(a), abs(b), 1e-9):
         raise OnePlace(where, first, second)
     along, fastest = (b - a) / abs(b - a), max(abs(va), abs(vb))
-    one, other = float(dot(along, va)), float(dot(along, vb))
+    one, other = number(dot(along, va)), number(dot(along, vb))
     if abs(one - other) > RIGID * fastest:
         raise NotOneBody(where, first, second, one, other)
-    omega = float(cross(along, vb - va)) / abs(b - a)
+    omega = number(cross(along, vb - va)) / abs(b - a)
     if abs(vb - va) <= PARALLEL * fastest:
         omega = 0.0
     place = a + 1j * va / omega if omega else complex(cmath.inf if fastest else cmath.nan)
-    return TwoVelocities((first, second), (a, b), (va, vb), _case(va, vb, omega), place, omega)
-
-
-def _case(va: complex, vb: complex, omega: float) -> Case:
-    fastest = max(abs(va), abs(vb))
+    case: Case = "meet"
     if fastest == 0:
-        return "rest"
-    if omega == 0:
-        return "infinity"
-    if min(abs(va), abs(vb)) <= PARALLEL * fastest:
-        return "point"
-    return "similar" if abs(cross(va, vb)) <= PARALLEL * abs(va) * abs(vb) else "meet"
+        case = "rest"
+    elif omega == 0:
+        case = "infinity"
+    elif min(abs(va), abs(vb)) <= PARALLEL * fastest:
+        case = "point"
+    elif abs(number(cross(va, vb))) <= PARALLEL * abs(va) * abs(vb):
+        case = "similar"
+    return TwoVelocities((first, second), (a, b), (va, vb), case, place, omega)
 
 
 def from_text(text: str) -> TwoVelocities:
@@ -113,14 +111,15 @@ def _entry(entry: str, text: str) -> tuple[str, complex, complex]:
     if words is None:
         raise BadVelocities(WHERE, text)
     try:
-        x, y = (read_quantity(_number(word), "length") for word in words.groups()[1:3])
-        across, up = (read_quantity(_number(word), "velocity") for word in words.groups()[3:])
+        x, y = (read_quantity(_without_unit(word), "length") for word in words.groups()[1:3])
+        across, up = (read_quantity(_without_unit(word), "velocity") for word in words.groups()[3:])
     except GraphkinError as error:
         raise error.at(WHERE) from None
     return words[1], complex(x, y), complex(across, up)
 
 
-def _number(word: str) -> float | str:
+def _without_unit(word: str) -> float | str:
+    """The number, where a word is one; a word with a unit as it stands."""
     try:
         return float(word)
     except ValueError:

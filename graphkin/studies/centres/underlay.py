@@ -1,4 +1,4 @@
-"""What lies under the board on which centres are found: the mechanism at its position, or at many at once.
+"""The drawing under the board on which centres are found: the mechanism at its position, or at many at once.
 
 Its points are pricked through: hinges, contacts, and the poles of links whose velocities are known. Its lines are
 traced: guides, and the common normals of profiles that touch.
@@ -7,7 +7,6 @@ traced: guides, and the common normals of profiles that touch.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -27,18 +26,18 @@ from graphkin.planning.equivalent import Contact
 
 
 def contact_name(contact: Contact) -> str:
-    """What the point is called in which wheels touch; no point of a mechanism has a name of two words."""
+    """The board's name of the point in which wheels touch; no point of a mechanism has a name of two words."""
     return f"contact {contact.name}"
 
 
 def pole_name(first: str, second: str) -> str:
-    """What the pole of two links from velocities is called."""
+    """The board's name of the pole of two links that is taken from velocities."""
     return f"pole {first} {second}"
 
 
 @frozen
 class CommonNormal:
-    """The common normal of two links that touch and slide in a pair, and what it is called."""
+    """The common normal of two links that touch and slide in a pair, by its name on the board."""
 
     name: str
     pair: Pair
@@ -48,9 +47,19 @@ class CommonNormal:
 
 def board_over(method: Method, plot: Plot) -> Board:
     """An empty board over a plot; its coordinates are counted from a fixed point, in the mechanism's longest reach."""
-    board = Board(*_axes(plot))
+    shapes, frame = plot.facts.shapes, plot.facts.frame
+    fixed = next(iter(shapes[frame].values()), 0j)
+    reaches = [abs(place - fixed) for place in shapes[frame].values()]
+    reaches += [abs(place) for link, shape in shapes.items() if link != frame for place in shape.values()]
+    board = Board(fixed, max(reaches) or 1.0)
     points = {name: board.seen(place) for name, place in plot.position.items()}
-    points |= {contact_name(one): board.seen(touch(_touch(one), plot)) for one in method.structure.contacts}
+    for contact in method.structure.contacts:
+        first, second = contact.centres
+        if contact.slide:
+            touching = Touch("", second, slide=contact.slide, offset=-contact.radii[1])
+        else:
+            touching = Touch("", first, second, contact.radii[0] / sum(contact.radii))
+        points[contact_name(contact)] = board.seen(touch(touching, plot))
     lines = {name: board.sloping(board.origin, plot.guide_direction(name)) for name in plot.facts.lines}
     for one in normals(method.mechanism):
         lines[one.name] = board.sloping(plot.position[one.line.through], plot.direction(one.line.direction))
@@ -58,55 +67,33 @@ def board_over(method: Method, plot: Plot) -> Board:
     return board
 
 
-def _axes(plot: Plot) -> tuple[complex, float]:
-    shapes, frame = plot.facts.shapes, plot.facts.frame
-    fixed = next(iter(shapes[frame].values()), 0j)
-    reaches = [abs(place - fixed) for place in shapes[frame].values()]
-    reaches += [abs(place) for link, shape in shapes.items() if link != frame for place in shape.values()]
-    return fixed, max(reaches) or 1.0
-
-
-def _touch(contact: Contact) -> Touch:
-    """Where two wheels touch, or a wheel and its track."""
-    first, second = contact.centres
-    if contact.slide:
-        return Touch("", second, slide=contact.slide, offset=-contact.radii[1])
-    return Touch("", first, second, contact.radii[0] / sum(contact.radii))
-
-
 def normals(mechanism: Mechanism) -> Iterator[CommonNormal]:
     """The common normals of profiles that touch and slide: of cams, and of pins in slots."""
-    for k, normal in enumerate(_normals(mechanism)):
-        yield replace(normal, name=f"normal {k}")
-
-
-def _normals(mechanism: Mechanism) -> Iterator[CommonNormal]:
+    lines: list[tuple[Pair, tuple[str, str], Ray]] = []
     for pair in mechanism.pairs:
         match pair.slipping:
             case None:
                 pass
             case Rod(_, (first, second)):
-                for two in product(mechanism.owners[first], mechanism.owners[second]):
-                    if two[0] != two[1]:
-                        yield CommonNormal("", pair, frozenset(two), Ray(first, Along(first, second)))
-            case Slot(line, point):
-                for link in mechanism.owners[point]:
-                    yield CommonNormal("", pair, frozenset((line.link, link)), Ray(point, AcrossGuide(pair.name)))
-
-
-# --- from velocities --------------------------------------------------------------------------
+                owners = product(mechanism.owners[first], mechanism.owners[second])
+                lines += [(pair, two, Ray(first, Along(first, second))) for two in owners if two[0] != two[1]]
+            case Slot(guide, point):
+                across = Ray(point, AcrossGuide(pair.name))
+                lines += [(pair, (guide.link, link), across) for link in mechanism.owners[point]]
+    for k, (pair, links, line) in enumerate(lines):
+        yield CommonNormal(f"normal {k}", pair, frozenset(links), line)
 
 
 def from_velocities(board: Board, motions: Motions, first: str, second: str) -> Homogeneous:
-    """Where two links have one velocity; NaN where they do not move against each other.
+    """The place where two links have one velocity, homogeneous; NaN where they do not move against each other.
 
     Each position is judged by its own pace: one that is broken does not spoil the others.
     Source: theoretical mechanics, x_P = x_O - v_y / omega, y_P = y_O + v_x / omega of the relative motion.
     """
-    (one, turn), (other, turned) = (_motion(board, motions, link) for link in (first, second))
-    moving, turning = one - other, turn - turned
-    rates = motions.omega
-    pace = np.max(np.broadcast_arrays(*(np.abs(value) for value in rates.values())), axis=0) + np.abs(moving)
+    (one, turn), (other, other_turn) = (_motion(board, motions, link) for link in (first, second))
+    moving, turning = one - other, turn - other_turn
+    rates = [np.abs(value) for value in motions.omega.values()]
+    pace = np.max(np.broadcast_arrays(*rates), axis=0) + np.abs(moving)
     turning = np.where(np.abs(turning) <= STILL * pace, 0.0, turning)
     across = 1j * np.where((np.abs(moving) <= STILL * pace) & (turning == 0), 0.0, moving)
     return balanced(np.array(np.broadcast_arrays(np.real(across), np.imag(across), turning)))

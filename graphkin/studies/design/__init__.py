@@ -2,18 +2,15 @@
 
     rocker, slider, guide_bar              from the time ratio K and the output's limits
     coupler_positions, angle_pairs         through given positions
-    wanted values -> drafting.Construction -- drafting.replay --> Board -> Solution, judged by closed forms
+    conditions -> drafting.Drafting -- drafting.replay --> Board -> Solution, judged by closed forms
 
 Each returns a `Design`: all solutions, those that only seem to be some, and the family where a condition is free.
 """
 
-from graphkin.studies.design.guide import guide_bar
 from graphkin.studies.design.model import CentreArc, Design, Family, Reason, Solution
-from graphkin.studies.design.pairs import angle_pairs
-from graphkin.studies.design.poses import coupler_positions, hinges
-from graphkin.studies.design.proof import linkage_of, proof
-from graphkin.studies.design.rocker import rocker
-from graphkin.studies.design.slider import slider
+from graphkin.studies.design.passing import linkage_of, proof
+from graphkin.studies.design.positions import angle_pairs, coupler_positions, hinges
+from graphkin.studies.design.quick_return import guide_bar, rocker, slider
 
 __all__ = [
     "CentreArc", "Design", "Family", "Reason", "Solution", "angle_pairs", "coupler_positions", "guide_bar", "hinges",

@@ -1,4 +1,4 @@
-"""A design: what was wanted, the linkages that have it, those that only seem to, and the family they belong to.
+"""A design: the conditions, the linkages that meet them, those that only seem to, and the family they belong to.
 
 Lengths are those of the field: crank a, coupler (rod) b, rocker c, frame d, offset e. SI and radians.
 """
@@ -7,12 +7,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
+from graphkin.base.geometry import Array, Real
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import Board, Drafting, replay
+from graphkin.errors import OneCondition, WantedRange
 
 Kind = Literal["rocker", "slider", "guide-bar", "coupler", "angles"]
 Shape = Literal["four-bar", "slider-crank", "guide-bar"]
@@ -20,7 +22,7 @@ Shape = Literal["four-bar", "slider-crank", "guide-bar"]
 
 @frozen
 class Reason:
-    """Why a linkage is none, or what else is to be said of it: a key of the sentences, and the numbers in it."""
+    """A reason against a linkage, or a remark on it: a key of the sentences, and the numbers in it."""
 
     key: str
     data: tuple[tuple[str, float | str], ...] = ()
@@ -28,15 +30,15 @@ class Reason:
 
 @frozen
 class Solution:
-    """A linkage that was found.
+    """A linkage that a construction gives.
 
     a, b, c, d, e   crank, coupler, rocker, frame, offset [m]; None for a length the kind does not have
     places          A, B, C, D at a position fit to be drawn, as the construction has them [m]
-    limits          the construction's positions of (A, B, C, D): two limits, or the wanted positions
-    valid           it has what was wanted, and moves through it; why: what is against it; notes: what else to know
+    limits          the construction's positions of (A, B, C, D): two limits, or the given positions
+    valid           it meets the conditions, and moves through all positions; why: reasons against it; notes: remarks
     gamma_min       least transmission angle over all that the crank reaches [rad]
-    swing, stroke, theta, k   what it has, where it is a quick-return design [rad, m]
-    pace            which way the crank turns during the slow stroke from the first limit: 1 counter-clockwise
+    swing, stroke, theta, k   of a quick-return design [rad, m]
+    pace            sense of the crank during the slow stroke from the first limit: 1 counter-clockwise
     turn            direction of the guide (slider) or of the bar (guide bar) at `places` [rad]
     """
 
@@ -67,7 +69,7 @@ class Solution:
 
 @frozen
 class CentreArc:
-    """A part of a circle of crank centres: from one direction of its centre to another [rad], and what it is worth.
+    """A part of a circle of crank centres: from one direction of its centre to another [rad], and its worth by name.
 
     name   "admissible", "FG" (the limits lie on different branches), "minor" (the crank positions would differ by
            180 deg - theta)
@@ -80,7 +82,7 @@ class CentreArc:
 
 @frozen
 class Family:
-    """All linkages with the wanted K: crank centres A on one circle through C1, C2.
+    """All linkages with the given K: crank centres A on one circle through C1, C2.
 
     side        1: A on the rocker's side of C1C2 (below the slider's line), -1 beyond it
     centre, radius   of the circle [m]
@@ -94,25 +96,25 @@ class Family:
     centre: complex
     radius: float
     arcs: tuple[CentreArc, ...]
-    angle: Any
-    at: Any
-    a: Any
-    b: Any
-    d: Any
-    e: Any
-    gamma_min: Any
+    angle: Array
+    at: Array
+    a: Array
+    b: Array
+    d: Array | None
+    e: Array | None
+    gamma_min: Array
     best: tuple[float, float]
 
 
 @frozen
 class Design:
-    """What was asked for and what was found.
+    """The conditions of a design and the linkages that meet them.
 
-    given      the wanted values by name [m, rad]
-    solutions  linkages that meet them; those that miss the way from one position to the next are not `valid`
+    given      the conditions by name [m, rad]
+    solutions  linkages that meet them; those that cannot move from one position to the next are not `valid`
     rejected   points of the construction that look like solutions and are none, with the reason
-    families   where a condition was left free, or to show what is possible
-    why        why there is no solution, and what to change
+    families   where a condition was left free, or to show the possible ones
+    why        reasons why there is no solution, and what to change
     """
 
     kind: Kind
@@ -125,28 +127,51 @@ class Design:
     @property
     def best(self) -> Solution | None:
         """The solution to draw: a valid one before others, then the one with the largest least transmission angle."""
-        found = sorted(self.solutions, key=lambda one: (not one.valid, -(one.gamma_min or 0.0)))
-        return found[0] if found else None
+        return min(self.solutions, key=lambda one: (not one.valid, -(one.gamma_min or 0.0)), default=None)
 
 
-# --- transmission angles, scalars or arrays -----------------------------------------------------------
+# --- transmission angles ----------------------------------------------------------------------
 
 
-def folded_least(*cosines: Any) -> Any:
-    """The least of angles, each folded to 0..90 deg, from their cosines."""
-    greatest = np.max(np.abs(np.stack(np.broadcast_arrays(*cosines))), axis=0)
-    return np.arccos(np.minimum(greatest, 1.0))[()]
-
-
-def gamma_four(a: Any, b: Any, c: Any, d: Any) -> Any:
-    """Least transmission angle of a crank-rocker over a turn: with the crank in line with the frame."""
+def gamma_four(a: Real, b: Real, c: Real, d: Real) -> Real:
+    """Least transmission angle of a crank-rocker over a turn: with the crank in line with the frame [rad]."""
     with np.errstate(divide="ignore", invalid="ignore"):
         inner = (b * b + c * c - (d - a) ** 2) / (2 * b * c)
         outer = (b * b + c * c - (d + a) ** 2) / (2 * b * c)
-    return folded_least(inner, outer)
+    return np.arccos(np.minimum(np.maximum(np.abs(inner), np.abs(outer)), 1.0))[()]
 
 
-def gamma_slider(a: Any, b: Any, e: Any) -> Any:
-    """Least transmission angle of a slider-crank over a turn: with the crank at right angles to the guide, far side."""
+def gamma_slider(a: Real, b: Real, e: Real) -> Real:
+    """Least transmission angle of a slider-crank over a turn: with the crank at right angles to the guide [rad]."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return math.pi / 2 - np.arcsin(np.minimum((a + np.abs(e)) / b, 1.0))[()]
+
+
+# --- conditions -------------------------------------------------------------------------------
+
+
+def positive(**lengths: float | None) -> None:
+    """Raises WantedRange for a length that is not positive [m]."""
+    for name, value in lengths.items():
+        if value is not None and not (math.isfinite(value) and value > 0):
+            raise WantedRange(name, f"{value * 1e3:.6g} mm", "0 mm", "∞")
+
+
+def angle_within(name: str, value: float | None, high: float) -> None:
+    """Raises WantedRange for an angle not between 0 and `high` [rad]."""
+    if value is not None and not 0 < value < high:
+        raise WantedRange(name, f"{math.degrees(value):.6g}°", "0°", f"{math.degrees(high):g}°")
+
+
+def ratio_within(k: float, high: float = 3.0) -> None:
+    """Raises WantedRange for a time ratio outside 1 < K < high: at 1 there is no quick return, at 3 theta is 90 deg."""
+    if not 1 < k < high:
+        raise WantedRange("K", f"{k:g}", "1", f"{high:g}")
+
+
+def one_of(conditions: Mapping[str, float | None], least: int = 0) -> str:
+    """The one condition that has a value, "" where none has. Raises OneCondition for more, or fewer than `least`."""
+    names = [name for name, value in conditions.items() if value is not None]
+    if not least <= len(names) <= 1:
+        raise OneCondition(", ".join(names), ", ".join(conditions), "1" if least else "≤ 1")
+    return names[0] if names else ""

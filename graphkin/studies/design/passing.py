@@ -1,7 +1,7 @@
-"""Whether a four-bar moves from one wanted position to the next: assembly, circuit, dead points, order.
+"""A solution handed to the other road; a four-bar from one position to the next: assembly, circuit, dead points, order.
 
 A driven crank takes the linkage from one position to another where both have one assembly (C on the same side of BD)
-and the crank's way between them lies within what it reaches: then BC and CD are never in line on the way.
+and the crank's arc between them lies within its range: then BC and CD are never in line between them.
 """
 
 from __future__ import annotations
@@ -11,11 +11,11 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
-from graphkin.base.geometry import cross, meet_circles
+from graphkin.base.geometry import cross, meet_circles, number, place
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError
-from graphkin.studies.design.model import Reason
-from graphkin.studies.linkages import FourBar, Report, report
+from graphkin.studies.design.model import Reason, Solution
+from graphkin.studies.linkages import FourBar, GuideBar, Linkage, Report, SliderCrank, report
 
 _LINE = 1e-7
 """Sine of an angle that counts as none."""
@@ -27,33 +27,59 @@ _CLEAR = 0.1
 Positions = Sequence[Mapping[str, complex]]
 
 
+def linkage_of(solution: Solution) -> Linkage:
+    """The linkage of a solution, as it stands in the construction.
+
+    Raises OnlyStretched, CannotClose for lengths that cannot move (only for what is not valid).
+    """
+    at = solution.places
+    if solution.shape == "four-bar":
+        lengths = (solution.a, solution.b or 0.0, solution.c or 0.0, solution.d or 0.0)
+        return FourBar(*lengths, places=tuple(at[name] for name in "ABCD"))
+    places = tuple(at[name] for name in "ABC")
+    if solution.shape == "slider-crank":
+        return SliderCrank(solution.a, solution.b or 0.0, solution.e or 0.0, places=places, way=solution.turn)
+    return GuideBar(solution.a, solution.d or 0.0, solution.e or 0.0, places=places, turn=solution.turn)
+
+
+def proof(solution: Solution) -> Report:
+    """The report by lengths alone: swing, stroke, theta, K, transmission angle in closed form, without the drawing."""
+    return report(linkage_of(solution))
+
+
 @frozen
 class Passing:
-    """What becomes of the wanted positions. found: the linkage's report, None where it cannot move at all."""
+    """A four-bar judged by its positions. report: of the linkage, None where it cannot move at all."""
 
-    found: Report | None
+    report: Report | None
     why: tuple[Reason, ...]
     notes: tuple[Reason, ...]
 
 
 def passing(positions: Positions) -> Passing:
-    """Judge a four-bar by its wanted positions (A, B, C, D each), driven at AB."""
+    """Judge a four-bar by its given positions (A, B, C, D each), driven at AB."""
     try:
         bars = [_bar(places) for places in positions]
-        found = report(bars[0])
+        whole = report(bars[0])
     except GraphkinError:
         return Passing(None, (Reason("no links"),), ())
-    why = tuple(_against(positions, found))
-    notes = [Reason("kind", (("kind", found.kind), ("family", found.family)))]
-    notes += [] if found.grashof else [Reason("no Grashof")]
-    if not found.driver_range.full:
+    why = tuple(_against(positions, whole))
+    notes = [Reason("kind", (("kind", whole.kind), ("family", whole.family)))]
+    notes += [] if whole.grashof else [Reason("no Grashof")]
+    if not whole.driver_range.full:
         notes.append(Reason("crank rocks"))
-    if not why:
-        notes.append(_passed(positions, found))
+    if not why:  # all positions lie on one branch, and the crank comes to them in order, turning in one sense
+        angles = [cmath.phase(places["B"] - places["A"]) for places in positions]
+        if whole.driver_range.full:
+            left = sum((other - one) % math.tau for one, other in pairwise(angles)) < math.tau
+        else:
+            low = whole.driver_range.low - _EDGE
+            left = (angles[-1] - low) % math.tau > (angles[0] - low) % math.tau
+        notes.append(Reason("passed ccw" if left else "passed cw"))
     else:
-        turned = [{"A": p["D"], "B": p["C"], "C": p["B"], "D": p["A"]} for p in positions]
-        notes += [] if list(_against(turned, report(_bar(turned[0])))) else [Reason("drive at CD")]
-    return Passing(found, why, tuple(notes))
+        swapped = [{"A": p["D"], "B": p["C"], "C": p["B"], "D": p["A"]} for p in positions]
+        notes += [] if list(_against(swapped, report(_bar(swapped[0])))) else [Reason("drive at CD")]
+    return Passing(whole, why, tuple(notes))
 
 
 def _bar(places: Mapping[str, complex]) -> FourBar:
@@ -61,62 +87,50 @@ def _bar(places: Mapping[str, complex]) -> FourBar:
     return FourBar(abs(b - a), abs(c - b), abs(d - c), abs(d - a), places=(a, b, c, d))
 
 
-def _against(positions: Positions, found: Report) -> Iterator[Reason]:
-    """What is in the way, with the crank AB as driver."""
+def _against(positions: Positions, whole: Report) -> Iterator[Reason]:
+    """The reasons why the crank AB cannot drive it through all positions."""
     sides = [_side(places) for places in positions]
-    for number, side in enumerate(sides, start=1):
+    for count, side in enumerate(sides, start=1):
         if side == 0:
-            yield Reason("dead there", (("position", number),))
-    for number, (one, other) in enumerate(pairwise(sides), start=1):
+            yield Reason("dead there", (("position", count),))
+    for count, (one, other) in enumerate(pairwise(sides), start=1):
         if one * other < 0:
-            yield Reason("branch", (("first", number), ("second", number + 1)))
-    if found.driver_range.full or any(a * b <= 0 for a, b in pairwise(sides)):
+            yield Reason("branch", (("first", count), ("second", count + 1)))
+    if whole.driver_range.full or any(a * b <= 0 for a, b in pairwise(sides)):
         return
-    low, high = found.driver_range.low, found.driver_range.high
-    turned = [low - _EDGE + (cmath.phase(p["B"] - p["A"]) - low + _EDGE) % math.tau for p in positions]
-    for number, value in enumerate(turned, start=1):
-        if value > high + _EDGE:
-            yield Reason("circuit", (("position", number),))
+    low, high = whole.driver_range.low, whole.driver_range.high
+    angles = [low - _EDGE + (cmath.phase(p["B"] - p["A"]) - low + _EDGE) % math.tau for p in positions]
+    for count, angle in enumerate(angles, start=1):
+        if angle > high + _EDGE:
+            yield Reason("circuit", (("position", count),))
             return
-    ways = [other - one for one, other in pairwise(turned)]
-    if min(ways) < 0 < max(ways):
+    steps = [other - one for one, other in pairwise(angles)]
+    if min(steps) < 0 < max(steps):
         yield Reason("order")
-
-
-def _passed(positions: Positions, found: Report) -> Reason:
-    """All positions lie on one branch, and the crank comes to them in order, turning in one sense."""
-    angles = [cmath.phase(places["B"] - places["A"]) for places in positions]
-    if found.driver_range.full:
-        left = sum((other - one) % math.tau for one, other in pairwise(angles)) < math.tau
-    else:
-        low = found.driver_range.low - _EDGE
-        turned = [(angle - low) % math.tau for angle in angles]
-        left = turned[-1] > turned[0]
-    return Reason("passed ccw" if left else "passed cw")
 
 
 def _side(places: Mapping[str, complex]) -> float:
     """1 where C lies to the left of B -> D, -1 to the right, 0 where coupler and rocker are in line."""
     b, c, d = (places[name] for name in "BCD")
-    sine = cross(b - c, d - c) / (abs(d - c) * abs(b - c))
+    sine = number(cross(b - c, d - c)) / (abs(d - c) * abs(b - c))
     return 0.0 if abs(sine) < _LINE else math.copysign(1.0, sine)
 
 
-def shown(positions: Positions, found: Report | None) -> Mapping[str, complex]:
-    """A position fit to be drawn: the wanted one farthest from a dead point, or a better one that the crank reaches."""
+def shown(positions: Positions, whole: Report | None) -> Mapping[str, complex]:
+    """A position fit to be drawn: the given one farthest from a dead point, or a better one that the crank reaches."""
     best = max(positions, key=_clear)
-    if found is None or _clear(best) > _CLEAR:
+    if whole is None or _clear(best) > _CLEAR:
         return best
     at, b, c, d = (best[name] for name in "ABCD")
-    low, high, side = found.driver_range.low, found.driver_range.high, _side(best) or 1.0
+    low, high, side = whole.driver_range.low, whole.driver_range.high, _side(best) or 1.0
     others = [dict(best)]
     for part in range(1, 36):
         foot = at + cmath.rect(abs(b - at), low + (high - low) * part / 36)
-        others.append(dict(best) | {"B": foot, "C": complex(meet_circles(foot, abs(c - b), d, abs(c - d), side)[0])})
+        others.append(dict(best) | {"B": foot, "C": place(meet_circles(foot, abs(c - b), d, abs(c - d), side)[0])})
     return max((one for one in others if cmath.isfinite(one["C"])), key=_clear)
 
 
 def _clear(places: Mapping[str, complex]) -> float:
     """Sine of the angle between coupler and rocker."""
     b, c, d = (places[name] for name in "BCD")
-    return abs(float(cross(b - c, d - c))) / (abs(b - c) * abs(d - c))
+    return abs(number(cross(b - c, d - c))) / (abs(b - c) * abs(d - c))

@@ -1,17 +1,19 @@
-"""What was found, as data: SI units, radians."""
+"""Answers to conditions, as data and for JSON: SI units, radians; what is infinite is null there."""
 
 from __future__ import annotations
 
+import math
 from typing import Literal
 
+from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import Driver, Mechanism
 from graphkin.studies.finding.conditions import Condition
 
 Kind = Literal["zero", "touch", "max", "min", "largest", "end", "stop", "pole", "nearest", "here"]
 """zero: the condition holds there, and the difference changes its sign; touch: it comes to hold and turns back;
-max, min: an extreme; largest: the greatest size, against the sense that counts as positive; end: of what was asked
-for; stop: a dead point, where the value is what it tends to; pole: it grows without limit there; nearest: where the
+max, min: an extreme; largest: the greatest size, against the sense that counts as positive; end: of the stretch;
+stop: a dead point, where the value is what it tends to; pole: it grows without limit there; nearest: where the
 condition comes nearest to holding; here: a position that was given."""
 
 
@@ -19,10 +21,10 @@ condition comes nearest to holding; here: a position that was given."""
 class Position:
     """One position.
 
-    t        where on the way
+    t        on the path
     drivers  their values [rad, m]
     values   of the quantities of the condition; infinite at a pole
-    factors  of a Coriolis acceleration that is 0: which of its factors are, `omega 3`, `v B3B2`
+    factors  of a Coriolis acceleration that is 0: those of its factors that are 0, `omega 3`, `v B3B2`
     """
 
     t: float
@@ -34,7 +36,7 @@ class Position:
 
 @frozen
 class Interval:
-    """Positions from `begin` to `end` at all of which the condition holds; `peak`: where it is passed the most."""
+    """Positions from `begin` to `end` at all of which the condition holds; `peak`: the one farthest past it."""
 
     begin: Position
     end: Position
@@ -43,11 +45,11 @@ class Interval:
 
 @frozen
 class Phase:
-    """The way of an output from one end of its stroke to the other.
+    """The motion of an output from one end of its stroke to the other.
 
-    angle  how far the driver turns meanwhile [rad]
+    angle  by which the driver turns meanwhile [rad]
     time   [s], mean: mean speed of the output [m/s, rad/s]; None where the driver's speed is not constant, or zero
-    up     whether the quantity grows
+    up     the quantity grows
     """
 
     up: bool
@@ -71,8 +73,7 @@ class SlowPoint:
 
     along   its distance from the first point towards the second [m]; None where all points are equally fast
     length  distance of the two points [m]
-    place   where it is [m]
-    speed   [m/s]
+    place   [m]; speed [m/s]
     """
 
     position: Position
@@ -85,9 +86,9 @@ class SlowPoint:
 
 @frozen
 class Speeds:
-    """What the drivers' speeds must be.
+    """Speeds of the drivers that make a quantity have its value.
 
-    factor  times what they are in the file; rates [rad/s, m/s]; value of the quantity as it was
+    factor  by which those of the file are multiplied; rates [rad/s, m/s]; value of the quantity as it was
     """
 
     position: Position
@@ -100,12 +101,12 @@ class Speeds:
 class Findings:
     """The answer to one condition.
 
-    swept       number of the driver by whose value positions are named; looked: from where to where [rad, m]
-    turn        whether that is a full turn, which brings all back
-    stopped     whether it ends at a dead point, at its beginning and at its end
+    swept       number of the driver by whose value positions are named; looked: its least and greatest value [rad, m]
+    turn        that is a full turn, which brings all back
+    stopped     the stretch begins, ends at a dead point
     units       of `values` of a position, by quantity; guided: which of them count along a guide of the frame
-    everywhere  whether the condition holds at every position (an extreme: the quantity never changes)
-    zero        whether the quantity is zero throughout, but for rounding
+    everywhere  the condition holds at every position (an extreme: the quantity never changes)
+    zero        the quantity is zero throughout, but for rounding
     swing       greatest less least value, for `range` and `stroke`; None where it has none
     notes       further remarks, as the catalogue has them: `finding.note ..`
     """
@@ -134,7 +135,66 @@ class Findings:
     @property
     def shown(self) -> tuple[Position, ...]:
         """Positions that can be drawn, each once."""
-        found = [*self.positions, *(p for i in self.intervals for p in (i.begin, i.peak, i.end))]
-        found += [slow.position for slow in self.slow] + [speeds.position for speeds in self.speeds]
-        each = {position.t: position for position in found if position.kind not in ("stop", "pole")}
-        return tuple(each[t] for t in sorted(each))
+        every = [*self.positions, *(p for i in self.intervals for p in (i.begin, i.peak, i.end))]
+        every += [slow.position for slow in self.slow] + [speeds.position for speeds in self.speeds]
+        drawable = {position.t: position for position in every if position.kind not in ("stop", "pole")}
+        return tuple(drawable[t] for t in sorted(drawable))
+
+
+# --- plain data -------------------------------------------------------------------------------
+
+
+def as_json(found: Findings) -> dict[str, Plain]:
+    """One object; parts that have nothing to say are left out."""
+    data: dict[str, Plain] = {
+        "format": 1,
+        "name": found.mechanism.name,
+        "condition": found.condition.text,
+        "drivers": [driver.name for driver in found.drivers],
+        "units": dict(zip(found.quantities, found.units)),
+    }
+    if found.looked is not None:
+        low, high = found.looked
+        data["looked"] = {
+            "driver": found.drivers[found.swept].name, "from": low, "to": high,
+            "turn": found.turn, "dead_points": list(found.stopped),
+        }  # fmt: skip
+        data["everywhere"] = found.everywhere
+        data["positions"] = [_position(found, position) for position in found.positions]
+    parts: dict[str, Plain] = {
+        "intervals": [
+            {key: _position(found, getattr(part, key)) for key in ("begin", "end", "peak")} for part in found.intervals
+        ],
+        "nearest": _position(found, found.nearest) if found.nearest else None,
+        "range": found.swing,
+        "slowest": [_slow(entry) for entry in found.slow],
+        "speeds": [_speeds(found, entry) for entry in found.speeds],
+        "notes": list(found.notes),
+    }
+    if found.stroke is not None:
+        advance, retreat = _phase(found.stroke.advance), _phase(found.stroke.retreat)
+        data["stroke"] = {"advance": advance, "return": retreat, "K": found.stroke.ratio}
+    return data | {key: part for key, part in parts.items() if part not in (None, [])}
+
+
+def _position(found: Findings, position: Position) -> Plain:
+    values = {
+        name: value if math.isfinite(value) else None for name, value in zip(found.quantities, position.values)
+    }  # fmt: skip
+    return {"drivers": list(position.drivers), "values": values, "kind": position.kind}
+
+
+def _phase(phase: Phase) -> Plain:
+    return {"growing": phase.up, "angle": phase.angle, "time": phase.time, "mean_speed": phase.mean}
+
+
+def _slow(entry: SlowPoint) -> Plain:
+    return {
+        "drivers": list(entry.position.drivers), "line": list(entry.points), "from_first": entry.along,
+        "length": entry.length, "place": [entry.place.real, entry.place.imag], "speed": entry.speed,
+    }  # fmt: skip
+
+
+def _speeds(found: Findings, entry: Speeds) -> Plain:
+    rates = {driver.name: rate for driver, rate in zip(found.drivers, entry.rates)}
+    return {"drivers": list(entry.position.drivers), "rates": rates, "factor": entry.factor, "value": entry.value}

@@ -1,4 +1,4 @@
-"""What is looked for, read from one line: `v C = 0`, `max v E`, `stroke s ram`, `v E = 0.5 by omega 1`."""
+"""Conditions, read from one line: `v C = 0`, `max v E`, `stroke s ram`, `v E = 0.5 by omega 1`."""
 
 from __future__ import annotations
 
@@ -7,9 +7,11 @@ from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, BadCondition, GraphkinError, NoSuchDriver, NotANumber, NoUnitHere, Where
-from graphkin.files.values import read_quantity, tidy
-from graphkin.model.mechanism import Dimension, Mechanism
+from graphkin.files.names import tidy
+from graphkin.files.units import Dimension, read_quantity
+from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import GRAVITY, SHAPE
+from graphkin.studies.sweeps.ranges import plain
 
 WHERE = Where("find")
 
@@ -17,11 +19,13 @@ DIMENSIONS: dict[str, Dimension] = {
     "rad": "angle", "rad/s": "angular velocity", "rad/s^2": "angular acceleration",
     "m": "length", "m/s": "velocity", "m/s^2": "acceleration",
 }  # fmt: skip
-"""What a unit of a quantity measures."""
+"""The dimension of each unit of a quantity."""
 
 Sign = Literal["=", ">", "<"]
 Which = Literal["max", "min", "range", "stroke"]
 
+_COMPARED: dict[str, Sign] = {"=": "=", ">": ">", "<": "<"}
+_WHICH: dict[str, Which] = {"max": "max", "min": "min", "range": "range", "stroke": "stroke"}
 _SIGNS = str.maketrans({"＝": "=", "＞": ">", "＜": "<", "−": "-", "，": ",", "　": " "})
 _NUMBER = re.compile(r"[+-]?(?:[0-9]|\.[0-9]).*", re.DOTALL)
 _IN_GRAVITY = re.compile(r"(.*[0-9.])\s*g", re.DOTALL)
@@ -31,7 +35,7 @@ _IN_GRAVITY = re.compile(r"(.*[0-9.])\s*g", re.DOTALL)
 class Comparison:
     """A quantity that is to equal, exceed or stay below a value (as written) or another quantity.
 
-    size   whether its size counts, whatever its sense (a limit)
+    size   its size counts, whatever its sense (a limit)
     """
 
     text: str
@@ -42,7 +46,7 @@ class Comparison:
 
     @property
     def numeric(self) -> bool:
-        """Whether the other side is a value."""
+        """True if the other side is a value."""
         return _NUMBER.fullmatch(self.other) is not None
 
     @property
@@ -86,9 +90,9 @@ Condition = Comparison | Extreme | Slowest | Scaling
 
 def read(mechanism: Mechanism, text: str) -> Condition:
     """A condition, its names not yet looked up. Raises BadCondition, NoSuchDriver."""
-    line = " ".join(tidy(text).translate(_SIGNS).split())
+    line = _line(text)
     if extreme := re.fullmatch(r"(max|min|range|stroke) (.+)", line):
-        return Extreme(line, extreme[2], extreme[1])  # type: ignore[arg-type]
+        return Extreme(line, extreme[2], _WHICH[extreme[1]])
     if slowest := re.fullmatch(r"slowest (\S+)", line):
         return Slowest(line, slowest[1])
     if scaled := re.fullmatch(r"([^=<>]+?) ?= ?([^=<>]+?) by (.+)", line):
@@ -96,17 +100,21 @@ def read(mechanism: Mechanism, text: str) -> Condition:
             raise BadCondition(WHERE, text)
         return Scaling(line, scaled[1], scaled[2], _driver(mechanism, scaled[3]))
     if compared := re.fullmatch(r"([^=<>]+?) ?([=<>]) ?([^=<>]+)", line):
-        return Comparison(line, compared[1], compared[2], compared[3])  # type: ignore[arg-type]
+        return Comparison(line, compared[1], _COMPARED[compared[2]], compared[3])
     raise BadCondition(WHERE, text)
 
 
 def limit(text: str) -> Comparison:
-    """`a E 3 g`: where the size of a quantity passes a value. Raises BadCondition."""
-    line = " ".join(tidy(text).translate(_SIGNS).split())
-    found = re.fullmatch(rf"({SHAPE}) ?>? ?([0-9.].*)", line)
-    if found is None:
+    """`a E 3 g`: the size of a quantity passes a value. Raises BadCondition."""
+    words = re.fullmatch(rf"({SHAPE}) ?>? ?([0-9.].*)", _line(text))
+    if words is None:
         raise BadCondition(Where("--limit"), text)
-    return Comparison(f"{found[1]} > {found[2]}", found[1], ">", found[2], size=True)
+    return Comparison(f"{words[1]} > {words[2]}", words[1], ">", words[2], size=True)
+
+
+def _line(text: str) -> str:
+    """The text with plain signs and single spaces."""
+    return " ".join(tidy(text).translate(_SIGNS).split())
 
 
 def _driver(mechanism: Mechanism, text: str) -> int:
@@ -138,13 +146,6 @@ def value(text: str, unit: str, where: Where = WHERE) -> float:
         return read_quantity(plain(text), dimension)
     except GraphkinError as error:
         raise error.at(where) from None
-
-
-def plain(text: str) -> float | str:
-    try:
-        return float(text)
-    except ValueError:
-        return text
 
 
 def _bare(text: str) -> float:

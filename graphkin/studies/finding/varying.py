@@ -1,40 +1,154 @@
-"""A condition looked for again and again while a dimension of the mechanism is varied."""
+"""A condition answered again and again while one number of the mechanism file is varied.
+
+The file's text is kept, with that number replaced and nothing else.
+"""
 
 from __future__ import annotations
 
 import math
+import re
 import tomllib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
+from functools import partial
 
 import numpy as np
 
 from graphkin import files as loading
+from graphkin.base.geometry import place as place_of
+from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
-from graphkin.errors import BadRange, GraphkinError, NoDimension, NoSuchDriver
-from graphkin.files.values import read_quantity
+from graphkin.errors import BadRange, GraphkinError, NoDimension, NoSuchDriver, Where
+from graphkin.files.names import split_points, tidy
+from graphkin.files.units import UNITS, Dimension, read_quantity
 from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.naming import driver_number
 from graphkin.planning import Method
 from graphkin.planning import plan as planned
 from graphkin.running import replay_all
 from graphkin.studies.finding import conditions
-from graphkin.studies.finding.answers import Findings
-from graphkin.studies.finding.data import as_json
-from graphkin.studies.finding.dimensions import WHERE, DimensionPlace, dimension, replaced, value_at
-from graphkin.studies.finding.find import find
-from graphkin.studies.finding.points import line_of
-from graphkin.studies.finding.quantities import checked
+from graphkin.studies.finding.answers import Findings, as_json
+from graphkin.studies.finding.find import find, line_of
+from graphkin.studies.finding.stretch import checked
 from graphkin.studies.sweeps import Road
+from graphkin.studies.sweeps.ranges import plain
 
+WHERE = Where("--vary")
 MOST = 10_000
 """Values of a dimension, at most."""
 Plan = Callable[[Mechanism], Method]
+Path = tuple[str | int, ...]
+
+KINDS: dict[str, Dimension] = {
+    "angle": "angle", "tilt": "angle", "at": "length", "radius": "length", "on_radius": "length",
+    "omega": "angular velocity", "alpha": "angular acceleration",
+    "velocity": "velocity", "acceleration": "acceleration",
+}  # fmt: skip
+"""The dimensions of keys of the file that are no measures of links."""
+_NUMBER = r"""(?:"[^"\n]*"|'[^'\n]*'|[-+0-9.][-+.\w]*)"""
+
+
+@frozen
+class DimensionPlace:
+    """The place of a dimension: its path in the file, and its kind; or the number of a driver."""
+
+    path: Path
+    kind: Dimension
+    driver: int | None = None
+
+
+def dimension(mechanism: Mechanism, name: str) -> DimensionPlace:
+    """The place of `AB`, `BDE`, `links.2.AB`, `slide.0.angle`, or of a driver by its name. Raises NoDimension.
+
+    A length of a link that `AB` names goes before a driver of that name: the angle of AB is swept, not varied.
+    """
+    name = tidy(name.strip())
+    document = tomllib.loads(mechanism.text) if mechanism.text else {}
+    single = {path: kind for path in mechanism.lines if (kind := _kind(path))}
+    single = {path: single[path] for path in single if type(value_at(document, path)) in (int, float, str)}
+    places = [DimensionPlace(path, kind) for path, kind in single.items() if _is_called(path, name)]
+    if len(places) == 1:
+        return places[0]
+    number = driver_number(mechanism, name)
+    if not places and number is not None:
+        return DimensionPlace((), "length" if mechanism.drivers[number].kind == "slide" else "angle", number)
+    # all measures of links, in full where their last key alone would mean two
+    measures = [path for path in single if path[:1] == ("links",)]
+    possible = [".".join(map(str, path)) if places else str(path[-1]) for path in measures]
+    possible += [driver.name for driver in mechanism.drivers]
+    raise NoDimension(WHERE, name, tuple(dict.fromkeys(possible)))
+
+
+def _is_called(path: Path, name: str) -> bool:
+    """True if a path is called so: in full, or, a measure of a link, by its last key (`BA` is `AB`)."""
+    if ".".join(str(part) for part in path) == name:
+        return True
+    points = split_points(name)
+    if not points or path[:1] != ("links",) or len(path) != 3:
+        return False
+    return split_points(str(path[2])) in (points, points[::-1])
+
+
+def _kind(path: Path) -> Dimension | None:
+    """The dimension of a key; None for one that is no single dimension."""
+    if path[:1] == ("links",):
+        points = len(split_points(str(path[-1]))) if len(path) == 3 else 0
+        return "length" if points == 2 else "angle" if points == 3 else None
+    return KINDS.get(str(path[-1])) if len(path) > 1 else None
+
+
+def value_at(document: object, path: Path) -> object:
+    """The value at a path, however its primes are written; None where there is none."""
+    for part in path:
+        if isinstance(document, dict):
+            document = {tidy(key): value for key, value in document.items()}.get(str(part))
+        elif isinstance(document, list) and isinstance(part, int) and part < len(document):
+            document = document[part]
+        else:
+            return None
+    return document
+
+
+def replaced(mechanism: Mechanism, place: DimensionPlace, value: float) -> str:
+    """The file's text with another value [SI] at a place, in the units of plain numbers."""
+    text = mechanism.text
+    lines = text.splitlines(keepends=True)
+    start = sum(len(line) for line in lines[: mechanism.lines[place.path] - 1])
+    end = start + len(lines[mechanism.lines[place.path] - 1])
+    before = tomllib.loads(text)
+    times, divided = next(iter(UNITS[place.kind].values()))
+    shown = repr(value * (divided / times))
+    for match in re.finditer(rf"""(=\s*)({_NUMBER})""", text[start:end]):
+        changed = text[: start + match.start(2)] + shown + text[start + match.end(2) :]
+        try:
+            after = tomllib.loads(changed)
+        except tomllib.TOMLDecodeError:
+            continue
+        same = _without(before, place.path) == _without(after, place.path)
+        if same and value_at(after, place.path) is not None:
+            return changed
+    raise NoDimension(WHERE, ".".join(map(str, place.path)), ())
+
+
+def _without(value: object, path: Path) -> object:
+    """A document without the value at a path."""
+    if isinstance(value, dict):
+        head = path[0] if path else None
+        rest = {tidy(key): entry for key, entry in value.items()}
+        if len(path) == 1:
+            return {key: entry for key, entry in rest.items() if key != head}
+        return {key: _without(entry, path[1:]) if key == head else entry for key, entry in rest.items()}
+    if isinstance(value, list) and path:
+        return [_without(entry, path[1:]) if k == path[0] else entry for k, entry in enumerate(value)]
+    return value
+
+
+# --- the table --------------------------------------------------------------------------------
 
 
 @frozen
 class VaryingRow:
-    """What was found with one value of the dimension; `error` says why nothing could be looked for."""
+    """The findings with one value of the dimension, or the error that stands against it."""
 
     value: float
     found: Findings | None
@@ -59,7 +173,7 @@ def vary(
     """`AB=20:60:1`: the condition for each length AB; `screw=55:125:5`: for each place of a driver at rest.
 
     The assembly is kept: from the value in the file on to both sides, each sketched by the one before. A value with
-    which the mechanism cannot be assembled, or nothing can be looked for, has a row that says so.
+    which the mechanism cannot be assembled, or the condition not be answered, has a row that says so.
     Raises BadRange, NoDimension, and what `find` raises for a condition that names nothing.
     """
     name, equals, span = text.partition("=")
@@ -67,23 +181,30 @@ def vary(
         raise BadRange(WHERE, text)
     place = dimension(mechanism, name)
     values = _values(text, span, place)
-    _refuse(mechanism, condition)
+    _check(mechanism, condition)
     if place.driver is not None:
-        rows = list(_driven(plan(mechanism), place.driver, values, condition, ranges, by))
+        rows = _with_driver_held(plan(mechanism), place.driver, values, condition, ranges, by)
     else:
-        rows = _measured(mechanism, place, values, condition, ranges, by, plan)
+        rows = _with_measures(mechanism, place, values, partial(_row, condition=condition, ranges=ranges, by=by), plan)
     return VaryingTable(mechanism, name.strip(), place, condition, tuple(rows))
 
 
-def _refuse(mechanism: Mechanism, condition: str) -> None:
-    """What is wrong with the condition itself is said once, not in every row."""
+def _row(value: float, method: Method, condition: str, ranges: Sequence[str], by: Road) -> VaryingRow:
+    try:
+        return VaryingRow(value, find(method, condition, ranges, by), None)
+    except GraphkinError as error:
+        return VaryingRow(value, None, error)
+
+
+def _check(mechanism: Mechanism, condition: str) -> None:
+    """Raises what is wrong with the condition itself: once, not in every row."""
     match conditions.read(mechanism, condition):
-        case conditions.Comparison() | conditions.Extreme() as wanted:
-            checked(mechanism, wanted.quantities)
-        case conditions.Scaling() as wanted:
-            checked(mechanism, (wanted.quantity,))
-        case conditions.Slowest() as wanted:
-            line_of(mechanism, wanted.of)
+        case conditions.Comparison(quantities=names) | conditions.Extreme(quantities=names):
+            checked(mechanism, names)
+        case conditions.Scaling(quantity=name):
+            checked(mechanism, (name,))
+        case conditions.Slowest(of=line):
+            line_of(mechanism, line)
 
 
 def _values(text: str, span: str, place: DimensionPlace) -> np.ndarray:
@@ -92,7 +213,7 @@ def _values(text: str, span: str, place: DimensionPlace) -> np.ndarray:
     if len(parts) not in (1, 3):
         raise BadRange(WHERE, text)
     try:
-        numbers = [read_quantity(conditions.plain(part), place.kind) for part in parts]
+        numbers = [read_quantity(plain(part), place.kind) for part in parts]
     except GraphkinError as error:
         raise error.at(WHERE) from None
     if len(numbers) == 1:
@@ -104,93 +225,67 @@ def _values(text: str, span: str, place: DimensionPlace) -> np.ndarray:
     return begin + math.copysign(step, end - begin) * np.arange(count + 1)
 
 
-# --- a driver at rest -------------------------------------------------------------------------
-
-
-def _driven(
+def _with_driver_held(
     method: Method, number: int, values: np.ndarray, condition: str, ranges: Sequence[str], by: Road
-) -> Iterator[VaryingRow]:
-    """The other drivers move; this one stands at each value."""
+) -> list[VaryingRow]:
+    """Rows in which one driver stands at each value; the others move."""
     driver = method.drivers[number]
     unit = "m" if driver.kind == "slide" else "rad"
-    if len(method.drivers) == 1 and not isinstance(
-        conditions.read(method.mechanism, condition), conditions.Slowest | conditions.Scaling
-    ):
+    at_positions = isinstance(conditions.read(method.mechanism, condition), conditions.Slowest | conditions.Scaling)
+    if len(method.drivers) == 1 and not at_positions:
         raise NoDimension(WHERE, driver.name, ())
     if any(text.partition("=")[0].strip() == driver.name for text in ranges):
         raise NoSuchDriver(WHERE, driver.name, ())
-    for value in map(float, values):
-        held = f"{driver.name}={value!r} {unit}"
-        yield _row(value, lambda held=held: find(method, condition, (*ranges, held), by))  # type: ignore[misc]
+    held = [(float(value), f"{driver.name}={float(value)!r} {unit}") for value in values]
+    return [_row(value, method, condition, (*ranges, text), by) for value, text in held]
 
 
-def _row(value: float, look: Callable[[], Findings]) -> VaryingRow:
-    try:
-        return VaryingRow(value, look(), None)
-    except GraphkinError as error:
-        return VaryingRow(value, None, error)
-
-
-# --- a measure of the file --------------------------------------------------------------------
-
-
-def _measured(
-    mechanism: Mechanism,
-    place: DimensionPlace,
-    values: np.ndarray,
-    condition: str,
-    ranges: Sequence[str],
-    by: Road,
+def _with_measures(
+    mechanism: Mechanism, place: DimensionPlace, values: np.ndarray, row: Callable[[float, Method], VaryingRow],
     plan: Plan,
-) -> list[VaryingRow]:
-    """From the value nearest to the file's on to both sides, so that the assembly goes over step by step."""
-    now = _now(mechanism, place)
-    begin = int(np.argmin(np.abs(values - now)))
+) -> list[VaryingRow]:  # fmt: skip
+    """Rows from the value nearest to the file's on to both sides, so that the assembly goes over step by step."""
+    now = value_at(tomllib.loads(mechanism.text), place.path)
+    assert isinstance(now, int | float | str)
+    begin = int(np.argmin(np.abs(values - read_quantity(now, place.kind))))
     start = _positions(plan(mechanism))
-    found: dict[int, VaryingRow] = {}
+    rows: dict[int, VaryingRow] = {}
     for order in (range(begin, values.size), range(begin - 1, -1, -1)):
         sketch = dict(start)
         for k in order:
             value = float(values[k])
             try:
-                method = plan(_with(mechanism, place, value, sketch))
+                method = plan(_sketched(mechanism, replaced(mechanism, place, value), sketch))
             except GraphkinError as error:
-                found[k] = VaryingRow(value, None, error)
+                rows[k] = VaryingRow(value, None, error)
                 continue
             sketch = _positions(method)
-            found[k] = _row(value, lambda method=method: find(method, condition, ranges, by))  # type: ignore[misc]
+            rows[k] = row(value, method)
             start = sketch if k == begin else start
-    return [found[k] for k in sorted(found)]
+    return [rows[k] for k in sorted(rows)]
 
 
-def _now(mechanism: Mechanism, place: DimensionPlace) -> float:
-    """The value in the file [SI]."""
-    return read_quantity(value_at(tomllib.loads(mechanism.text), place.path), place.kind)
-
-
-def _with(mechanism: Mechanism, place: DimensionPlace, value: float, sketch: dict[str, complex]) -> Mechanism:
-    """The mechanism with another dimension, sketched as it stood before."""
-    changed = loading.loads(replaced(mechanism, place, value), name=mechanism.name, file=mechanism.file)
+def _sketched(mechanism: Mechanism, text: str, sketch: dict[str, complex]) -> Mechanism:
+    """The mechanism of a changed text, sketched as it stood before."""
+    changed = loading.loads(text, name=mechanism.name, file=mechanism.file)
     fixed = changed.links[FRAME].points
     return replace(changed, sketch={point: z for point, z in sketch.items() if point not in fixed})
 
 
 def _positions(method: Method) -> dict[str, complex]:
-    """Where the moving points are at the drawn position [m]."""
+    """The moving points at the drawn position [m]."""
     mechanism = method.mechanism
     plot = replay_all(method)
     fixed = mechanism.links[FRAME].points
-    return {p: complex(plot.position[p]) for p in mechanism.points if p not in fixed and p in plot.position}
+    return {p: place_of(plot.position[p]) for p in mechanism.points if p not in fixed and p in plot.position}
 
 
-# --- for programs -----------------------------------------------------------------------------
-
-
-def table_json(found: VaryingTable) -> dict[str, Any]:
-    """SI units and radians."""
-    rows = [
-        {"value": row.value, **({"found": as_json(row.found)} if row.found else {"error": str(row.error)})}
-        for row in found.rows
-    ]
-    heads = {"format": 1, "name": found.mechanism.name, "dimension": found.name, "condition": found.condition}
-    return heads | {"rows": rows}
+def table_json(table: VaryingTable) -> dict[str, Plain]:
+    """The table as one object: SI units and radians."""
+    rows: list[Plain] = []
+    for row in table.rows:
+        answer: dict[str, Plain] = {"found": as_json(row.found)} if row.found else {"error": str(row.error)}
+        rows.append({"value": row.value} | answer)
+    return {
+        "format": 1, "name": table.mechanism.name, "dimension": table.name, "condition": table.condition, "rows": rows,
+    }  # fmt: skip

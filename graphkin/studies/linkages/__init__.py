@@ -3,44 +3,25 @@
 `report(linkage)` for lengths, `found_in(mechanism)` for the linkages that a mechanism holds.
 
     linkage               the contract of a kind, `Linkage`, and the values it answers with
-    four, slider, guide   a kind each, on `triangles`, `lengths`, `first_position`; `assembled` makes mechanisms of them
-    kinds, family         all of them; every one that has a name of its own
-    report                everything there is to say of one; `loops`, `recognised`, `chain`: of those in a mechanism
+    four, slider, guide   a kind each, on `triangles`; `assembled` makes mechanisms of them
+    family                all kinds, and every one that has a name of its own
+    report                everything there is to say of one; `recognised`: those in a mechanism
     inversion             another link as frame
-    writing, data         a mechanism as a file, a report for programs
+    writing               a mechanism as a file
 """
 
-from graphkin.studies.linkages.chain import reported
-from graphkin.studies.linkages.data import as_json
-from graphkin.studies.linkages.family import FAMILY
+from graphkin.studies.linkages.family import FAMILY, KINDS, from_lengths
 from graphkin.studies.linkages.four import FourBar
 from graphkin.studies.linkages.guide import GuideBar
 from graphkin.studies.linkages.inversion import inverted
-from graphkin.studies.linkages.kinds import KINDS, from_lengths
 from graphkin.studies.linkages.linkage import DriverScale, Linkage
 from graphkin.studies.linkages.recognised import FoundLinkage, found_in, some_found_in
-from graphkin.studies.linkages.report import Advantage, Report, advantage, report
+from graphkin.studies.linkages.report import Advantage, Report, advantage, as_json, report, reported
 from graphkin.studies.linkages.slider import SliderCrank
 from graphkin.studies.linkages.writing import filed
 
 __all__ = [
-    "FAMILY",
-    "KINDS",
-    "Advantage",
-    "DriverScale",
-    "FoundLinkage",
-    "FourBar",
-    "GuideBar",
-    "Linkage",
-    "Report",
-    "SliderCrank",
-    "advantage",
-    "as_json",
-    "filed",
-    "found_in",
-    "from_lengths",
-    "inverted",
-    "report",
-    "reported",
+    "FAMILY", "KINDS", "Advantage", "DriverScale", "FoundLinkage", "FourBar", "GuideBar", "Linkage", "Report",
+    "SliderCrank", "advantage", "as_json", "filed", "found_in", "from_lengths", "inverted", "report", "reported",
     "some_found_in",
 ]  # fmt: skip

@@ -1,17 +1,19 @@
-"""From links at their drawn places to a `Mechanism`: each link in axes of its own, each slide's line in its guide's."""
+"""A linkage as a `Mechanism`: each link in axes of its own, each slide's line in its guide's; and its positions."""
 
 from __future__ import annotations
 
 import cmath
 from collections.abc import Collection, Mapping
 
+from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Driver, Link, Mechanism
 from graphkin.model.pairs import Line, Slide
+from graphkin.studies.linkages.linkage import Linkage, LinkagePosition
 
 Places = Mapping[str, complex]
-"""The points of a link where they are drawn [m]."""
+"""The points of a link as they are drawn [m]."""
 _PUSH = 0.1
-"""How fast a slide is driven [m/s]."""
+"""The speed of a driven slide [m/s]."""
 
 
 def assembled(
@@ -20,7 +22,7 @@ def assembled(
 ) -> Mechanism:  # fmt: skip
     """The mechanism, without a title.
 
-    frame          what people call the frame; among the links it is `FRAME`
+    frame          the name that people call the frame; among the links it is `FRAME`
     length_scale   [m/mm], or None
     """
     shapes = {name: Link(name, dict(points) if name == FRAME else _own_axes(points)) for name, points in links.items()}
@@ -42,7 +44,7 @@ def _own_axes(points: Places) -> dict[str, complex]:
 
 
 def _turned_back(points: Places) -> complex:
-    """What turns a link from where it is drawn into its own axes; 1 for a link of one place."""
+    """The factor that turns a drawn link into its own axes; 1 for a link of one place."""
     places = list(points.values())
     axis = places[1] - places[0] if len(places) > 1 else 0j
     return abs(axis) / axis if axis else 1 + 0j
@@ -54,7 +56,7 @@ def drawn_line(links: Mapping[str, Places], link: str, origin: str, along: compl
 
 
 def turning(link: str, vector: tuple[str, str], drawn: complex, omega: float) -> Driver:
-    """A driver that turns a link against the frame; `drawn`: the vector where it is drawn."""
+    """A driver that turns a link against the frame; `drawn`: the vector as it is drawn."""
     return Driver("angle", link, vector, value=cmath.phase(drawn), rate=omega)
 
 
@@ -65,14 +67,45 @@ def pushing(at: float) -> Driver:
 
 def ahead_on(points: Places, origin: str, along: complex) -> str:
     """The first of a link's points that lies ahead of one of them in the direction of a unit vector; "" for none."""
-    ways = {point: (place - points[origin]) * along.conjugate() for point, place in points.items()}
-    reach = max(map(abs, ways.values()))
-    there = (point for point, way in ways.items() if way.real > 1e-3 * reach and abs(way.imag) < 1e-9 * reach)
-    return next(there, "")
+    arms = {point: (place - points[origin]) * along.conjugate() for point, place in points.items()}
+    reach = max(map(abs, arms.values()))
+    ahead = (point for point, arm in arms.items() if arm.real > 1e-3 * reach and abs(arm.imag) < 1e-9 * reach)
+    return next(ahead, "")
 
 
-def free_names(taken: Collection[str], count: int) -> list[str]:
+def free_names(names: Collection[str], count: int) -> list[str]:
     """Names of points that nobody has: P, Q, R, .., then P1, Q1, .."""
     letters = "PQRSTUVW"
-    every = (f"{letter}{number or ''}" for number in range(len(taken) + count) for letter in letters)
-    return [name for name in every if name not in taken][:count]
+    every = (f"{letter}{number or ''}" for number in range(len(names) + count) for letter in letters)
+    return [name for name in every if name not in names][:count]
+
+
+# --- positions --------------------------------------------------------------------------------
+
+
+@frozen
+class Placement:
+    """Points [m] and angles of links [rad] at one position; points that only end a line are left out."""
+
+    position: Mapping[str, complex]
+    theta: Mapping[str, float]
+
+
+def posed(linkage: Linkage, machine: Mechanism, position: LinkagePosition) -> Placement:
+    """`machine`, which `linkage.mechanism` made, at a position; a dead point is one like any other."""
+    drawn = {**machine.sketch, **dict(zip(linkage.names, linkage.places))}
+    places = dict(zip(linkage.names, position.places))
+    turned = position.turn - linkage.drawn.turn
+    theta: dict[str, float] = {}
+    for link in machine.moving:
+        tail, *others = machine.links[link].points
+        for head in others[:1]:
+            if head in places:
+                theta[link] = cmath.phase(places[head] - places[tail])
+            else:
+                theta[link] = cmath.phase(drawn[head] - drawn[tail]) + turned
+    for line in (slide.line for slide in machine.slides if slide.guide != FRAME and slide.line.origin not in places):
+        points = machine.links[line.link].points
+        hinge = next(point for point in points if point in places)
+        places[line.origin] = places[hinge] + (points[line.origin] - points[hinge]) * cmath.rect(1, theta[line.link])
+    return Placement(places, theta)

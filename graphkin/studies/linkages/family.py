@@ -1,4 +1,4 @@
-"""The family: every kind of four-link linkage with lengths that show it, by what is fixed.
+"""The kinds of linkage, and the family: every kind that has a name of its own, with lengths that show it.
 
 Fix another link of one chain and another kind appears: the four-bar with one short link gives crank-rocker,
 double-crank and double-rocker; the slider-crank gives guide bar, oscillating block and fixed block. An enlarged pin
@@ -7,11 +7,26 @@ changes nothing: an eccentric is a crank as long as its eccentricity (s2-1a, s2-
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from graphkin.base.value import frozen
+from graphkin.errors import GraphkinError, Where
 from graphkin.studies.linkages.four import FourBar
 from graphkin.studies.linkages.guide import GuideBar
 from graphkin.studies.linkages.linkage import Linkage
 from graphkin.studies.linkages.slider import SliderCrank
+
+KINDS: dict[str, Callable[..., Linkage]] = {kind.word: kind for kind in (FourBar, SliderCrank, GuideBar)}
+"""Every kind by its word."""
+
+
+def from_lengths(kind: str, *lengths: float, driver: str = "crank") -> Linkage:
+    """A linkage by its lengths [m]: "fourbar" (crank, coupler, rocker, frame), "slider" (crank, rod, offset),
+    "guide" (crank, frame, offset). Raises NotALength, CannotClose, OnlyStretched, CannotDriveBy."""
+    try:
+        return KINDS[kind](*lengths, driver=driver)
+    except GraphkinError as error:
+        raise error.at(Where(f"--{kind}")) from None
 
 
 @frozen

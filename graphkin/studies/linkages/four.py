@@ -9,18 +9,15 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import ClassVar
 
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.studies.linkages import triangles
 from graphkin.studies.linkages.assembled import assembled, turning
-from graphkin.studies.linkages.equal import even
-from graphkin.studies.linkages.first_position import TURNS, sine, well_drawn
-from graphkin.studies.linkages.lengths import check_closing, check_driver, check_links
-from graphkin.studies.linkages.linkage import DriverScale, LinkagePosition, MotionRange, Sums, TransmissionAngle, Turn
-from graphkin.studies.linkages.triangles import angles, apex, folded, phase, spanned, whole
+from graphkin.studies.linkages.linkage import DriverScale, LinkagePosition, Sums, TransmissionAngle, Turn
 
 
 @frozen
@@ -38,6 +35,8 @@ class FourBar:
 
     word: ClassVar[str] = "fourbar"
     drivers: ClassVar[tuple[str, ...]] = ("crank", "coupler", "rocker")
+    block: ClassVar[bool] = False
+    stroke: ClassVar[float | None] = None
 
     crank: float
     coupler: float
@@ -50,12 +49,22 @@ class FourBar:
 
     def __post_init__(self) -> None:
         sizes = self.sizes
-        check_links(sizes)
-        check_driver(self.driver, self.drivers)
+        triangles.check_parts(sizes, self.driver, self.drivers)
         long = max(sizes, key=lambda link: sizes[link])
         others = [link for link in sizes if link != long]
-        check_closing(long, sizes[long], others, sum(self.lengths) - sizes[long])
-        object.__setattr__(self, "places", self.places or _start(self))
+        triangles.check_closing(long, sizes[long], others, sum(self.lengths) - sizes[long])
+        object.__setattr__(self, "places", self.places or self._first_places())
+
+    def _first_places(self) -> tuple[complex, ...]:
+        """The crank at 60 deg or near, as far as it gets, C on the left of BD."""
+        low, high = triangles.angles(self.crank, self.frame, self.coupler, self.rocker)
+        positions = []
+        for turn in (*(turn for turn in triangles.TURNS if low + 0.02 < turn < high - 0.02), (low + high) / 2):
+            b, d = cmath.rect(self.crank, turn), complex(self.frame)
+            positions.append((0j, b, triangles.apex(b, d, self.coupler, self.rocker, 1.0), d))
+        if self.driver == "rocker":
+            return triangles.well_drawn(positions, lambda a, b, c, d: triangles.sine(b - a, c - b))
+        return triangles.well_drawn(positions, lambda a, b, c, d: triangles.sine(b - c, d - c))
 
     @property
     def lengths(self) -> tuple[float, float, float, float]:
@@ -76,21 +85,15 @@ class FourBar:
         return "crank" if self.driver == "rocker" else "rocker"
 
     @property
-    def block(self) -> bool:
-        return False
-
-    @property
     def drawn(self) -> LinkagePosition:
-        bar = _from_driver(self)
-        return _lettered(self, [_position(bar, bar.places, "")])[0]
-
-    @property
-    def stroke(self) -> float | None:
-        return None
+        bar = self._from_driver()
+        return self._lettered([bar._position(bar.places, "")])[0]
 
     @property
     def arm(self) -> tuple[int, int]:
         return (0, 1) if self.output == "crank" else (3, 2)
+
+    # --- kinds --------------------------------------------------------------------------------
 
     def sums(self) -> Sums:
         """Grashof's: shortest and longest link, and the two others."""
@@ -104,68 +107,151 @@ class FourBar:
         gap = self.sums().gap
         if gap > 0:
             return "triple-rocker", ""
-        return ("change-point", _family(self)) if gap == 0 else (_by_shortest(self), "")
+        return ("change-point", self._family()) if gap == 0 else (self._by_shortest(), "")
+
+    def _by_shortest(self) -> str:
+        shortest = min(range(4), key=lambda k: self.lengths[k])
+        if shortest in (1, 3):
+            return "double-rocker" if shortest == 1 else "double-crank"
+        return "crank-rocker" if (shortest == 0) != (self.driver == "rocker") else "rocker-crank"
+
+    def _family(self) -> str:
+        def same(one: float, other: float) -> bool:
+            return triangles.even(one - other, sum(self.lengths)) == 0
+
+        a, b, c, d = self.lengths
+        pa, pb, pc, pd = self.places
+        parallel = abs((pb - pa) - (pc - pd)) < 1e-6 * (a + c)
+        if same(a, b) and same(b, c) and same(c, d):
+            return "rhombus" if parallel else "folded rhombus"
+        if same(a, c) and same(b, d):
+            return "parallelogram" if parallel else "antiparallelogram"
+        kite = (same(a, b) and same(c, d)) or (same(a, d) and same(b, c))
+        return "kite" if kite else self._by_shortest()
 
     def turns(self) -> tuple[Turn, ...]:
         """The four hinges, then the two pairs of opposite links."""
-        names = tuple(self.called.values())
-        hinges = [_turns_fully(self.lengths, k) for k in range(4)]
-        found = [Turn(names[k], names[(k + 1) % 4], hinges[k], True) for k in range(4)]
-        together = self.kind()[1] in ("parallelogram", "rhombus")
+        names, sizes = tuple(self.called.values()), self.lengths
+        hinges = [triangles.angles(*(sizes[(k + step) % 4] for step in range(4))) == (0.0, math.pi) for k in range(4)]
+        turns = [Turn(names[k], names[(k + 1) % 4], hinges[k], True) for k in range(4)]
+        parallel = self.kind()[1] in ("parallelogram", "rhombus")
         for k in (0, 1):
             one, other = hinges[k], hinges[k + 1]
-            full = one != other or (one and not together)
-            found.append(Turn(names[k], names[k + 2], full, False))
-        return tuple(found)
+            turns.append(Turn(names[k], names[k + 2], one != other or (one and not parallel), False))
+        return tuple(turns)
 
-    def driver_range(self) -> MotionRange:
-        bar = _from_driver(self)
-        return _range(bar).turned(_base(bar))
+    # --- ranges and positions -----------------------------------------------------------------
 
-    def output_range(self) -> MotionRange:
-        bar = _swapped(_from_driver(self))
-        return _range(bar).turned(_base(bar))
+    def driver_range(self) -> triangles.MotionRange:
+        bar = self._from_driver()
+        return bar._range().turned(bar._base)
+
+    def output_range(self) -> triangles.MotionRange:
+        bar = self._from_driver()._swapped()
+        return bar._range().turned(bar._base)
 
     def limits(self) -> tuple[LinkagePosition, ...]:
         """The two ends of the output link's swing, the stretched one first; none where it turns fully."""
-        seen = _from_driver(self)
-        other = _swapped(seen)
-        found = _range(other)
-        if found.full:
+        bar = self._from_driver()
+        other = bar._swapped()
+        span = other._range()
+        if span.full:
             return ()
-        ends = [_limit(seen, other, angle) for angle in (found.low, found.high)]
-        return _lettered(self, sorted(ends, key=lambda end: end.how != "stretched"))
+        ends = [bar._limit(other._base + angle) for angle in (span.low, span.high)]
+        return self._lettered(sorted(ends, key=lambda end: end.how != "stretched"))
 
     def critical(self) -> tuple[LinkagePosition, ...]:
         """The driver in line with the frame, and its own ends."""
-        return _lettered(self, _critical(_from_driver(self)))
+        bar = self._from_driver()
+        span, side = bar._range(), bar._side
+        lines = ((0.0, "inner"), (math.pi, "outer"))
+        ends = [bar._at(angle, side, how) for angle, how in lines if span.full or span.low < angle < span.high]
+        ends += [] if span.full else [bar._at(angle, 0.0, "end") for angle in (span.low, span.high)]
+        return self._lettered(ends)
 
     def direction(self, position: LinkagePosition) -> float:
         a, b, c, d = position.places
         return cmath.phase(c - d if self.driver == "rocker" else b - a)
 
     def position_at(self, direction: float) -> LinkagePosition:
-        """Of AB, for one driven there, and of DC, for one driven there."""
-        bar = _from_driver(self)
-        return _lettered(self, [_at(bar, direction - _base(bar), _side(bar), "")])[0]
+        """The position with AB, or a driving DC, at a direction."""
+        bar = self._from_driver()
+        return self._lettered([bar._at(direction - bar._base, bar._side, "")])[0]
 
     def driver_at(self, direction: float) -> float:
-        other = _swapped(_from_driver(self))
-        _, _, b, a = _at(other, direction - _base(other), _side(other), "").places
+        bar = self._from_driver()._swapped()
+        _, _, b, a = bar._at(direction - bar._base, bar._side, "").places
         return cmath.phase(b - a)
 
     def ratio(self, direction: float) -> float:
         """Both ends of the coupler have the same speed along it."""
-        bar = _from_driver(self)
-        a, b, c, d = bar.position_at(direction).places
+        a, b, c, d = self._from_driver().position_at(direction).places
         along = c - b
-        given, taken = (along.conjugate() * (b - a)).imag, (along.conjugate() * (c - d)).imag
-        return given / taken if taken else math.inf
+        driving, driven = (along.conjugate() * (b - a)).imag, (along.conjugate() * (c - d)).imag
+        return driving / driven if driven else math.inf
 
     def seen(self, position: LinkagePosition) -> TransmissionAngle:
         """Between the coupler and the output link."""
         a, b, c, d = position.places
         return TransmissionAngle(b, b - c, a - b) if self.driver == "rocker" else TransmissionAngle(c, c - b, d - c)
+
+    def _from_driver(self) -> FourBar:
+        """The same linkage with the driven link in the place of the crank."""
+        return self._swapped() if self.driver == "rocker" else self
+
+    def _swapped(self) -> FourBar:
+        """Lettered from the other end: the same places, D for A."""
+        return replace(
+            self, crank=self.rocker, rocker=self.crank, names=self.names[::-1], places=self.places[::-1],
+            driver="crank", scale=self.scale if self.driver == "rocker" else None,
+        )  # fmt: skip
+
+    def _lettered(self, ends: Iterable[LinkagePosition]) -> tuple[LinkagePosition, ...]:
+        """Places in the order of the linkage's own names."""
+        if self.driver != "rocker":
+            return tuple(ends)
+        return tuple(replace(end, places=end.places[::-1]) for end in ends)
+
+    @property
+    def _base(self) -> float:
+        """Direction of the frame, A to D."""
+        return cmath.phase(self.places[3] - self.places[0])
+
+    @property
+    def _side(self) -> float:
+        """1 where C lies to the left of B -> D, else -1."""
+        _, b, c, d = self.places
+        return 1.0 if ((d - b).conjugate() * (c - b)).imag >= 0 else -1.0
+
+    def _range(self) -> triangles.MotionRange:
+        """Angles of AB against AD."""
+        a, b, _, d = self.places
+        least, greatest = triangles.angles(self.crank, self.frame, self.coupler, self.rocker)
+        return triangles.spanned(least, greatest, cmath.phase((b - a) / (d - a)))
+
+    def _limit(self, direction: float) -> LinkagePosition:
+        """DC at a direction at which AB and BC lie in line."""
+        a, d = self.places[0], self.places[3]
+        c = d + cmath.rect(self.rocker, direction)
+        stretched = abs(abs(c - a) - self.crank - self.coupler) < abs(abs(c - a) - abs(self.crank - self.coupler))
+        sense = 1.0 if stretched or self.crank > self.coupler else -1.0
+        b = a + sense * self.crank * (c - a) / abs(c - a)
+        return self._position((a, b, c, d), "stretched" if stretched else "folded")
+
+    def _at(self, angle: float, side: float, how: str) -> LinkagePosition:
+        """AB at an angle against AD, C to the left of BD (side 1), to the right (-1), or on it (0)."""
+        a, _, c, d = self.places
+        b = a + cmath.rect(self.crank, self._base + angle)
+        if abs(d - b) < 1e-9 * self.frame:  # AB lies on AD, BC on DC: C may be anywhere about D
+            return replace(self._position((a, b, c, d), how), gamma=0.0)
+        return self._position((a, b, triangles.apex(b, d, self.coupler, self.rocker, side), d), how)
+
+    def _position(self, places: tuple[complex, ...], how: str) -> LinkagePosition:
+        a, b, c, d = places
+        turned = triangles.phase(b - a)
+        value = turned if self.scale is None else triangles.whole(self.scale(turned))
+        gamma = None if self.driver == "coupler" else triangles.folded(b - c, d - c)
+        return LinkagePosition(places, 0.0, value, triangles.phase(c - d), gamma, how)
 
     def mechanism(self, omega: float = 10.0) -> Mechanism:
         (a, b, c, d), (pa, pb, pc, pd) = self.names, self.places
@@ -174,134 +260,3 @@ class FourBar:
         }[self.driver]  # fmt: skip
         links = {FRAME: {a: pa, d: pd}, "1": {a: pa, b: pb}, "2": {b: pb, c: pc}, "3": {d: pd, c: pc}}
         return assembled("4", links, (), (turning(link, vector, along, omega),))
-
-
-# --- kinds ----------------------------------------------------------------------------------------
-
-
-def _by_shortest(bar: FourBar) -> str:
-    shortest = min(range(4), key=lambda k: bar.lengths[k])
-    if shortest == 3:
-        return "double-crank"
-    if shortest == 1:
-        return "double-rocker"
-    driven_there = (shortest == 0) != (bar.driver == "rocker")
-    return "crank-rocker" if driven_there else "rocker-crank"
-
-
-def _family(bar: FourBar) -> str:
-    a, b, c, d = bar.lengths
-
-    def same(one: float, other: float) -> bool:
-        return even(one - other, a + b + c + d) == 0
-
-    if same(a, b) and same(b, c) and same(c, d):
-        return "rhombus" if _parallel(bar) else "folded rhombus"
-    if same(a, c) and same(b, d):
-        return "parallelogram" if _parallel(bar) else "antiparallelogram"
-    if (same(a, b) and same(c, d)) or (same(a, d) and same(b, c)):
-        return "kite"
-    return _by_shortest(bar)
-
-
-def _parallel(bar: FourBar) -> bool:
-    a, b, c, d = bar.places
-    return abs((b - a) - (c - d)) < 1e-6 * (bar.crank + bar.rocker)
-
-
-def _turns_fully(sizes: tuple[float, ...], k: int) -> bool:
-    one, other, far, farther = (sizes[(k + step) % 4] for step in range(4))
-    return angles(one, other, far, farther) == (0.0, math.pi)
-
-
-# --- ranges and positions ------------------------------------------------------------------------
-
-
-def _start(bar: FourBar) -> tuple[complex, ...]:
-    """The crank at 60 deg or near, as far as it gets, C on the left of BD."""
-    low, high = angles(bar.crank, bar.frame, bar.coupler, bar.rocker)
-    drawn = []
-    for turn in (*(turn for turn in TURNS if low + 0.02 < turn < high - 0.02), (low + high) / 2):
-        b, d = cmath.rect(bar.crank, turn), complex(bar.frame)
-        drawn.append((0j, b, apex(b, d, bar.coupler, bar.rocker, 1.0), d))
-    if bar.driver == "rocker":
-        return well_drawn(drawn, lambda a, b, c, d: sine(b - a, c - b))
-    return well_drawn(drawn, lambda a, b, c, d: sine(b - c, d - c))
-
-
-def _from_driver(bar: FourBar) -> FourBar:
-    """The same linkage with the driven link in the place of the crank."""
-    return _swapped(bar) if bar.driver == "rocker" else bar
-
-
-def _swapped(bar: FourBar) -> FourBar:
-    """Lettered from the other end: the same places, D for A."""
-    return replace(
-        bar, crank=bar.rocker, rocker=bar.crank, names=bar.names[::-1], places=bar.places[::-1],
-        driver="crank", scale=bar.scale if bar.driver == "rocker" else None,
-    )  # fmt: skip
-
-
-def _base(bar: FourBar) -> float:
-    """Direction of the frame, A to D."""
-    return cmath.phase(bar.places[3] - bar.places[0])
-
-
-def _range(bar: FourBar) -> MotionRange:
-    """Angles of AB against AD."""
-    a, b, _, d = bar.places
-    return spanned(*angles(bar.crank, bar.frame, bar.coupler, bar.rocker), cmath.phase((b - a) / (d - a)))
-
-
-def _lettered(bar: FourBar, ends: Iterable[LinkagePosition]) -> tuple[LinkagePosition, ...]:
-    """Places in the order of the linkage's own names."""
-    if bar.driver != "rocker":
-        return tuple(ends)
-    return tuple(replace(end, places=end.places[::-1]) for end in ends)
-
-
-def _limit(bar: FourBar, other: FourBar, angle: float) -> LinkagePosition:
-    """The output at an angle against D -> A at which AB and BC lie in line."""
-    a, d = bar.places[0], bar.places[3]
-    c = d + cmath.rect(bar.rocker, _base(other) + angle)
-    stretched = abs(abs(c - a) - bar.crank - bar.coupler) < abs(abs(c - a) - abs(bar.crank - bar.coupler))
-    sense = 1.0 if stretched or bar.crank > bar.coupler else -1.0
-    b = a + sense * bar.crank * (c - a) / abs(c - a)
-    return _position(bar, (a, b, c, d), "stretched" if stretched else "folded")
-
-
-def _position(bar: FourBar, places: tuple[complex, ...], how: str) -> LinkagePosition:
-    a, b, c, d = places
-    turned = phase(b - a)
-    value = turned if bar.scale is None else whole(bar.scale(turned))
-    gamma = None if bar.driver == "coupler" else folded(b - c, d - c)
-    return LinkagePosition(places, 0.0, value, phase(c - d), gamma, how)
-
-
-def _critical(bar: FourBar) -> Iterator[LinkagePosition]:
-    found, side = _range(bar), _side(bar)
-    for angle, how in ((0.0, "inner"), (math.pi, "outer")):
-        if found.full or found.low < angle < found.high:
-            yield _at(bar, angle, side, how)
-    if not found.full:
-        for angle in (found.low, found.high):
-            yield _at(bar, angle, 0.0, "end")
-
-
-def _side(bar: FourBar) -> float:
-    """1 where C lies to the left of B -> D, else -1."""
-    _, b, c, d = bar.places
-    return 1.0 if ((d - b).conjugate() * (c - b)).imag >= 0 else -1.0
-
-
-def _at(bar: FourBar, angle: float, side: float, how: str) -> LinkagePosition:
-    a, d = bar.places[0], bar.places[3]
-    b = a + cmath.rect(bar.crank, _base(bar) + angle)
-    if abs(d - b) < 1e-9 * bar.frame:
-        return _over_pivot(bar, b, how)
-    return _position(bar, (a, b, apex(b, d, bar.coupler, bar.rocker, side), d), how)
-
-
-def _over_pivot(bar: FourBar, b: complex, how: str) -> LinkagePosition:
-    """AB lies on AD, BC on DC, the two of one length each: C may be anywhere about D."""
-    return replace(_position(bar, (bar.places[0], b, bar.places[2], bar.places[3]), how), gamma=0.0)

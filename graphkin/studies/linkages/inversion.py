@@ -8,14 +8,15 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping
 from dataclasses import replace
 
 from graphkin.analytic import Motion, motion
+from graphkin.base.geometry import number
+from graphkin.base.geometry import place as place_of
 from graphkin.errors import NoFixing
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.model.pairs import Slide
-from graphkin.studies.linkages.assembled import Places, ahead_on, assembled, drawn_line, free_names
+from graphkin.studies.linkages.assembled import ahead_on, assembled, drawn_line, free_names
 
 
 def inverted(mechanism: Mechanism, link: str) -> Mechanism:
@@ -31,41 +32,38 @@ def inverted(mechanism: Mechanism, link: str) -> Mechanism:
 
 
 class _Inversion:
-    """Gathers the parts of the new mechanism: links by what they are called there, at their drawn places."""
+    """Gathers the new mechanism: links by their names there, at their drawn places."""
 
     def __init__(self, mechanism: Mechanism, fixed: str) -> None:
         self.old, self.fixed = mechanism, fixed
         self.now: Motion = motion(mechanism)
         self.names = self._renamed()
-        self.points = {name: self._points(name) for name in mechanism.links}
+        self.points = {
+            name: {self.names[p]: self._place(p, name) for p in link.points} for name, link in mechanism.links.items()
+        }
         reach = max((abs(z) for link in mechanism.links.values() for z in link.points.values()), default=0.0)
         self.reach = reach or 0.05
 
     def _renamed(self) -> dict[str, str]:
         """Points of lines, which had no name of their own, get one: that of a point of the link at the same place."""
-        found = {point: point for point in self.old.owners}
+        names = {point: point for point in self.old.owners}
         nameless = [(p, link) for link in self.old.links.values() for p in link.points if p in self.old.unnamed]
         for (point, link), fresh in zip(nameless, free_names(self.old.owners, len(nameless))):
             size = max(abs(z) for z in link.points.values()) or 1.0
-            named = self.old.named(link.name)
-            there = (p for p in named if abs(link.points[p] - link.points[point]) < 1e-12 * size)
-            found[point] = next(there, fresh)
-        return found
-
-    def _points(self, link: str) -> dict[str, complex]:
-        """A link's points where they are drawn [m]."""
-        return {self.names[p]: self._place(p, link) for p in self.old.links[link].points}
+            same = (p for p in self.old.named(link.name) if abs(link.points[p] - link.points[point]) < 1e-12 * size)
+            names[point] = next(same, fresh)
+        return names
 
     def _place(self, point: str, link: str) -> complex:
-        """Where a point of a link is, points of lines included."""
+        """The place of a point of a link, points of lines included [m]."""
         if point in self.now.position:
-            return complex(self.now.position[point])
+            return place_of(self.now.position[point])
         points = self.old.links[link].points
         base = next((p for p in points if p in self.now.position), None)
         if link == FRAME or base is None:
             return points[point]
-        turn = cmath.rect(1, float(self.now.theta[link]))
-        return complex(self.now.position[base]) + (points[point] - points[base]) * turn
+        turn = cmath.rect(1, number(self.now.theta[link]))
+        return place_of(self.now.position[base]) + (points[point] - points[base]) * turn
 
     def called(self, link: str) -> str:
         """A link's name in the new mechanism."""
@@ -77,30 +75,28 @@ class _Inversion:
         drivers = tuple(self._driver(driver) for driver in self.old.drivers)
         order = sorted(self.points, key=lambda name: (name != self.fixed, name == FRAME))
         links = {self.called(name): self.points[name] for name in order}
-        slides = tuple(self._slide(slide, links) for slide in self.old.slides)
-        return assembled(self.fixed, links, slides, drivers, self.old.scales.get("length"))
-
-    # --- slides ----------------------------------------------------------------------------------
+        slides = []
+        for slide in self.old.slides:
+            guide, block = self.called(slide.guide), None if slide.block is None else self.called(slide.block)
+            line = drawn_line(links, guide, self.names[slide.line.origin], self._along(slide))
+            tilt, point = self._tilt(slide), self.names[slide.point]
+            slides.append(replace(slide, line=line, point=point, block=block, tilt=tilt))
+        return assembled(self.fixed, links, tuple(slides), drivers, self.old.scales.get("length"))
 
     def _along(self, slide: Slide) -> complex:
-        return slide.line.direction * cmath.rect(1, float(self.now.theta[slide.guide]))
+        return slide.line.direction * cmath.rect(1, number(self.now.theta[slide.guide]))
 
     def _reach_along(self, slide: Slide) -> None:
         """A line of a moving link goes towards a point of it; one is added, as far out as what slides, for none."""
         points, origin, along = self.points[slide.guide], self.names[slide.line.origin], self._along(slide)
         if slide.guide == self.fixed or ahead_on(points, origin, along):
             return
-        there = ((complex(self.now.position[slide.point]) - points[origin]) * along.conjugate()).real
-        self._added(slide.guide, points[origin] + along * max(there, 0.25 * self.reach))
-
-    def _slide(self, slide: Slide, links: Mapping[str, Places]) -> Slide:
-        guide, block = self.called(slide.guide), None if slide.block is None else self.called(slide.block)
-        line = drawn_line(links, guide, self.names[slide.line.origin], self._along(slide))
-        return replace(slide, line=line, point=self.names[slide.point], block=block, tilt=self._tilt(slide))
+        ahead = ((place_of(self.now.position[slide.point]) - points[origin]) * along.conjugate()).real
+        self._added(slide.guide, points[origin] + along * max(ahead, 0.25 * self.reach))
 
     def _added(self, link: str, place: complex) -> str:
-        taken = {point for points in self.points.values() for point in points} | set(self.old.owners)
-        name = free_names(taken, 1)[0]
+        """The name of a point that a link gets at a place."""
+        name = free_names({point for points in self.points.values() for point in points} | set(self.old.owners), 1)[0]
         self.points[link][name] = place
         return name
 
@@ -117,12 +113,10 @@ class _Inversion:
         first = next(other for other in self.old.slides if other.block == slide.block)
         return _wrapped(cmath.phase(self._along(first)) - line)
 
-    # --- drivers ----------------------------------------------------------------------------------
-
     def _driver(self, driver: Driver) -> Driver:
         if driver.kind == "slide":
             at = self.now.values[self.old.drivers.index(driver)]
-            return replace(driver, value=float(at), also=())
+            return replace(driver, value=number(at), also=())
         one, other, sense = driver.link, driver.from_link, 1.0
         if one == self.fixed:
             one, other, sense = other, one, -1.0
@@ -136,10 +130,10 @@ class _Inversion:
             sense * driver.acceleration,
         )  # fmt: skip
 
-    def _vector(self, link: str, given: tuple[str, str] | None) -> tuple[str, str]:
+    def _vector(self, link: str, vector: tuple[str, str] | None) -> tuple[str, str]:
         """Two points of a link; one is added where it has no two."""
-        if given is not None:
-            return given
+        if vector is not None:
+            return vector
         points = self.points[link]
         if not points:
             self._added(link, 0j)

@@ -1,20 +1,21 @@
-"""What every kind of linkage of four links answers: the contract, and the values it answers with.
+"""The contract of every kind of linkage of four links, and the values it answers with.
 
-A kind is one class in one file (`four`, `slider`, `guide`) that fulfils `Linkage`, and one entry in `kinds`. Whoever
-has a linkage asks it; nobody asks which kind it is. Lengths [m], angles [rad], places complex [m].
+A kind is one class in one file (`four`, `slider`, `guide`) that fulfils `Linkage`, and one entry in `family.KINDS`.
+Whoever has a linkage asks it; nobody asks which kind it is. Lengths [m], angles [rad], places complex [m].
 
-How to add a kind: a file with its class, its entry in `kinds.KINDS`, its loop in `finding`, its words in
+A new kind is a file with its class, its entry in `family.KINDS`, its loop in `recognised`, its words in
 `graphkin.say.linkages`; the type checker holds the class to the contract.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, ClassVar, Protocol
+from dataclasses import Field
+from typing import ClassVar, Protocol
 
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import Mechanism
-from graphkin.studies.linkages.equal import even
+from graphkin.studies.linkages.triangles import MotionRange, even
 
 SLIDES = ("slider", "slide")
 """The parts whose motion is a displacement [m]; all others turn [rad]."""
@@ -24,7 +25,7 @@ CRANKS = ("crank", "rocker")
 
 @frozen
 class DriverScale:
-    """How a file counts a driver: value = zero + sense * ours [rad or m]."""
+    """The count of a driver in a file: value = zero + sense * ours [rad or m]."""
 
     name: str
     zero: float = 0.0
@@ -35,25 +36,8 @@ class DriverScale:
 
 
 @frozen
-class MotionRange:
-    """What a link or a slider goes through, from low to high [rad or m]; `full`: it turns round and round."""
-
-    low: float
-    high: float
-    full: bool = False
-
-    @property
-    def width(self) -> float:
-        return self.high - self.low
-
-    def turned(self, base: float) -> MotionRange:
-        """The same range counted from a line that lies at `base` [rad]."""
-        return MotionRange(base + self.low, base + self.high, self.full)
-
-
-@frozen
 class LinkagePosition:
-    """The linkage at one position that tells something.
+    """The linkage at one position.
 
     places   of its points, in the order of its names [m]
     turn     direction of the guide or of the bar [rad]; 0 for a four-bar
@@ -74,7 +58,7 @@ class LinkagePosition:
 
 @frozen
 class Turn:
-    """Whether two links can make a full turn against each other. `hinge`: whether they are neighbours."""
+    """Two links; full: they can make a full turn against each other; hinge: they are neighbours."""
 
     first: str
     second: str
@@ -109,7 +93,7 @@ class Sums:
 
 @frozen
 class TransmissionAngle:
-    """Where a transmission angle is seen: between two lines through a point.
+    """A transmission angle as it is seen: between two lines through a point.
 
     at, one, other   the point and a vector along each line [m]
     pressure         it is the pressure angle that is seen there, 90 deg less the transmission angle
@@ -128,7 +112,7 @@ class Linkage(Protocol):
     of the two mirrored assemblies that `places` shows.
     """
 
-    __dataclass_fields__: ClassVar[dict[str, Any]]
+    __dataclass_fields__: ClassVar[dict[str, Field[object]]]
     """It is a frozen dataclass: `replace` gives the same linkage with another driver."""
     word: ClassVar[str]
     """Its key in `kinds.KINDS`, and its option on the command line."""
@@ -137,35 +121,35 @@ class Linkage(Protocol):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What its points A, B, C (and D) are called."""
+        """The names of its points A, B, C (and D)."""
 
     @property
     def places(self) -> tuple[complex, ...]:
-        """Where they are at the drawn position [m]."""
+        """Its points at the drawn position [m]."""
 
     @property
     def driver(self) -> str:
-        """Which part drives, one of `called`."""
+        """The part that drives, one of `called`."""
 
     @property
     def output(self) -> str:
-        """Which part is driven, one of `called`."""
+        """The part that is driven, one of `called`."""
 
     @property
     def scale(self) -> DriverScale | None:
-        """How the file counts the driver; None: a turning one by its direction, a sliding one from its own zero."""
+        """The count of the driver in the file; None: by its direction, a slide from its own zero."""
 
     @property
     def block(self) -> bool:
-        """Whether the frame carries the block, and the guide slides in it."""
+        """True if the frame carries the block, and the guide slides in it."""
 
     @property
     def called(self) -> Mapping[str, str]:
-        """What each part is called: {"crank": "AB", ..}."""
+        """The name of each part: {"crank": "AB", ..}."""
 
     @property
     def sizes(self) -> Mapping[str, float]:
-        """Lengths by what the links are called, the offset of a kind that slides as "e" [m]."""
+        """Lengths by the names of the links, the offset of a kind that slides as "e" [m]."""
 
     @property
     def drawn(self) -> LinkagePosition:
@@ -173,32 +157,32 @@ class Linkage(Protocol):
 
     @property
     def stroke(self) -> float | None:
-        """How far its slider goes from end to end [m]; None where no part slides on the frame."""
+        """The length from end to end of its slider's motion [m]; None where no part slides on the frame."""
 
     @property
     def arm(self) -> tuple[int, int]:
-        """Which places are the fixed pivot of the turning output and its moving hinge (the crank's, if it slides)."""
+        """The numbers of two places: fixed pivot and moving hinge of the turning output (the crank, if it slides)."""
 
     def kind(self) -> tuple[str, str]:
-        """The kind, and what is special about it: "change-point" and "kite", "slider-crank" and "offset"."""
+        """The kind, and its special case: "change-point" and "kite", "slider-crank" and "offset"."""
 
     def sums(self) -> Sums:
         """The lengths that decide the kind."""
 
     def turns(self) -> tuple[Turn, ...]:
-        """Who turns fully against whom."""
+        """Every two links, and whether they turn fully against each other."""
 
     def driver_range(self) -> MotionRange:
-        """What the driver goes through: directions [rad], or displacements as its scale counts [m]."""
+        """The range of the driver: directions [rad], or displacements as its scale counts [m]."""
 
     def output_range(self) -> MotionRange:
-        """What the output goes through: directions [rad], or the slider's places along its guide [m]."""
+        """The range of the output: directions [rad], or the slider's places along its guide [m]."""
 
     def limits(self) -> tuple[LinkagePosition, ...]:
-        """The two ends of the output's way; none where it turns round and round."""
+        """The two ends of the output's motion; none where it turns round and round."""
 
     def critical(self) -> tuple[LinkagePosition, ...]:
-        """Where the transmission angle can be least, over everything the driver reaches."""
+        """Positions at which the transmission angle can be least, over the driver's range."""
 
     def direction(self, position: LinkagePosition) -> float:
         """Direction of the driven link at a position [rad]; of the crank where the coupler or a slide drives."""
@@ -222,7 +206,7 @@ class Linkage(Protocol):
         """
 
     def seen(self, position: LinkagePosition) -> TransmissionAngle | None:
-        """Where the transmission angle is seen; None for a bar, on which the force lies square to no link."""
+        """The transmission angle as it is seen; None for a bar, on which the force lies square to no link."""
 
     def mechanism(self, omega: float = 10.0) -> Mechanism:
         """It as a mechanism at its drawn position: links 1, 2, 3, frame 4, driven at `omega` [rad/s] or 0.1 m/s."""

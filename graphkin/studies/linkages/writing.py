@@ -60,15 +60,11 @@ def _slide(machine: Mechanism, slide: Slide) -> dict[str, str]:
         table["angle"] = _degrees(math.atan2(along.imag, along.real))
     else:
         table["toward"] = _quoted(ahead_on(points, origin, along))
-    return table | ({"tilt": _degrees(slide.tilt)} if _tilts(machine, slide) else {})
-
-
-def _tilts(machine: Mechanism, slide: Slide) -> bool:
-    """Whether the block has a direction of its own: it is the frame, has two points, or slides on a line before."""
-    if slide.block is None:
-        return False
-    first = next(other for other in machine.slides if other.block == slide.block)
-    return slide.block == FRAME or len(machine.links[slide.block].points) > 1 or first is not slide
+    if slide.block is not None:
+        first = next(other for other in machine.slides if other.block == slide.block)
+        if slide.block == FRAME or len(machine.links[slide.block].points) > 1 or first is not slide:
+            table["tilt"] = _degrees(slide.tilt)  # the block has a direction of its own
+    return table
 
 
 def _driver(driver: Driver) -> dict[str, str]:

@@ -3,11 +3,9 @@
 from graphkin.model.quantities import split
 from graphkin.studies.sweeps.course import Course, course
 from graphkin.studies.sweeps.point_path import PointPath, point_path
-from graphkin.studies.sweeps.proof import prove
-from graphkin.studies.sweeps.quantities import Series, asked, drawable
 from graphkin.studies.sweeps.ranges import Ranges
-from graphkin.studies.sweeps.roads import Road
-from graphkin.studies.sweeps.sweep import Sweep, in_parts, quantities_at, sweep, sweep_over
+from graphkin.studies.sweeps.roads import Road, prove
+from graphkin.studies.sweeps.sweep import Series, Sweep, asked, drawable, in_parts, quantities_at, sweep, sweep_over
 
 __all__ = [
     "Course", "PointPath", "Ranges", "Road", "Series", "Sweep", "asked", "course", "drawable", "in_parts", "point_path",

@@ -1,4 +1,4 @@
-"""What moves in a sweep, and how far it gets: `--driver 0:360:10` made into positions."""
+"""The positions of a sweep, as far as the mechanism gets: `--driver 0:360:10` laid along a path."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Real, number
 from graphkin.base.value import frozen
 from graphkin.errors import BadRange, NoPosition, NoSuchDriver
 from graphkin.model.mechanism import Driver
@@ -18,26 +18,17 @@ from graphkin.planning import Method
 from graphkin.running.path import DriverPath, Event
 from graphkin.running.reaching import reached
 from graphkin.running.tracing import trace
-from graphkin.studies.sweeps.ranges import (
-    ROWS,
-    TURN,
-    WHERE,
-    DriverValues,
-    Ranges,
-    first_free,
-    given_ranges,
-    in_proportion,
-)
+from graphkin.studies.sweeps.ranges import ROWS, TURN, WHERE, DriverValues, Ranges, aligned, first_free, given_ranges
 
 
 @frozen
 class Course:
-    """A mechanism moved along a path, and the positions asked for on it.
+    """A mechanism moved along a path, and the chosen positions on it.
 
     swept   number of the driver by whose value positions are named
-    t       where on the path the positions are (n,)
-    values  of the swept driver there, as they were asked for (n,) [rad, m]
-    dropped values of the swept driver that were asked for and are not reached [rad, m]
+    t       of the positions on the path (n,)
+    values  of the swept driver there, as the ranges have them (n,) [rad, m]
+    dropped values of the swept driver in the ranges that are not reached [rad, m]
     compiled  as `ReplayProgram.run` has it; None: by the number of positions
     """
 
@@ -55,7 +46,7 @@ class Course:
 
     @property
     def angular(self) -> bool:
-        """Whether positions are named by an angle, else by a displacement."""
+        """True if positions are named by an angle, else by a displacement."""
         return self.driver.kind != "slide"
 
     @property
@@ -63,24 +54,24 @@ class Course:
         """SI unit of the swept driver's values."""
         return driven(not self.angular)
 
-    def value(self, t: Value) -> Value:
+    def value(self, t: Real) -> Real:
         """The swept driver's value [rad, m]."""
         return self.path.start[self.swept] + self.path.pace[self.swept] * t
 
-    def at(self, value: Value) -> Value:
-        """Where on the path the swept driver has a value."""
+    def at(self, value: Real) -> Real:
+        """The t on the path at which the swept driver has a value."""
         return (value - self.path.start[self.swept]) / self.path.pace[self.swept]
 
     @cached_property
     def reach(self) -> tuple[float, float]:
         """The least and the greatest value of the swept driver on the path [rad, m]."""
-        ends = self.value(self.path.first), self.value(self.path.last)
+        ends = number(self.value(self.path.first)), number(self.value(self.path.last))
         return min(ends), max(ends)
 
     @property
     def stops(self) -> tuple[Event, ...]:
         """Dead points at which the path ends, in the order of the swept driver's values."""
-        return tuple(sorted(self.path.stops, key=lambda stop: float(self.value(stop.at))))
+        return tuple(sorted(self.path.stops, key=lambda stop: number(self.value(stop.at))))
 
     @property
     def changes(self) -> tuple[Event, ...]:
@@ -91,11 +82,11 @@ class Course:
 
     @property
     def full_turn(self) -> bool:
-        """Whether the swept driver goes all round."""
+        """True if the swept driver goes all round."""
         return self.angular and not self.path.stops
 
     def fine(self, count: int) -> np.ndarray:
-        """t at `count` positions evenly over what is asked for, as far as it is reached."""
+        """t at `count` positions evenly from the first to the last that is reached."""
         low, high = (float(self.t.min()), float(self.t.max())) if self.t.size else (self.path.first, self.path.last)
         return np.linspace(low, high, count)
 
@@ -110,18 +101,20 @@ def course(method: Method, ranges: Ranges = ()) -> Course:
 
     Raises BadRange, NoSuchDriver, NotReached; NoPosition where none of the positions is reached.
     """
-    given = given_ranges(method, ranges)
-    moving = [k for k, wanted in given.items() if wanted.moves]
+    spans = given_ranges(method, ranges)
+    moving = [k for k, span in spans.items() if span.moves]
     if not method.drivers:
         raise NoSuchDriver(method.mechanism.where("driver"), "", ())
-    if moving and len(given) > 1:
-        return _together(method, given, moving)
-    before = _moved(method, given)
-    swept = moving[0] if moving else first_free(method, given)
+    if moving and len(spans) > 1:
+        return _together(method, spans, moving)
+    held = {k: span.begin for k, span in spans.items() if not span.moves}
+    before = None
+    if held:
+        before = reached(method, [held.get(k, value) for k, value in enumerate(method.facts(None).values)])
+    swept = moving[0] if moving else first_free(method, spans)
     if swept is None:
         raise BadRange(WHERE, ", ".join(map(str, ranges)))
-    pace = _pace(method, swept, tuple(given) if before is not None else ())
-    return _over(method, swept, pace, given[swept] if moving else None, before)
+    return _over(method, swept, _pace(method, swept, tuple(held)), spans[swept] if moving else None, before)
 
 
 def course_from(method: Method, values: Sequence[float] | None = None) -> Course:
@@ -133,124 +126,79 @@ def course_from(method: Method, values: Sequence[float] | None = None) -> Course
 
 
 def _pace(method: Method, swept: int, still: tuple[int, ...]) -> tuple[float, ...]:
-    """The others keep pace with the swept driver as their speeds are; all stand still where it has none."""
+    """The pace of all drivers: in proportion to their speeds; all but the swept one stand where it has no speed."""
     rate = method.drivers[swept].rate
     paces = [0.0 if k in still or not rate else driver.rate / rate for k, driver in enumerate(method.drivers)]
     paces[swept] = 1.0
     return tuple(paces)
 
 
-# --- one driver, and those that keep pace with it ---------------------------------------------
-
-
 def _over(
-    method: Method,
-    swept: int,
-    pace: tuple[float, ...],
-    wanted: DriverValues | None,
+    method: Method, swept: int, pace: tuple[float, ...], span: DriverValues | None,
     before: tuple[DriverPath, float] | None,
-) -> Course:
-    start = float(before[0].values(before[1])[swept]) if before else float(method.facts(None).values[swept])
+) -> Course:  # fmt: skip
+    """The course of one driver, and of those that keep pace with it, through the drawn position or on from `before`."""
     driver = method.drivers[swept]
-    low, high = _ends(method, driver, start, wanted)
-    path = trace(method, pace, low - start, high - start, before)
-    values = wanted.values if wanted else _usual(method, driver, path, swept)
-    t, there = _turned_back(method, path, driver, values - start)
-    return _of_those(Course(method, path, swept, t, values, values[:0]), there)
-
-
-def _of_those(whole: Course, there: np.ndarray) -> Course:
-    """The course without the positions that are not reached; most often all are, and no array is copied."""
-    if there.all():
-        return whole
-    found = replace(whole, t=whole.t[there], values=whole.values[there], dropped=whole.values[~there])
-    if not there.any():
-        raise _none(found)
-    return found
-
-
-def _ends(method: Method, driver: Driver, start: float, wanted: DriverValues | None) -> tuple[float, float]:
-    """How far to look: a turn to either side, or as far as a slide of the mechanism's size may go; farther if asked."""
+    start = number(before[0].values(before[1])[swept]) if before else float(method.facts(None).values[swept])
     if driver.kind == "slide":
         usual = start - 2 * method.size, start + 2 * method.size
     else:
         usual = min(start - TURN, 0.0), max(start + TURN, TURN)
-    asked = (wanted.begin, wanted.end) if wanted else ()
-    return min((usual[0], *asked)), max((usual[1], *asked))
+    ends = (*usual, span.begin, span.end) if span else usual
+    path = trace(method, pace, min(ends) - start, max(ends) - start, before)
+    values = span.values if span else _usual(method, driver, path, swept)
+    t = values - start
+    if path.stops and driver.kind != "slide" and not method.structure.contacts and sum(map(bool, path.pace)) == 1:
+        # positions whole turns away are the same ones
+        t = np.where(path.leads_to(t), t, t - TURN * np.round((t - (path.first + path.last) / 2) / TURN))
+    whole = Course(method, path, swept, t, values, values[:0])
+    return _as_far_as_reached(whole, np.broadcast_to(path.leads_to(t), t.shape))
 
 
-def _turned_back(method: Method, path: DriverPath, driver: Driver, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Positions whole turns away are the same ones, where nothing rolls; and which of all are reached."""
-    turns_alike = driver.kind != "slide" and not method.structure.contacts and sum(map(bool, path.pace)) == 1
-    if turns_alike and path.stops:
-        middle = (path.first + path.last) / 2
-        turned = t - TURN * np.round((t - middle) / TURN)
-        t = np.where(path.leads_to(t), t, turned)
-    return t, np.broadcast_to(path.leads_to(t), t.shape)
+def _as_far_as_reached(whole: Course, on_path: np.ndarray) -> Course:
+    """The course without the positions that are not reached; most often all are, and no array is copied."""
+    if on_path.all():
+        return whole
+    if on_path.any():
+        return replace(whole, t=whole.t[on_path], values=whole.values[on_path], dropped=whole.values[~on_path])
+    low, high = map(EDGE[whole.unit].shown, whole.reach)
+    raise NoPosition(whole.method.mechanism.where("driver", whole.swept), whole.driver.name, low, high)
 
 
 def _usual(method: Method, driver: Driver, path: DriverPath, swept: int) -> np.ndarray:
     """Every 10 degrees of a turn, or of what is reached; of a slide's range, some forty round values."""
-    start = path.start[swept]
-    if driver.kind != "slide":
+    low, high = path.start[swept] + path.first, path.start[swept] + path.last
+    if driver.kind == "slide":
+        step = (high - low) / ROWS
+        power = 10.0 ** math.floor(math.log10(step))
+        step = next(power * k for k in (1, 2, 5, 10) if power * k >= step * (1 - 1e-9))
+    elif not path.stops:
+        return _multiples(0.0, TURN, math.radians(10))
+    else:
         step = math.radians(10)
-        if not path.stops:
-            return _multiples(0.0, TURN, step)
-        low, high = start + path.first, start + path.last
         while (high - low) / step < 12:
             step /= 2
-        return _inside(_multiples(low, high, step), low, high)
-    low, high = start + path.first, start + path.last
-    return _inside(_multiples(low, high, _round_step((high - low) / ROWS)), low, high)
+    values, margin = _multiples(low, high, step), 1e-9 * (high - low)
+    return values[(values > low + margin) & (values < high - margin)]
 
 
 def _multiples(low: float, high: float, step: float) -> np.ndarray:
     return np.arange(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1) * step
 
 
-def _inside(values: np.ndarray, low: float, high: float) -> np.ndarray:
-    margin = 1e-9 * (high - low)
-    return values[(values > low + margin) & (values < high - margin)]
-
-
-def _round_step(step: float) -> float:
-    """The next of 1, 2, 5 times a power of ten."""
-    power = 10.0 ** math.floor(math.log10(step))
-    return next(power * k for k in (1, 2, 5, 10) if power * k >= step * (1 - 1e-9))
-
-
-def _none(found: Course) -> NoPosition:
-    driver, method = found.driver, found.method
-    low, high = map(EDGE[found.unit].shown, found.reach)
-    return NoPosition(method.mechanism.where("driver", found.swept), driver.name, low, high)
-
-
-# --- several drivers told apart ---------------------------------------------------------------
-
-
-def _moved(method: Method, given: dict[int, DriverValues]) -> tuple[DriverPath, float] | None:
-    """The path to where drivers that are given one value stand."""
-    held = {k: wanted.begin for k, wanted in given.items() if not wanted.moves}
-    if not held:
-        return None
-    values = list(method.facts(None).values)
-    return reached(method, [held.get(k, value) for k, value in enumerate(values)])
-
-
-def _together(method: Method, given: dict[int, DriverValues], moving: list[int]) -> Course:
+def _together(method: Method, spans: dict[int, DriverValues], moving: list[int]) -> Course:
     """Drivers that go from one value to another at once, from where they begin; others stand."""
     swept = moving[0]
-    counts = {given[k].values.size for k in moving}
+    counts = {spans[k].values.size for k in moving}
     if len(counts) > 1:
         raise BadRange(WHERE, ", ".join(str(count) for count in sorted(counts)))
-    given = in_proportion(method, given, moving)
-    begin = [given[k].begin if k in given else value for k, value in enumerate(method.facts(None).values)]
+    spans = aligned(method, spans, moving)
+    begin = [spans[k].begin if k in spans else value for k, value in enumerate(method.facts(None).values)]
     before = reached(method, begin)
-    wanted = given[swept].values - begin[swept]
-    length = given[swept].end - given[swept].begin
-    paces = [(given[k].end - given[k].begin) / length if k in moving else 0.0 for k in range(len(begin))]
-    ends = min(0.0, float(wanted.min())), max(0.0, float(wanted.max()))
-    path = trace(method, paces, *ends, before)
-    there = np.broadcast_to(path.leads_to(wanted), wanted.shape)
-    values = wanted + begin[swept]
-    return _of_those(Course(method, path, swept, wanted, values, values[:0]), there)
+    t = spans[swept].values - spans[swept].begin
+    length = spans[swept].end - spans[swept].begin
+    paces = [(spans[k].end - spans[k].begin) / length if k in moving else 0.0 for k in range(len(begin))]
+    path = trace(method, paces, min(0.0, float(t.min())), max(0.0, float(t.max())), before)
+    values = t + spans[swept].begin
+    whole = Course(method, path, swept, t, values, values[:0])
+    return _as_far_as_reached(whole, np.broadcast_to(path.leads_to(t), t.shape))

@@ -7,23 +7,24 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from graphkin.base.geometry import number
 from graphkin.base.value import frozen
 from graphkin.errors import StandsStill, UnknownPoint, Where
 from graphkin.model.quantities import EDGE
 from graphkin.planning import Method
 from graphkin.studies.sweeps.course import Course, course_from
-from graphkin.studies.sweeps.proof import prove
 from graphkin.studies.sweeps.ranges import TURN
+from graphkin.studies.sweeps.roads import prove
 from graphkin.studies.sweeps.sweep import quantities_at
 
 _FINE = 2e-4
-"""How far a chord may stand off the curve, as part of the curve's size."""
+"""A chord may stand so far off the curve, as part of the curve's size."""
 _FIRST, _ROUNDS, _MOST = 181, 7, 20_000
-"""Positions of the first look, how often chords are halved, and how many positions are enough."""
+"""Positions at first, the number of times that chords are halved, and positions that are enough."""
 _INSIDE = 1e-7
-"""How far inside of dead points the curve ends, as part of the way."""
+"""The curve ends so far inside of dead points, as part of the path."""
 _FAR = 4.0
-"""How far off the curve is followed from where the point is drawn, in sizes of the mechanism there (width and height
+"""The curve is followed so far off from where the point is drawn, in sizes of the mechanism there (width and height
 added): of one that runs off to infinity the rest would leave nothing to be seen of the mechanism."""
 _SAME = 1e-6
 """Ends nearer than this part of its size close a curve."""
@@ -51,7 +52,7 @@ class Tick:
 class PointPath:
     """The curve of a point in the frame.
 
-    course   how the mechanism moves: a turn of the driver from the drawn position on, or as far as it gets, or as the
+    course   of the mechanism: a turn of the driver from the drawn position on, or as far as it gets, or as the
              point stays near
     places   closely enough to be drawn (n,) [m]
     closed   the end is the beginning
@@ -91,7 +92,12 @@ def point_path(method: Method, point: str, values: tuple[float, ...] | None = No
         raise UnknownPoint(where, point, points)
     course = course_from(method, values)
     prove(course)
-    low, high = _near(course, point, *_span(course))
+    if course.full_turn:  # in the sense in which the driver turns
+        low, high = 0.0, math.copysign(TURN, course.driver.rate or 1.0)
+    else:
+        inside = _INSIDE * (course.path.last - course.path.first)
+        low, high = course.path.first + inside, course.path.last - inside
+    low, high = _near(course, point, low, high)
     places = _curve(course, point, low, high)
     size = float(np.ptp(places.real) + np.ptp(places.imag))
     if size <= _SAME * method.size:
@@ -102,17 +108,8 @@ def point_path(method: Method, point: str, values: tuple[float, ...] | None = No
     return PointPath(course, point, places, closed, step, ticks)
 
 
-def _span(course: Course) -> tuple[float, float]:
-    """From where to where on the path, in the sense in which the driver turns."""
-    if course.full_turn:
-        return 0.0, math.copysign(TURN, course.driver.rate or 1.0)
-    first, last = course.path.first, course.path.last
-    inside = _INSIDE * (last - first)
-    return first + inside, last - inside
-
-
 def _near(course: Course, point: str, low: float, high: float) -> tuple[float, float]:
-    """The same span, or as much of it to either side of the drawn position as the point stays near."""
+    """A span, or as much of it to either side of the drawn position as the point stays near."""
     drawn = np.array([_places(course, each, np.zeros(1))[0] for each in course.method.mechanism.points])
     far = _FAR * float(np.ptp(drawn.real) + np.ptp(drawn.imag)) or math.inf
     here = _places(course, point, np.zeros(1))[0]
@@ -140,25 +137,21 @@ def _curve(course: Course, point: str, low: float, high: float) -> np.ndarray:
             break
         at = np.flatnonzero(off) + 1
         t, places = np.insert(t, at, middle[off]), np.insert(places, at, between[off])
-    found: np.ndarray = places[np.isfinite(places)]
-    return found
+    return np.extract(np.isfinite(places), places)
+
+
+def _vectors(course: Course, name: str, t: np.ndarray) -> np.ndarray:
+    vectors = quantities_at(course, [name], t).series[0].vectors
+    assert vectors is not None
+    return vectors
 
 
 def _places(course: Course, point: str, t: np.ndarray) -> np.ndarray:
     return _vectors(course, f"path {point}", t)
 
 
-def _vectors(course: Course, name: str, t: np.ndarray) -> np.ndarray:
-    found = quantities_at(course, [name], t).series[0].vectors
-    assert found is not None
-    return found
-
-
-# --- ticks ------------------------------------------------------------------------------------
-
-
 def _steps(course: Course, length: float) -> tuple[float, int]:
-    """From tick to tick, and each how manieth is numbered."""
+    """The step from tick to tick, and every how many of them one is numbered."""
     if course.angular:
         steps = (math.radians(step) for step in _DEGREES)
         return next((step for step in steps if length >= _ENOUGH * step), math.radians(_DEGREES[-1])), 3
@@ -170,24 +163,20 @@ def _steps(course: Course, length: float) -> tuple[float, int]:
 def _ticks(
     course: Course, point: str, span: tuple[float, float], closed: bool, step: float, every: int
 ) -> Iterator[Tick]:
-    low, high = sorted(float(course.value(end)) for end in span)
+    low, high = sorted(number(course.value(end)) for end in span)
     numbers = np.arange(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)
     if closed:
         numbers = numbers[: round(TURN / step)]
     t = np.clip(course.at(numbers * step), min(span), max(span))
     places, velocities = _places(course, point, t), _vectors(course, f"v {point}", t)
-    ways = _ways(course, point, t, max(span) - min(span))
-    for number, place, velocity, way in zip(numbers, places, velocities, ways, strict=True):
-        if np.isfinite(place) and np.isfinite(velocity):
-            value = float(number) * step
-            round_about = value % TURN if closed else value
-            yield Tick(round_about, complex(place), complex(velocity), complex(way), int(number) % every == 0)
-
-
-def _ways(course: Course, point: str, t: np.ndarray, length: float) -> np.ndarray:
-    """Unit vectors along the curve; 0 where the point rests."""
-    aside, (low, high) = 1e-4 * length, (course.path.first, course.path.last)
-    before, after = (_places(course, point, np.clip(t + side, low, high)) for side in (-aside, aside))
+    # unit vectors along the curve; 0 where the point rests
+    aside, (first, last) = 1e-4 * (max(span) - min(span)), (course.path.first, course.path.last)
+    before, after = (_places(course, point, np.clip(t + side, first, last)) for side in (-aside, aside))
     chord = np.nan_to_num(after - before)
     size = np.abs(chord)
-    return np.where(size > 1e-9 * course.method.size, chord / np.where(size > 0, size, 1.0), 0.0)
+    tangents = np.where(size > 1e-9 * course.method.size, chord / np.where(size > 0, size, 1.0), 0.0)
+    for count, place, velocity, tangent in zip(numbers, places, velocities, tangents, strict=True):
+        if np.isfinite(place) and np.isfinite(velocity):
+            value = float(count) * step
+            within_turn = value % TURN if closed else value
+            yield Tick(within_turn, complex(place), complex(velocity), complex(tangent), int(count) % every == 0)

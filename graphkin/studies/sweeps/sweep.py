@@ -1,18 +1,23 @@
-"""A sweep: quantities over the positions of a course, all at once or part by part."""
+"""A sweep: quantities over the positions of a course, one series each, all at once or part by part."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import DTypeLike
 
+from graphkin.base.geometry import Value, dot
 from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, NotSwept, Where
+from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.quantities import EDGE, Centre, Quantity, Quotient, named
+from graphkin.model.quantities import EDGE, Centre, Quantity, Quotient, Track, named, read
 from graphkin.model.readout import Readable
-from graphkin.model.units import Numbers
+from graphkin.model.units import Measured, Numbers, measured
+from graphkin.model.usual import Usual
 from graphkin.planning import Method
 from graphkin.running.many_positions import MANY
 from graphkin.running.path import stride
@@ -20,27 +25,131 @@ from graphkin.running.program import Entry
 from graphkin.running.program.memory import lent
 from graphkin.running.program.program import VERY_MANY
 from graphkin.studies.sweeps.course import Course, course
-from graphkin.studies.sweeps.proof import prove
-from graphkin.studies.sweeps.quantities import Series, asked, series
-from graphkin.studies.sweeps.ranges import Ranges
-from graphkin.studies.sweeps.roads import Road, centre_path, moving
+from graphkin.studies.sweeps.ranges import TURN, Ranges
+from graphkin.studies.sweeps.roads import Road, centre_path, moving, prove
 
-Wanted = Mapping[str, Quantity]
-"""Quantities, by what they were asked for as."""
+Quantities = Mapping[str, Quantity]
+"""Quantities, by their names as they were written."""
 
 PART = 8192
 """Positions done at once: what they need stays in the processor's cache, and memory stays flat."""
 FINE_DEG, FINE_PART = 0.5, 0.002
-"""How closely angles are followed, so that none jumps by a turn [deg, of the mechanism's size]."""
+"""Angles are followed in such steps, so that none jumps by a turn [deg, of the mechanism's size]."""
+
+
+@frozen
+class Series(Measured):
+    """One quantity over positions. As an array it is `signed`; `degrees`, `mm`, `rpm`, `direction`, `x`, `y` as of any
+    `graphkin.model.units.Measured`.
+
+    name    of the quantity, as it was written
+    values  sizes or signed scalars (n,), in SI
+    vectors for velocities and accelerations, and the place of a point or an instant centre: (n,) complex, else None
+    """
+
+    name: str
+    quantity: Quantity
+    values: np.ndarray
+    vectors: np.ndarray | None = None
+
+    if not TYPE_CHECKING:
+
+        @property
+        def unit(self) -> str:
+            """SI."""
+            return self.quantity.unit
+
+    @property
+    def measured(self) -> Numbers:
+        """With its unit: the vectors, else the values (n,)."""
+        numbers: Numbers = measured(self.si, self.unit)
+        return numbers
+
+    @property
+    def si(self) -> np.ndarray:
+        return self.values if self.vectors is None else self.vectors
+
+    def _times(self, factor: float, units: tuple[str, ...], name: str) -> np.ndarray:
+        """The array in another unit: the signed values, of a place the place."""
+        shown = measured(self.si if self.is_place else self.signed, self.unit)
+        values: np.ndarray = shown._times(factor, units, name)
+        return values
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> np.ndarray:
+        own = self.si if self.is_place else self.signed
+        return np.asarray(own, dtype) if copy is None else np.array(own, dtype, copy=copy)  # NumPy 1 knows no copy=None
+
+    def __len__(self) -> int:
+        return len(self.values)
+
+    def __repr__(self) -> str:
+        return f"<Series {self.name} [{self.unit}]: {len(self)} values>"
+
+    @property
+    def along(self) -> complex | None:
+        """For a point that a guide of the frame leads: the direction along which it counts as positive."""
+        return self.quantity.along
+
+    @property
+    def is_place(self) -> bool:
+        """True for the place of a point or an instant centre; that one at infinity is infinite."""
+        return self.quantity.is_place
+
+    def without_noise(self, usual: Usual) -> Series:
+        """The same, with 0 for what is but rounding."""
+        vectors = None if self.vectors is None else np.asarray(usual.cut(self.vectors, self.unit))
+        return replace(self, values=np.asarray(usual.cut(self.values, self.unit)), vectors=vectors)
+
+    @property
+    def signed(self) -> np.ndarray:
+        """Along its guide for a point that a guide of the frame leads; else the values."""
+        if self.along is None or self.vectors is None:
+            return self.values
+        return np.asarray(dot(self.along, self.vectors))
+
+
+def series(name: str, quantity: Quantity, motions: Motions, count: int) -> Series:
+    """One quantity over `count` positions."""
+
+    def row(value: Value) -> np.ndarray:
+        return np.array(np.broadcast_to(value, (count,)))
+
+    with np.errstate(divide="ignore", invalid="ignore"):
+        answer = quantity.answer(motions)
+    return Series(name, quantity, row(answer.value), None if answer.vector is None else row(answer.vector))
+
+
+def asked(mechanism: Mechanism, names: Sequence[str] = ()) -> tuple[str, ...]:
+    """The quantities of a sweep: those named, else those of the file's `ask`, else theta, omega and alpha of links.
+
+    Raises UnknownQuantity, UnknownLink, UnknownPoint, UnknownSlide for names that mean nothing.
+    """
+    for name in names:
+        named(mechanism, name, Where("--of"))
+    names = names or [name for name in mechanism.ask if read(mechanism, name) is not None]
+    if not names:
+        turned = {d.link for d in mechanism.drivers if d.kind != "slide" and d.from_vector is None}
+        links = [link for link in mechanism.moving if link not in turned] or list(mechanism.moving)
+        names = [f"{quantity} {link}" for quantity in ("theta", "omega", "alpha") for link in links]
+    return tuple(dict.fromkeys(names))
+
+
+def drawable(mechanism: Mechanism, names: Sequence[str]) -> tuple[str, ...]:
+    """The same over the driver's value, a curve each: of a point's place its x and its y."""
+    curves: list[str] = []
+    for name in names:
+        quantity = named(mechanism, name, Where("--of"))
+        curves += [f"x {quantity.of}", f"y {quantity.of}"] if isinstance(quantity, Track) else [name]
+    return tuple(dict.fromkeys(curves))
 
 
 @frozen
 class Sweep(Readable, Mapping[str, Series]):
-    """Quantities over positions: a mapping from what was asked for, as it was written, to its `Series`.
+    """Quantities over positions: a mapping from the name of each, as it was written, to its `Series`.
 
     By name it has any other, too, as `Readable` says: `sweep.omega["3"]`, `sweep.v["C"]`, arrays (n,) with their unit.
 
-    t       where on the path (n,)
+    t       of the positions on the path (n,)
     driven  values of the driver that names the positions (n,) [rad, m]; `driver` is its name
     undefined   its values at positions that are reached but have no definite motion, and are left out
 
@@ -68,10 +177,10 @@ class Sweep(Readable, Mapping[str, Series]):
         return self.course.driver.name
 
     def __getitem__(self, name: str) -> Series:
-        found = next((entry for entry in self.series if entry.name == name), None)
-        if found is None:
-            raise NotSwept(Where("sweep"), str(name), tuple(self))
-        return found
+        for entry in self.series:
+            if entry.name == name:
+                return entry
+        raise NotSwept(Where("sweep"), str(name), tuple(self))
 
     def __iter__(self) -> Iterator[str]:
         return (entry.name for entry in self.series)
@@ -81,8 +190,8 @@ class Sweep(Readable, Mapping[str, Series]):
 
     def quantity(self, text: str) -> Numbers:
         """Whatever `ask` can name, over the positions (n,): of a vector the vectors."""
-        found = next((entry for entry in self.series if entry.name == text), None)
-        return (found or quantities_at(self.course, [text], self.t, self.by).series[0]).measured
+        swept = next((entry for entry in self.series if entry.name == text), None)
+        return (swept or quantities_at(self.course, [text], self.t, self.by).series[0]).measured
 
     def __repr__(self) -> str:
         low, high = (f"{end * EDGE[self.course.unit].factor:.6g}" for end in (self.driven.min(), self.driven.max()))
@@ -99,107 +208,108 @@ def sweep(
     Angles are continuous along the sweep, from between 0 and a full turn at its first position. Raises RoadsDiffer
     where the two roads do not agree.
     """
-    found, names = replace(course(method, ranges), compiled=compiled), asked(method.mechanism, of)
-    prove(found)
-    return sweep_over(found, names, by)
+    moved, names = replace(course(method, ranges), compiled=compiled), asked(method.mechanism, of)
+    prove(moved)
+    return sweep_over(moved, names, by)
 
 
 def sweep_over(course: Course, names: Sequence[str], by: Road = "construction") -> Sweep:
-    """The same over a course."""
+    """Quantities over all positions of a course."""
     parts = in_parts(course, names, by)
     return next(parts) if course.t.size <= PART else _joined(parts, course.t.size)
 
 
 def in_parts(course: Course, names: Sequence[str], by: Road = "construction", size: int = PART) -> Iterator[Sweep]:
     """The same, some positions at a time: a sweep of any length needs no more memory."""
-    wanted = _read(course, names)
-    turned = _Turned(course, wanted, by)
+    quantities = _read(course, names)
+    turns = _turns(course, quantities, by)
     course = replace(course, compiled=course.t.size >= VERY_MANY or None) if course.compiled is None else course
-    asked = _asked(course, wanted, by, turned) if course.t.size > size else None
+    entries: set[Entry] | None = None
+    if course.t.size > size:  # the first few positions show from what the quantities are read
+        entries = set()
+        _at(course, quantities, course.t[:MANY], by, turns, entries)
     for begin in range(0, course.t.size, size):
         here = slice(begin, begin + size)
-        yield _defined(replace(_at(course, wanted, course.t[here], by, turned, asked), driven=course.values[here]))
+        part = _at(course, quantities, course.t[here], by, turns, entries)
+        yield _defined(replace(part, driven=course.values[here]))
 
 
-def _asked(course: Course, wanted: Wanted, by: Road, turned: _Turned) -> set[Entry]:
-    """What the quantities are read from, as the first few positions show."""
-    found = set[Entry]()
-    _at(course, wanted, course.t[:MANY], by, turned, found)
-    return found
-
-
-def _defined(found: Sweep) -> Sweep:
+def _defined(whole: Sweep) -> Sweep:
     """Without positions at which some quantity has no value; quotients and centres may lie at infinity."""
-    own = [entry.values for entry in found.series if not isinstance(entry.quantity, Centre | Quotient)]
+    own = [entry.values for entry in whole.series if not isinstance(entry.quantity, Centre | Quotient)]
     finite = [np.isfinite(values) for values in own]
     if all(each.all() for each in finite):
-        return found
+        return whole
     good = np.all(finite, axis=0)
     series = tuple(
         replace(entry, values=entry.values[good], vectors=None if entry.vectors is None else entry.vectors[good])
-        for entry in found.series
+        for entry in whole.series
     )
-    return replace(found, t=found.t[good], driven=found.driven[good], series=series, undefined=found.driven[~good])
+    return replace(whole, t=whole.t[good], driven=whole.driven[good], series=series, undefined=whole.driven[~good])
 
 
 def quantities_at(course: Course, names: Sequence[str], t: np.ndarray, by: Road = "construction") -> Sweep:
     """Quantities at positions t (n,) of the course."""
-    wanted = _read(course, names)
-    return _at(course, wanted, t, by, _Turned(course, wanted, by))
+    quantities = _read(course, names)
+    return _at(course, quantities, t, by, _turns(course, quantities, by))
 
 
-def _read(course: Course, names: Sequence[str]) -> Wanted:
+def _read(course: Course, names: Sequence[str]) -> Quantities:
     return {name: named(course.method.mechanism, name, NOWHERE) for name in names}
 
 
 def _at(
-    course: Course, wanted: Wanted, t: np.ndarray, by: Road, turned: _Turned, asked: set[Entry] | None = None
+    course: Course, quantities: Quantities, t: np.ndarray, by: Road, turns: Turns, entries: set[Entry] | None = None
 ) -> Sweep:
-    motions = moving(course.method, course.path, t, by, asked, course.compiled)
-    found = []
-    for name, quantity in wanted.items():
+    motions = moving(course.method, course.path, t, by, entries, course.compiled)
+    rows = []
+    for name, quantity in quantities.items():
         if isinstance(quantity, Centre) and by == "construction":
             places = centre_path(course.method, course.path, t, quantity.links)
-            found.append(Series(name, quantity, np.abs(places), places))
+            rows.append(Series(name, quantity, np.abs(places), places))
         else:
-            found.append(turned.on(series(name, quantity, motions, t.size), t))
-    series_there = tuple(entry.without_noise(course.method.mechanism.usual) for entry in found)
-    return Sweep(course, t, np.asarray(course.value(t)), series_there, np.empty(0), by)
+            rows.append(turns.on(series(name, quantity, motions, t.size), t))
+    shown = tuple(row.without_noise(course.method.mechanism.usual) for row in rows)
+    return Sweep(course, t, np.asarray(course.value(t)), shown, np.empty(0), by)
 
 
-class _Turned:
-    """How far links have turned since the first position: angles that go on beyond a full turn."""
+class Turns:
+    """The turns of angles: over many positions they go on beyond a full turn.
 
-    def __init__(self, course: Course, wanted: Wanted, by: Road) -> None:
-        self.tables: dict[str, np.ndarray] = {}
-        angles = {name: quantity for name, quantity in wanted.items() if quantity.unit == "rad"}
-        if not angles:
-            return
-        low, high = float(course.t.min()), float(course.t.max())
-        count = 2 + int((high - low) / stride(course.method, course.path.pace, FINE_DEG, FINE_PART))
-        self.t = np.linspace(low, high, count)
-        motions = moving(course.method, course.path, self.t, by)
-        first = np.interp(course.t[0], self.t, np.arange(count))
-        for name, quantity in angles.items():
-            table = _unwrapped(series(name, quantity, motions, count).values)
-            start = np.interp(first, np.arange(count), table)
-            self.tables[name] = table - 2 * np.pi * np.floor(start / (2 * np.pi) + 1e-12)
+    tables  angles (m,) without jumps at places t (m,), by quantity
+    """
+
+    def __init__(self) -> None:
+        self.tables: dict[str, tuple[np.ndarray, np.ndarray]] = {}
+
+    def follow(self, entries: Iterable[Series], t: np.ndarray, start: float) -> None:
+        """Follow angles over places t, close to each other; at `start` they lie between 0 and a full turn."""
+        self.tables = {}
+        for entry in entries:
+            finite = np.isfinite(entry.values)
+            if entry.unit == "rad" and finite.any():
+                angles = np.unwrap(entry.values[finite])
+                begin = np.interp(start, t[finite], angles)
+                self.tables[entry.name] = t[finite], angles - TURN * np.floor(begin / TURN + 1e-12)
 
     def on(self, entry: Series, t: np.ndarray) -> Series:
+        """A series at t (n,), its angles continued."""
         if entry.name not in self.tables:
             return entry
-        near = np.interp(t, self.t, self.tables[entry.name])
-        values = entry.values + 2 * np.pi * np.round((near - entry.values) / (2 * np.pi))
-        return Series(entry.name, entry.quantity, values)
+        near = np.interp(t, *self.tables[entry.name])
+        return Series(entry.name, entry.quantity, entry.values + TURN * np.round((near - entry.values) / TURN))
 
 
-def _unwrapped(angles: np.ndarray) -> np.ndarray:
-    """Without jumps of a turn; positions that are not reached are passed over."""
-    there = np.isfinite(angles)
-    found = np.array(angles)
-    found[there] = np.unwrap(angles[there])
-    found[~there] = np.interp(np.flatnonzero(~there), np.flatnonzero(there), found[there])
-    return found
+def _turns(course: Course, quantities: Quantities, by: Road) -> Turns:
+    """The turns of a course's angles since its first position."""
+    turns, angles = Turns(), {name: quantity for name, quantity in quantities.items() if quantity.unit == "rad"}
+    if angles:
+        low, high = float(course.t.min()), float(course.t.max())
+        count = 2 + int((high - low) / stride(course.method, course.path.pace, FINE_DEG, FINE_PART))
+        t = np.linspace(low, high, count)
+        motions = moving(course.method, course.path, t, by)
+        turns.follow((series(*entry, motions, count) for entry in angles.items()), t, course.t[0])
+    return turns
 
 
 def _joined(parts: Iterable[Sweep], count: int) -> Sweep:
@@ -207,11 +317,15 @@ def _joined(parts: Iterable[Sweep], count: int) -> Sweep:
     columns: list[np.ndarray] = []
     undefined, end = [], 0
     for part in parts:
-        found = _columns(part)
-        columns = columns or _room(found, count)
+        rows = [part.t, part.driven]
+        rows += [row for entry in part.series for row in (entry.values, entry.vectors) if row is not None]
+        if not columns:  # all in one piece of memory
+            sizes = [count * (row.itemsize // 8) for row in rows]
+            rooms = np.split(lent(sum(sizes)), np.cumsum(sizes)[:-1])
+            columns = [room.view(row.dtype) for room, row in zip(rooms, rows, strict=True)]
         begin, end = end, end + part.t.size
-        for column, values in zip(columns, found, strict=True):
-            column[begin:end] = values
+        for column, row in zip(columns, rows, strict=True):
+            column[begin:end] = row
         undefined.append(part.undefined)
     t, driven, *rest = (column[:end] for column in columns)
     own = iter(rest)
@@ -219,16 +333,3 @@ def _joined(parts: Iterable[Sweep], count: int) -> Sweep:
         replace(entry, values=next(own), vectors=None if entry.vectors is None else next(own)) for entry in part.series
     )
     return Sweep(part.course, t, driven, series, np.concatenate(undefined), part.by)
-
-
-def _columns(part: Sweep) -> list[np.ndarray]:
-    """All that has an entry a position."""
-    found = [column for entry in part.series for column in (entry.values, entry.vectors) if column is not None]
-    return [part.t, part.driven, *found]
-
-
-def _room(columns: Sequence[np.ndarray], count: int) -> list[np.ndarray]:
-    """For columns like these with so many entries, in one piece of memory."""
-    sizes = [count * (column.itemsize // 8) for column in columns]
-    rooms = np.split(lent(sum(sizes)), np.cumsum(sizes)[:-1])
-    return [room.view(column.dtype) for room, column in zip(rooms, columns, strict=True)]
