@@ -18,8 +18,7 @@ from geogebra import Reckoned
 import graphkin
 from graphkin.errors import GraphkinError
 from graphkin.files import library
-from graphkin.outputs.geogebra import ggb
-from graphkin.outputs.geogebra.file import written
+from graphkin.outputs.geogebra import ggb, written
 from graphkin.running import replay_all
 from graphkin.sheet import scales_of
 from graphkin.sheet.lettering import point_label

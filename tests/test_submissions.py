@@ -30,12 +30,11 @@ from graphkin.errors import (
 )
 from graphkin.submissions import Handed, Limits, ReadableProblem, guarded, handed_in, limited, read, read_one, safe_name
 from graphkin.submissions.answers import answers
-from graphkin.submissions.class_names import owner
+from graphkin.submissions.archives import decoded
 from graphkin.submissions.documents import read_lines
-from graphkin.submissions.numbers import given
+from graphkin.submissions.numbers import given, scale
 from graphkin.submissions.questions import Questions
-from graphkin.submissions.scales import scale
-from graphkin.submissions.texts import decoded
+from graphkin.submissions.submission import owner
 
 MECHANISM = api.load("ex3-1")
 ASKED = ReadableProblem(MECHANISM, (*MECHANISM.ask, "v B", "v B3B2"))
@@ -329,8 +328,8 @@ def test_ids_that_differ_have_names_that_differ():
 def test_nothing_else_is_needed_to_read_a_row():
     """A class of 100,000 at 300 a second leaves the reader a tenth of its time."""
     table = io.StringIO("student,w3,alpha 3,ak\n" + "".join(f"s{k},3.9 cw,62,2.5\n" for k in range(300)))
+    from graphkin.submissions.documents import rows_of
     from graphkin.submissions.handed import Handed
-    from graphkin.submissions.tables import rows_of
 
     rows = rows_of(((k, row) for k, row in enumerate(csv.reader(table), 1)), NOWHERE, Limits())
     handed = [Handed(owner("c.csv"), "c.csv", str(row.line), row=row) for row in rows]

@@ -36,8 +36,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from graphkin.model.quantities import Answer
-    from graphkin.outputs.frames import SweepFrames
-    from graphkin.outputs.notebook import NotebookSheet
+    from graphkin.outputs.svg import NotebookSheet
+    from graphkin.outputs.tables import SweepFrames
     from graphkin.running.variants import DrawnVariants
     from graphkin.sheet import Style
     from graphkin.studies.sweeps import PointPath, Ranges, Road
@@ -186,7 +186,7 @@ def sweep(
     >>> found["v E"].signed.round(5), found["v E"].direction.round(3)
     (array([-0.10184, -0.12272, -0.13833]), array([180., 180., 180.]))
     """
-    from graphkin.outputs.frames import framed
+    from graphkin.outputs.tables import framed
     from graphkin.studies import sweeps
 
     method = mechanism if isinstance(mechanism, Method) else plan(mechanism)
@@ -259,7 +259,7 @@ class Drawing(Readable):
 
         paths   points whose paths are drawn over the driver's turn, or as far as it gets; arrows: with velocities
         """
-        from graphkin.outputs.notebook import shown
+        from graphkin.outputs.svg import shown
         from graphkin.sheet import Paths, sheet
 
         drawn = Paths(tuple(self._paths(paths, arrows)), arrows and bool(paths), lang)
@@ -284,7 +284,7 @@ class Drawing(Readable):
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, tight: bool = False
     ) -> Iterator[NotebookSheet]:
         """One sheet a step of the construction, the newest marks emphasised."""
-        from graphkin.outputs.notebook import shown
+        from graphkin.outputs.svg import shown
         from graphkin.sheet import step_sheets
 
         return map(shown, step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only, tight=tight))

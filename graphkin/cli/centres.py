@@ -218,7 +218,7 @@ def _of_two_velocities(asked: _Asked) -> None:
 def _write(asked: _Asked, source: str) -> None:
     """The sheet, and one sheet a step; all are made before the first is written."""
     from graphkin.outputs import drawings
-    from graphkin.outputs.edited import refuse_edited
+    from graphkin.outputs.drawings import refuse_edited
 
     found = asked.found(source)
     pages = list(_pages(asked, found))

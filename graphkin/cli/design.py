@@ -81,7 +81,7 @@ def answering(make: Callable[..., Design]) -> Callable[..., None]:
 
 def _tell(found: Design, as_json: bool, lang: Lang) -> None:
     if as_json:
-        from graphkin.outputs.designs import as_json as data
+        from graphkin.outputs.study_json import as_json as data
 
         click.echo(json_line(data(found)))
         return

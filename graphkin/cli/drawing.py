@@ -113,7 +113,7 @@ def draw(
 def _write(pages: list[tuple[Path, bytes]], output: Path, steps: Path | None, force: bool) -> None:
     """The sheet and its steps; all are made, and may be written, before the first is."""
     from graphkin.outputs import drawings
-    from graphkin.outputs.edited import refuse_edited
+    from graphkin.outputs.drawings import refuse_edited
 
     if str(output) == "-":
         click.echo(pages.pop(0)[1].decode(), nl=False)
@@ -151,7 +151,7 @@ def _write_motion(
 ) -> None:
     """The whole motion, one sheet a position, as a file that moves."""
     from graphkin.outputs import drawings
-    from graphkin.outputs.edited import refuse_edited
+    from graphkin.outputs.drawings import refuse_edited
     from graphkin.sheet.motion_frames import motion_frames
 
     if (moving := drawings.MOVING.get(output.suffix.lower())) is None:

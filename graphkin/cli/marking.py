@@ -157,7 +157,7 @@ def tolerance(
     from graphkin.marking.marker import Marker
     from graphkin.marking.power import power as told_apart
     from graphkin.marking.tolerances import tolerances
-    from graphkin.outputs import tolerance_json as data
+    from graphkin.outputs import study_json as data
     from graphkin.say.tolerances import power_lines, tolerance_lines
 
     method = api.plan(read_at(mechanism, angles, displacements))
@@ -211,7 +211,7 @@ class _Told:
     def write_records(self, path: Path, judge: SetMarker, part: Problem, way: Way) -> None:
         """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
         from graphkin.homework import grading, platforms
-        from graphkin.outputs import marks_file, marks_json
+        from graphkin.outputs import marks_json
         from graphkin.say.marks import interrupted
 
         if self.kinds:
@@ -220,7 +220,7 @@ class _Told:
         try:
             with grading.Journal(path, self.force) as journal:
                 records = _counted(grading.resumed(judge, part.paths, journal, way, written), self.as_json)
-                marks_file.write(path, self._printed(part.name, records), self.force)
+                marks_json.write(path, self._printed(part.name, records), self.force)
         except KeyboardInterrupt:
             click.echo(interrupted(path, self.lang), err=True)
             raise

@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from graphkin.handouts.document import GridRoom
-from graphkin.outputs.spans import mm
+from graphkin.outputs.typesetting import mm
 from graphkin.sheet.lettering import Label, scripts
 
 _FINE, _BOLD, _FRAME = ("#d5dde5", 0.1), ("#a9b8c6", 0.18), ("#000000", 0.35)

@@ -10,7 +10,7 @@ import re
 from typing import Any
 
 from graphkin.handouts.grid import drawing_of
-from graphkin.outputs.spans import mm
+from graphkin.outputs.typesetting import mm
 
 _BITS = """
 b5320f9a332d9946549e79cd9e2ec4f2fedacf56f99111a70eb72a0f24b1263e466566006c5e76af868bb02bccd5dd82fe47

@@ -20,10 +20,10 @@ from graphkin.handouts.grid import room_svg
 from graphkin.handouts.markers import DIGITS, MARKERS, SIZE, digits, edges, markers_svg
 from graphkin.handouts.medium import Medium
 from graphkin.handouts.scripted import Sign, signs
-from graphkin.outputs.extras import needed
+from graphkin.outputs.files import needed
 from graphkin.outputs.paged import unscaled
-from graphkin.outputs.spans import mm
 from graphkin.outputs.svg import svg
+from graphkin.outputs.typesetting import mm
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.paper import PAPERS, Paper
 

@@ -14,7 +14,7 @@ from graphkin.handouts.medium import Medium
 from graphkin.handouts.page import html
 from graphkin.handouts.scripted import Sign, signs
 from graphkin.handouts.stages import blocks_of
-from graphkin.outputs.tex_words import tex_words
+from graphkin.outputs.typesetting import tex_words
 from graphkin.say.catalogue import say
 from graphkin.say.explained import derivation
 from graphkin.sheet import scales_of

@@ -15,8 +15,8 @@ from dataclasses import replace
 from itertools import groupby
 
 from graphkin.outputs.paint import Ink
-from graphkin.outputs.spans import short
 from graphkin.outputs.svg import Ready, SvgPen
+from graphkin.outputs.typesetting import short
 from graphkin.sheet import Sheet
 from graphkin.sheet.marks import ArcMark, Disc, Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer

@@ -10,7 +10,7 @@ import io
 import math
 from typing import Any, assert_never
 
-from graphkin.outputs.extras import needed
+from graphkin.outputs.files import needed
 from graphkin.sheet import Sheet
 from graphkin.sheet.lettering import Label, box
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark

@@ -1,4 +1,4 @@
-"""Files are written beside, then renamed: none is ever half written, and none of another's is lost."""
+"""Files."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ import contextlib
 import os
 from collections.abc import Iterator, Sequence
 from functools import cache
+from importlib import import_module
 from pathlib import Path
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from graphkin.errors import CannotWrite, GraphkinError, Lang, NoFolder
 
@@ -98,3 +99,24 @@ def _ours(path: Path, marks: Sequence[bytes]) -> bool:
         file.seek(max(0, path.stat().st_size - GLANCE))
         glance += file.read(GLANCE)
     return not glance or any(mark in glance for mark in marks)
+
+
+class NeedsExtra(GraphkinError):
+    """A file whose writer is a package that is not installed."""
+
+    package: str
+    extra: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "This kind of file is written by {package}, which is not installed. "
+        "Install it: pip install 'graphkin[{extra}]'.",
+        "zh": "写这种文件需要 {package}，尚未安装。请安装：pip install 'graphkin[{extra}]'。",
+    }
+
+
+def needed(package: str, extra: str) -> Any:
+    """A package by name, imported. Raises NeedsExtra."""
+    try:
+        return import_module(package)
+    except ImportError:
+        raise NeedsExtra(package, extra) from None

@@ -14,7 +14,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from graphkin.errors import Lang
-from graphkin.outputs.extras import needed
+from graphkin.outputs.files import needed
 from graphkin.outputs.paint import Ink
 from graphkin.outputs.svg import svg
 from graphkin.sheet import Sheet

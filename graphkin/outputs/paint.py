@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Literal
 
 from graphkin.base.value import frozen
-from graphkin.outputs.spans import mm
+from graphkin.outputs.typesetting import mm
 from graphkin.sheet import Sheet
 from graphkin.sheet.marks import ArcMark, Disc, Fill, Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer

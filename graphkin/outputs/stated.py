@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import assert_never
 
 from graphkin.base.checksum import seal
-from graphkin.outputs.spans import lettered
+from graphkin.outputs.typesetting import lettered
 from graphkin.sheet import Sheet
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark
 from graphkin.sheet.scales import KEYS

@@ -1,9 +1,4 @@
-"""A sheet as SVG: one user unit is one millimetre, and a program can measure it.
-
-svgwrite makes the drawing with its arrow heads (`debug=False`: its checker refuses `data-*`); the marks, of which
-there are hundreds, are plain elements. Every number is formatted here with four decimals, so the same sheet gives the
-same bytes.
-"""
+"""SVG."""
 
 from __future__ import annotations
 
@@ -19,8 +14,8 @@ from typing import Any, ClassVar, assert_never
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, Lang
 from graphkin.outputs.paint import Colours, Ink
-from graphkin.outputs.spans import LATIN, mm, runs, short
 from graphkin.outputs.stated import kind, stated, statement
+from graphkin.outputs.typesetting import LATIN, mm, runs, short
 from graphkin.sheet import Sheet
 from graphkin.sheet.composed import HEADINGS
 from graphkin.sheet.lettering import Label
@@ -291,3 +286,14 @@ def _described(sheet: Sheet) -> str:
 
 def _read(label: Label) -> str:
     return "".join(run.text for run in label)
+
+
+class NotebookSheet(Sheet):
+    """A sheet that a notebook shows as its SVG."""
+
+    def _repr_svg_(self) -> str:
+        return svg(self)
+
+
+def shown(sheet: Sheet) -> NotebookSheet:
+    return NotebookSheet(**vars(sheet))

@@ -10,7 +10,7 @@ from itertools import groupby
 from typing import assert_never
 
 from graphkin.outputs.paint import Colours, Ink
-from graphkin.outputs.tex_words import tex_words
+from graphkin.outputs.typesetting import tex_words
 from graphkin.sheet import Sheet
 from graphkin.sheet.marks import ArcMark, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName

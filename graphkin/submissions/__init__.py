@@ -12,13 +12,18 @@ Nothing here judges. A file that cannot be read is a Submission with its reason,
 answers is a reader that gives a `Document`, of drawings one that gives a `Picture`.
 """
 
-from graphkin.submissions.class_names import safe_name
-from graphkin.submissions.deadline import limited
-from graphkin.submissions.handed import Handed, handed_in
-from graphkin.submissions.pool import guarded
+from graphkin.submissions.handed import FirstOnes, Handed, called, handed_in
+from graphkin.submissions.pool import guarded, limited
 from graphkin.submissions.reading import read, read_one
-from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing, ReadableProblem, Sense, Submission
-from graphkin.submissions.twice import FirstOnes, called
+from graphkin.submissions.submission import (
+    HandedValue,
+    Limits,
+    MeasuredDrawing,
+    ReadableProblem,
+    Sense,
+    Submission,
+    safe_name,
+)
 
 __all__ = [
     "FirstOnes",

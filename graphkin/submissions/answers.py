@@ -1,10 +1,12 @@
-"""From what stands beside each name to values: scales first, then every answer in SI."""
+"""Answers."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+import re
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from pathlib import PurePosixPath
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
@@ -20,12 +22,12 @@ from graphkin.errors import (
     Where,
     WrongType,
 )
-from graphkin.model.quantities import Centre, Moving, Quantity
-from graphkin.submissions import scales
-from graphkin.submissions.numbers import given
+from graphkin.model.mechanism import Driver
+from graphkin.model.quantities import Centre, Moving, Quantity, at_position, position_of
+from graphkin.submissions import numbers
+from graphkin.submissions.numbers import given, plain, short
 from graphkin.submissions.questions import Questions
-from graphkin.submissions.spelling import plain, short
-from graphkin.submissions.submission import HandedValue, Limits
+from graphkin.submissions.submission import HandedValue, Limits, ReadableProblem
 
 Entry = tuple[str, object, Where]
 """What an answer is called, what is given, and where it stands."""
@@ -51,11 +53,11 @@ def answers(entries: Iterable[Entry], questions: Questions, limits: Limits) -> A
     for count, (name, raw, where) in enumerate(entries):
         if count >= limits.answers:
             raise TooMuch(Where(where.file), "answers", limits.answers)
-        if (plane := scales.plane_named(name)) is None:
+        if (plane := numbers.plane_named(name)) is None:
             rest.append((name, raw, where))
         elif not _nothing(raw):
             _state(stated, notes, plane, raw, where)
-    known = scales.stated_by(questions.mechanism) | stated
+    known = numbers.stated_by(questions.mechanism) | stated
     for name, raw, where in rest:
         if _nothing(raw):
             continue
@@ -72,7 +74,7 @@ def _state(
     stated: dict[Plane, float], notes: list[GraphkinError], plane: Plane, raw: object, where: Where
 ) -> None:
     try:
-        stated[plane] = scales.scale(raw, plane)
+        stated[plane] = numbers.scale(raw, plane)
     except GraphkinError as fault:
         notes.append(fault.at(where))
 
@@ -131,10 +133,10 @@ def _text(raw: str, quantity: Quantity, unit: str, stated: Mapping[Plane, float]
     if isinstance(quantity, Centre | Moving) and (pair := _two(text)) is not None:
         return replace(_pair(*pair, quantity, unit), text=text)
     found = given(text, quantity.unit, unit)
-    plane = scales.plane_of(quantity.unit)
-    if plane is None or found.unit not in scales.PAPER or found.value is None:
+    plane = numbers.plane_of(quantity.unit)
+    if plane is None or found.unit not in numbers.PAPER or found.value is None:
         return found
-    mm = found.value * scales.PAPER[found.unit]
+    mm = found.value * numbers.PAPER[found.unit]
     if plane not in stated:
         fault = NoPaperScale(NOWHERE, text[:60], plane)
         return HandedValue(text, None, None, found.unit, fault, paper_mm=mm)
@@ -161,3 +163,77 @@ def _pair(x: object, y: object, quantity: Quantity, unit: str) -> HandedValue:
         return HandedValue(text, None, fault=fault)
     vector = complex(*(half.value or 0.0 for half in halves))
     return HandedValue(text, abs(vector), None, halves[0].unit, halves[0].fault, vector=vector)
+
+
+_VALUE = re.compile(r"(?<=\s)@\s*(-?[0-9]+(?:[.,][0-9]+)?) ?(?:deg|°|mm)?(?![\w.])")
+_NEAR = 0.05
+"""A driver's value that is typed may be off by so much [deg, mm]."""
+
+
+def answers_at(
+    entries: Iterable[Entry], asked: ReadableProblem, questions: Callable[[ReadableProblem], Questions], limits: Limits
+) -> Answers:
+    """The values of every position under its names; scales hold at all of them. Raises TooMuch."""
+    if not asked.further:
+        return answers(entries, questions(asked), limits)
+    shared, sorted_out, strange = _sorted(entries, asked)
+    each = zip(asked.positions, sorted_out, strict=True)
+    parts = [answers([*shared, *some], questions(one), limits) for one, some in each]
+    values = {name: given for at, part in enumerate(parts, 1) for name, given in named_at(part.values, at).items()}
+    notes = {note.message("en"): note for part in parts for note in part.notes}
+    lost = (NotAQuestion(where, short(name), tuple(asked.questions)) for name, _, where in strange)
+    return Answers(values, parts[0].scales, (*notes.values(), *lost))
+
+
+def named_at(values: Mapping[str, HandedValue], at: int) -> dict[str, HandedValue]:
+    """Under the names that they have among those of all positions."""
+    return {at_position(name, at): given for name, given in values.items()}
+
+
+def of_file(name: str, asked: ReadableProblem) -> tuple[ReadableProblem, int]:
+    """What a drawing shows, and the number of the position, by the name of its file."""
+    at = position_of(PurePosixPath(name).stem)[1]
+    return (asked.positions[at - 1], at) if at <= len(asked.positions) else (asked, 1)
+
+
+def _sorted(entries: Iterable[Entry], asked: ReadableProblem) -> tuple[list[Entry], list[list[Entry]], list[Entry]]:
+    """Scales, the answers of each position under their bare names, and those of no position."""
+    shared: list[Entry] = []
+    found: list[list[Entry]] = [[] for _ in asked.positions]
+    strange: list[Entry] = []
+    for name, raw, where in entries:
+        if numbers.plane_named(name) is not None:
+            shared.append((name, raw, where))
+            continue
+        bare, at = _position(name, asked)
+        if 0 < at <= len(found):
+            found[at - 1].append((bare, raw, where))
+        else:
+            strange.append((name, raw, where))
+    return shared, found, strange
+
+
+def _position(name: str, asked: ReadableProblem) -> tuple[str, int]:
+    """The bare name and the number of the position; 0 for one that there is not."""
+    text = plain(name[:200])
+    if (value := _VALUE.search(text)) is None:
+        return position_of(name)
+    bare = f"{text[: value.start()].rstrip()} {text[value.end() :].lstrip()}".strip()
+    return bare, _at_value(float(value[1].replace(",", ".")), asked)
+
+
+def _at_value(typed: float, asked: ReadableProblem) -> int:
+    """The position at which a driver that is moved on stands so; 0 where none does."""
+    for driver in asked.mechanism.drivers:
+        if driver.also:
+            for number, value in enumerate((driver.value, *driver.also), 1):
+                if value is not None and _off(driver, value, typed) <= _NEAR:
+                    return number
+    return 0
+
+
+def _off(driver: Driver, value: float, typed: float) -> float:
+    """In deg, but for whole turns, or mm."""
+    if driver.kind == "slide":
+        return abs(value * 1000 - typed)
+    return abs(math.remainder(math.degrees(value) - typed, 360.0))

@@ -1,24 +1,92 @@
-"""A drawing measured: its letters found, its scales known, the size and the direction of every vector taken."""
+"""Drawings."""
 
 from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations
 from pathlib import PurePosixPath
+
+import numpy as np
 
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, LetterTwice, NoLetters, NoScaleDrawn, Where
-from graphkin.submissions import scales
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.quantities import Rotation
+from graphkin.submissions import numbers
 from graphkin.submissions.answers import answers
-from graphkin.submissions.directions import directions
 from graphkin.submissions.documents import read_lines
 from graphkin.submissions.letters import find_letters
 from graphkin.submissions.picture import PagePicture
-from graphkin.submissions.polygons import PaperPolygon, polygons
+from graphkin.submissions.polygons import PaperPolygon, PolygonVector, polygons
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing, ReadableProblem
+
+_OFF = 0.03
+"""A drawn length that is off by a larger part is of other points."""
+_LENGTHS, _AGREE = 3, 2 / 3
+"""So many lengths must agree, and more than this part of all: with two letters exchanged half of them may."""
+
+Pair = tuple[str, str]
+
+
+def directions(picture: PagePicture, questions: Questions, where: Where, limits: Limits) -> dict[str, HandedValue]:
+    """theta of the links whose direction the problem asks for, as drawn [rad]."""
+    mechanism = questions.mechanism
+    wanted = dict(_wanted(mechanism, questions))
+    if not wanted:
+        return {}
+    found = find_letters(picture, [_figure(mechanism)]).points
+    places = {name: place for (_, name), place in found.items()}
+    lengths = {pair: abs(places[pair[1]] - places[pair[0]]) / size for pair, size in _lengths(mechanism)
+               if pair[0] in places and pair[1] in places}  # fmt: skip
+    if len(lengths) < _LENGTHS:
+        return {}
+    scale = float(np.median(list(lengths.values())))
+    good = {pair for pair, each in lengths.items() if abs(each - scale) <= _OFF * scale}
+    if len(good) < _LENGTHS or len(good) <= _AGREE * len(lengths):
+        return {}
+    turned = _page_turn(mechanism, places, good) if limits.turned else 0.0
+    return {
+        question: HandedValue("", cmath.phase(places[head] - places[tail]) - turned, where=where,
+                        ends=(places[tail], places[head]))
+        for question, (tail, head) in wanted.items() if good & {(tail, head), (head, tail)}
+    }  # fmt: skip
+
+
+def _wanted(mechanism: Mechanism, questions: Questions) -> Iterator[tuple[str, Pair]]:
+    """Questions for a direction, with the two points it runs through."""
+    for text in mechanism.ask:
+        read = questions.read(text)
+        if read is not None and isinstance(read[1], Rotation) and read[1].word == "theta":
+            axis = mechanism.links[read[1].link].axis
+            if axis is not None and set(axis) <= set(mechanism.points):
+                yield read[0], axis
+
+
+def _figure(mechanism: Mechanism) -> PaperPolygon:
+    """The mechanism as a figure with letters; fixed points first, for what hangs together with them is meant."""
+    letters = {name: (name,) for name in mechanism.points}
+    return PaperPolygon("position", letters, tuple(PolygonVector("", *pair) for pair, _ in _lengths(mechanism)), ())
+
+
+def _lengths(mechanism: Mechanism) -> Iterator[tuple[Pair, float]]:
+    """Every two points of a link, and how far apart they are [m]."""
+    for link in mechanism.links.values():
+        for pair in combinations(mechanism.named(link.name), 2):
+            if (size := abs(link.arm(*pair))) > 0:
+                yield pair, size
+
+
+def _page_turn(mechanism: Mechanism, places: dict[str, complex], good: set[Pair]) -> float:
+    """By how much the page is turned, by two fixed points [rad]."""
+    for pair in combinations(mechanism.named(FRAME), 2):
+        if pair in good:
+            return cmath.phase((places[pair[1]] - places[pair[0]]) / mechanism.links[FRAME].arm(*pair))
+    return 0.0
+
 
 _SHORTEST = 1.0
 """A known vector shorter than this gives no scale [mm]."""
@@ -54,7 +122,7 @@ def measured(
     shapes = polygons(asked.mechanism, questions)
     found = find_letters(picture, shapes, asked.mechanism.points, limits.names)
     told, written = _told(picture, where, questions, limits)
-    known = {**scales.stated_by(asked.mechanism), **_calibrated(found.points, shapes)}
+    known = {**numbers.stated_by(asked.mechanism), **_calibrated(found.points, shapes)}
     known |= {**picture.scales, **written, **stated}
     turned = _turned(found.points, shapes) if limits.turned else {}
     values = _named(picture, known, turned, questions, where)
@@ -170,7 +238,7 @@ def _named(
     found: dict[str, HandedValue] = {}
     for arrow in picture.arrows:
         read = questions.read(arrow.name) if arrow.name else None
-        plane = scales.plane_of(read[1].unit) if read is not None else None
+        plane = numbers.plane_of(read[1].unit) if read is not None else None
         if read is not None and plane is not None and plane in known and not read[2]:
             found.setdefault(read[0], _given(arrow.tail, arrow.head, plane, known, turned, where))
     return found

@@ -1,7 +1,4 @@
-"""What there is to read, one hand-in after another: files, folders, the students of an archive, rows of a class table.
-
-Nothing of a student's is parsed here but the cells of a class table; that is `read_one`'s.
-"""
+"""Handed."""
 
 from __future__ import annotations
 
@@ -11,20 +8,30 @@ import os
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
+from functools import cached_property
 from pathlib import Path, PurePosixPath
 
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.errors import BrokenSubmission, GraphkinError, NamesNobody, NoAnswers, NoFile, TooMuch, Unreadable, Where
+from graphkin.errors import (
+    BrokenSubmission,
+    GraphkinError,
+    HandedTwice,
+    NamesNobody,
+    NoAnswers,
+    NoFile,
+    TooMuch,
+    TwoNames,
+    Unreadable,
+    Where,
+)
 from graphkin.model.quantities import position_of
 from graphkin.submissions import archives
-from graphkin.submissions.class_names import Owner, owner, tidy_id
-from graphkin.submissions.deadline import limited
-from graphkin.submissions.documents import listed
-from graphkin.submissions.submission import Limits
-from graphkin.submissions.tables import TableRow, csv_cells, rows_of, xlsx_cells
-from graphkin.submissions.texts import decoded
+from graphkin.submissions.archives import decoded
+from graphkin.submissions.documents import TableRow, csv_cells, listed, rows_of, xlsx_cells
+from graphkin.submissions.pool import limited
+from graphkin.submissions.submission import Limits, Owner, owner, tidy_id
 
 LIMITS = Limits()
 _TABLES, _SHEETS = (".csv", ".tsv"), (".xlsx", ".xlsm")
@@ -270,3 +277,35 @@ def _root(names: list[str]) -> str:
     if several or len(names) == 1:
         return f"{folder}/"
     return f"{folder}/" + _root([name[len(folder) + 1 :] for name in names])
+
+
+class FirstOnes:
+    """The first submission of each student, as far as they have gone by.
+
+    paths   all that is handed in: what a file, or a platform's folder, is named after goes before a line inside
+    """
+
+    def __init__(self, paths: Iterable[str | Path] = ()) -> None:
+        self._paths = paths
+        self._seen: dict[str, Where] = {}
+
+    @cached_property
+    def _named(self) -> frozenset[str]:
+        """The names of students that files bear; looked for where a line inside says another."""
+        return frozenset(name for who in named_in(self._paths) for name in (who.student, *who.others))
+
+    def reason(self, student: str, file: str, place: str) -> HandedTwice | TwoNames | None:
+        """Why this submission is not marked, being another's or a further one; None where it is the student's first."""
+        if not place.isdecimal():
+            name = place or Path(file).name
+            own = owner(name), owner(name, alone=True)
+            if not any(student in (who.student, *who.others) for who in own) and student in self._named:
+                return TwoNames(Where(file), own[0].student, student)
+        here = Where(file, int(place) if place.isdecimal() else None)
+        first = self._seen.setdefault(student, here)
+        return None if first is here else HandedTwice(here, student, str(first))
+
+
+def called(student: str, reason: GraphkinError) -> str:
+    """Whose a submission is that is not marked: nobody's is another's."""
+    return reason.named if isinstance(reason, TwoNames) else student

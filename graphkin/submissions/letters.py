@@ -17,10 +17,8 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.submissions.figures import Figures, distances
-from graphkin.submissions.letter_names import by_name, loosely, pieces_of, spellings, texts_of
-from graphkin.submissions.picture import PagePicture, PictureText
-from graphkin.submissions.polygons import PaperPolygon
+from graphkin.submissions.picture import Figures, PagePicture, PictureText, distances
+from graphkin.submissions.polygons import PaperPolygon, by_name, loosely, pieces_of, spellings, texts_of
 
 _REACH = 6.0
 """A letter belongs to no dot farther from it [mm]."""

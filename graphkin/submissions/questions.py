@@ -26,8 +26,7 @@ from graphkin.model.quantities import (
     Track,
 )
 from graphkin.model.quantities.reading import read
-from graphkin.submissions.numbers import unit_named
-from graphkin.submissions.spelling import plain, unaccented
+from graphkin.submissions.numbers import plain, unaccented, unit_named
 
 LONGEST = 120
 """No question is longer."""

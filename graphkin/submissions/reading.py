@@ -20,18 +20,31 @@ from graphkin.errors import (
 )
 from graphkin.model.mechanism import Mechanism
 from graphkin.submissions import archives
-from graphkin.submissions.answers import Answers
-from graphkin.submissions.at_positions import answers_at, named_at, of_file
-from graphkin.submissions.class_names import DRAWINGS, tidy_id
-from graphkin.submissions.deadline import limited
-from graphkin.submissions.documents import StudentDocument, read_json, read_lines, read_toml
-from graphkin.submissions.handed import Handed, handed_in
+from graphkin.submissions.answers import Answers, answers_at, named_at, of_file
+from graphkin.submissions.archives import decoded
+from graphkin.submissions.documents import (
+    StudentDocument,
+    TableRow,
+    csv_cells,
+    read_json,
+    read_lines,
+    read_toml,
+    rows_of,
+    xlsx_cells,
+)
+from graphkin.submissions.handed import FirstOnes, Handed, called, handed_in
+from graphkin.submissions.numbers import short
+from graphkin.submissions.pool import limited
 from graphkin.submissions.questions import Questions
-from graphkin.submissions.spelling import short
-from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing, ReadableProblem, Submission
-from graphkin.submissions.tables import TableRow, csv_cells, rows_of, xlsx_cells
-from graphkin.submissions.texts import decoded
-from graphkin.submissions.twice import FirstOnes, called
+from graphkin.submissions.submission import (
+    DRAWINGS,
+    HandedValue,
+    Limits,
+    MeasuredDrawing,
+    ReadableProblem,
+    Submission,
+    tidy_id,
+)
 
 Key = ReadableProblem | Callable[[str], ReadableProblem | None]
 """One problem for all, or each student's own by id; None for a student there is not."""

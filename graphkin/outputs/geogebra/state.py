@@ -29,9 +29,10 @@ from graphkin.construction import (
     Tangential,
     Turning,
 )
-from graphkin.outputs.geogebra.formulas import (
+from graphkin.outputs.geogebra.protocol import (
     NOTHING,
     FormulaPair,
+    Protocol,
     along,
     between,
     grouped,
@@ -41,7 +42,6 @@ from graphkin.outputs.geogebra.formulas import (
     product,
     value,
 )
-from graphkin.outputs.geogebra.protocol import Protocol
 
 ORDERS: Mapping[Plane, int] = {"position": 0, "velocity": 1, "acceleration": 2}
 

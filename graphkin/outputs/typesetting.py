@@ -1,4 +1,4 @@
-"""The letters of a text in spans of one script and style, each at its own place; numbers as an SVG has them."""
+"""Labels and words as each kind of file sets them: spans of letters for SVG, LaTeX, DXF, GeoGebra."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from dataclasses import replace
 from itertools import groupby
 
 from graphkin.base.value import frozen
-from graphkin.sheet.lettering import advance, is_wide, run_size, run_width, scripts
+from graphkin.sheet.lettering import Label, Run, advance, is_wide, run_size, run_width, scripts
 from graphkin.sheet.marks import Place, Text
 
 LATIN = "Times New Roman, Liberation Serif, Tinos, serif"
 _CHINESE = "Noto Serif CJK SC, Source Han Serif SC, Songti SC, SimSun, WenQuanYi Micro Hei, serif"
-_SIGNS = "√∥⊥"
+_CHINESE_SIGNS = "√∥⊥"
 """Signs that the Chinese letters have, and Latin ones may not."""
 _DOTTED = {"\u1e61": "s\u02d9", "s\u0308": "s\u00a8"}
 """Letters that few fonts have: another one, and the dots over it by themselves."""
@@ -60,7 +60,7 @@ class LetterSpan:
 
 def _is_chinese(letter: str) -> bool:
     """Whether it is set in the Chinese letters."""
-    return is_wide(letter) or (letter in _SIGNS and letter != "")
+    return is_wide(letter) or (letter in _CHINESE_SIGNS and letter != "")
 
 
 def runs(mark: Text) -> list[LetterSpan]:
@@ -95,3 +95,43 @@ def _of_one_script(text: str) -> list[str]:
         return [text]
     parts = ([part] if part in _DOTTED else groupby(part, _is_chinese) for part in _ANY_DOTTED.split(text))
     return [each if isinstance(each, str) else "".join(each[1]) for part in parts for each in part]
+
+
+_TEX_SIGNS = {
+    "μ": r"$\mu$", "ω": r"$\omega$", "α": r"$\alpha$", "θ": r"$\theta$", "φ": r"$\varphi$", "ψ": r"$\psi$",
+    "γ": r"$\gamma$", "β": r"$\beta$", "δ": r"$\delta$", "π": r"$\pi$", "±": r"$\pm$", "<": "$<$", ">": "$>$",
+    "|": "$|$", "°": r"$^\circ$", "·": r"$\cdot$", "→": r"$\to$", "×": r"$\times$", "²": r"$^2$", "³": r"$^3$",
+    "′": r"$'$", "″": r"$''$", "−": r"$-$", "⊥": r"$\perp$", "∥": r"$\parallel$", "∠": r"$\angle$", "√": r"$\surd$",
+    "△": r"$\triangle$", "∽": r"$\sim$", "ṡ": r"$\dot{s}$", "\0": r"$\ddot{s}$",
+    "\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}",
+} | {sign: f"\\{sign}" for sign in "#$%&_{}"}  # fmt: skip
+
+
+def tex_text(text: str) -> str:
+    """Words with everything special escaped."""
+    return "".join(_TEX_SIGNS.get(letter, letter) for letter in text.replace("s\u0308", "\0"))
+
+
+def tex_words(label: Label) -> str:
+    """Runs in text style; a part stands above the subscript it goes with."""
+    text, low = "", ""
+    for run in label:
+        letters = _run(run)
+        if run.place == "sub":
+            low += letters
+        elif run.place == "sup":
+            text, low = text + _scripts(letters, low), ""
+        else:
+            text, low = text + _scripts("", low) + letters, ""
+    return text + _scripts("", low)
+
+
+def _run(run: Run) -> str:
+    letters = tex_text(run.text)
+    return rf"\textit{{{letters}}}" if run.italic else letters
+
+
+def _scripts(high: str, low: str) -> str:
+    if not high and not low:
+        return ""
+    return "$" + (rf"^{{\text{{{high}}}}}" if high else "") + (rf"_{{\text{{{low}}}}}" if low else "") + "$"
