@@ -31,9 +31,9 @@ from redriving import redriven
 
 import graphkin
 from graphkin.equations import document, write_html, write_tex, write_text
+from graphkin.equations.formulas import symbol_text
 from graphkin.equations.legend import values
 from graphkin.equations.model import model_of
-from graphkin.equations.writers import symbol_text
 from graphkin.equations.written import written
 from graphkin.errors import DeadPoint
 from graphkin.files import library

@@ -1,4 +1,4 @@
-"""Archives."""
+"""Files as bytes: archives, never unpacked to disk and read as far as is allowed; and text in any usual encoding."""
 
 from __future__ import annotations
 
@@ -15,6 +15,9 @@ from graphkin.submissions.submission import Limits
 
 _JUNK = ("__MACOSX/", ".DS_Store", "Thumbs.db", "desktop.ini")
 _FLAG_UTF8, _FLAG_LOCKED = 0x800, 0x1
+_BROKEN = (BadZipFile, zlib.error, OSError, ValueError, RuntimeError, NotImplementedError, EOFError, OverflowError)
+_MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
+_PIECE = 1 << 16
 
 
 def opened(source: bytes | Path, where: Where) -> ZipFile:
@@ -26,7 +29,8 @@ def opened(source: bytes | Path, where: Where) -> ZipFile:
 
 
 def checked_zip(content: bytes, where: Where, limits: Limits) -> None:
-    """Whether a file that is a zip inside (.xlsx, .ggb) is within the limits, before another's reader opens it."""
+    """Raises TooMuch, BrokenSubmission for a file that is a zip inside (.xlsx, .ggb) and beyond the limits, or whose
+    members are larger than they say: a bomb is packed behind a small number."""
     with opened(content, where) as archive:
         infos = archive.infolist()
         if len(infos) > limits.parts:
@@ -35,21 +39,13 @@ def checked_zip(content: bytes, where: Where, limits: Limits) -> None:
             raise TooMuch(where, "archive", 16 * limits.bytes)
         for info in infos:
             _check_ratio(info, where, limits)
-            _check_true_size(archive, info, where)
-
-
-def _check_true_size(archive: ZipFile, info: ZipInfo, where: Where) -> None:
-    """That a member is as large as it says: what is packed behind a small number is a bomb."""
-    try:
-        with archive.open(info) as stream:
-            left = info.file_size + 1
-            while left > 0 and (piece := stream.read(min(left, 1 << 20))):
-                left -= len(piece)
-    except _BROKEN as problem:
-        raise BrokenSubmission(where, "ZIP", type(problem).__name__) from None
-
-
-_BROKEN = (BadZipFile, zlib.error, OSError, ValueError, RuntimeError, NotImplementedError, EOFError, OverflowError)
+            try:
+                with archive.open(info) as stream:
+                    left = info.file_size + 1
+                    while left > 0 and (piece := stream.read(min(left, 1 << 20))):
+                        left -= len(piece)
+            except _BROKEN as problem:
+                raise BrokenSubmission(where, "ZIP", type(problem).__name__) from None
 
 
 def members(archive: ZipFile, where: Where, limits: Limits) -> Iterator[ZipInfo]:
@@ -106,8 +102,7 @@ def _check_ratio(info: ZipInfo, where: Where, limits: Limits) -> None:
         raise TooMuch(where, "ratio", limits.ratio)
 
 
-_MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
-_PIECE = 1 << 16
+# --- text --------------------------------------------------------------------------------------
 
 
 def decoded(content: bytes, where: Where) -> str:

@@ -1,4 +1,7 @@
-"""Documents."""
+"""Answers in tables (CSV, XLSX), TOML, JSON or lines of text: one student's, or those of a class.
+
+A header with a column of ids and questions beside it is a class; rows of question, value (unit, sense) are a student's.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,8 @@ import re
 import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, islice
-from typing import IO, Any
+from pathlib import PurePosixPath
+from typing import IO
 
 from graphkin.base.value import frozen
 from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, TooMuch, WantsExtra, Where
@@ -27,11 +31,18 @@ IDS = (
     "sis user id", "sis login id", "identifier", "participant", "username", "user name", "用户名", "user",
     "login", "email", "email address", "学生", "name", "full name", "姓名", "学生姓名",
 )  # fmt: skip
-"""What a column of ids is called, the most telling first."""
+"""Names of a column of ids, the most telling first."""
+PLAIN_TABLES, SHEETS = (".csv", ".tsv"), (".xlsx", ".xlsm")
 _QUESTION = {"question", "quantity", "name", "item", "问题", "题目", "量", "物理量", "项目"}
 _VALUE = {"value", "answer", "result", "given", "数值", "值", "答案", "结果"}
 _MORE = {"unit", "units", "单位", "sense", "direction", "转向", "方向"}
 _LONGEST_CELL = 1 << 16
+_DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
+_KEY = re.compile(r"""\s*(?:["“”„]([^"“”„]*)["“”„]|'([^']*)'|([^=＝≈:：\s"'“”„][^=＝≈:：]*?))\s*[=＝≈:：]""")
+"""Quotes are those that word processors make of plain ones, too; an equals sign may be as wide as a Chinese letter."""
+_HEADER = re.compile(r"\s*\[\s*([^\[\]]+?)\s*\]\s*")
+_TABLES = ("answers", "answer", "values", "results", "答案")
+_SCALES = ("scales", "scale", "比例尺")
 
 
 @frozen
@@ -52,7 +63,8 @@ def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[TableRow]:
     if len(first[1]) > limits.columns:
         raise TooMuch(where, "columns", limits.columns)
     header = [_shown(cell)[:200] for cell in first[1]]
-    at = _id_column(header)
+    folded = [plain(name).lower().replace("_", " ") for name in header]
+    at = next((folded.index(name) for name in IDS if name in folded), None)
     second = next(filled, None)
     filled = chain([] if second is None else [second], filled)
     if at is None or _is_question_table(header) or (second is not None and _is_one(header, second[1])):
@@ -67,13 +79,8 @@ def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[TableRow]:
 
 
 def student_of(name: str) -> bool:
-    """Whether a name in a table of answers stands for the student's id."""
+    """True where a name in a table of answers stands for the student's id."""
     return plain(name[:60]).lower().replace("_", " ").strip(" :") in IDS
-
-
-def _id_column(header: Sequence[str]) -> int | None:
-    folded = [plain(name).lower().replace("_", " ") for name in header]
-    return next((folded.index(name) for name in IDS if name in folded), None)
 
 
 def _is_question_table(header: Sequence[str]) -> bool:
@@ -82,7 +89,7 @@ def _is_question_table(header: Sequence[str]) -> bool:
 
 
 def _is_one(header: Sequence[str], row: Sequence[object]) -> bool:
-    """Whether `student, s1` over `omega 3, 3.92` begins one student's table, and no class."""
+    """True where `student, s1` over `omega 3, 3.92` begins one student's table, and no class."""
     return len(header) == 2 and bool(row) and begins_like_one(_shown(row[0])) and not begins_like_one(header[1])
 
 
@@ -127,8 +134,8 @@ def csv_cells(stream: IO[bytes], where: Where) -> Cells:
     csv.field_size_limit(_LONGEST_CELL)
     lines: Iterator[str] = (line.replace("\0", "") for line in lines_of(stream, where))
     first = next(lines, "")
-    if (told := re.fullmatch(r"sep=(.)\s*", first)) is not None:
-        delimiter, rest = told[1], lines
+    if (stated := re.fullmatch(r"sep=(.)\s*", first)) is not None:
+        delimiter, rest = stated[1], lines
     else:
         bare = re.sub(r'"[^"]*"', "", first)
         delimiter, rest = max(",;\t", key=bare.count), chain([first], lines)
@@ -144,7 +151,10 @@ def csv_cells(stream: IO[bytes], where: Where) -> Cells:
 
 
 def xlsx_cells(content: bytes, where: Where, limits: Limits) -> Cells:
-    """The rows of the first sheet that has any. Raises WantsExtra, BrokenSubmission, TooMuch."""
+    """The rows of the first sheet that has any, without the empty cells at their ends.
+
+    Raises WantsExtra, BrokenSubmission, TooMuch.
+    """
     try:
         from openpyxl import load_workbook
     except ImportError:
@@ -157,7 +167,7 @@ def xlsx_cells(content: bytes, where: Where, limits: Limits) -> Cells:
             started = False
             for line, row in enumerate(sheet.iter_rows(values_only=True, max_col=limits.columns + 1), 1):
                 started = True
-                yield line, _trimmed(row)
+                yield line, row[: max((k for k, cell in enumerate(row, 1) if cell is not None), default=0)]
             if started:
                 return
     except (MemoryError, RecursionError, GeneratorExit):
@@ -166,23 +176,19 @@ def xlsx_cells(content: bytes, where: Where, limits: Limits) -> Cells:
         raise BrokenSubmission(where, "XLSX", type(problem).__name__) from None
 
 
-def _trimmed(row: Sequence[object]) -> Sequence[object]:
-    """Without the empty cells at its end, of which a sheet may have any number."""
-    last = max((k for k, cell in enumerate(row, 1) if cell is not None), default=0)
-    return row[:last]
+def cells_of(name: str, content: bytes, where: Where, limits: Limits) -> Cells:
+    """The rows of a table file, by its suffix."""
+    if PurePosixPath(name).suffix.lower() in SHEETS:
+        return xlsx_cells(content, where, limits)
+    return csv_cells(io.BytesIO(content), where)
 
 
-_DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
-_KEY = re.compile(r"""\s*(?:["“”„]([^"“”„]*)["“”„]|'([^']*)'|([^=＝≈:：\s"'“”„][^=＝≈:：]*?))\s*[=＝≈:：]""")
-"""Quotes are those that word processors make of plain ones, too; an equals sign may be as wide as a Chinese letter."""
-_HEADER = re.compile(r"\s*\[\s*([^\[\]]+?)\s*\]\s*")
-_TABLES = ("answers", "answer", "values", "results", "答案")
-_SCALES = ("scales", "scale", "比例尺")
+# --- documents --------------------------------------------------------------------------------
 
 
 @frozen
 class StudentDocument:
-    """A student's id as stated ("" where none is) and what is answered."""
+    """A student's id as stated ("" where none is) and the answers."""
 
     student: str
     entries: tuple[Entry, ...]
@@ -201,34 +207,52 @@ def read_toml(text: str, where: Where, limits: Limits) -> StudentDocument:
         if _is_filled_form(text):
             return read_lines(text, where, limits)
         raise BrokenSubmission(where, "TOML", str(problem)[:120]) from None
-    return _document(document, where, _lines(text))
+    lines: dict[str, int] = {}  # of each key as far as plain sight tells
+    for number, line in enumerate(text.splitlines(), 1):
+        if (key := _KEY.match(line[:400])) is not None:
+            lines.setdefault(_key_name(key), number)
+    return _document(document, where, lines)
 
 
 def _is_filled_form(text: str) -> bool:
-    """Whether all of it is headings and `name = ..`, some left open or without quotes, as people fill in a form."""
+    """True where all of it is headings and `name = ..`, some left open or without quotes, as people fill in a form."""
     lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
     return bool(lines) and all(_HEADER.fullmatch(line[:60]) or _KEY.match(line[:400]) for line in lines)
 
 
+def _key_name(key: re.Match[str]) -> str:
+    return next(part for part in key.groups() if part is not None)
+
+
 def read_json(text: str, where: Where, limits: Limits) -> StudentDocument:
     """Raises BrokenSubmission, TooMuch, NoAnswers."""
-    return _document(_json(text, where, limits), where, {})
+    return _document(_parsed(text, where, limits), where, {})
+
+
+def _parsed(text: str, where: Where, limits: Limits) -> object:
+    try:
+        document: object = json.loads(text.removeprefix("\ufeff"))
+        return document
+    except RecursionError:
+        raise TooMuch(where, "depth", limits.depth) from None
+    except ValueError as problem:
+        raise BrokenSubmission(where, "JSON", str(problem)[:120]) from None
 
 
 def listed(text: str, where: Where, limits: Limits) -> list[StudentDocument] | None:
     """The students of a class in one JSON file; None for a file of one student's."""
-    document = _json(text, where, limits)
+    document = _parsed(text, where, limits)
     if not isinstance(document, list) or not all(isinstance(entry, dict) for entry in document):
         return None
     if len(document) > limits.rows:
         raise TooMuch(where, "rows", limits.rows)
-    found = []
+    students = []
     for entry in document:
         try:
-            found.append(_document(entry, where, {}))
+            students.append(_document(entry, where, {}))
         except GraphkinError:
-            found.append(StudentDocument("", ()))
-    return found
+            students.append(StudentDocument("", ()))
+    return students
 
 
 def read_lines(text: str, where: Where, limits: Limits) -> StudentDocument:
@@ -240,58 +264,35 @@ def read_lines(text: str, where: Where, limits: Limits) -> StudentDocument:
         key = _KEY.match(line[:400])
         if key is None:
             continue
-        name, value = next(part for part in key.groups() if part is not None), line[key.end() :].strip(" \t\"'“”„")
+        name, value = _key_name(key), line[key.end() :].strip(" \t\"'“”„")
         if student_of(name):
             student = value[:200]
         else:
             entries.append((table + name, value, Where(where.file, number, short(name))))
         if len(entries) > limits.answers:
             raise TooMuch(where, "answers", limits.answers)
-    return _filled(StudentDocument(student, tuple(entries)), where)
-
-
-def _json(text: str, where: Where, limits: Limits) -> Any:
-    try:
-        return json.loads(text.removeprefix("\ufeff"))
-    except RecursionError:
-        raise TooMuch(where, "depth", limits.depth) from None
-    except ValueError as problem:
-        raise BrokenSubmission(where, "JSON", str(problem)[:120]) from None
+    if not entries:
+        raise NoAnswers(where)
+    return StudentDocument(student, tuple(entries))
 
 
 def _document(document: object, where: Where, lines: Mapping[str, int]) -> StudentDocument:
+    """Answers in their table or at the top, scales in theirs."""
     if not isinstance(document, dict):
         raise NoAnswers(where)
-    student = next((value for key, value in document.items() if student_of(key)), "")
-    entries = tuple(
-        (name, value, Where(where.file, lines.get(name), f"{table}{short(name)}"))
-        for table, name, value in _named_answers(document)
-    )
-    named = str(student) if isinstance(student, str | int) and not isinstance(student, bool) else ""
-    return _filled(StudentDocument(named[:200], entries), where)
-
-
-def _named_answers(document: Mapping[str, Any]) -> Iterator[tuple[str, str, object]]:
-    """Answers in their table or at the top, scales in theirs."""
+    named: list[tuple[str, str, object]] = []
     for key, value in document.items():
         if key in _SCALES and isinstance(value, dict):
-            yield from (("", f"scales.{plane}", size) for plane, size in value.items())
+            named += (("", f"scales.{plane}", size) for plane, size in value.items())
         elif key in _TABLES and isinstance(value, dict):
-            yield from ((f"{key}.", name, given) for name, given in value.items())
+            named += ((f"{key}.", name, answer) for name, answer in value.items())
         elif not student_of(key):
-            yield "", key, value
-
-
-def _filled(document: StudentDocument, where: Where) -> StudentDocument:
-    if not document.entries:
+            named.append(("", key, value))
+    if not named:
         raise NoAnswers(where)
-    return document
-
-
-def _lines(text: str) -> dict[str, int]:
-    """The line of each key as far as plain sight tells."""
-    found: dict[str, int] = {}
-    for number, line in enumerate(text.splitlines(), 1):
-        if (key := _KEY.match(line[:400])) is not None:
-            found.setdefault(next(part for part in key.groups() if part is not None), number)
-    return found
+    entries = (
+        (name, value, Where(where.file, lines.get(name), f"{table}{short(name)}")) for table, name, value in named
+    )
+    stated = next((value for key, value in document.items() if student_of(key)), "")
+    student = str(stated) if isinstance(stated, str | int) and not isinstance(stated, bool) else ""
+    return StudentDocument(student[:200], tuple(entries))

@@ -1,4 +1,7 @@
-"""Picture."""
+"""A drawing as far as it is measured: lines, dots, letters, in mm on the page, y up, whatever program saved it.
+
+The mechanism and its polygons are figures of their own, of lines that hang together; letters recur in them.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,7 @@ from dataclasses import field
 
 import numpy as np
 
+from graphkin.base.geometry import Array, Value, cross
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 
@@ -29,11 +33,8 @@ class PictureText:
     def distance(self, place: complex) -> float:
         """From its box [mm]; 0 within."""
         to = place - self.corner
-        along = (to * self.right.conjugate()).real
-        across = (to * self.up.conjugate()).real
-        over = max(-along, along - self.width, 0.0)
-        off = max(-self.below - across, across - self.above, 0.0)
-        return abs(complex(over, off))
+        along, across = (to * self.right.conjugate()).real, (to * self.up.conjugate()).real
+        return abs(complex(max(-along, along - self.width, 0.0), max(-self.below - across, across - self.above, 0.0)))
 
 
 @frozen
@@ -85,44 +86,38 @@ class Figures:
 
     def about(self, place: complex) -> Sequence[Line]:
         """The lines that hang together with a place, one through another; none where no line is there."""
-        found = self._off(np.array([place])) <= _TOUCH
-        new = np.flatnonzero(found)
+        figure = self._off(place) <= _TOUCH
+        new = np.flatnonzero(figure)
         while new.size:
-            if found.sum() > _LARGEST:
+            if figure.sum() > _LARGEST:
                 return ()
-            touched = np.zeros(len(found), dtype=bool)
+            touched = np.zeros(len(figure), dtype=bool)
             for k in new:
                 touched |= self._touching(int(k))
-            new = np.flatnonzero(touched & ~found)
-            found |= touched
-        return [(complex(self._tails[k]), complex(self._heads[k])) for k in np.flatnonzero(found)]
+            new = np.flatnonzero(touched & ~figure)
+            figure |= touched
+        return [(complex(self._tails[k]), complex(self._heads[k])) for k in np.flatnonzero(figure)]
 
-    def _touching(self, k: int) -> np.ndarray:
-        """Which lines end on line k or cross it, or on which it ends."""
-        tail, head = self._tails[k], self._heads[k]
-        near = (self._off(np.array([tail])) <= _TOUCH) | (self._off(np.array([head])) <= _TOUCH)
-        for ends in (self._tails, self._heads):
+    def _touching(self, k: int) -> Array:
+        """Flags of the lines that end on line k or cross it, or on which it ends."""
+        tails, heads, tail, head = self._tails, self._heads, self._tails[k], self._heads[k]
+        near = (self._off(tail) <= _TOUCH) | (self._off(head) <= _TOUCH)
+        for ends in (tails, heads):
             near |= distances(ends, np.array([tail]), np.array([head])) <= _TOUCH
-        one, other = _sides(self._tails, self._heads, tail, head), _sides(tail, head, self._tails, self._heads)
-        found: np.ndarray = near | (one & other)
-        return found
+        return np.asarray(near | (_parted(tails, heads, tail, head) & _parted(tail, head, tails, heads)))
 
-    def _off(self, place: np.ndarray) -> np.ndarray:
-        return distances(place, self._tails, self._heads)
+    def _off(self, place: complex) -> Array:
+        return distances(np.array([place]), self._tails, self._heads)
 
 
-def distances(places: np.ndarray, tails: np.ndarray, heads: np.ndarray) -> np.ndarray:
+def distances(places: Array, tails: Array, heads: Array) -> Array:
     """Of places from pieces of lines, broadcast [mm]."""
     along = heads - tails
     size = np.abs(along) ** 2
     share = ((places - tails) * along.conj()).real / np.where(size > 0, size, 1.0)
-    found: np.ndarray = np.abs(places - tails - np.clip(share, 0.0, 1.0) * along)
-    return found
+    return np.asarray(np.abs(places - tails - np.clip(share, 0.0, 1.0) * along))
 
 
-def _sides(tail: np.ndarray, head: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """Whether two points lie on either side of a line."""
-    way = end - start
-    one, other = ((way.conj() * (point - start)).imag for point in (tail, head))
-    found: np.ndarray = one * other < 0
-    return found
+def _parted(tail: Value, head: Value, start: Value, end: Value) -> Array:
+    """Flags of pairs of points that lie on either side of a line."""
+    return np.asarray(cross(end - start, tail - start) * cross(end - start, head - start) < 0)

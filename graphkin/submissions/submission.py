@@ -1,4 +1,4 @@
-"""Submission."""
+"""The data of what is handed in: no language, no millimetre but those measured on a drawing, no verdict; its owner."""
 
 from __future__ import annotations
 
@@ -84,16 +84,13 @@ class MeasuredDrawing:
 
     def in_si(self) -> dict[Plane, dict[str, complex]]:
         """Points from the first of their plane on, SI, turned back; of planes whose scale is known."""
-        found: dict[Plane, dict[str, complex]] = {}
+        places: dict[Plane, dict[str, complex]] = {}
         for (plane, letter), place in self.points.items():
             if plane in self.scales:
-                found.setdefault(plane, {})[letter] = place * self.scales[plane] * self._turn(plane)
+                turn = cmath.rect(1.0, -self.turned.get(plane, 0.0))
+                places.setdefault(plane, {})[letter] = place * self.scales[plane] * turn
         return {plane: {letter: at - first for letter, at in points.items()}
-                for plane, points in found.items() for first in [next(iter(points.values()))]}  # fmt: skip
-
-    def _turn(self, plane: Plane) -> complex:
-        return cmath.rect(1.0, -self.turned.get(plane, 0.0))
-
+                for plane, points in places.items() for first in [next(iter(points.values()))]}  # fmt: skip
 
 @frozen
 class Submission:
@@ -198,9 +195,8 @@ def safe_name(student: str) -> str:
     >>> safe_name("s1"), safe_name("../../etc")
     ('s1', 'etc-74ccf3c5b4c1')
     """
-    kept = "".join(letter if letter.isalnum() or letter in "_-" else "-" for letter in student[:60]).strip("-_")
-    plain = bool(kept) and kept == student and kept.isascii() and kept == kept.lower() and kept not in _RESERVED
-    if plain:
-        return kept
+    name = "".join(letter if letter.isalnum() or letter in "_-" else "-" for letter in student[:60]).strip("-_")
+    if name and name == student and name.isascii() and name == name.lower() and name not in _RESERVED:
+        return name
     mark = hashlib.sha256(student.encode("utf-8", "surrogatepass")).hexdigest()[:12]
-    return f"{kept}-{mark}" if kept else mark
+    return f"{name}-{mark}" if name else mark
