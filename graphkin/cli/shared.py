@@ -17,6 +17,7 @@ import click
 
 from graphkin.cli import streams
 from graphkin.errors import GraphkinError, Lang
+from graphkin.outputs import drawings
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -69,7 +70,7 @@ by_option = click.option(
     "--by", type=click.Choice(["construction", "analysis"]), default="construction", show_default=True,
     help="Replay the construction at every position, or solve the loop equations there.",
 )  # fmt: skip
-DRAWN_AS = (".svg", ".pdf", ".png", ".dxf", ".ggb", ".tex")
+DRAWN_AS = tuple(drawings.WRITERS)
 """The kinds of files that a position is drawn as: those of `outputs.drawings`."""
 
 

@@ -11,8 +11,9 @@ import math
 from typing import Any, assert_never
 
 from graphkin.outputs.files import needed
+from graphkin.outputs.typesetting import stacked
 from graphkin.sheet import Sheet
-from graphkin.sheet.lettering import Label, box
+from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
 
@@ -40,7 +41,9 @@ def dxf(sheet: Sheet) -> bytes:
         for name, colour in _LAYERS.items():
             if name:
                 document.layers.add(name, color=colour)
-        _DxfPage(document.modelspace(), sheet).draw()
+        page = _DxfPage(document.modelspace(), sheet)
+        for mark in sheet.marks:
+            page.add(mark)
         for name in sorted(document.entitydb.dxf_types_in_use()):  # else in an order that changes
             document.classes.add_class(name)
         held = io.StringIO()
@@ -56,11 +59,7 @@ class _DxfPage:
     def __init__(self, space: Any, sheet: Sheet) -> None:
         self.space, self.sheet = space, sheet
 
-    def draw(self) -> None:
-        for mark in self.sheet.marks:
-            self._mark(mark)
-
-    def _mark(self, mark: Mark) -> None:
+    def add(self, mark: Mark) -> None:
         match mark:
             case Stroke():
                 look = self._look(mark.pen, mark.shows.plane if mark.shows is not None else "")
@@ -116,22 +115,3 @@ class _DxfPage:
         x, y = self._xy(mark.at)
         look = {"layer": "labels", "style": "letters", "char_height": mark.size * _CAP, "attachment_point": 7}
         self.space.add_mtext(stacked(mark.label), dxfattribs={**look, "insert": (x, y - depth)})
-
-
-def stacked(label: Label) -> str:
-    """A label as MTEXT writes it: a part and a subscript are stacked (`a\\Sn^ CB;`)."""
-    text, waiting = "", ""
-    for run in label:
-        letters = run.text.replace("\\", "\\\\").replace("{", "\\{").replace("}", "\\}").replace(";", "\\;")
-        if run.place == "sub":
-            waiting += letters
-            continue
-        if run.place == "sup":
-            text, waiting = f"{text}{{\\H0.7x;\\S{letters}^ {waiting};}}", ""
-            continue
-        text, waiting = f"{text}{_low(waiting)}{letters}", ""
-    return text + _low(waiting)
-
-
-def _low(letters: str) -> str:
-    return f"{{\\H0.7x;\\S^ {letters};}}" if letters else ""

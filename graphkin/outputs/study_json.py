@@ -1,104 +1,128 @@
-"""Studies."""
+"""Designs, tolerances of paper and the power of marking as plain data for JSON; SI units, radians; infinite is null."""
 
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING
 
-from graphkin.marking.power import Power
-from graphkin.marking.slips import Mark
-from graphkin.marking.told import SetTold
-from graphkin.marking.tolerances import Tolerances
-from graphkin.say.design import said
-from graphkin.studies.design import Design, Family, Solution
+from graphkin.base.geometry import Array, Value, number
+from graphkin.base.plain import Plain
+
+if TYPE_CHECKING:
+    from graphkin.marking.power import Power
+    from graphkin.marking.told import SetTold
+    from graphkin.marking.tolerances import Tolerances
+    from graphkin.studies.design import Design, Family, Solution
+
+Json = dict[str, Plain]
 
 
-def as_json(design: Design) -> dict[str, Any]:
+def _finite(value: float) -> float | None:
+    return value if math.isfinite(value) else None
+
+
+# --- designs ----------------------------------------------------------------------------------
+
+
+def as_json(design: Design) -> Json:
     """`{"format": 1, "solutions": [{"a": .., "b": .., ..}]}` in metres and radians; null where there is no such size.
 
-    solutions   what meets the wishes; "valid" is false where it does not move through its positions, "why" says so
+    solutions   the linkages that meet the wishes; "valid" is false for one that does not move through its positions,
+                "why" says so
     rejected    points of the construction that look like solutions and are none
     bisectors   of two coupler positions: lines on which A and D are free (a point [m], a direction [rad])
     family      circles of crank centres: a, b, d, e, gamma_min along the admissible arcs, and the best point
     """
+    from graphkin.say.design import said
+
     return {
         "format": 1,
         "kind": design.kind,
         "given": dict(design.given),
-        "solutions": [_data(one) for one in design.solutions],
-        "rejected": [_data(one) for one in design.rejected],
+        "solutions": [_solution(one) for one in design.solutions],
+        "rejected": [_solution(one) for one in design.rejected],
         "why": [said(reason, "en") for reason in design.why],
         "bisectors": _bisectors(design),
-        "family": [_family_data(one) for one in design.families],
+        "family": [_family(one) for one in design.families],
     }
 
 
-def _data(one: Solution) -> dict[str, Any]:
+def _solution(one: Solution) -> Json:
+    from graphkin.say.design import said
+
     return {
         "a": one.a, "b": one.b, "c": one.c, "d": one.d, "e": one.e, "gamma_min": one.gamma_min, "K": one.k,
         "swing": one.swing, "stroke": one.stroke, "theta": one.theta, "valid": one.valid,
         "why": [said(reason, "en") for reason in one.why], "notes": [said(reason, "en") for reason in one.notes],
-        "points": {name: [place.real, place.imag] for name, place in one.places.items()},
-        "positions": [{name: [z.real, z.imag] for name, z in places.items()} for places in one.limits],
+        "points": {name: _xy(place) for name, place in one.places.items()},
+        "positions": [{name: _xy(place) for name, place in places.items()} for places in one.limits],
         "slow": None if one.pace is None else ("ccw" if one.pace > 0 else "cw"),
     }  # fmt: skip
 
 
-def _bisectors(design: Design) -> dict[str, Any] | None:
+def _xy(place: Value) -> Plain:
+    return [number(place.real), number(place.imag)]
+
+
+def _bisectors(design: Design) -> Json | None:
     if design.kind != "coupler" or design.best is None or len(design.best.limits) != 2:
         return None
     board = design.best.board()
-    found: dict[str, Any] = {}
+    bisectors: Json = {}
     for pivot, hinge in (("A", "B"), ("D", "C")):
         middle, (_, along) = (board.at(f"{hinge}1") + board.at(f"{hinge}2")) / 2, board.line(f"{hinge}12")
-        found[pivot] = {"through": [middle.real, middle.imag], "direction": math.atan2(along.imag, along.real)}
-    return found
+        bisectors[pivot] = {"through": _xy(middle), "direction": math.atan2(along.imag, along.real)}
+    return bisectors
 
 
-def _family_data(one: Family) -> dict[str, Any]:
+def _family(one: Family) -> Json:
     """Every twentieth point; the arrays themselves have them all."""
-    part = slice(None, None, 20)
-    sizes = {"a": one.a, "b": one.b, "d": one.d, "e": one.e, "gamma_min": one.gamma_min}
-    data: dict[str, Any] = {name: None if v is None else [float(x) for x in v[part]] for name, v in sizes.items()}
-    data["A"] = [[float(z.real), float(z.imag)] for z in one.at[part]]
-    data["arcs"] = [{"from": arc.start, "to": arc.end, "name": arc.name} for arc in one.arcs]
-    known = math.isfinite(one.best[1])
-    best = {"angle": one.best[0], "gamma_min": one.best[1]} if known else None
-    return {"centre": [one.centre.real, one.centre.imag], "radius": one.radius, "best": best, **data}
+
+    def thinned(values: Array | None) -> Plain:
+        return None if values is None else [float(value) for value in values[::20]]
+
+    return {
+        "centre": [one.centre.real, one.centre.imag],
+        "radius": one.radius,
+        "best": {"angle": one.best[0], "gamma_min": one.best[1]} if math.isfinite(one.best[1]) else None,
+        "a": thinned(one.a), "b": thinned(one.b), "d": thinned(one.d), "e": thinned(one.e),
+        "gamma_min": thinned(one.gamma_min),
+        "A": [_xy(place) for place in one.at[::20]],
+        "arcs": [{"from": arc.start, "to": arc.end, "name": arc.name} for arc in one.arcs],
+    }  # fmt: skip
 
 
-Json = dict[str, Any]
+# --- marking ----------------------------------------------------------------------------------
 
 
-def tolerance_data(found: Tolerances) -> Json:
+def tolerance_data(tolerances: Tolerances) -> Json:
     """Each quantity, and each step of the pencil with its part in the scatter."""
-    marking = found.key.marking
+    key, marking = tolerances.key, tolerances.key.marking
     length, angle = marking.on_paper
     return {
         "format": 1,
-        "name": found.key.name,
+        "name": key.name,
         "pencil": {"length_mm": length, "angle_deg": angle},
         "sigmas": marking.sigmas,
         "relative": marking.relative,
         "scales": dict(marking.scales),
-        "drawings": found.drawings,
-        "failed": found.failed,
+        "drawings": tolerances.drawings,
+        "failed": tolerances.failed,
         "quantities": {
             entry.text: {
                 "unit": entry.unit, "right": entry.right, "scatter": entry.scatter, "tolerance": entry.tolerance,
                 "asked": entry.points > 0, **({"doubt": entry.doubt} if entry.doubt else {}),
             }
-            for entry in found.entries
+            for entry in tolerances.entries
         },
         "steps": [
-            {**_mark(cost.mark), "name": cost.name, "part": cost.over_all, "parts": dict(cost.parts)}
-            for cost in found.costs
+            {
+                "plane": cost.mark.plane, "what": cost.mark.what, "of": list(cost.mark.of),
+                "name": cost.name, "part": cost.over_all, "parts": dict(cost.parts),
+            }
+            for cost in tolerances.costs
         ],
     }  # fmt: skip
-
-
-def _mark(mark: Mark) -> Json:
-    return {"plane": mark.plane, "what": mark.what, "of": list(mark.of)}
 
 
 def power_data(power: Power) -> Json:
@@ -110,8 +134,7 @@ def power_data(power: Power) -> Json:
             {
                 **dict(zip(("id", "way", "of", "form"), one.name, strict=True)), "moved": one.moved,
                 "applicable": one.applicable, "tellable": one.tellable,
-                "wrong": _part(one.wrong), "named": _part(one.named),
-                "alone": _part(one.alone),
+                "wrong": _finite(one.wrong), "named": _finite(one.named), "alone": _finite(one.alone),
             }
             for one in power.found
         ],
@@ -121,7 +144,7 @@ def power_data(power: Power) -> Json:
 
 
 def told_data(told: SetTold) -> Json:
-    """What a set's answers tell of mistakes; parts from 0 to 1."""
+    """How well a set's answers tell mistakes apart; parts from 0 to 1."""
     return {
         "problems": told.problems,
         "pencil": dict(zip(("length_mm", "angle_deg"), told.pencil, strict=True)),
@@ -137,7 +160,3 @@ def told_data(told: SetTold) -> Json:
         "within tolerance": [{"ids": list(pair), "part": part} for pair, part in told.rivals.items()],
         "right work": {"problems": told.tried, "judged wrong": told.alarms[0], "mistake named": told.alarms[1]},
     }
-
-
-def _part(value: float) -> float | None:
-    return value if math.isfinite(value) else None

@@ -1,9 +1,10 @@
-"""Labels and words as each kind of file sets them: spans of letters for SVG, LaTeX, DXF, GeoGebra."""
+"""Labels and words as each kind of file sets them: spans of letters for SVG; LaTeX, DXF, GeoGebra."""
 
 from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import groupby
 
@@ -24,18 +25,19 @@ _ANY_DOTTED = re.compile(f"({'|'.join(_DOTTED)})")
 
 def mm(value: float) -> str:
     """Four decimals, no trailing zeros."""
-    return _bare(value, f"{value:.4f}")
+    return short(value, 4)
 
 
-def short(value: float) -> str:
+def _is_chinese(letter: str) -> bool:
+    """True for a letter that is set in the Chinese letters."""
+    return is_wide(letter) or (letter in _CHINESE_SIGNS and letter != "")
+
+
+def short(value: float, decimals: int = 2) -> str:
     """Two decimals, which is enough for letters."""
-    return _bare(value, f"{value:.2f}")
-
-
-def _bare(value: float, text: str) -> str:
     if not math.isfinite(value):
         raise ValueError(f"a coordinate is {value}")
-    bare = text.rstrip("0").rstrip(".")
+    bare = f"{value:.{decimals}f}".rstrip("0").rstrip(".")
     return "0" if bare == "-0" else bare or "0"
 
 
@@ -50,37 +52,30 @@ class LetterSpan:
     bold: bool
 
     def type(self, size: float) -> dict[str, str]:
-        """What they are set in, where the letters around them have that size and are upright Latin ones."""
+        """The type they are set in, where the letters around them have that size and are upright Latin ones."""
         wide = _is_chinese(self.text[:1])
-        found = {"font-family": _CHINESE} if wide else {}
-        found |= {"font-size": short(self.size)} if size and self.size != size else {}
-        found |= {"font-style": "italic"} if self.italic and not wide else {}
-        return found | ({"font-weight": "bold"} if self.bold else {})
-
-
-def _is_chinese(letter: str) -> bool:
-    """Whether it is set in the Chinese letters."""
-    return is_wide(letter) or (letter in _CHINESE_SIGNS and letter != "")
+        attributes = {"font-family": _CHINESE} if wide else {}
+        attributes |= {"font-size": short(self.size)} if size and self.size != size else {}
+        attributes |= {"font-style": "italic"} if self.italic and not wide else {}
+        return attributes | ({"font-weight": "bold"} if self.bold else {})
 
 
 def runs(mark: Text) -> list[LetterSpan]:
     """The letters of a text. Spaces end a span and never begin one: some viewers drop those."""
-    found: list[LetterSpan] = []
+    spans: list[LetterSpan] = []
     for run, start, drop in scripts(mark.label, mark.size):
         size = run_size(run, mark.size)
         for text in _of_one_script(run.text):
             bare = text.lstrip(" ")
             spaces = text[: len(text) - len(bare)]
-            if spaces and found:
-                found[-1] = replace(found[-1], text=found[-1].text + spaces)
+            if spaces and spans:
+                spans[-1] = replace(spans[-1], text=spans[-1].text + spaces)
             at = mark.at + complex(start + advance(spaces, run.italic) * size, drop)
-            letters = _DOTTED.get(bare, [bare])
-            over = (complex(k * _OVER * size) for k in range(len(letters)))
-            found += [
-                LetterSpan(each, at + aside, size, run.italic, run.bold) for each, aside in zip(letters, over) if each
-            ]
+            for k, letters in enumerate(_DOTTED.get(bare, [bare])):
+                if letters:
+                    spans.append(LetterSpan(letters, at + complex(k * _OVER * size), size, run.italic, run.bold))
             start += run_width(run._replace(text=text), mark.size) if text != run.text else 0.0
-    return found
+    return spans
 
 
 def lettered(mark: Text) -> str:
@@ -114,24 +109,40 @@ def tex_text(text: str) -> str:
 
 def tex_words(label: Label) -> str:
     """Runs in text style; a part stands above the subscript it goes with."""
+
+    def letters(run: Run) -> str:
+        text = tex_text(run.text)
+        return rf"\textit{{{text}}}" if run.italic else text
+
+    def scripts(high: str, low: str) -> str:
+        return "$" + (rf"^{{\text{{{high}}}}}" if high else "") + (rf"_{{\text{{{low}}}}}" if low else "") + "$"
+
+    return _scripted(label, letters, scripts)
+
+
+def stacked(label: Label) -> str:
+    """A label as MTEXT of DXF writes it: a part and a subscript are stacked (`a\\Sn^ CB;`)."""
+    escapes = str.maketrans({sign: f"\\{sign}" for sign in "\\{};"})
+    return _scripted(
+        label, lambda run: run.text.translate(escapes), lambda high, low: f"{{\\H0.7x;\\S{high}^ {low};}}"
+    )
+
+
+def _scripted(label: Label, letters: Callable[[Run], str], scripts: Callable[[str, str], str]) -> str:
+    """A label's letters, each raised part set above the subscript before it."""
     text, low = "", ""
     for run in label:
-        letters = _run(run)
         if run.place == "sub":
-            low += letters
+            low += letters(run)
         elif run.place == "sup":
-            text, low = text + _scripts(letters, low), ""
+            text, low = text + scripts(letters(run), low), ""
         else:
-            text, low = text + _scripts("", low) + letters, ""
-    return text + _scripts("", low)
+            text, low = text + (scripts("", low) if low else "") + letters(run), ""
+    return text + (scripts("", low) if low else "")
 
 
-def _run(run: Run) -> str:
-    letters = tex_text(run.text)
-    return rf"\textit{{{letters}}}" if run.italic else letters
-
-
-def _scripts(high: str, low: str) -> str:
-    if not high and not low:
-        return ""
-    return "$" + (rf"^{{\text{{{high}}}}}" if high else "") + (rf"_{{\text{{{low}}}}}" if low else "") + "$"
+def ggb_text(label: Label) -> str:
+    """A label as GeoGebra shows it: subscripts as `_{..}`, a part above them by LaTeX."""
+    parts = {"base": "{}", "sub": "_{{{}}}", "sup": "^{{{}}}"}
+    text = "".join(parts[run.place].format(run.text.replace("′", "'")) for run in label)
+    return f"${text}$" if any(run.place == "sup" for run in label) else text

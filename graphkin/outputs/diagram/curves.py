@@ -10,6 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
+from graphkin.base.geometry import number
 from graphkin.base.value import frozen
 from graphkin.running.path import Event
 from graphkin.studies import sweeps
@@ -208,7 +209,7 @@ def span(course: Course) -> tuple[float, float]:
     low, high = float(asked[0]), float(asked[-1])
     step = 1.01 * float(np.diff(asked).max()) if asked.size > 1 else np.inf
     if course.full_turn and asked.size == 1:
-        low = high = min(float(course.at(TURN * np.floor(course.value(low) / TURN))), path.high - TURN)
+        low = high = min(number(course.at(TURN * np.floor(number(course.value(low)) / TURN))), path.high - TURN)
     if course.full_turn and TURN - step <= high - low < TURN:
         low, high = (low, low + TURN) if low + TURN <= path.high + 1e-9 else (high - TURN, high)
     if not course.full_turn:

@@ -1,25 +1,33 @@
-"""GeoGebra."""
+"""A drawing as a GeoGebra file whose objects hang on one another: drag the crank, and the polygons move.
+
+Sliders, the mechanism, its polygons, and what they say, as the zip that GeoGebra opens. `steps` draws a construction;
+`state` holds all that it has found, as formulas; `protocol` writes the objects down.
+"""
 
 from __future__ import annotations
 
 import io
 import math
 import zipfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import ClassVar
 
+from graphkin.base.geometry import number, place
 from graphkin.construction import Construction, Fit, Plane, Plot
 from graphkin.errors import GraphkinError, Lang
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.outputs.geogebra.protocol import BLACK, Colour, Protocol, grouped
 from graphkin.outputs.geogebra.state import Drives, GeogebraState
 from graphkin.outputs.geogebra.steps import Draughtsman, Nearly
+from graphkin.outputs.typesetting import ggb_text
 from graphkin.planning import Method
-from graphkin.sheet.lettering import Label, point_label, vector_label
+from graphkin.sheet.lettering import point_label, vector_label
 from graphkin.sheet.polygons import arrows
 from graphkin.sheet.scales import LETTERS, UNITS
 from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.window import PLANES
+
+__all__ = ["TriedOut", "ggb"]
 
 _COLOURS: Mapping[Plane, Colour] = {"position": BLACK, "velocity": (11, 79, 156), "acceleration": (163, 32, 13)}
 _GAP = 30.0
@@ -46,37 +54,41 @@ def ggb(method: Method, plot: Plot, scales: Mapping[Plane, float], lang: Lang) -
 
     Raises TriedOut where links are fitted and several drivers move them.
     """
+    machine = method.mechanism
     fitted = any(isinstance(step, Fit) for step in method.position.steps)
     if fitted and len(method.drivers) > 1:
-        raise TriedOut(method.mechanism.headline(lang))
+        raise TriedOut(machine.headline(lang))
     protocol = Protocol()
-    origins = _origins(method, plot, scales)
-    drives = _drives(method, protocol, _below(method, plot, scales))
-    state = GeogebraState(
-        protocol, plot.facts, drives, scales, {link: float(angle) for link, angle in plot.theta.items()}
-    )
+    origins = _origins(plot, scales)
+    drives = _drives(method, plot, protocol, scales)
+    near = {link: number(angle) for link, angle in plot.theta.items()}
+    state = GeogebraState(protocol, plot.facts, drives, scales, near)
     nearly = Nearly.of(method, protocol, drives.values[0]) if fitted else None
     for construction in method.constructions:
         plane = construction.plane
-        captions = dict(_captions(method, construction))
+        captions = {
+            name: ggb_text(point_label(name)) for name, node in construction.nodes.items()
+            if node.of and (node.site is None or node.site.point not in machine.unnamed)
+        }  # fmt: skip
         Draughtsman(construction, plot, state, captions, _COLOURS[plane], origins[plane], nearly).draw()
         if plane == "position":
             _links(method, state, plot)
         else:
             _vectors(method, construction, plot, state)
     _notes(method, plot, state, origins)
-    return _zipped(_document(method.mechanism.headline(lang), protocol, origins))
+    held = io.BytesIO()
+    with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.comment = MARK
+        archive.writestr(zipfile.ZipInfo("geogebra.xml", _MADE), _document(machine.headline(lang), protocol).encode())
+    return held.getvalue()
 
 
-# --- where the figures lie --------------------------------------------------------------------
-
-
-def _origins(method: Method, plot: Plot, scales: Mapping[Plane, float]) -> dict[Plane, complex]:
+def _origins(plot: Plot, scales: Mapping[Plane, float]) -> dict[Plane, complex]:
     """The mechanism where it is; right of it the velocities, then the accelerations."""
     origins: dict[Plane, complex] = {}
     right, middle = 0.0, 0.0
     for plane in PLANES:
-        places = [complex(at) / scales[plane] for at in plot.points(plane).values()]
+        places = [place(at) / scales[plane] for at in plot.points(plane).values()]
         least, most = min(at.real for at in places), max(at.real for at in places)
         height = sum((min(at.imag for at in places), max(at.imag for at in places))) / 2
         origins[plane] = 0j if plane == "position" else complex(right + _GAP - least, middle - height)
@@ -85,56 +97,26 @@ def _origins(method: Method, plot: Plot, scales: Mapping[Plane, float]) -> dict[
     return origins
 
 
-def _below(method: Method, plot: Plot, scales: Mapping[Plane, float]) -> complex:
-    """Left below the mechanism: where the first slider stands."""
-    places = [complex(plot.position[p]) / scales["position"] for p in method.mechanism.points if p in plot.position]
-    return complex(min(at.real for at in places), min(at.imag for at in places) - _GAP)
-
-
-# --- what is driven ---------------------------------------------------------------------------
-
-
-def _drives(method: Method, protocol: Protocol, at: complex) -> Drives:
+def _drives(method: Method, plot: Plot, protocol: Protocol, scales: Mapping[Plane, float]) -> Drives:
+    """A slider for each driver, left below the mechanism, and its rates."""
+    places = [place(plot.position[p]) / scales["position"] for p in method.mechanism.points if p in plot.position]
+    at = complex(min(each.real for each in places), min(each.imag for each in places) - _GAP)
     values, rates, accelerations = [], [], []
     for k, driver in enumerate(method.drivers):
         values.append(_value(driver, float(method.facts().values[k]), protocol, at - 12j * k, method.size))
-        unit = "m" if driver.kind == "slide" else "rad"
-        rates.append(protocol.constant(f"{_rate(driver, 1)} {driver.name}", driver.rate, f"{unit}/s"))
-        accelerations.append(protocol.constant(f"{_rate(driver, 2)} {driver.name}", driver.acceleration, f"{unit}/s²"))
+        speed, gain, unit = ("v", "a", "m") if driver.kind == "slide" else ("ω", "α", "rad")
+        rates.append(protocol.constant(f"{speed} {driver.name}", driver.rate, f"{unit}/s"))
+        accelerations.append(protocol.constant(f"{gain} {driver.name}", driver.acceleration, f"{unit}/s²"))
     return Drives(tuple(values), tuple(rates), tuple(accelerations))
-
-
-def _rate(driver: Driver, order: int) -> str:
-    return ("v", "a")[order - 1] if driver.kind == "slide" else ("ω", "α")[order - 1]
 
 
 def _value(driver: Driver, drawn: float, protocol: Protocol, at: complex, size: float) -> str:
     """A slider in degrees or millimetres, and the number in radians or metres that follows it."""
     if driver.kind == "slide":
-        shown, reach = drawn * 1000, size * 1000
-        slider = protocol.slider(f"{driver.name} [mm]", shown, shown - reach, shown + reach, reach / 200, at)
+        slider = protocol.slider(f"{driver.name} [mm]", drawn * 1000, size * 1000, size * 1000 / 200, at)
         return protocol.number(f"{slider} / 1000")
-    shown = math.degrees(drawn)
-    slider = protocol.slider(f"{driver.name} [°]", shown, shown - 360, shown + 360, 1.0, at)
+    slider = protocol.slider(f"{driver.name} [°]", math.degrees(drawn), 360, 1.0, at)
     return protocol.number(f"{slider} * pi / 180")
-
-
-# --- what is seen -----------------------------------------------------------------------------
-
-
-def written(label: Label) -> str:
-    """A label as GeoGebra shows it: subscripts as `_{..}`, a part above them by LaTeX."""
-    parts = {"base": "{}", "sub": "_{{{}}}", "sup": "^{{{}}}"}
-    text = "".join(parts[run.place].format(run.text.replace("′", "'")) for run in label)
-    return f"${text}$" if any(run.place == "sup" for run in label) else text
-
-
-def _captions(method: Method, construction: Construction) -> Iterator[tuple[str, str]]:
-    """What each point is called that bears a letter on the sheet."""
-    unnamed = method.mechanism.unnamed
-    for name, node in construction.nodes.items():
-        if node.of and (node.site is None or node.site.point not in unnamed):
-            yield name, written(point_label(name))
 
 
 def _links(method: Method, state: GeogebraState, plot: Plot) -> None:
@@ -142,8 +124,11 @@ def _links(method: Method, state: GeogebraState, plot: Plot) -> None:
     points, machine = state.points["position"], method.mechanism
     for link in machine.moving:
         names = [name for name in machine.named(link) if name in points]
-        places = [complex(plot.position[name]) for name in names]
-        for one, other in _sides(places):
+        places = [place(plot.position[name]) for name in names]
+        if len(places) < 2:
+            continue
+        bar, around = in_line(places), hull(places)
+        for one, other in zip(around, (*around[1:], around[0]), strict=True) if bar is None else (bar,):
             state.protocol.segment(points[names[one]], points[names[other]])
     for slide in machine.slides:
         if slide.line.origin in points:
@@ -151,45 +136,33 @@ def _links(method: Method, state: GeogebraState, plot: Plot) -> None:
             state.protocol.line(points[slide.line.origin], direction)
 
 
-def _sides(places: list[complex]) -> list[tuple[int, int]]:
-    """A bar's two ends, or the outline of three points and more."""
-    if len(places) < 2:
-        return []
-    if (ends := in_line(places)) is not None:
-        return [ends]
-    around = hull(places)
-    return list(zip(around, (*around[1:], around[0]), strict=True))
-
-
 def _vectors(method: Method, construction: Construction, plot: Plot, state: GeogebraState) -> None:
     """The arrows of the sheet's polygon."""
     points, plane = state.points[construction.plane], construction.plane
     for arrow in arrows(method.mechanism, construction, plot.points(plane)):
         if points[arrow.tail] != points[arrow.head]:
-            caption = written(vector_label(arrow.name))
+            caption = ggb_text(vector_label(arrow.name))
             state.protocol.vector(caption, points[arrow.tail], points[arrow.head], _COLOURS[plane])
 
 
 def _notes(method: Method, plot: Plot, state: GeogebraState, origins: Mapping[Plane, complex]) -> None:
     """The scales, and how every link turns, over the polygons."""
+    heights = {
+        plane: [place(at).imag / state.scales[plane] for at in plot.points(plane).values()] for plane in PLANES
+    }
     for plane in PLANES:
-        top = max(complex(at).imag / state.scales[plane] for at in plot.points(plane).values())
-        at = complex(origins[plane].real, origins[plane].imag + top + _GAP / 2)
+        at = complex(origins[plane].real, origins[plane].imag + max(heights[plane]) + _GAP / 2)
         scale = f"μ_{LETTERS[plane]} = {state.scales[plane]:.6g} {UNITS[plane]}"
         state.protocol.note(f'"{scale}"', at)
     for order, (letter, unit) in enumerate((("ω", "rad/s"), ("α", "rad/s²")), 1):
         plane = PLANES[order]
-        low = min(complex(at).imag / state.scales[plane] for at in plot.points(plane).values())
-        at = complex(origins[plane].real, origins[plane].imag + low - _GAP / 2)
+        at = complex(origins[plane].real, origins[plane].imag + min(heights[plane]) - _GAP / 2)
         for k, link in enumerate(link for link in method.mechanism.moving if link != FRAME):
             name = method.mechanism.called(link).replace('"', "")
             state.protocol.note(f'"{letter} {name} = " + {grouped(state.turn(link, order))} + " {unit}"', at - 8j * k)
 
 
-# --- the file ---------------------------------------------------------------------------------
-
-
-def _document(title: str, protocol: Protocol, origins: Mapping[Plane, complex]) -> str:
+def _document(title: str, protocol: Protocol) -> str:
     from xml.sax.saxutils import quoteattr
 
     return (
@@ -201,11 +174,3 @@ def _document(title: str, protocol: Protocol, origins: Mapping[Plane, complex]) 
         f'<construction title={quoteattr(title)} author="graphkin" date="">\n{protocol.text()}\n</construction>\n'
         "</geogebra>\n"
     )
-
-
-def _zipped(document: str) -> bytes:
-    held = io.BytesIO()
-    with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED) as archive:
-        archive.comment = MARK
-        archive.writestr(zipfile.ZipInfo("geogebra.xml", _MADE), document.encode())
-    return held.getvalue()
