@@ -13,6 +13,8 @@ from graphkin.errors import BrokenSubmission, GraphkinError, TooMuch, WantsExtra
 from graphkin.submissions.picture import Dot, PagePicture, PictureText
 from graphkin.submissions.submission import Limits
 
+_Dxf = Any
+"""A document or an entity of ezdxf."""
 _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
 """By $INSUNITS: unitless counts as mm."""
 _WIDE = 0.8
@@ -58,7 +60,7 @@ _Mark = tuple[complex, complex] | Dot | PictureText
 class _DxfReader:
     """Walks the entities once; blocks are followed as often as the limits allow."""
 
-    def __init__(self, document: Any, where: Where, limits: Limits) -> None:
+    def __init__(self, document: _Dxf, where: Where, limits: Limits) -> None:
         self.document, self.where, self.limits = document, where, limits
         self.mm = _MM.get(int(document.header.get("$INSUNITS", 0) or 0), 1.0)
         self.walked = 0
@@ -68,7 +70,7 @@ class _DxfReader:
         for entity in self.document.modelspace():
             yield from self._marks(entity, 0)
 
-    def _marks(self, entity: Any, depth: int) -> Iterator[_Mark]:
+    def _marks(self, entity: _Dxf, depth: int) -> Iterator[_Mark]:
         self.walked += 1
         if self.walked > self.limits.elements:
             raise TooMuch(self.where, "elements", self.limits.elements)
@@ -92,7 +94,7 @@ class _DxfReader:
             case _:
                 pass
 
-    def _block(self, insert: Any, depth: int) -> Iterator[_Mark]:
+    def _block(self, insert: _Dxf, depth: int) -> Iterator[_Mark]:
         """What a block shows where it is put, its attributes too."""
         if depth > min(self.limits.depth, 20):
             raise TooMuch(self.where, "depth", min(self.limits.depth, 20))
@@ -104,18 +106,18 @@ class _DxfReader:
         for attribute in insert.attribs:
             yield from self._marks(attribute, depth + 1)
 
-    def _place(self, point: Any) -> complex:
+    def _place(self, point: _Dxf) -> complex:
         place = complex(point.x, point.y) * self.mm
         if not (cmath.isfinite(place) and abs(place) < 1e9):
             raise BrokenSubmission(self.where, "DXF", "coordinates")
         return place
 
-    def _polyline(self, entity: Any) -> Iterator[_Mark]:
+    def _polyline(self, entity: _Dxf) -> Iterator[_Mark]:
         for piece in entity.virtual_entities():
             if piece.dxftype() == "LINE":
                 yield from self._marks(piece, 0)
 
-    def _text(self, entity: Any) -> Iterator[PictureText]:
+    def _text(self, entity: _Dxf) -> Iterator[PictureText]:
         """From where it is aligned to its left end, along its own line."""
         letters = entity.plain_text().strip()
         placement = entity.get_placement()
@@ -129,7 +131,7 @@ class _DxfReader:
         if letters:
             yield PictureText(letters[:400], anchor - left * right - low * up, right, up, width, tall, 0.25 * tall)
 
-    def _axes(self, entity: Any, degrees: float) -> tuple[complex, complex]:
+    def _axes(self, entity: _Dxf, degrees: float) -> tuple[complex, complex]:
         """The directions of a text's line and across it, as they come to lie."""
         ocs, turned = entity.ocs(), math.radians(degrees)
         right = ocs.to_wcs((math.cos(turned), math.sin(turned), 0))
@@ -137,7 +139,7 @@ class _DxfReader:
         one, other = complex(right[0], right[1]), complex(up[0], up[1])
         return one / (abs(one) or 1.0), other / (abs(other) or 1.0)
 
-    def _mtext(self, entity: Any) -> Iterator[PictureText]:
+    def _mtext(self, entity: _Dxf) -> Iterator[PictureText]:
         from ezdxf.tools.text import fast_plain_mtext
 
         letters = " ".join(str(fast_plain_mtext(_STACK.sub(_one_line, entity.text))).split())

@@ -182,8 +182,8 @@ class Draughtsman:
                 along, across = self.state.direction(step.first.direction)
                 ahead = (along.turned if across else along).dot(FormulaPair.between(other, one))
             else:
-                about = self.points[step.first.about]
-                ahead = FormulaPair.between(about, self.points[step.second.about]).cross(FormulaPair.between(about, one))
+                about, other_centre = self.points[step.first.about], self.points[step.second.about]
+                ahead = FormulaPair.between(about, other_centre).cross(FormulaPair.between(about, one))
             self._point(step.point, f"If[{product(str(step.side), ahead)} > 0, {one}, {other}]")
         self._put_fixed_on(step.point)
 
@@ -246,8 +246,8 @@ class Draughtsman:
         """The sum that a rolling contact makes nothing: turns since the drawn position, or rates."""
         coefficients: dict[str, float] = {}
         rest, facts = "0", self.state.facts
-        for link, coefficient in contact.angles:
-            base = self.state.base(link)
+        for link, arm in contact.angles:
+            base, coefficient = self.state.base(link), number(arm)
             drawn = number(facts.drawn.get(link, 0.0)) if self.order == 0 else 0.0
             if base in unknown:
                 coefficients[base] = coefficients.get(base, 0.0) + coefficient
