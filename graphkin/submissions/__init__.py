@@ -15,17 +15,9 @@ answers is a reader that gives a `StudentDocument`, of drawings one that gives a
 from graphkin.submissions.handed import FirstOnes, Handed, called, handed_in
 from graphkin.submissions.pool import guarded, limited
 from graphkin.submissions.reading import read, read_one
-from graphkin.submissions.submission import (
-    HandedValue,
-    Limits,
-    MeasuredDrawing,
-    ReadableProblem,
-    Sense,
-    Submission,
-    safe_name,
-)
+from graphkin.submissions.submission import Limits, MeasuredDrawing, ReadableProblem, Submission, safe_name
 
 __all__ = [
-    "FirstOnes", "Handed", "HandedValue", "Limits", "MeasuredDrawing", "ReadableProblem", "Sense", "Submission",
+    "FirstOnes", "Handed", "Limits", "MeasuredDrawing", "ReadableProblem", "Submission",
     "called", "guarded", "handed_in", "limited", "read", "read_one", "safe_name",
 ]  # fmt: skip

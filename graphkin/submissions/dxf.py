@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from graphkin.errors import BrokenSubmission, GraphkinError, TooMuch, WantsExtra, Where
-from graphkin.submissions.picture import Dot, PagePicture, PictureText
+from graphkin.submissions.picture import Dot, Line, PagePicture, PictureText
 from graphkin.submissions.submission import Limits
 
 _Dxf = Any
@@ -19,6 +19,9 @@ _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
 """By $INSUNITS: unitless counts as mm."""
 _WIDE = 0.8
 """A letter's width in parts of its height."""
+_STACK = re.compile(r"\\S([^;^#/\\]*)\^ ?([^;\\]*);")
+"""A raised and a lowered piece of a text, one of which may be empty."""
+_Mark = Line | Dot | PictureText
 
 
 def read_dxf(content: bytes, where: Where, limits: Limits) -> PagePicture:
@@ -31,30 +34,15 @@ def read_dxf(content: bytes, where: Where, limits: Limits) -> PagePicture:
         raise TooMuch(where, "elements", limits.elements)
     try:
         document, _ = recover.read(io.BytesIO(content))
-        found = list(_DxfReader(document, where, limits).marks())
+        marks = list(_DxfReader(document, where, limits).marks())
     except (GraphkinError, MemoryError):
         raise
     except Exception as problem:  # ezdxf raises whatever it meets in a file that is none
         raise BrokenSubmission(where, "DXF", type(problem).__name__) from None
-    if not found:
+    if not marks:
         raise BrokenSubmission(where, "DXF")
-    lines = tuple(mark for mark in found if isinstance(mark, tuple))
-    return PagePicture(
-        lines, tuple(m for m in found if isinstance(m, Dot)), tuple(m for m in found if isinstance(m, PictureText))
-    )  # fmt: skip
-
-
-_STACK = re.compile(r"\\S([^;^#/\\]*)\^ ?([^;\\]*);")
-"""A raised and a lowered piece of a text, one of which may be empty."""
-
-
-def _one_line(stack: re.Match[str]) -> str:
-    """`v^n_CD`, as people write it; MTEXT has a caret and a blank for a caret."""
-    raised, lowered = (piece.strip() for piece in stack.groups())
-    return (f"^ {raised}" if raised else "") + (f"_{lowered}" if lowered else "")
-
-
-_Mark = tuple[complex, complex] | Dot | PictureText
+    lines, dots = (m for m in marks if isinstance(m, tuple)), (m for m in marks if isinstance(m, Dot))
+    return PagePicture(tuple(lines), tuple(dots), tuple(m for m in marks if isinstance(m, PictureText)))
 
 
 class _DxfReader:
@@ -82,7 +70,8 @@ class _DxfReader:
             case "LINE":
                 yield self._place(entity.dxf.start), self._place(entity.dxf.end)
             case "LWPOLYLINE" | "POLYLINE":
-                yield from self._polyline(entity)
+                lines = (piece for piece in entity.virtual_entities() if piece.dxftype() == "LINE")
+                yield from (mark for piece in lines for mark in self._marks(piece, 0))
             case "POINT":
                 yield Dot(self._place(entity.dxf.location))
             case "CIRCLE":
@@ -112,11 +101,6 @@ class _DxfReader:
             raise BrokenSubmission(self.where, "DXF", "coordinates")
         return place
 
-    def _polyline(self, entity: _Dxf) -> Iterator[_Mark]:
-        for piece in entity.virtual_entities():
-            if piece.dxftype() == "LINE":
-                yield from self._marks(piece, 0)
-
     def _text(self, entity: _Dxf) -> Iterator[PictureText]:
         """From where it is aligned to its left end, along its own line."""
         letters = entity.plain_text().strip()
@@ -140,9 +124,14 @@ class _DxfReader:
         return one / (abs(one) or 1.0), other / (abs(other) or 1.0)
 
     def _mtext(self, entity: _Dxf) -> Iterator[PictureText]:
+        """A text of pieces, `v^n_CD`, as people write it; MTEXT has a caret and a blank for a caret."""
         from ezdxf.tools.text import fast_plain_mtext
 
-        letters = " ".join(str(fast_plain_mtext(_STACK.sub(_one_line, entity.text))).split())
+        def one_line(stack: re.Match[str]) -> str:
+            raised, lowered = (piece.strip() for piece in stack.groups())
+            return (f"^ {raised}" if raised else "") + (f"_{lowered}" if lowered else "")
+
+        letters = " ".join(str(fast_plain_mtext(_STACK.sub(one_line, entity.text))).split())
         tall = float(entity.dxf.char_height) * self.mm
         width = _WIDE * tall * len(re.sub("[_^]", "", letters))
         direction = entity.dxf.text_direction if entity.dxf.hasattr("text_direction") else None

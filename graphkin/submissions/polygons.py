@@ -8,21 +8,11 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 
+from graphkin import construction as kinds
 from graphkin import planning, running
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
-from graphkin.construction import (
-    LETTER,
-    Construction,
-    Driven,
-    Given,
-    LayOff,
-    Normal,
-    Plane,
-    Relative,
-    Tangential,
-    Turning,
-)
+from graphkin.construction import LETTER, Construction, Plane
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.submissions.numbers import plain
 from graphkin.submissions.picture import Dot, PictureText
@@ -78,7 +68,7 @@ def polygons(mechanism: Mechanism, questions: Questions) -> tuple[PaperPolygon, 
 
 def _on_pole(construction: Construction) -> dict[str, None]:
     """The pole and the fixed points that sit on it; another point may be the first to be drawn."""
-    given = [step for step in construction.steps if isinstance(step, Given) and step.point == construction.pole]
+    given = [step for step in construction.steps if isinstance(step, kinds.Given) and step.point == construction.pole]
     return dict.fromkeys([construction.pole, *(name for step in given for name in step.also)])
 
 
@@ -109,10 +99,10 @@ def _known(
     driven = {driver.link for driver in mechanism.drivers if driver.from_link == FRAME and driver.kind != "slide"}
     by_ends = {(vector.tail, vector.head): vector for vector in vectors}
     for step in construction.steps:
-        if isinstance(step, LayOff):
+        if isinstance(step, kinds.LayOff):
             size = step.term.size
-            of_driven = isinstance(size, Turning | Normal | Tangential) and size.link in driven
-            if of_driven or isinstance(size, Driven | Relative):
+            of_driven = isinstance(size, kinds.Turning | kinds.Normal | kinds.Tangential) and size.link in driven
+            if of_driven or isinstance(size, kinds.Driven | kinds.Relative):
                 yield by_ends.get((step.start, step.tip), PolygonVector("", step.start, step.tip))
 
 

@@ -9,38 +9,21 @@ from pathlib import Path, PurePosixPath
 from graphkin import errors
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, Where
-from graphkin.submissions import archives
+from graphkin.submissions import archives, documents
 from graphkin.submissions.answers import answers_at, named_at, of_file
 from graphkin.submissions.archives import decoded
-from graphkin.submissions.documents import (
-    PLAIN_TABLES,
-    SHEETS,
-    StudentDocument,
-    TableRow,
-    cells_of,
-    read_json,
-    read_lines,
-    read_toml,
-    rows_of,
-)
+from graphkin.submissions.documents import StudentDocument, TableRow
 from graphkin.submissions.handed import FirstOnes, Handed, called, handed_in
 from graphkin.submissions.numbers import short
 from graphkin.submissions.pool import limited
 from graphkin.submissions.questions import Questions
-from graphkin.submissions.submission import (
-    DRAWINGS,
-    Limits,
-    MeasuredDrawing,
-    ReadableProblem,
-    Submission,
-    tidy_id,
-)
+from graphkin.submissions.submission import DRAWINGS, Limits, MeasuredDrawing, ReadableProblem, Submission, tidy_id
 
 Key = ReadableProblem | Callable[[str], ReadableProblem | None]
 """One problem for all, or each student's own by id; None for a student there is not."""
 
 USUAL = Limits()
-_DOCUMENTS = {".toml": read_toml, ".json": read_json, ".txt": read_lines, ".md": read_lines}
+_DOCUMENTS = {".toml": documents.read_toml, ".json": documents.read_json, ".txt": documents.read_lines, ".md": documents.read_lines}
 _INNER = 50
 """Files in an archive that a student hands in."""
 
@@ -108,7 +91,7 @@ def _contents(handed: Handed, limits: Limits) -> _Contents:
     """The files sorted by kind. Raises the first note where there is nothing else."""
     if handed.row is not None:
         return _Contents((_of_row(handed.row, Where(handed.file)),), (), ())
-    documents: list[StudentDocument] = []
+    texts: list[StudentDocument] = []
     drawings: list[tuple[str, bytes]] = []
     notes: list[GraphkinError] = []
     for name, content in _unpacked(handed, limits, notes):
@@ -116,12 +99,12 @@ def _contents(handed: Handed, limits: Limits) -> _Contents:
             if PurePosixPath(name).suffix.lower() in DRAWINGS:
                 drawings.append((name, content))
             else:
-                documents.append(_document(name, content, _where(handed, name), limits))
+                texts.append(_document(name, content, _where(handed, name), limits))
         except GraphkinError as problem:
             notes.append(problem)
-    if not documents and not drawings:
+    if not texts and not drawings:
         raise notes[0] if notes else errors.NoAnswers(Where(handed.file))
-    return _Contents(tuple(documents), tuple(drawings), tuple(notes))
+    return _Contents(tuple(texts), tuple(drawings), tuple(notes))
 
 
 def _where(handed: Handed, name: str) -> Where:
@@ -153,9 +136,9 @@ def _document(name: str, content: bytes, where: Where, limits: Limits) -> Studen
         raise errors.TooMuch(where, "bytes", limits.bytes)
     if suffix in _DOCUMENTS:
         return _DOCUMENTS[suffix](decoded(content, where), where, limits)
-    if suffix not in (*PLAIN_TABLES, *SHEETS):
+    if suffix not in (*documents.PLAIN_TABLES, *documents.SHEETS):
         raise errors.NotMarkable(where, suffix or name[:40])
-    rows = rows_of(cells_of(name, content, where, limits), where, limits)
+    rows = documents.rows_of(documents.cells_of(name, content, where, limits), where, limits)
     row = next(rows, None)
     if row is None:
         raise errors.NoAnswers(where)
