@@ -23,7 +23,10 @@ Key = ReadableProblem | Callable[[str], ReadableProblem | None]
 """One problem for all, or each student's own by id; None for a student there is not."""
 
 USUAL = Limits()
-_DOCUMENTS = {".toml": documents.read_toml, ".json": documents.read_json, ".txt": documents.read_lines, ".md": documents.read_lines}
+_DOCUMENTS = {
+    ".toml": documents.read_toml, ".json": documents.read_json, ".txt": documents.read_lines,
+    ".md": documents.read_lines,
+}  # fmt: skip
 _INNER = 50
 """Files in an archive that a student hands in."""
 
