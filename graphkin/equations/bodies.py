@@ -30,7 +30,7 @@ _RATES = ("direction", "angular velocity", "angular acceleration")
 
 
 def quarters(angle: float) -> int | None:
-    """How many quarter turns an angle is; None where it is none."""
+    """An angle as a number of quarter turns; None where it is no whole number of them."""
     count = round(angle / (math.pi / 2))
     return count % 4 if abs(angle - count * math.pi / 2) < _STRAIGHT else None
 

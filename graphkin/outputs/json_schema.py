@@ -27,7 +27,7 @@ def json_schema(lang: Lang = "en") -> Json:
 
 
 def json_schema_text(lang: Lang = "en") -> str:
-    """What `graphkin.schema.json` holds."""
+    """The text of `graphkin.schema.json`."""
     return json.dumps(json_schema(lang), indent=1, ensure_ascii=False, sort_keys=True) + "\n"
 
 

@@ -74,8 +74,8 @@ def _row(values: Array) -> list[float | None]:
 
 
 def _correlations(mistakes: Hypotheses) -> list[dict[str, str]]:
-    """How each mistake's values scatter together: the part of the table above its diagonal, row by row, in hundredths,
-    a byte each, as base64. A mistake without it scatters as right values do."""
+    """The correlations of each mistake's values: the part of the table above its diagonal, row by row, in hundredths, a
+    byte each, as base64. A mistake without it scatters as right values do."""
     if mistakes.together is None:
         return [{} for _ in mistakes.names]
     above = np.triu_indices(mistakes.values.shape[1], 1)

@@ -20,7 +20,7 @@ Ink = Literal["accent", "black"]
 
 @frozen
 class Colours:
-    """What marks are painted with: an accent a plane, or black alone; of a stage, only what is new stands out."""
+    """The colours of marks: an accent a plane, or black alone; of a stage, only what is new stands out."""
 
     ink: Ink
     staged: bool

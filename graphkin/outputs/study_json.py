@@ -143,20 +143,20 @@ def power_data(power: Power) -> Json:
     }  # fmt: skip
 
 
-def told_data(told: SetTold) -> Json:
-    """How well a set's answers tell mistakes apart; parts from 0 to 1."""
+def told_data(set_: SetTold) -> Json:
+    """The mistakes that a set's answers tell apart; parts from 0 to 1."""
     return {
-        "problems": told.problems,
-        "pencil": dict(zip(("length_mm", "angle_deg"), told.pencil, strict=True)),
-        "places": told.places,
-        "applicable": told.seen,
-        "told apart": told.apart,
-        "lost by numbers": told.lost,
+        "problems": set_.problems,
+        "pencil": dict(zip(("length_mm", "angle_deg"), set_.pencil, strict=True)),
+        "places": set_.places,
+        "applicable": set_.seen,
+        "told apart": set_.apart,
+        "lost by numbers": set_.lost,
         "mistakes": {
             id: {"places": places, "applicable": seen, "told apart": apart}
-            for id, (places, seen, apart) in told.kinds.items()
+            for id, (places, seen, apart) in set_.kinds.items()
         },
-        "sets": [{"ids": list(pair), "part": part} for pair, part in told.sets.items()],
-        "within tolerance": [{"ids": list(pair), "part": part} for pair, part in told.rivals.items()],
-        "right work": {"problems": told.tried, "judged wrong": told.alarms[0], "mistake named": told.alarms[1]},
+        "sets": [{"ids": list(pair), "part": part} for pair, part in set_.sets.items()],
+        "within tolerance": [{"ids": list(pair), "part": part} for pair, part in set_.rivals.items()],
+        "right work": {"problems": set_.tried, "judged wrong": set_.alarms[0], "mistake named": set_.alarms[1]},
     }

@@ -84,7 +84,7 @@ class _DxfReader:
                 pass
 
     def _block(self, insert: _Dxf, depth: int) -> Iterator[_Mark]:
-        """What a block shows where it is put, its attributes too."""
+        """The marks of a block where it is put, its attributes too."""
         if depth > min(self.limits.depth, 20):
             raise TooMuch(self.where, "depth", min(self.limits.depth, 20))
         if insert.mcount > self.limits.copies:

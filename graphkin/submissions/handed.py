@@ -30,7 +30,7 @@ LIMITS = Limits()
 
 @frozen
 class Handed:
-    """What one student handed in, unread.
+    """The files of one student, unread.
 
     owner    who it seems to be; a file may state an id itself
     file     as results call it

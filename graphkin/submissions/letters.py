@@ -1,4 +1,4 @@
-"""Which point of a drawing bears which letter.
+"""The points of a drawing that bear letters.
 
 A letter stands beside its point, and points that a vector joins are joined by a line: among the line ends, dots and
 crossings near a letter the one counts that is nearest, a drawn vector making up for some millimetres. Of a letter that
@@ -46,7 +46,7 @@ Place = tuple[float, complex]
 
 @frozen
 class PlacedLetters:
-    """Where the letters are, by plane and the construction's letter; and those of which it is not clear."""
+    """The places of letters, by plane and the construction's letter; and letters whose place is not clear."""
 
     points: Mapping[tuple[Plane, str], complex]
     doubtful: tuple[str, ...]

@@ -57,7 +57,7 @@ class PictureArrow:
 
 @frozen
 class PagePicture:
-    """What is on the page.
+    """The marks on a page.
 
     lines   straight pieces; scales: those the file states as data, SI per mm
     """

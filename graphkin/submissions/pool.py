@@ -37,7 +37,7 @@ _GRACE = 5.0
 
 
 class _Watched:
-    """Where the watchdog writes what this process was at; None where the process may not be ended."""
+    """The file into which the watchdog writes; None where this process may not be ended."""
 
     nowhere: int | None = None
 

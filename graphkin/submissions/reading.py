@@ -169,8 +169,8 @@ def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Content
         try:
             asked, at = of_file(name, key)
             where, scales = _where(handed, name), written.scales
-            found, drawn[at], others = measured(name, content, where, asked, scales, _questions(asked), limits)
-            values = {**named_at(found, at), **values}
+            vectors, drawn[at], others = measured(name, content, where, asked, scales, _questions(asked), limits)
+            values = {**named_at(vectors, at), **values}
             notes += others
         except GraphkinError as problem:
             notes.append(problem)

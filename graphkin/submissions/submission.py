@@ -34,7 +34,7 @@ class ReadableProblem:
 
     @property
     def positions(self) -> tuple[ReadableProblem, ...]:
-        """What is asked at each position, the drawn one first."""
+        """The problem at each position, the drawn one first."""
         return self, *self.further
 
 
@@ -67,7 +67,7 @@ class HandedValue:
 
 @frozen
 class MeasuredDrawing:
-    """What was measured on a drawing.
+    """All that was measured on a drawing.
 
     points      by plane and the construction's letter (`b3'`): where on the page [mm, y up]
     scales      by plane: SI unit per mm, as used; None where none is known
@@ -94,7 +94,7 @@ class MeasuredDrawing:
 
 @frozen
 class Submission:
-    """What one student handed in, or why it cannot be read.
+    """The answers of one student, or why they cannot be read.
 
     student  the id; text of any kind, never a path (`safe_name` makes a file's name of it)
     file     as results call it: the path, or `class.zip!folder/answer.svg`
@@ -121,7 +121,7 @@ class Submission:
 
 @frozen
 class Limits:
-    """How much of a hostile file is looked at.
+    """The most of a hostile file that is looked at.
 
     seconds  for one submission; bytes of a file or member; members of a class's archive, bytes of all of them
              together, and how much larger than packed; parts of a file that is an archive inside; elements and depth
@@ -156,7 +156,7 @@ DRAWINGS = (".svg", ".ggb", ".dxf")
 
 @frozen
 class Owner:
-    """Who handed in: what results are called by, and other names under which a key may know the student.
+    """The one who handed in: the name of the results, and other names under which a key may know the student.
 
     group  what the files of one hand-in have in common
     """

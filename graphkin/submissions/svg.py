@@ -77,7 +77,7 @@ def read_svg(content: bytes, where: Where, limits: Limits) -> PagePicture:
 
 @frozen
 class _Type:
-    """How letters are set, as inherited: size in user units, and where they hang."""
+    """The type of letters, as inherited: size in user units, and where they hang."""
 
     size: float = 16.0
     anchor: str = "start"
