@@ -49,8 +49,7 @@ def answers(entries: Iterable[Entry], questions: Questions, limits: Limits) -> A
     stated: dict[Plane, float] = {}
     rest: list[Entry] = []
     for count, (name, raw, where) in enumerate(entries):
-        if count >= limits.answers:
-            raise errors.TooMuch(Where(where.file), "answers", limits.answers)
+        limits.check(Where(where.file), "answers", count + 1)
         if (plane := numbers.plane_named(name)) is None:
             rest.append((name, raw, where))
         elif not _is_nothing(raw):

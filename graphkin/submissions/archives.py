@@ -51,8 +51,7 @@ def checked_zip(content: bytes, where: Where, limits: Limits) -> None:
 def members(archive: ZipFile, where: Where, limits: Limits) -> Iterator[ZipInfo]:
     """The files in it. Raises TooMuch."""
     infos = archive.infolist()
-    if sum(not info.is_dir() for info in infos) > limits.members:
-        raise TooMuch(where, "members", limits.members)
+    limits.check(where, "members", sum(not info.is_dir() for info in infos))
     if sum(info.file_size for info in infos) > limits.archive_bytes:
         raise TooMuch(where, "archive", limits.archive_bytes)
     archive.NameToInfo.clear()  # of a large class that is much, and no member is asked for by its name
@@ -84,16 +83,14 @@ def read_member(archive: ZipFile, info: ZipInfo, where: Where, limits: Limits) -
     """Its bytes. Raises TooMuch, BrokenSubmission."""
     if info.flag_bits & _FLAG_LOCKED:
         raise BrokenSubmission(where, "ZIP", "password")
-    if info.file_size > limits.bytes:
-        raise TooMuch(where, "bytes", limits.bytes)
+    limits.check(where, "bytes", info.file_size)
     _check_ratio(info, where, limits)
     try:
         with archive.open(info) as stream:
             content = stream.read(limits.bytes + 1)
     except _BROKEN as problem:
         raise BrokenSubmission(where, "ZIP", type(problem).__name__) from None
-    if len(content) > limits.bytes:
-        raise TooMuch(where, "bytes", limits.bytes)
+    limits.check(where, "bytes", len(content))
     return content
 
 

@@ -60,8 +60,7 @@ def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[TableRow]:
     first = next(filled, None)
     if first is None:
         raise NoAnswers(where)
-    if len(first[1]) > limits.columns:
-        raise TooMuch(where, "columns", limits.columns)
+    limits.check(where, "columns", len(first[1]))
     header = [_shown(cell)[:200] for cell in first[1]]
     folded = [plain(name).lower().replace("_", " ") for name in header]
     at = next((folded.index(name) for name in IDS if name in folded), None)
@@ -71,8 +70,7 @@ def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[TableRow]:
         yield _one(chain([first], filled), limits)
         return
     for count, (line, row) in enumerate(filled):
-        if count >= limits.rows:
-            raise TooMuch(where, "rows", limits.rows)
+        limits.check(where, "rows", count + 1)
         pairs = enumerate(zip(header, row))
         answers = tuple((name, cell, line) for k, (name, cell) in pairs if name and k != at and not student_of(name))
         yield TableRow(_shown(row[at]) if at < len(row) else "", line, answers)
@@ -244,8 +242,7 @@ def listed(text: str, where: Where, limits: Limits) -> list[StudentDocument] | N
     document = _parsed(text, where, limits)
     if not isinstance(document, list) or not all(isinstance(entry, dict) for entry in document):
         return None
-    if len(document) > limits.rows:
-        raise TooMuch(where, "rows", limits.rows)
+    limits.check(where, "rows", len(document))
     students = []
     for entry in document:
         try:
@@ -269,8 +266,7 @@ def read_lines(text: str, where: Where, limits: Limits) -> StudentDocument:
             student = value[:200]
         else:
             entries.append((table + name, value, Where(where.file, number, short(name))))
-        if len(entries) > limits.answers:
-            raise TooMuch(where, "answers", limits.answers)
+        limits.check(where, "answers", len(entries))
     if not entries:
         raise NoAnswers(where)
     return StudentDocument(student, tuple(entries))

@@ -60,8 +60,7 @@ class _DxfReader:
 
     def _marks(self, entity: _Dxf, depth: int) -> Iterator[_Mark]:
         self.walked += 1
-        if self.walked > self.limits.elements:
-            raise TooMuch(self.where, "elements", self.limits.elements)
+        self.limits.check(self.where, "elements", self.walked)
         if entity.dxf.get("layer", "0").lower() in self.hidden or entity.dxf.get("invisible", 0):
             return
         match entity.dxftype():
@@ -87,8 +86,7 @@ class _DxfReader:
         """The marks of a block where it is put, its attributes too."""
         if depth > min(self.limits.depth, 20):
             raise TooMuch(self.where, "depth", min(self.limits.depth, 20))
-        if insert.mcount > self.limits.copies:
-            raise TooMuch(self.where, "copies", self.limits.copies)
+        self.limits.check(self.where, "copies", insert.mcount)
         for single in insert.multi_insert() if insert.mcount > 1 else (insert,):
             for entity in single.virtual_entities():
                 yield from self._marks(entity, depth + 1)

@@ -92,8 +92,7 @@ def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
 def _content(path: Path, where: Where, limits: Limits) -> bytes:
     with path.open("rb") as stream:
         content = stream.read(limits.bytes + 1)
-    if len(content) > limits.bytes:
-        raise errors.TooMuch(where, "bytes", limits.bytes)
+    limits.check(where, "bytes", len(content))
     return content
 
 
@@ -139,8 +138,7 @@ def _of_folder(path: Path, limits: Limits) -> Iterator[Handed]:
     if _is_class_table(names):
         yield from _of_path(path / names[0], Where(f"{path}/{names[0]}"), limits)
         return
-    if len(names) > limits.members:
-        raise errors.TooMuch(Where(str(path)), "members", limits.members)
+    limits.check(Where(str(path)), "members", len(names))
     yield from _of_students(names, f"{path}/", lambda k, where: _content(path / names[k], where, limits))
 
 

@@ -135,8 +135,7 @@ def _document(name: str, content: bytes, where: Where, limits: Limits) -> Studen
     suffix = PurePosixPath(name).suffix.lower()
     if not content.strip(b"\0 \r\n\t"):
         raise errors.NoAnswers(where)
-    if len(content) > limits.bytes:
-        raise errors.TooMuch(where, "bytes", limits.bytes)
+    limits.check(where, "bytes", len(content))
     if suffix in _DOCUMENTS:
         return _DOCUMENTS[suffix](decoded(content, where), where, limits)
     if suffix not in (*documents.PLAIN_TABLES, *documents.SHEETS):

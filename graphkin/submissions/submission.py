@@ -12,11 +12,13 @@ from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.errors import NOWHERE, GraphkinError, Where, steers
+from graphkin.errors import NOWHERE, GraphkinError, TooMuch, Where, steers
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import position_of
 
 Sense = Literal["ccw", "cw"]
+Counted = Literal["bytes", "members", "elements", "depth", "copies", "answers", "rows", "columns"]
+"""Things of which there may be too many in a hostile file."""
 
 
 @frozen
@@ -144,6 +146,11 @@ class Limits:
     columns: int = 1_000
     turned: bool = False
     names: tuple[str, ...] = ()
+
+    def check(self, where: Where, name: Counted, count: int) -> None:
+        """Raises TooMuch where there are more of something than are looked at."""
+        if count > (most := getattr(self, name)):
+            raise TooMuch(where, name, most)
 
 
 _MOODLE = re.compile(r"(?P<name>[^/]+)_(?P<id>[0-9]+)_assignsubmission_[a-z]+(?:_|/|$)")

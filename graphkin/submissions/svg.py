@@ -13,7 +13,7 @@ from graphkin.base.value import frozen
 from graphkin.check.outlines import is_plain, outline
 from graphkin.check.transforms import Affine, Unread, length, numbers_in, transform
 from graphkin.construction import Plane
-from graphkin.errors import BrokenSubmission, TooMuch, Where
+from graphkin.errors import BrokenSubmission, Where
 from graphkin.submissions.picture import Dot, PagePicture, PictureArrow, PictureText
 from graphkin.submissions.submission import Limits
 
@@ -46,10 +46,8 @@ def xml_root(content: bytes, where: Where, kind: str, limits: Limits, forbid_dtd
     while level:
         count += len(level)
         depth += 1
-        if depth > limits.depth:
-            raise TooMuch(where, "depth", limits.depth)
-        if count > limits.elements:
-            raise TooMuch(where, "elements", limits.elements)
+        limits.check(where, "depth", depth)
+        limits.check(where, "elements", count)
         level = [child for element in level for child in element]
     return root
 
@@ -95,18 +93,14 @@ class _SvgReader:
 
     def walk(self, element: Element, affine: Affine, kind: _Type, depth: int = 0) -> Iterator[_Mark]:
         """The marks of an element's children."""
-        self._limit("depth", depth, self.limits.depth)
+        self.limits.check(self.where, "depth", depth)
         for child in element:
             yield from self.mark(child, affine, kind, depth)
-
-    def _limit(self, what: str, count: int, most: int) -> None:
-        if count > most:
-            raise TooMuch(self.where, what, most)
 
     def mark(self, element: Element, outer: Affine, above: _Type, depth: int) -> Iterator[_Mark]:
         name = _name(element)
         self.walked += 1
-        self._limit("elements", self.walked, self.limits.elements)
+        self.limits.check(self.where, "elements", self.walked)
         kind = above if name in _DEFINED else _typed(element, above)
         if name in _DEFINED or not kind.shown:
             return
@@ -127,8 +121,8 @@ class _SvgReader:
 
     def _copy(self, element: Element, affine: Affine, kind: _Type, depth: int) -> Iterator[_Mark]:
         self.copies += 1
-        self._limit("copies", self.copies, self.limits.copies)
-        self._limit("depth", depth, self.limits.depth)
+        self.limits.check(self.where, "copies", self.copies)
+        self.limits.check(self.where, "depth", depth)
         href = element.attrib.get("href") or element.attrib.get(_HREF, "")
         target = self.by_id.get(href.removeprefix("#"))
         if target is None:
@@ -143,7 +137,7 @@ class _SvgReader:
         runs = [[affine(z.real, z.imag) for z in run] for run in outline(name, element.attrib)]
         pieces = [(a, b) for run in runs for a, b in pairwise(run) if a != b]
         self.pieces += len(pieces)
-        self._limit("elements", self.pieces, self.limits.elements)
+        self.limits.check(self.where, "elements", self.pieces)
         if len(pieces) == 1:
             self.arrows.append(PictureArrow(_named(element)[0], *pieces[0]))
         return pieces
