@@ -137,11 +137,9 @@ class SymbolProduct:
         for symbol, power in other.symbols:
             powers[symbol] = powers.get(symbol, 0) + power
         symbols = tuple(sorted(powers.items(), key=lambda item: item[0].order))
-        waves = (*self.waves, *other.waves)
-        plain = tuple(wave for wave in waves if wave.kind != "exp")
-        product = SymbolProduct(self.factor * other.factor, symbols, plain).turned(self.turns + other.turns)
-        turning = [wave.angle for wave in waves if wave.kind == "exp"]
-        return product.times_phasor(sum(turning, NO_ANGLE)) if turning else product
+        waves = (*self.plain.waves, *other.plain.waves)
+        product = SymbolProduct(self.factor * other.factor, symbols, waves).turned(self.turns + other.turns)
+        return product.times_phasor(self.exponent + other.exponent)
 
     def turned(self, quarters: int) -> SymbolProduct:
         """The term times a power of i, half turns folded into its sign."""
@@ -160,9 +158,19 @@ class SymbolProduct:
         return self.symbols, self.waves, self.turns
 
     @property
+    def plain(self) -> SymbolProduct:
+        """The term without its e^i."""
+        return replace(self, waves=tuple(wave for wave in self.waves if wave.kind != "exp"))
+
+    @property
+    def exponent(self) -> AngleSum:
+        """The angle of its e^i."""
+        return next((wave.angle for wave in self.waves if wave.kind == "exp"), NO_ANGLE)
+
+    @property
     def angle(self) -> AngleSum:
         """The angle of the arrow this term is."""
-        return next((wave.angle for wave in self.waves if wave.kind == "exp"), NO_ANGLE).turned(self.turns)
+        return self.exponent.turned(self.turns)
 
     def has(self, symbol: Symbol) -> bool:
         return any(symbol == s for s, _ in self.symbols) or any(wave.angle.has(symbol) for wave in self.waves)
@@ -200,15 +208,22 @@ class Sum:
 
     @property
     def conjugate(self) -> Sum:
-        return Sum.of(_conjugate(term) for term in self.terms)
+        parts = ((term.plain, -term.exponent, -term.factor if term.turns else term.factor) for term in self.terms)
+        return Sum.of(replace(plain, factor=factor).times_phasor(angle) for plain, angle, factor in parts)
 
     @property
     def real(self) -> Sum:
-        return Sum.of(part for term in self.terms for part in _part(term, 0))
+        """e^iψ gives cos ψ."""
+        return self._part("cos")
 
     @property
     def imag(self) -> Sum:
-        return Sum.of(part for term in self.terms for part in _part(term, 1))
+        """e^iψ gives sin ψ."""
+        return self._part("sin")
+
+    def _part(self, kind: Literal["cos", "sin"]) -> Sum:
+        parts = (Sum((replace(term.plain, turns=0),)) * wave(kind, term.angle) for term in self.terms)
+        return Sum.of(term for part in parts for term in part.terms)
 
     @property
     def over_i(self) -> Sum:
@@ -290,19 +305,6 @@ def wave(kind: Literal["cos", "sin"], angle: AngleSum) -> Sum:
     if all(count < 0 for _, count in bare.parts):
         bare, sign = -bare, sign if name == "cos" else -sign
     return Sum((SymbolProduct(sign, waves=(Wave(name, bare),)),))
-
-
-def _conjugate(term: SymbolProduct) -> SymbolProduct:
-    rest = tuple(wave for wave in term.waves if wave.kind != "exp")
-    plain = replace(term, waves=rest, factor=-term.factor if term.turns else term.factor)
-    turning = [wave.angle for wave in term.waves if wave.kind == "exp"]
-    return plain.times_phasor(-turning[0]) if turning else plain
-
-
-def _part(term: SymbolProduct, quarter: int) -> Iterable[SymbolProduct]:
-    """Real (0) or imaginary (1) part: e^iψ gives cos ψ or sin ψ."""
-    plain = replace(term, waves=tuple(wave for wave in term.waves if wave.kind != "exp"), turns=0)
-    return (Sum((plain,)) * wave("sin" if quarter else "cos", term.angle)).terms
 
 
 def _partial(term: SymbolProduct, symbol: Symbol) -> Iterable[SymbolProduct]:

@@ -214,11 +214,7 @@ def symbol_text(symbol: Symbol) -> str:
 
 
 TEXT = Notation(
-    flat=True,
-    letter=lambda node: symbol_text(node.symbol),
-    number=str,
-    operator=str,
-    function=str,
+    flat=True, letter=lambda node: symbol_text(node.symbol), number=str, operator=str, function=str,
     row=lambda items: " ".join(items).replace(" ,", ","),
     grid=lambda rows: "; ".join("  ".join(row) for row in rows),
     power=lambda base, power: base + str(power).translate(_RAISED),
@@ -246,19 +242,14 @@ def _symbol_latex(node: Letter) -> str:
     return rf"\boldsymbol{{{text}}}" if node.bold else text
 
 
-def _grid_latex(rows: list[list[str]]) -> str:
-    inside = r" \\ ".join(" & ".join(row) for row in rows)
-    return rf"\left[\begin{{array}}{{{'c' * len(rows[0])}}} {inside} \end{{array}}\right]"
-
-
 LATEX = Notation(
-    flat=False,
-    letter=_symbol_latex,
+    flat=False, letter=_symbol_latex,
     number=lambda text: reduce(lambda text, sign: text.replace(*sign), _TEX_FIGURES, text),
     operator=lambda text: _TEX_OPERATORS.get(text, text),
     function=lambda name: rf"\{name}" if name in ("sin", "cos", "tan") else rf"\operatorname{{{name}}}",
     row=" ".join,
-    grid=_grid_latex,
+    grid=lambda rows: rf"\left[\begin{{array}}{{{'c' * len(rows[0])}}} "
+    + r" \\ ".join(" & ".join(row) for row in rows) + r" \end{array}\right]",
     power=lambda base, power: f"{{{base}}}^{{{power}}}" if "'" in base else f"{base}^{{{power}}}",
     word=r"\mathrm{%s}", minus="-%s", fraction=r"\frac{%s}{%s}", root=r"\sqrt{%s}", exponential=r"\mathrm{e}^{%s}",
     bracket="(%s)", space="", call="%s%s", argument=" ", arguments="(%s)", comma=", ",
@@ -279,20 +270,14 @@ def _symbol_mathml(node: Letter) -> str:
     return base if element is None else f"<{element}>{base}{low}{primes}</{element}>"
 
 
-def _grid_mathml(rows: list[list[str]]) -> str:
-    inside = "".join("<mtr>" + "".join(f"<mtd>{entry}</mtd>" for entry in row) + "</mtr>" for row in rows)
-    return f'<mtable class="matrix">{inside}</mtable>'
-
-
 _THIN_SPACE = '<mspace width="0.17em"/>'
 MATHML = Notation(
-    flat=False,
-    letter=_symbol_mathml,
-    number=lambda text: f"<mn>{escaped(text)}</mn>",
-    operator=lambda text: f"<mo>{escaped(text)}</mo>",
-    function=lambda name: f"<mi>{name}</mi>",
-    row=lambda items: f"<mrow>{''.join(items)}</mrow>",
-    grid=_grid_mathml,
+    flat=False, letter=_symbol_mathml,
+    number=lambda text: f"<mn>{escaped(text)}</mn>", operator=lambda text: f"<mo>{escaped(text)}</mo>",
+    function=lambda name: f"<mi>{name}</mi>", row=lambda items: f"<mrow>{''.join(items)}</mrow>",
+    grid=lambda rows: '<mtable class="matrix">' + "".join(
+        "<mtr>" + "".join(f"<mtd>{entry}</mtd>" for entry in row) + "</mtr>" for row in rows
+    ) + "</mtable>",
     power=lambda base, power: f"<msup>{base}<mn>{power}</mn></msup>",
     word='<mi mathvariant="normal">%s</mi>', minus='<mrow><mo form="prefix">−</mo>%s</mrow>',
     fraction="<mfrac>%s%s</mfrac>", root="<msqrt>%s</msqrt>",

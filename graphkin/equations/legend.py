@@ -50,11 +50,15 @@ class Legend:
 
     def fresh(self, letter: str, low: str, kind: Kind = "constant", steady: bool = False) -> Symbol:
         """A symbol nothing else bears: primes of a name are primes of the letter, and more are added where needed."""
+
+        def keys(symbol: Symbol) -> set[tuple[str, str, int]]:
+            return {(each.letter + "." * each.dots, each.low, each.primes) for each in _family(symbol)}
+
         bare = low.rstrip("'")
         symbol = Symbol(letter, bare, len(low) - len(bare), 0, kind, steady)
-        while self._used & (keys := _keys(symbol)):
+        while self._used & keys(symbol):
             symbol = replace(symbol, primes=symbol.primes + 1)
-        self._used |= keys
+        self._used |= keys(symbol)
         return symbol
 
     def constant(self, letter: str, low: str, meaning: Meaning, unit: Unit, value: float) -> Symbol:
@@ -78,10 +82,6 @@ def _family(symbol: Symbol) -> tuple[Symbol, ...]:
     while family[-1].kind != "push" and (rate := family[-1].rate) is not None:
         family.append(rate)
     return tuple(family)
-
-
-def _keys(symbol: Symbol) -> set[tuple[str, str, int]]:
-    return {(each.letter + "." * each.dots, each.low, each.primes) for each in _family(symbol)}
 
 
 def values(legend: Legend, motion: Motion) -> dict[Symbol, Value]:

@@ -53,14 +53,6 @@ class System:
         return tuple(tuple(-_slope(each, driver) for driver in self.drivers) for each in self.equations)
 
     @property
-    def a_rate(self) -> Entries:
-        return rates_of(self.a)
-
-    @property
-    def b_rate(self) -> Entries:
-        return rates_of(self.b)
-
-    @property
     def driver_rate(self) -> Symbol | None:
         """The rate of the only driver."""
         return self.drivers[0].rate if len(self.drivers) == 1 else None
@@ -146,28 +138,28 @@ def _acceleration(page: EquationPage, pretty: Pretty, system: System) -> None:
         right += [Op("+"), Row((B, ALPHA_D))] if pushes else []
     page.show((Row((A, ALPHA)), Row(tuple(right))))
     page.say("equations.derivatives")
-    page.show((A_RATE, grid(pretty, system.a_rate)))
+    page.show((A_RATE, grid(pretty, rates_of(system.a))))
     if system.drivers:
-        page.show((B_RATE, grid(pretty, system.b_rate)))
+        page.show((B_RATE, grid(pretty, rates_of(system.b))))
 
 
 def _numbers(page: EquationPage, system: System, values: Mapping[Symbol, Value]) -> None:
-    """The same matrices with numbers, and the columns solved."""
-    for letter, entries in ((A, system.a), (B, system.b), (A_RATE, system.a_rate), (B_RATE, system.b_rate)):
+    """The same matrices with numbers, and the columns solved; 0 for what is left of terms that cancel."""
+
+    def figures(of: Sum) -> Node:
+        sizes = (abs(number(Sum((replace(term, waves=()),)).at(values))) for term in of.terms)
+        return _figures(number(of.at(values)), max(sizes)) if of.terms else ZERO
+
+    matrices = (A, system.a), (B, system.b), (A_RATE, rates_of(system.a)), (B_RATE, rates_of(system.b))
+    for letter, entries in matrices:
         if entries and entries[0]:
-            page.show((letter, Grid(tuple(tuple(_in_figures(entry, values) for entry in row) for row in entries))))
+            page.show((letter, Grid(tuple(tuple(figures(entry) for entry in row) for row in entries))))
     page.say("equations.solution")
     for letter, order in ((OMEGA, 1), (ALPHA, 2)):
         rates = derivatives(system.unknowns, order)
         solution = [0.0 if rate is None else number(values[rate]) for rate in rates]
         solved = Grid(tuple((_figures(value, max(map(abs, solution))),) for value in solution))
         page.show((letter, column(rates), solved))
-
-
-def _in_figures(of: Sum, values: Mapping[Symbol, Value]) -> Node:
-    """A sum in figures; 0 for what is left of terms that cancel."""
-    sizes = (abs(number(Sum((replace(term, waves=()),)).at(values))) for term in of.terms)
-    return _figures(number(of.at(values)), max(sizes)) if of.terms else ZERO
 
 
 def _figures(value: float, most: float) -> Node:
