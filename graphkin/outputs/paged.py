@@ -20,7 +20,7 @@ from graphkin.outputs.svg import svg
 from graphkin.sheet import Sheet
 
 MARK = b"graphkin sheet"
-_SERIF = "STIXGeneral"
+SERIF = "STIXGeneral"
 _COLOURS = 64
 """Of a moving picture."""
 _PAGE = """#set document(title: sys.inputs.title, author: "graphkin sheet", date: none)
@@ -61,16 +61,20 @@ def unscaled(content: bytes) -> bytes:
     return body + changed + b"\n" + table + end + b"startxref\n%d\n%%%%EOF\n" % (len(body) + len(changed) + 1)
 
 
+def serif_files() -> list[str]:
+    """A serif that comes with matplotlib, for machines that have none: resvg leaves out text that has no font."""
+    spec = find_spec("matplotlib")
+    folder = Path(spec.origin or "").parent / "mpl-data/fonts/ttf" if spec else Path()
+    return [str(file) for file in sorted(folder.glob(f"{SERIF}*.ttf"))]
+
+
 def png(sheet: Sheet, dpi: float, ink: Ink = "accent") -> bytes:
     """The sheet at so many dots per inch, with who made it, and how large it is meant to be.
 
-    Raises NeedsExtra without resvg-py. A serif comes with matplotlib, for machines that have none: resvg leaves out
-    text that has no font.
+    Raises NeedsExtra without resvg-py.
     """
     resvg = needed("resvg_py", "png")
-    spec = find_spec("matplotlib")
-    folder = Path(spec.origin or "").parent / "mpl-data/fonts/ttf" if spec else Path()
-    fonts = {"serif_family": _SERIF, "font_files": [str(file) for file in sorted(folder.glob(f"{_SERIF}*.ttf"))]}
+    fonts = {"serif_family": SERIF, "font_files": serif_files()}
     content = bytes(resvg.svg_to_bytes(svg_string=svg(sheet, ink), dpi=dpi, background="#ffffff", **fonts))
     first = 8 + 25  # the signature, and the chunk that every PNG begins with
     metres = round(dpi / 0.0254)
