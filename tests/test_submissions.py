@@ -32,7 +32,7 @@ from graphkin.submissions import Handed, Limits, ReadableProblem, guarded, hande
 from graphkin.submissions.answers import answers
 from graphkin.submissions.archives import decoded
 from graphkin.submissions.documents import read_lines
-from graphkin.submissions.numbers import given, scale
+from graphkin.submissions.numbers import parsed_value, scale
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import owner
 
@@ -55,7 +55,7 @@ NUMBERS = (
 
 @pytest.mark.parametrize(("text", "unit", "value", "sense"), NUMBERS)
 def test_a_number_as_it_is_written(text, unit, value, sense):
-    found = given(text, unit)
+    found = parsed_value(text, unit)
     assert found.value == pytest.approx(value, rel=1e-12)
     assert (found.sense, found.fault) == (sense, None)
 
@@ -65,20 +65,20 @@ def test_a_number_as_it_is_written(text, unit, value, sense):
     "-62 ccw", "3 ccw or cw", "1,2,3", "..", "-", "1e", "3.92 furlong", "=cmd|' /C calc'!A0", "3,92,", "x" * 5000,
 ])  # fmt: skip
 def test_what_is_no_number_has_no_value(text):
-    found = given(text, TURN)
+    found = parsed_value(text, TURN)
     assert found.value is None
     for lang in ("en", "zh"):
         assert found.fault.at(NOWHERE).message(lang)
 
 
 def test_a_unit_of_another_kind_is_told_beside_the_number():
-    found = given("3.9 m/s", TURN)
+    found = parsed_value("3.9 m/s", TURN)
     assert found.value == 3.9
     assert isinstance(found.fault, OtherDimension)
 
 
 def test_a_direction_beside_a_size():
-    assert given("0.32 m/s ∠ 90°", SPEED).vector == pytest.approx(0.32j)
+    assert parsed_value("0.32 m/s ∠ 90°", SPEED).vector == pytest.approx(0.32j)
 
 
 QUESTIONS = {

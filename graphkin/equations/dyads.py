@@ -15,7 +15,7 @@ from graphkin.base.geometry import Value
 from graphkin.base.geometry import number as real
 from graphkin.base.value import frozen
 from graphkin.equations.document import EquationPage
-from graphkin.equations.expressions import ONE, AngleSum, Sum, Symbol, SymbolProduct, cross, direction, dot, squared
+from graphkin.equations.expressions import ONE, AngleSum, Sum, Symbol, SymbolProduct, cross, dot, squared, unit_vector
 from graphkin.equations.formulas import ZERO, Call, Frac, Letter, Node, Num, Op, Pow, Root, Row
 from graphkin.equations.legend import Legend
 from graphkin.equations.pretty import Pretty, added
@@ -50,7 +50,7 @@ class Split:
         """U of U e^(iθ): what turns with an angle, unknown displacements left out."""
         sliding = [self.slid(slide) for slide in self.slides]
         turning = tuple(term for term in self.sum.terms if term.has(angle) and term not in sliding)
-        return Sum(turning) * direction(-AngleSum.of(angle))
+        return Sum(turning) * unit_vector(-AngleSum.of(angle))
 
     @property
     def turns_with(self) -> bool:
@@ -94,7 +94,7 @@ def quotients(split: Split, order: int) -> Iterator[RateQuotient]:
         rate, others = rates[symbol], [other for other in unknowns if other != symbol]
         if symbol in split.slides and split.angles:
             term = split.slid(symbol)
-            top = -dot(direction(term.angle), derived.lacking(rate))
+            top = -dot(unit_vector(term.angle), derived.lacking(rate))
             yield RateQuotient(rate, top, Sum((SymbolProduct(term.factor),))).signed
         elif others:
             across = _unit_along(columns[others[0]])
@@ -106,7 +106,7 @@ def quotients(split: Split, order: int) -> Iterator[RateQuotient]:
 
 def _unit_along(column: Sum) -> Sum:
     """A vector of the same direction, of length 1 where it is one arrow."""
-    return column if column.only is None else direction(column.only.angle)
+    return column if column.only is None else unit_vector(column.only.angle)
 
 
 # --- positions --------------------------------------------------------------------------------
@@ -149,16 +149,16 @@ class Solver:
         self.page.say("equations.eliminate angle", other=Letter(other), angle=Letter(angle))
         rest = squared(lever) - squared(arm) - squared(known)
         self._half_angle(angle, turned.imag.times(2.0), turned.real.times(-2.0), rest)
-        self._direction(other, lever, known + arm * direction(AngleSum.of(angle)))
+        self._direction(other, lever, known + arm * unit_vector(AngleSum.of(angle)))
 
     def _angle_and_slide(self, split: Split) -> None:
         """RRP: across the guide the displacement vanishes."""
         angle, slide = split.angles[0], split.slides[0]
         term, lever, known = split.slid(slide), split.lever(angle), split.known
-        line = direction(term.angle)
+        line = unit_vector(term.angle)
         self.page.say("equations.eliminate slide", other=Letter(slide))
         if lever.only is not None:
-            self._sine(line, lever * direction(AngleSum.of(angle)), known)
+            self._sine(line, lever * unit_vector(AngleSum.of(angle)), known)
         else:
             turned = line.conjugate * lever
             self._half_angle(angle, turned.real, turned.imag, cross(line, known))
@@ -170,7 +170,7 @@ class Solver:
         """RPR: the displacement's line turns with the lever; |K|² = |U + s e^(iβ)|²."""
         angle, slide = split.angles[0], split.slides[0]
         lever, known, term = split.lever(angle), split.known, split.slid(slide)
-        line = direction(term.angle - AngleSum.of(angle))
+        line = unit_vector(term.angle - AngleSum.of(angle))
         offset = dot(line, lever).times(-term.factor)
         under = squared(known) - cross(line, lever) * cross(line, lever)
         self.page.say("equations.square", angle=Letter(angle))
@@ -187,8 +187,8 @@ class Solver:
         self.page.say("equations.each across")
         rows = []
         for slide, other in (split.slides, split.slides[::-1]):
-            across, term = direction(split.slid(other).angle), split.slid(slide)
-            bottom = cross(across, direction(term.angle)).times(term.factor)
+            across, term = unit_vector(split.slid(other).angle), split.slid(slide)
+            bottom = cross(across, unit_vector(term.angle)).times(term.factor)
             rows.append((Letter(slide), self.pretty.quotient(-cross(across, split.known), bottom)))
         self.page.show(*rows)
 

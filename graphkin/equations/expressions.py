@@ -290,7 +290,7 @@ def phasor(length: Sum, angle: AngleSum) -> Sum:
     return Sum.of(term.times_phasor(angle) for term in length.terms)
 
 
-def direction(angle: AngleSum) -> Sum:
+def unit_vector(angle: AngleSum) -> Sum:
     """e^(i angle), a vector of length 1."""
     return phasor(ONE, angle)
 

@@ -1,6 +1,6 @@
 """Formulas as they stand on paper, fractions, roots, powers, matrices, and the notations of text, LaTeX and MathML.
 
-A `Notation` is the table of signs of one kind of file; `formula` writes any node by it.
+A `Notation` is the table of signs of one kind of file; `in_notation` writes any node by it.
 """
 
 from __future__ import annotations
@@ -152,7 +152,7 @@ class Notation:
     comma: str
 
 
-def formula(node: Node, by: Notation) -> str:
+def in_notation(node: Node, by: Notation) -> str:
     """A formula in one of the notations."""
     match node:
         case Letter():
@@ -164,34 +164,34 @@ def formula(node: Node, by: Notation) -> str:
         case Word():
             return by.word % node.text
         case Minus():
-            return by.minus % formula(node.of, by)
+            return by.minus % in_notation(node.of, by)
         case Row():
-            return by.row([formula(item, by) for item in node.items])
+            return by.row([in_notation(item, by) for item in node.items])
         case Frac():
             parts = (_factor(node.top, product=True), _factor(node.bottom)) if by.flat else (node.top, node.bottom)
-            return by.fraction % tuple(formula(part, by) for part in parts)
+            return by.fraction % tuple(in_notation(part, by) for part in parts)
         case Root():
-            return by.root % formula(node.of, by)
+            return by.root % in_notation(node.of, by)
         case Pow(of=Call(name, args)):
             return by.call % (by.power(by.function(name), node.power), _arguments(args, by))
         case Pow():
-            return by.power(formula(node.of, by), node.power)
+            return by.power(in_notation(node.of, by), node.power)
         case Exp():
-            return by.exponential % formula(node.power, by)
+            return by.exponential % in_notation(node.power, by)
         case Call():
             return by.call % (by.space + by.function(node.name), _arguments(node.args, by))
         case Paren():
-            return by.bracket % formula(node.of, by)
+            return by.bracket % in_notation(node.of, by)
         case Grid():
-            return by.grid([[formula(entry, by) for entry in row] for row in node.rows])
+            return by.grid([[in_notation(entry, by) for entry in row] for row in node.rows])
         case _:
             assert_never(node)
 
 
 def _arguments(args: Sequence[Node], by: Notation) -> str:
     if len(args) == 1 and isinstance(args[0], Letter):
-        return by.argument + formula(args[0], by)
-    return by.arguments % by.comma.join(formula(arg, by) for arg in args)
+        return by.argument + in_notation(args[0], by)
+    return by.arguments % by.comma.join(in_notation(arg, by) for arg in args)
 
 
 def _factor(node: Node, product: bool = False) -> Node:

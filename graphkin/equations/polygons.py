@@ -245,16 +245,16 @@ def rolling(arrows: LinkVectorMaker, contact: Contact, motion: Motion) -> Rollin
     return RollingSum(contact, moving, arrows.legend.constant("c", low, text, "mm rad", value))
 
 
-def turning(angle: AngleSum) -> Sum:
+def turning_part(angle: AngleSum) -> Sum:
     """The part of an angle that changes with time."""
     return Sum.of(SymbolProduct(float(count), ((symbol, 1),)) for symbol, count in angle.moving)
 
 
 def _on_circles(arrows: LinkVectorMaker, contact: Contact) -> Sum:
-    arm, total = turning(arrows.bodies.angles[contact.arm]), Sum()
+    arm, total = turning_part(arrows.bodies.angles[contact.arm]), Sum()
     for wheel, radius in zip(contact.wheels, contact.radii, strict=True):
         share = one(arrows.radius(wheel, abs(radius))).times(1.0 if radius > 0 else -1.0)
-        total += share * (turning(arrows.bodies.angles[wheel]) - arm)
+        total += share * (turning_part(arrows.bodies.angles[wheel]) - arm)
     return total
 
 
@@ -263,7 +263,7 @@ def _on_line(arrows: LinkVectorMaker, contact: Contact) -> Sum:
 
     Where other pairs keep the centre on its path, s is made up of their displacements.
     """
-    track, wheel = (turning(arrows.bodies.angles[body]) for body in contact.wheels)
+    track, wheel = (turning_part(arrows.bodies.angles[body]) for body in contact.wheels)
     radius = next(share for body, share in contact.angles if body == contact.wheels[1])
     rolled = one(arrows.radius(contact.wheels[1], radius)) * (wheel - track)
     gone = Sum()

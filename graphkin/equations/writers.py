@@ -9,7 +9,7 @@ from typing import assert_never
 
 from graphkin.equations import document as parts
 from graphkin.equations.document import Block, Document
-from graphkin.equations.formulas import LATEX, MATHML, TEXT, Grid, Minus, Node, Op, Row, escaped, formula
+from graphkin.equations.formulas import LATEX, MATHML, TEXT, Grid, Minus, Node, Op, Row, escaped, in_notation
 from graphkin.outputs.svg import inline
 from graphkin.outputs.tikz import LIBRARIES, picture
 from graphkin.outputs.typesetting import tex_text
@@ -61,7 +61,7 @@ def _block_lines(block: Block) -> list[str]:
 
 
 def _text(part: str | Node) -> str:
-    return part if isinstance(part, str) else formula(part, TEXT)
+    return part if isinstance(part, str) else in_notation(part, TEXT)
 
 
 def _wrapped(text: str) -> list[str]:
@@ -85,7 +85,7 @@ def _sides(row: Sequence[Node]) -> list[Node]:
 
 def _side_by_side(nodes: Sequence[Node]) -> list[str]:
     """Nodes on one line; matrices make as many lines as they have rows, the rest stands on the middle one."""
-    columns = [_matrix(node) if isinstance(node, Grid) else [formula(node, TEXT)] for node in nodes]
+    columns = [_matrix(node) if isinstance(node, Grid) else [in_notation(node, TEXT)] for node in nodes]
     height = max(len(column) for column in columns)
     lines = [""] * height
     for column in columns:
@@ -98,7 +98,7 @@ def _side_by_side(nodes: Sequence[Node]) -> list[str]:
 
 
 def _matrix(grid: Grid) -> list[str]:
-    rows = aligned([[formula(entry, TEXT) for entry in row] for row in grid.rows], "<", "   ")
+    rows = aligned([[in_notation(entry, TEXT) for entry in row] for row in grid.rows], "<", "   ")
     if len(rows) == 1:
         return [f"[ {rows[0]} ]"]
     ends = [("⎡", "⎤"), *[("⎢", "⎥")] * (len(rows) - 2), ("⎣", "⎦")]
@@ -162,13 +162,13 @@ def _block_html(block: Block) -> str:
 
 
 def _html(part: str | Node) -> str:
-    return escaped(part) if isinstance(part, str) else f"<math>{formula(part, MATHML)}</math>"
+    return escaped(part) if isinstance(part, str) else f"<math>{in_notation(part, MATHML)}</math>"
 
 
 def _displayed(row: Sequence[Node]) -> str:
     """Sides with their equals signs."""
     chain = [node for side in row for node in (Op("="), side)][1:]
-    return f'<math display="block">{formula(Row(tuple(chain)), MATHML)}</math>'
+    return f'<math display="block">{in_notation(Row(tuple(chain)), MATHML)}</math>'
 
 
 # --- LaTeX ------------------------------------------------------------------------------------
@@ -221,10 +221,10 @@ def _block_tex(block: Block) -> str:
 
 
 def _tex(part: str | Node) -> str:
-    return tex_text(part) if isinstance(part, str) else f"${formula(part, LATEX)}$"
+    return tex_text(part) if isinstance(part, str) else f"${in_notation(part, LATEX)}$"
 
 
 def _paragraph(row: Sequence[Node]) -> str:
     """A row of a display: TeX breaks a long formula at its signs; matrices are fitted to the line."""
-    text = " = ".join(formula(side, LATEX) for side in row)
+    text = " = ".join(in_notation(side, LATEX) for side in row)
     return r"\hspace*{2em}" + (rf"\fit{{{text}}}" if _has_grid(row) else rf"$\displaystyle {text}$")

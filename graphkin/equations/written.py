@@ -15,7 +15,7 @@ from graphkin.equations.formulas import Call, Exp, Letter, Op, Row, Word
 from graphkin.equations.legend import LegendEntry
 from graphkin.equations.methods import write_complex, write_matrix
 from graphkin.equations.model import Model, model_of
-from graphkin.equations.polygons import turning
+from graphkin.equations.polygons import turning_part
 from graphkin.equations.pretty import Pretty
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
@@ -65,7 +65,7 @@ def _write_drivers(model: Model, page: EquationPage) -> None:
         page.say("equations.fixed angles")
         page.show(*((Letter(name), pretty.angle(angle)) for name, angle in model.alias.items()))
         page.say("equations.same rates")
-        rates = {name: turning(angle).rate for name, angle in model.alias.items()}
+        rates = {name: turning_part(angle).rate for name, angle in model.alias.items()}
         velocities = [(Letter(name.derivative(1)), pretty.sum(rate)) for name, rate in rates.items()]
         accelerations = [(Letter(name.derivative(2)), pretty.sum(rate.rate)) for name, rate in rates.items()]
         page.show(*velocities, *accelerations)

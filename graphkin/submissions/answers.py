@@ -20,7 +20,7 @@ from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.model.mechanism import Driver
 from graphkin.model.quantities import Centre, Moving, Quantity, at_position, position_of
 from graphkin.submissions import numbers
-from graphkin.submissions.numbers import given, plain, short
+from graphkin.submissions.numbers import parsed_value, plain, short
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import HandedValue, Limits, ReadableProblem
 
@@ -113,14 +113,14 @@ def _number(raw: float, quantity: Quantity, unit: str) -> HandedValue:
         shown = "1e999"
     if not math.isfinite(float(shown)):
         return HandedValue(shown, None, fault=errors.OutOfRange(NOWHERE, shown))
-    return replace(given(shown, quantity.unit, unit), text=shown)
+    return replace(parsed_value(shown, quantity.unit, unit), text=shown)
 
 
 def _text(raw: str, quantity: Quantity, unit: str, scales: Mapping[Plane, float]) -> HandedValue:
     text = raw.strip()[:400]
     if isinstance(quantity, Centre | Moving) and (pair := _components(text)) is not None:
         return replace(_pair(*pair, quantity, unit), text=text)
-    value = given(text, quantity.unit, unit)
+    value = parsed_value(text, quantity.unit, unit)
     plane = numbers.plane_of(quantity.unit)
     if plane is None or value.unit not in numbers.PAPER or value.value is None:
         return value
@@ -144,7 +144,7 @@ def _pair(x: object, y: object, quantity: Quantity, unit: str) -> HandedValue:
     """A place or a vector by its components."""
     if not isinstance(quantity, Centre | Moving):
         return HandedValue(f"{x}, {y}"[:60], None, fault=errors.WrongType(NOWHERE, "quantity", "[ .. ]"))
-    halves = [given(str(half), quantity.unit, unit) for half in (x, y)]
+    halves = [parsed_value(str(half), quantity.unit, unit) for half in (x, y)]
     text = ", ".join(half.text[:60] for half in halves)
     if (fault := next((half.fault for half in halves if half.value is None), None)) is not None:
         return HandedValue(text, None, fault=fault)

@@ -55,7 +55,7 @@ def picture_of(name: str, content: bytes, where: Where, limits: Limits) -> PageP
 
 
 @frozen
-class _Ruler:
+class _PaperScale:
     """Scales [SI per mm] and turns [rad] by plane, by which vectors of one file are measured."""
 
     scales: Mapping[Plane, float]
@@ -82,8 +82,8 @@ def measured(
     claimed = {**picture.scales, **written, **stated}
     scales = numbers.stated_by(asked.mechanism) | calibrated | claimed
     turned = {plane: cmath.phase(drawn / value) for plane, (drawn, value) in first.items()} if limits.turned else {}
-    ruler = _Ruler(scales, turned, where)
-    values = _named(picture, ruler, questions) | _vectors(letters.points, shapes, ruler)
+    paper = _PaperScale(scales, turned, where)
+    values = _named(picture, paper, questions) | _vectors(letters.points, shapes, paper)
     values |= directions(picture, questions, where, limits)
     if not values and not texts and not letters.points:
         raise NoLetters(where, tuple(letter for shape in shapes for letter in shape.letters))
@@ -124,25 +124,25 @@ def _first_known(points: Points, shapes: Sequence[PaperPolygon]) -> Iterator[tup
                 break
 
 
-def _vectors(points: Points, shapes: Sequence[PaperPolygon], ruler: _Ruler) -> dict[str, HandedValue]:
+def _vectors(points: Points, shapes: Sequence[PaperPolygon], paper: _PaperScale) -> dict[str, HandedValue]:
     """Every vector between two letters that are found, where its plane has a scale."""
     values: dict[str, HandedValue] = {}
     for shape in shapes:
         for vector in shape.vectors:
             tail, head = (points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
-            if vector.question and tail is not None and head is not None and shape.plane in ruler.scales:
-                values.setdefault(vector.question, ruler.value(tail, head, shape.plane))
+            if vector.question and tail is not None and head is not None and shape.plane in paper.scales:
+                values.setdefault(vector.question, paper.value(tail, head, shape.plane))
     return values
 
 
-def _named(picture: PagePicture, ruler: _Ruler, questions: Questions) -> dict[str, HandedValue]:
+def _named(picture: PagePicture, paper: _PaperScale, questions: Questions) -> dict[str, HandedValue]:
     """Arrows that the file itself names after a quantity: `v_B3B2`."""
     values: dict[str, HandedValue] = {}
     for arrow in picture.arrows:
         read = questions.read(arrow.name) if arrow.name else None
         plane = numbers.plane_of(read[1].unit) if read is not None else None
-        if read is not None and plane is not None and plane in ruler.scales and not read[2]:
-            values.setdefault(read[0], ruler.value(arrow.tail, arrow.head, plane))
+        if read is not None and plane is not None and plane in paper.scales and not read[2]:
+            values.setdefault(read[0], paper.value(arrow.tail, arrow.head, plane))
     return values
 
 

@@ -77,7 +77,7 @@ class WrittenNumber:
     sense: Sense | None
 
 
-def given(text: str, si: str, unit: str = "") -> HandedValue:
+def parsed_value(text: str, si: str, unit: str = "") -> HandedValue:
     """The value that a text gives for a quantity of this SI unit; `unit` is that of its column. Faults come with
     `NOWHERE`."""
     size, *direction = _ANGLE.split(plain(text), maxsplit=1)
