@@ -204,7 +204,7 @@ def test_subjects_know_no_language():
 
 def test_formulas_know_no_language():
     files = [path for path in (PACKAGE / "equations").glob("*.py") if imports_lang(parsed(path))]
-    assert {path.stem for path in files} == {"document", "figure", "page", "written"}
+    assert {path.stem for path in files} == {"document", "figure", "written"}
 
 
 def test_subjects_hold_no_chinese():

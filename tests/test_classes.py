@@ -22,7 +22,7 @@ from click.testing import CliRunner, Result
 from graphkin.cli import main
 from graphkin.homework.grading import Journal, batch, grade, judge_from, key_from, resumed, running
 from graphkin.homework.grading.batch import StoredRecord
-from graphkin.outputs import marks_file
+from graphkin.outputs import marks_json
 from graphkin.outputs.key_json import key_text
 from graphkin.outputs.marks_json import record
 
@@ -201,7 +201,7 @@ def broken_off(path: Path, paths: list[str], after: int) -> None:
             yield from islice(records, after)
             raise KeyboardInterrupt
 
-        marks_file.write(path, interrupted())
+        marks_json.write(path, interrupted())
 
 
 def test_a_broken_off_marking_goes_on(marked: list[str]):

@@ -17,7 +17,7 @@ from graphkin.errors import (
     WantedRange,
     WrongNumber,
 )
-from graphkin.outputs.designs import as_json
+from graphkin.outputs.study_json import as_json
 from graphkin.say import design as words
 from graphkin.say.numbers import SentenceNumber
 from graphkin.studies.design import angle_pairs, coupler_positions, guide_bar, hinges, rocker, slider

@@ -22,8 +22,9 @@ from graphkin.model.quantities import EDGE, Displacement, Moving, Quantity, Rota
 from graphkin.outputs import diagram
 from graphkin.outputs.diagram import fonts
 from graphkin.outputs.diagram.curves import Curves, curves, span
-from graphkin.outputs.diagram.panels import division, label_of, panels
+from graphkin.outputs.diagram.panels import division, panels
 from graphkin.outputs.files import FileInTheWay
+from graphkin.sheet.given_tables import label_of
 from graphkin.studies import sweeps
 from graphkin.studies.sweeps import Course
 

@@ -151,7 +151,7 @@ def test_what_ends_a_command_from_outside_is_no_file_that_cannot_be_written(monk
         def end(*_: object, ending: BaseException = ending) -> None:
             raise ending
 
-        monkeypatch.setattr("graphkin.outputs.tables.told", end)
+        monkeypatch.setattr("graphkin.outputs.tables.shown_parts", end)
         for output in ("a.csv", "-"):
             found = run("sweep", "ex3-1", "-o", output)
             assert "cannot be written" not in found.output

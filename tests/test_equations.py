@@ -31,9 +31,9 @@ from redriving import redriven
 
 import graphkin
 from graphkin.equations import document, write_html, write_tex, write_text
+from graphkin.equations.formulas import symbol_text
 from graphkin.equations.legend import values
 from graphkin.equations.model import model_of
-from graphkin.equations.text import symbol_text
 from graphkin.equations.written import written
 from graphkin.errors import DeadPoint
 from graphkin.files import library
@@ -59,13 +59,13 @@ def positions(mechanism):
 def names_at(model, motion, k) -> dict[str, Quantity]:
     """Values by printed name; a component may be off by what is nothing beside the vectors of its unit."""
     found, most = {}, dict[str, float]()
-    for symbol, value in values(model.ledger, motion).items():
+    for symbol, value in values(model.legend, motion).items():
         found[symbol] = Quantity.of(value if k is None or np.ndim(value) == 0 else value[k])
-        unit = model.ledger.entries[symbol].unit
+        unit = model.legend.entries[symbol].unit
         most[unit] = max(most.get(unit, 0.0), float(found[symbol].error))
     for symbol, quantity in found.items():
         if symbol.letter in ("x", "y", "v", "a"):
-            quantity.error = np.asarray(most[model.ledger.entries[symbol].unit])
+            quantity.error = np.asarray(most[model.legend.entries[symbol].unit])
     return {plain(symbol_text(symbol)): quantity for symbol, quantity in found.items()}
 
 
@@ -323,7 +323,7 @@ def test_unusual_names_units_and_directions(by, tmp_path: Path):
     mechanism = replace(graphkin.load(tmp_path / "unusual.toml"), ask=("v B", "a K"))
     model, text = written_for(mechanism, by)
     assert check(model, text, mechanism) > 30
-    assert {"θ2'", "ω_rod_1", "α2'"} <= {symbol_text(symbol) for symbol in model.ledger.entries}
+    assert {"θ2'", "ω_rod_1", "α2'"} <= {symbol_text(symbol) for symbol in model.legend.entries}
     ElementTree.fromstring(write_html(written(model_of(graphkin.plan(mechanism)), by, "zh")).split("\n", 1)[1])
 
 

@@ -145,7 +145,7 @@ def test_png_has_letters_on_a_machine_without_fonts():
         return sum(image.open(io.BytesIO(made)).convert("L").histogram()[:128])
 
     for letters in ("v", "ω", "μ", "α", "φ", "⊥", "∥", "√", "′", "→", "²"):
-        assert ink(letters, serif_family=paged._SERIF, font_files=paged._serif_files()) > ink(letters) == 0, letters
+        assert ink(letters, serif_family=paged.SERIF, font_files=paged.serif_files()) > ink(letters) == 0, letters
 
 
 @pytest.mark.parametrize("kind", drawings.WRITERS)

@@ -20,7 +20,7 @@ from graphkin.homework.platforms.svg_page import drawing
 from graphkin.homework.platforms.web_page import html
 from graphkin.marking import Rewrite, rewrites, rewritten
 from graphkin.marking.comparison import Beside, beside
-from graphkin.outputs import marks_file
+from graphkin.outputs import marks_json
 from graphkin.outputs.marks_json import drawn_of, record
 from graphkin.outputs.svg import inline, svg
 from graphkin.planning import Method, plan
@@ -212,7 +212,7 @@ def test_a_drawing_is_kept_for_marking_anew(tmp_path: Path):
     judge = grading.judge_from("ex3-1")
     path = handed_in(tmp_path / "s1.svg", "ex3-1", ("coriolis-half",))
     (first,) = grading.grade(judge, [path])
-    marks_file.write(tmp_path / "marks.json", [record(first)])
+    marks_json.write(tmp_path / "marks.json", [record(first)])
     (again,) = grading.grade(judge, [tmp_path / "marks.json"])
     assert again.drawn.keys() == first.drawn.keys() == {"velocity", "acceleration"}
     assert again.drawn["velocity"] == pytest.approx(first.drawn["velocity"], rel=1e-5, abs=1e-6)

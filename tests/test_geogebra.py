@@ -19,7 +19,7 @@ import graphkin
 from graphkin.errors import GraphkinError
 from graphkin.files import library
 from graphkin.outputs.geogebra import ggb
-from graphkin.outputs.geogebra.file import written
+from graphkin.outputs.typesetting import ggb_text
 from graphkin.running import replay_all
 from graphkin.sheet import scales_of
 from graphkin.sheet.lettering import point_label
@@ -64,7 +64,7 @@ def test_every_point_moves_with_the_slider(name: str):
 
 
 def _labels(found: Reckoned, point: str) -> list[str]:
-    caption = written(point_label(point))
+    caption = ggb_text(point_label(point))
     return [label for label, text in found.captions.items() if text == caption]
 
 

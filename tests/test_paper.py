@@ -16,8 +16,8 @@ from defusedxml.ElementTree import fromstring
 from graphkin import Drawing
 from graphkin.check import measure
 from graphkin.files import library
-from graphkin.outputs.spans import runs
 from graphkin.outputs.svg import svg
+from graphkin.outputs.typesetting import runs
 from graphkin.sheet.lettering import number, plain, point_label, quantity_label, vector_label
 from graphkin.sheet.marks import Text
 

@@ -30,12 +30,11 @@ from graphkin.errors import (
 )
 from graphkin.submissions import Handed, Limits, ReadableProblem, guarded, handed_in, limited, read, read_one, safe_name
 from graphkin.submissions.answers import answers
-from graphkin.submissions.class_names import owner
+from graphkin.submissions.archives import decoded
 from graphkin.submissions.documents import read_lines
-from graphkin.submissions.numbers import given
+from graphkin.submissions.numbers import parsed_value, scale
 from graphkin.submissions.questions import Questions
-from graphkin.submissions.scales import scale
-from graphkin.submissions.texts import decoded
+from graphkin.submissions.submission import owner
 
 MECHANISM = api.load("ex3-1")
 ASKED = ReadableProblem(MECHANISM, (*MECHANISM.ask, "v B", "v B3B2"))
@@ -56,7 +55,7 @@ NUMBERS = (
 
 @pytest.mark.parametrize(("text", "unit", "value", "sense"), NUMBERS)
 def test_a_number_as_it_is_written(text, unit, value, sense):
-    found = given(text, unit)
+    found = parsed_value(text, unit)
     assert found.value == pytest.approx(value, rel=1e-12)
     assert (found.sense, found.fault) == (sense, None)
 
@@ -66,20 +65,20 @@ def test_a_number_as_it_is_written(text, unit, value, sense):
     "-62 ccw", "3 ccw or cw", "1,2,3", "..", "-", "1e", "3.92 furlong", "=cmd|' /C calc'!A0", "3,92,", "x" * 5000,
 ])  # fmt: skip
 def test_what_is_no_number_has_no_value(text):
-    found = given(text, TURN)
+    found = parsed_value(text, TURN)
     assert found.value is None
     for lang in ("en", "zh"):
         assert found.fault.at(NOWHERE).message(lang)
 
 
 def test_a_unit_of_another_kind_is_told_beside_the_number():
-    found = given("3.9 m/s", TURN)
+    found = parsed_value("3.9 m/s", TURN)
     assert found.value == 3.9
     assert isinstance(found.fault, OtherDimension)
 
 
 def test_a_direction_beside_a_size():
-    assert given("0.32 m/s ∠ 90°", SPEED).vector == pytest.approx(0.32j)
+    assert parsed_value("0.32 m/s ∠ 90°", SPEED).vector == pytest.approx(0.32j)
 
 
 QUESTIONS = {
@@ -329,8 +328,8 @@ def test_ids_that_differ_have_names_that_differ():
 def test_nothing_else_is_needed_to_read_a_row():
     """A class of 100,000 at 300 a second leaves the reader a tenth of its time."""
     table = io.StringIO("student,w3,alpha 3,ak\n" + "".join(f"s{k},3.9 cw,62,2.5\n" for k in range(300)))
+    from graphkin.submissions.documents import rows_of
     from graphkin.submissions.handed import Handed
-    from graphkin.submissions.tables import rows_of
 
     rows = rows_of(((k, row) for k, row in enumerate(csv.reader(table), 1)), NOWHERE, Limits())
     handed = [Handed(owner("c.csv"), "c.csv", str(row.line), row=row) for row in rows]

@@ -15,8 +15,8 @@ from graphkin import Drawing
 from graphkin.files import library
 from graphkin.outputs.drawings import write
 from graphkin.outputs.files import FileInTheWay
-from graphkin.outputs.spans import mm
 from graphkin.outputs.svg import Unwritable, svg
+from graphkin.outputs.typesetting import mm
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet import Sheet, sheet

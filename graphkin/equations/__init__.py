@@ -1,12 +1,10 @@
 """The analytic methods written out for a mechanism as a textbook writes them: `document`, then a writer.
 
-```
-Method -> bodies, polygons, rolling   θ of every link, the closed vector polygons, what rolls (`model`)
-       -> expressions                 sums of products of symbols with cos, sin, e^i: added, derived, evaluated
-       -> dyads, positions, rates     closed forms: two rules, crosswise and squared, for every dyad
-       -> matrices                    A ω = ω1 B, A α = −Ȧ ω + ω1 Ḃ
-       -> complex_method, matrix_method -> Document -> text, html, tex
-```
+    Method -> bodies, polygons        θ of every link, the closed vector polygons, what rolls (`model`)
+           -> expressions             sums of products of symbols with cos, sin, e^i: added, derived, evaluated
+           -> dyads                   closed forms: two rules, crosswise and squared, for every dyad
+           -> matrices                A ω = ω1 B, A α = −Ȧ ω + ω1 Ḃ
+           -> methods, written        a Document -> writers: text, html, tex
 
 Source: Sun Huan, Theory of Machines, section 3-3, examples 3-5, 3-6 and 3-7.
 """
@@ -16,21 +14,19 @@ from __future__ import annotations
 from pathlib import Path
 
 from graphkin.equations.document import By, Document
-from graphkin.equations.html import write_html
-from graphkin.equations.tex import write_tex
-from graphkin.equations.text import write_text
+from graphkin.equations.writers import write_html, write_tex, write_text
 from graphkin.equations.written import document
 from graphkin.outputs.files import beside
 
 __all__ = ["WRITERS", "By", "Document", "document", "write", "write_html", "write_tex", "write_text"]
 
 WRITERS = {".txt": write_text, ".html": write_html, ".tex": write_tex}
-SIGNED = {".txt": "{text}\n(graphkin)\n", ".html": "{text}<!-- graphkin -->\n", ".tex": "{text}% graphkin\n"}
-"""How each kind of file says that graphkin wrote it, so that it may be written anew."""
+_SIGNED = {".txt": "{text}\n(graphkin)\n", ".html": "{text}<!-- graphkin -->\n", ".tex": "{text}% graphkin\n"}
+"""By these words at its end a file is known as graphkin's, so that it may be written anew."""
 
 
 def write(path: Path, document: Document, force: bool = False) -> None:
     """Write a document by its file's ending. Raises FileInTheWay, NoFolder, CannotWrite."""
     kind = path.suffix.lower()
     with beside(path, force, (b"graphkin",)) as draft:
-        draft.write_text(SIGNED[kind].format(text=WRITERS[kind](document)), encoding="utf-8", newline="\n")
+        draft.write_text(_SIGNED[kind].format(text=WRITERS[kind](document)), encoding="utf-8", newline="\n")

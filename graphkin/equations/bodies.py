@@ -9,14 +9,14 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import count
 
 from graphkin.analytic import Motion
-from graphkin.equations.legend import Legend
-from graphkin.equations.readers import angle_readers, difference
-from graphkin.equations.symbols import NO_ANGLE, AngleSum, Symbol
+from graphkin.equations.expressions import NO_ANGLE, AngleSum, Symbol
+from graphkin.equations.legend import Legend, angle_readers, difference
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Slide
 from graphkin.planning.structure import Topology
@@ -26,18 +26,20 @@ _PLACES = 12
 """Decimals of a metre to which points of a link at one place agree."""
 _STRAIGHT = 1e-9
 """An angle this near to a multiple of 90 deg is one [rad]."""
+_RATES = ("direction", "angular velocity", "angular acceleration")
 
 
 def quarters(angle: float) -> int | None:
-    """How many quarter turns an angle is; None where it is none."""
+    """An angle as a number of quarter turns; None where it is no whole number of them."""
     count = round(angle / (math.pi / 2))
     return count % 4 if abs(angle - count * math.pi / 2) < _STRAIGHT else None
 
 
 @dataclass
 class Bodies:
-    """Angles of bodies, found group by group.
+    """Angles of bodies, worked out group by group.
 
+    motion  the analytic solution at the drawn position
     angles  of each body
     base    the unknown θ of each body's group; None in the frame's
     drivers the symbol each driver of an angle turns
@@ -45,24 +47,30 @@ class Bodies:
     """
 
     structure: Topology
-    ledger: Legend
-    drawn: Motion
+    legend: Legend
+    motion: Motion
     angles: dict[str, AngleSum] = field(default_factory=dict)
     base: dict[str, Symbol | None] = field(default_factory=dict)
     drivers: dict[int, Symbol] = field(default_factory=dict)
     spots: dict[str, tuple[str, str]] = field(default_factory=dict)
     _lines: dict[str, AngleSum] = field(default_factory=dict)
-    _named: set[str] = field(default_factory=set)
+    _with_symbol: set[str] = field(default_factory=set)
 
     def __post_init__(self) -> None:
         self._spread(FRAME, NO_ANGLE, None)
-        for body in sorted(self.structure.bodies, key=self._rank):
+        guides = {slide.guide for slide in self.structure.slides.values()}
+
+        def rank(body: str) -> tuple[bool, bool, int]:
+            """Guides with a direction of their own first, then links with one, in the order of the file."""
+            return len(self.structure.bodies[body]) <= 1, body not in guides, self.structure.order[body]
+
+        for body in sorted(self.structure.bodies, key=rank):
             if body not in self.angles:
                 theta = self._theta(body, steady=False)
                 self._spread(body, AngleSum.of(theta), theta)
 
     def called(self, body: str) -> str:
-        """What people call a body; links of the lower-pair equivalent are e, e2, .. as in the drawings."""
+        """The name that people give a body; links of the lower-pair equivalent are e, e2, .. as in the drawings."""
         if self.structure.is_pin(body):
             return self.called(self.structure.pins[body].guide)
         extra = [name for name, link in self.structure.mechanism.links.items() if link.stands_for is not None]
@@ -75,135 +83,105 @@ class Bodies:
         unnamed = self.structure.mechanism.unnamed
         if point not in unnamed:
             return point
-        found: dict[tuple[str, complex], str] = {}
+        names: dict[tuple[str, complex], str] = {}
         free = (name for k in count() if (name := "O" + "'" * k) not in self.structure.mechanism.points)
         for body, shape in self.structure.shapes.items():
             for other in sorted(shape, key=lambda name: name in unnamed):
                 at = body, complex(round(shape[other].real, _PLACES), round(shape[other].imag, _PLACES))
-                if at not in found:
-                    found[at] = other if other not in unnamed else next(free)
+                if at not in names:
+                    names[at] = other if other not in unnamed else next(free)
                 if other == point:
-                    if found[at] not in shape:
-                        self.spots.setdefault(found[at], (point, body))
-                    return found[at]
+                    if names[at] not in shape:
+                        self.spots.setdefault(names[at], (point, body))
+                    return names[at]
         return point
-
-    def _rank(self, body: str) -> tuple[bool, bool, int]:
-        """Guides with a direction of their own first, then links with one, in the order of the file."""
-        straight = len(self.structure.bodies[body]) > 1
-        guides = {slide.guide for slide in self.structure.slides.values()}
-        return not straight, body not in guides, self.structure.order[body]
 
     def _spread(self, start: str, angle: AngleSum, base: Symbol | None) -> None:
         """From one body to all that keep their angle to it, or are driven against it."""
         self.angles[start], self.base[start], queue = angle, base, [start]
         for body in queue:
-            for other, found in self._held(body).items():
+            for other, angle_of_other in self._held(body).items():
                 if other not in self.angles:
-                    self.angles[other] = found()
+                    self.angles[other] = angle_of_other()
                     self.base[other] = base
                     queue.append(other)
-                    self._name(other)
+                    self._add_alias(other)
 
-    def _held(self, body: str) -> Mapping[str, _Maker]:
-        makers: dict[str, _Maker] = {}
+    def _held(self, body: str) -> dict[str, Callable[[], AngleSum]]:
+        """Makers of the angles of all bodies that a slide or a driver holds against this one."""
+        makers: dict[str, Callable[[], AngleSum]] = {}
         for slide in self.structure.slides.values():
             block = self.structure.block(slide)
-            if body == slide.guide:
-                makers.setdefault(block, _Maker(self, body, block, slide, 1))
-            elif body == block:
-                makers.setdefault(slide.guide, _Maker(self, body, slide.guide, slide, -1))
+            if body in (slide.guide, block):
+                other, sign = (block, 1) if body == slide.guide else (slide.guide, -1)
+                makers.setdefault(other, partial(self._slid, body, slide, sign))
         for number, driver in enumerate(self.structure.mechanism.drivers):
             if driver.kind != "slide" and body in (driver.link, driver.from_link):
-                sign = 1 if body == driver.from_link else -1
-                other = driver.link if sign == 1 else driver.from_link
-                makers.setdefault(other, _Maker(self, body, other, (number, driver), sign))
+                other, sign = (driver.link, 1) if body == driver.from_link else (driver.from_link, -1)
+                makers.setdefault(other, partial(self._driven, body, other, number, sign))
         return makers
 
     # --- symbols -------------------------------------------------------------------------------
 
     def _theta(self, body: str, steady: bool) -> Symbol:
-        symbol = self.ledger.fresh("θ", self.called(body), "angle", steady)
-        texts = tuple(meaning(f"equations.turning {rate}", link=self.called(body)) for rate in _TURNING)
-        readers = angle_readers(self.structure, body, self.drawn)
-        return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), readers)
+        symbol = self.legend.fresh("θ", self.called(body), "angle", steady)
+        texts = tuple(meaning(f"equations.turning {rate}", link=self.called(body)) for rate in _RATES)
+        readers = angle_readers(self.structure, body, self.motion)
+        return self.legend.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), readers)
 
-    def _phi(self, driver: Driver) -> Symbol:
+    def _relative_angle(self, driver: Driver) -> Symbol:
+        """θ21 of a driver between two moving links."""
         names = self.called(driver.link), self.called(driver.from_link)
         low = "".join(names) if all(len(name) == 1 for name in names) else "/".join(names)
-        symbol = self.ledger.fresh("θ", low, "angle", driver.acceleration == 0)
+        symbol = self.legend.fresh("θ", low, "angle", driver.acceleration == 0)
         words = {"link": names[0], "other": names[1]}
-        place, *rates = (meaning(f"equations.relative {rate}", **words) for rate in _TURNING)
+        angle, *rates = (meaning(f"equations.relative {rate}", **words) for rate in _RATES)
         if driver.vector is not None and driver.from_vector is not None and driver.value is not None:
-            more = {"vector": "".join(driver.vector), "seen": "".join(driver.from_vector)}
-            angle = f"{math.degrees(driver.value):.6g}"
-            place = meaning("equations.relative direction given", **words, **more, angle=angle)
-        texts = (place, *rates)
-        both = (angle_readers(self.structure, body, self.drawn) for body in (driver.link, driver.from_link))
-        return self.ledger.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), difference(*both))
+            words |= {"vector": "".join(driver.vector), "seen": "".join(driver.from_vector)}
+            degrees = f"{math.degrees(driver.value):.6g}"
+            angle = meaning("equations.relative direction given", **words, angle=degrees)
+        both = (angle_readers(self.structure, body, self.motion) for body in (driver.link, driver.from_link))
+        return self.legend.variable(symbol, (angle, *rates), ("deg", "rad/s", "rad/s^2"), difference(*both))
 
-    def driven(self, body: str, other: str, number: int, driver: Driver, sign: int) -> AngleSum:
+    def _driven(self, body: str, other: str, number: int, sign: int) -> AngleSum:
         """The angle of `other` that a driver gives: its own θ where `body` stands still, else θ21."""
+        driver = self.structure.mechanism.drivers[number]
         if not self.angles[body].moving:
             self.drivers[number] = self._theta(other, driver.acceleration == 0)
-            self._named.add(other)
+            self._with_symbol.add(other)
             return AngleSum.of(self.drivers[number])
-        self.drivers[number] = self._phi(driver)
-        phi = AngleSum.of(self.drivers[number])
-        return self.angles[body] + (phi if sign == 1 else -phi)
+        self.drivers[number] = self._relative_angle(driver)
+        turn = AngleSum.of(self.drivers[number])
+        return self.angles[body] + (turn if sign == 1 else -turn)
+
+    def _slid(self, body: str, slide: Slide, sign: int) -> AngleSum:
+        """The angle of the block on a guide (sign 1), or of the guide under a block (-1)."""
+        names = self.called(self.structure.block(slide)), self.called(slide.guide)
+        if (count := quarters(slide.tilt)) is not None or slide.block is None:
+            turn = self.line(slide).turned(count or 0)
+        else:
+            text = meaning("equations.block line", guide=names[1], block=names[0])
+            turn = self._constant(slide.turn, "δ", names[0], text)
+        return self.angles[body] + (turn if sign == 1 else -turn)
 
     def line(self, slide: Slide) -> AngleSum:
         """The angle from the guide's axis to the slide's line."""
         if slide.name not in self._lines:
-            low = "" if self._oblique() == 1 else self.called(slide.guide)
-            what = meaning("equations.guide line", link=self.called(slide.guide))
+            oblique = [s for s in self.structure.slides.values() if quarters(cmath.phase(s.line.direction)) is None]
+            low = "" if len(oblique) == 1 else self.called(slide.guide)
+            text = meaning("equations.guide line", link=self.called(slide.guide))
             if slide.guide == FRAME:
-                what = meaning("equations.fixed guide", point=slide.point)
-            self._lines[slide.name] = self._constant(cmath.phase(slide.line.direction), "γ", low, what)
+                text = meaning("equations.fixed guide", point=slide.point)
+            self._lines[slide.name] = self._constant(cmath.phase(slide.line.direction), "γ", low, text)
         return self._lines[slide.name]
 
-    def _oblique(self) -> int:
-        """How many lines want an angle of their own."""
-        return sum(quarters(cmath.phase(s.line.direction)) is None for s in self.structure.slides.values())
-
-    def turn(self, slide: Slide) -> AngleSum:
-        """The angle from the guide's axis to the block's."""
-        if (count := quarters(slide.tilt)) is not None or slide.block is None:
-            return self.line(slide).turned(count or 0)
-        names = self.called(slide.block), self.called(slide.guide)
-        what = meaning("equations.block line", guide=names[1], block=names[0])
-        key = f"{slide.name} block"
-        if key not in self._lines:
-            self._lines[key] = self._constant(slide.turn, "δ", names[0], what)
-        return self._lines[key]
-
-    def _constant(self, value: float, letter: str, low: str, what: Meaning) -> AngleSum:
+    def _constant(self, value: float, letter: str, low: str, text: Meaning) -> AngleSum:
         if (count := quarters(value)) is not None:
             return AngleSum((), count)
-        return AngleSum.of(self.ledger.constant(letter, low, what, "deg", math.remainder(value, math.tau)))
+        return AngleSum.of(self.legend.constant(letter, low, text, "deg", math.remainder(value, math.tau)))
 
-    def _name(self, body: str) -> None:
+    def _add_alias(self, body: str) -> None:
         """A link whose angle follows from others has a θ of its own: a name for that sum."""
         angle = self.angles[body]
-        if not self.structure.is_pin(body) and angle.moving and body not in self._named:
-            self.ledger.alias[self._theta(body, steady=False)] = angle
-
-
-_TURNING = ("direction", "angular velocity", "angular acceleration")
-
-
-@dataclass(frozen=True)
-class _Maker:
-    """Gives the angle of `other` by that of `body`, when it is first needed."""
-
-    bodies: Bodies
-    body: str
-    other: str
-    by: Slide | tuple[int, Driver]
-    sign: int
-
-    def __call__(self) -> AngleSum:
-        if isinstance(self.by, Slide):
-            turn = self.bodies.turn(self.by)
-            return self.bodies.angles[self.body] + (turn if self.sign == 1 else -turn)
-        return self.bodies.driven(self.body, self.other, *self.by, self.sign)
+        if not self.structure.is_pin(body) and angle.moving and body not in self._with_symbol:
+            self.legend.alias[self._theta(body, steady=False)] = angle

@@ -1,21 +1,28 @@
-"""What the writers write: headings, sentences with formulas in them, displayed equations, tables, a figure."""
+"""A document, its headings, sentences with formulas, displayed equations, tables, a figure; and one in the making."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from graphkin.base.value import frozen
-from graphkin.equations.layout import Node
+from graphkin.equations.expressions import Sum, Symbol
+from graphkin.equations.formulas import ZERO, Letter, Node, Op, Row
 from graphkin.errors import Lang
+from graphkin.say.catalogue import phrase, say
 from graphkin.sheet import Sheet
 
 By = Literal["complex", "matrix"]
-Words = tuple[str | Node, ...]
+Cell = str | Node
+"""Words or a formula."""
 
 
 @frozen
 class DocumentHeading:
+    """The heading of a section (level 2) or of a part of one (3)."""
+
     text: str
     level: int = 2
 
@@ -24,7 +31,7 @@ class DocumentHeading:
 class DocumentSentence:
     """Words, and formulas in the line."""
 
-    parts: Words
+    parts: tuple[Cell, ...]
 
 
 @frozen
@@ -37,8 +44,10 @@ class Display:
 
 @frozen
 class DocumentTable:
+    """A table with a line of headings."""
+
     heads: tuple[str, ...]
-    rows: tuple[tuple[str | Node, ...], ...]
+    rows: tuple[tuple[Cell, ...], ...]
 
 
 @frozen
@@ -60,3 +69,64 @@ class Document:
     by: By
     lang: Lang
     name: str
+
+
+@dataclass
+class EquationPage:
+    """Blocks one after another: `say` writes a sentence by its key, `show` equations, numbered as they come."""
+
+    lang: Lang
+    blocks: list[Block] = field(default_factory=list)
+    shown: int = 0
+
+    def head(self, key: str, level: int = 2, /, **words: str | int) -> None:
+        self.blocks.append(DocumentHeading(say(key, self.lang, **words), level))
+
+    def say(self, key: str, /, **words: str | int | Node) -> None:
+        """A sentence, its words and formulas put in where the phrase names them."""
+        pieces = re.split(r"\{(\w+)\}", phrase(key, self.lang))
+        parts = (words[piece] if k % 2 else piece for k, piece in enumerate(pieces) if piece)
+        self.blocks.append(DocumentSentence(tuple(str(part) if isinstance(part, int) else part for part in parts)))
+
+    def show(self, *rows: Iterable[Node]) -> None:
+        self.shown += 1
+        self.blocks.append(Display(tuple(tuple(row) for row in rows), self.shown))
+
+    def add_table(self, heads: Iterable[str], rows: Iterable[Iterable[Cell]]) -> None:
+        self.blocks.append(DocumentTable(tuple(heads), tuple(tuple(row) for row in rows)))
+
+    def say_derived(self, sums: Iterable[Sum], again: bool = False) -> None:
+        """The sentence before a second derivative, with the rates that are zero in it: `.., with α1 = 0`."""
+        pushes = (without_push(symbol) for of in sums for symbol in of.moving)
+        zeros = [is_zero(push) for push in dict.fromkeys(pushes) if push is not None]
+        if zeros:
+            key = "equations.derived again steady" if again else "equations.derived steady"
+            self.say(key, zero=listed(zeros))
+        else:
+            self.say("equations.derived again" if again else "equations.derived")
+
+
+def motion_of(driver: Symbol) -> list[Node]:
+    """θ1, ω1 and α1, or α1 = 0 of a driver at constant speed."""
+    moving = replace(driver, steady=False)
+    assert moving.rate is not None
+    assert moving.rate.rate is not None
+    steady = without_push(driver)
+    return [Letter(driver), Letter(moving.rate), Letter(moving.rate.rate) if steady is None else is_zero(steady)]
+
+
+def without_push(symbol: Symbol) -> Symbol | None:
+    """α1 of a driver at constant speed; None of what may speed up."""
+    rate = symbol if symbol.kind == "rate" else symbol.rate
+    return replace(rate, steady=False).rate if rate is not None and rate.kind == "rate" and rate.steady else None
+
+
+def is_zero(symbol: Symbol) -> Node:
+    """α1 = 0."""
+    return Row((Letter(symbol), Op("="), ZERO))
+
+
+def listed(items: Sequence[Symbol | Node]) -> Node:
+    """θ2, θ3."""
+    nodes = (Letter(item) if isinstance(item, Symbol) else item for item in items)
+    return Row(tuple(part for node in nodes for part in (Op(","), node))[1:])

@@ -1,4 +1,4 @@
-"""Closed forms of a polygon with two unknown scalars: which of them an equation can be had for, and what it is.
+"""Closed forms of a polygon with two unknown scalars: positions with their two roots, rates as quotients.
 
 With the unknowns' vectors apart the polygon reads K + U e^(iθ) + .. = 0, K known. What is multiplied crosswise by an
 unknown's direction loses that unknown; squares of lengths lose an angle. All dyads are solved by these two rules.
@@ -6,11 +6,21 @@ unknown's direction loses that unknown; squares of lengths lose an angle. All dy
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 
+import numpy as np
+
+from graphkin.base.geometry import Value
+from graphkin.base.geometry import number as real
 from graphkin.base.value import frozen
-from graphkin.equations.expressions import Sum, SymbolProduct, number, phasor
-from graphkin.equations.symbols import AngleSum, Symbol
+from graphkin.equations.document import EquationPage
+from graphkin.equations.expressions import ONE, AngleSum, Sum, Symbol, SymbolProduct, cross, dot, squared, unit_vector
+from graphkin.equations.formulas import ZERO, Call, Frac, Letter, Node, Num, Op, Pow, Root, Row
+from graphkin.equations.legend import Legend
+from graphkin.equations.pretty import Pretty, added
+
+Values = Mapping[Symbol, Value]
 
 
 @frozen
@@ -30,7 +40,7 @@ class Split:
 
     @property
     def known(self) -> Sum:
-        return Sum(tuple(term for term in self.sum.terms if not any(term.has(symbol) for symbol in self.unknowns)))
+        return self.sum.lacking(*self.unknowns)
 
     def slid(self, slide: Symbol) -> SymbolProduct:
         """The term of an unknown displacement."""
@@ -40,19 +50,196 @@ class Split:
         """U of U e^(iθ): what turns with an angle, unknown displacements left out."""
         sliding = [self.slid(slide) for slide in self.slides]
         turning = tuple(term for term in self.sum.terms if term.has(angle) and term not in sliding)
-        return Sum(turning) * phasor(number(1.0), -AngleSum.of(angle))
+        return Sum(turning) * unit_vector(-AngleSum.of(angle))
 
     @property
     def turns_with(self) -> bool:
-        """Whether the unknown displacement's own direction turns with the unknown angle."""
+        """True where the unknown displacement's own direction turns with the unknown angle."""
         return bool(self.angles and self.slides and self.slid(self.slides[0]).angle.has(self.angles[0]))
 
 
-def unit(term: SymbolProduct) -> Sum:
-    """The direction of a term, of length 1."""
-    return phasor(number(1.0), term.angle)
+# --- rates ------------------------------------------------------------------------------------
 
 
-def single(vector: Sum) -> SymbolProduct | None:
-    """The only term of a vector; None where there are several."""
-    return vector.terms[0] if len(vector.terms) == 1 else None
+@frozen
+class RateQuotient:
+    """symbol = top / bottom."""
+
+    symbol: Symbol
+    top: Sum
+    bottom: Sum
+
+    @property
+    def signed(self) -> RateQuotient:
+        """Factors of bare numbers put into the top."""
+        term = self.bottom.only
+        if term is not None and not term.symbols and not term.waves:
+            return RateQuotient(self.symbol, self.top.times(1 / term.factor), ONE)
+        negative = bool(self.bottom.terms) and self.bottom.terms[0].factor < 0
+        return RateQuotient(self.symbol, -self.top, -self.bottom) if negative else self
+
+
+def quotients(split: Split, order: int) -> Iterator[RateQuotient]:
+    """The first (order 1) or second (2) derivatives of the unknowns: (3-13), (3-14), (3-16), (3-17) for every dyad.
+
+    The polygon derived is linear in them: c1 x1 + c2 x2 + rest = 0 with plane vectors c. Multiplied crosswise by c2
+    it gives x1. A displacement beside an angle is projected on its own line, as the angle's rate is known by then.
+    """
+    derived = split.sum.rate if order == 1 else split.sum.rate.rate
+    unknowns = (*split.angles, *split.slides)
+    rates = {symbol: symbol.derivative(order) for symbol in unknowns}
+    rest = derived.lacking(*rates.values())
+    columns = {symbol: split.sum.partial(symbol) for symbol in unknowns}
+    for symbol in (*reversed(split.angles), *split.slides):
+        rate, others = rates[symbol], [other for other in unknowns if other != symbol]
+        if symbol in split.slides and split.angles:
+            term = split.slid(symbol)
+            top = -dot(unit_vector(term.angle), derived.lacking(rate))
+            yield RateQuotient(rate, top, Sum((SymbolProduct(term.factor),))).signed
+        elif others:
+            across = _unit_along(columns[others[0]])
+            yield RateQuotient(rate, -cross(across, rest), cross(across, columns[symbol])).signed
+        else:
+            along = _unit_along(columns[symbol])
+            yield RateQuotient(rate, -dot(along, rest), dot(along, columns[symbol])).signed
+
+
+def _unit_along(column: Sum) -> Sum:
+    """A vector of the same direction, of length 1 where it is one arrow."""
+    return column if column.only is None else unit_vector(column.only.angle)
+
+
+# --- positions --------------------------------------------------------------------------------
+
+
+@frozen
+class Solver:
+    """Writes the positions of one polygon's unknowns on a page: the equation left, its two roots and the sign taken.
+
+    values  all letters at the drawn position: they tell which root is taken
+    low     subscript of A, B, C where several polygons have them
+    """
+
+    page: EquationPage
+    pretty: Pretty
+    legend: Legend
+    values: Values
+    low: str
+
+    def write(self, split: Split) -> None:
+        match len(split.angles), len(split.slides):
+            case 2, 0:
+                self._two_angles(split)
+            case 1, 1 if split.turns_with:
+                self._turning_slide(split)
+            case 1, 1:
+                self._angle_and_slide(split)
+            case 0, 2:
+                self._two_slides(split)
+            case 1, 0:
+                self._direction(split.angles[0], split.lever(split.angles[0]), split.known)
+            case _:
+                raise ValueError(f"{len(split.unknowns)} unknowns of one polygon")
+
+    def _two_angles(self, split: Split) -> None:
+        """RRR: |U|² = |V e^(iθ) + K|², which is A sin θ + B cos θ + C = 0."""
+        other, angle = split.angles
+        lever, arm, known = split.lever(other), split.lever(angle), split.known
+        turned = known.conjugate * arm
+        self.page.say("equations.eliminate angle", other=Letter(other), angle=Letter(angle))
+        rest = squared(lever) - squared(arm) - squared(known)
+        self._half_angle(angle, turned.imag.times(2.0), turned.real.times(-2.0), rest)
+        self._direction(other, lever, known + arm * unit_vector(AngleSum.of(angle)))
+
+    def _angle_and_slide(self, split: Split) -> None:
+        """RRP: across the guide the displacement vanishes."""
+        angle, slide = split.angles[0], split.slides[0]
+        term, lever, known = split.slid(slide), split.lever(angle), split.known
+        line = unit_vector(term.angle)
+        self.page.say("equations.eliminate slide", other=Letter(slide))
+        if lever.only is not None:
+            self._sine(line, lever * unit_vector(AngleSum.of(angle)), known)
+        else:
+            turned = line.conjugate * lever
+            self._half_angle(angle, turned.real, turned.imag, cross(line, known))
+        self.page.say("equations.along", slide=Letter(slide))
+        rest = Sum(tuple(other for other in split.sum.terms if other != term))
+        self.page.show((Letter(slide), self.pretty.sum(dot(line, rest).times(-1 / term.factor))))
+
+    def _turning_slide(self, split: Split) -> None:
+        """RPR: the displacement's line turns with the lever; |K|² = |U + s e^(iβ)|²."""
+        angle, slide = split.angles[0], split.slides[0]
+        lever, known, term = split.lever(angle), split.known, split.slid(slide)
+        line = unit_vector(term.angle - AngleSum.of(angle))
+        offset = dot(line, lever).times(-term.factor)
+        under = squared(known) - cross(line, lever) * cross(line, lever)
+        self.page.say("equations.square", angle=Letter(angle))
+        root = Root(self.pretty.sum(under))
+        if offset.terms or real(self.values[slide]) < 0:
+            self.page.show((Letter(slide), Row((*_items(offset, self.pretty), Op("±"), root))))
+            self._sign(real(self.values[slide]) - real(offset.at(self.values)) > 0)
+        else:
+            self.page.show((Letter(slide), root))
+        self._direction(angle, lever + Sum((SymbolProduct(term.factor, ((slide, 1),)),)) * line, known)
+
+    def _two_slides(self, split: Split) -> None:
+        """Both directions are known: each displacement across the other's line."""
+        self.page.say("equations.each across")
+        rows = []
+        for slide, other in (split.slides, split.slides[::-1]):
+            across, term = unit_vector(split.slid(other).angle), split.slid(slide)
+            bottom = cross(across, unit_vector(term.angle)).times(term.factor)
+            rows.append((Letter(slide), self.pretty.quotient(-cross(across, split.known), bottom)))
+        self.page.show(*rows)
+
+    # --- their parts ---------------------------------------------------------------------------
+
+    def _half_angle(self, angle: Symbol, a: Sum, b: Sum, c: Sum) -> None:
+        """A sin θ + B cos θ + C = 0, and tan(θ/2) = (A ± √(A² + B² − C²)) / (B − C)."""
+        first, second, third = letters = [Letter(self.legend.fresh(letter, self.low)) for letter in ("A", "B", "C")]
+        theta = Letter(angle)
+        terms = Row((first, Call("sin", (theta,)))), Row((second, Call("cos", (theta,)))), third
+        self.page.show((added([(False, term) for term in terms]), ZERO))
+        self.page.say("equations.with")
+        self.page.show(*((letter, self.pretty.factored(of)) for letter, of in zip(letters, (a, b, c), strict=True)))
+        root = Root(added([(False, Pow(first, 2)), (False, Pow(second, 2)), (True, Pow(third, 2))]))
+        half = Call("tan", (Row((theta, Op("/"), Num("2"))),))
+        self.page.say("equations.solved")
+        self.page.show((half, Frac(Row((first, Op("±"), root)), Row((second, Op("−"), third)))))
+        x = real(self.values[angle])
+        self._sign(bool(real(a.at(self.values)) * np.cos(x) - real(b.at(self.values)) * np.sin(x) < 0))
+
+    def _sine(self, line: Sum, turned: Sum, known: Sum) -> None:
+        """One arrow of unknown angle against a line: its sine is known, its cosine up to the sign."""
+        (first,), (second,) = cross(line, turned).terms, dot(line, turned).terms
+        sine, cosine = (Sum((SymbolProduct(1.0, waves=term.waves),)) for term in (first, second))
+        left = self.pretty.sum(sine)
+        right = self.pretty.quotient(-cross(line, known), Sum((SymbolProduct(first.factor, first.symbols),)))
+        root = Root(Row((Num("1"), Op("−"), Pow(left, 2))))
+        self.page.show((left, right), (self.pretty.sum(cosine), Row((Op("±"), root))))
+        self._sign(real(cosine.at(self.values)) > 0)
+
+    def _direction(self, angle: Symbol, lever: Sum, rest: Sum) -> None:
+        """lever · e^(iθ) = −rest: θ is the direction of −rest less that of the lever."""
+        self.page.say("equations.direction of", angle=Letter(angle))
+        if lever.terms and lever.terms[0].factor < 0:
+            lever, rest = -lever, -rest
+        if lever.only is None:
+            self.page.show((Letter(angle), Row((self._direction_of(-rest), Op("−"), self._direction_of(lever)))))
+        else:
+            theta = AngleSum.of(angle) + lever.only.angle
+            self.page.show((self.pretty.angle(theta), self._direction_of(-rest)))
+
+    def _direction_of(self, vector: Sum) -> Node:
+        return Call("atan2", (self.pretty.sum(vector.imag), self.pretty.sum(vector.real)))
+
+    def _sign(self, positive: bool) -> None:
+        self.page.say("equations.sign", sign="+" if positive else "−")
+
+
+def _items(of: Sum, pretty: Pretty) -> tuple[Node, ...]:
+    """A sum's nodes, to be followed by more."""
+    if not of.terms:
+        return ()
+    node = pretty.sum(of)
+    return node.items if isinstance(node, Row) and any(isinstance(item, Op) for item in node.items) else (node,)

@@ -1,6 +1,7 @@
-"""Sums of products of numbers, symbols, and cos, sin or e^i of angles: all that loop equations are made of.
+"""Symbols, sums of angles, and sums of products with cos, sin or e^i of them: all that loop equations are made of.
 
-A small closed set of values with the few operations kinematics needs: add, multiply, conjugate, real and imaginary
+A symbol is a letter with a subscript: l3, l3', s_E, θ3, γ. Its rate is another symbol: θ3, ω3, α3 and s, ṡ, s̈. Sums
+are a small closed set of values with the few operations kinematics needs: add, multiply, conjugate, real and imaginary
 part, derive, evaluate. It is no computer algebra: nothing is simplified but like terms and quarter turns.
 """
 
@@ -15,7 +16,100 @@ import numpy as np
 
 from graphkin.base.geometry import Value
 from graphkin.base.value import frozen
-from graphkin.equations.symbols import NO_ANGLE, AngleSum, Symbol
+
+Kind = Literal["constant", "angle", "displacement", "rate", "push"]
+_RANKS: dict[Kind, int] = {"constant": 0, "displacement": 1, "angle": 2, "rate": 3, "push": 4}
+_ANGULAR = {"θ": "ω", "φ": "ω", "ω": "α"}
+
+
+@frozen
+class Symbol:
+    """One letter of the formulas.
+
+    low     subscript without its primes: a link, a point
+    dots    time derivatives written over the letter (ṡ, s̈); ω and α have letters of their own
+    kind    what it is; a "push" is a second derivative
+    steady  its second derivative is zero: a driver at constant speed
+    """
+
+    letter: str
+    low: str = ""
+    primes: int = 0
+    dots: int = 0
+    kind: Kind = "constant"
+    steady: bool = False
+
+    @property
+    def rate(self) -> Symbol | None:
+        """Its time derivative: None where that is zero."""
+        if self.kind == "constant" or (self.kind == "rate" and self.steady):
+            return None
+        if self.kind == "push":
+            raise ValueError("third derivatives have no letters")
+        kind: Kind = "rate" if self.kind in ("angle", "displacement") else "push"
+        if self.letter in _ANGULAR:
+            return replace(self, letter=_ANGULAR[self.letter], kind=kind)
+        return replace(self, dots=self.dots + 1, kind=kind)
+
+    def derivative(self, order: int) -> Symbol:
+        """Its first (order 1) or second (2) derivative, which is not zero."""
+        derivative = self if order == 0 else self.derivative(order - 1).rate
+        assert derivative is not None
+        return derivative
+
+    @property
+    def moves(self) -> bool:
+        return self.kind != "constant"
+
+    @property
+    def order(self) -> tuple[int, str, int, str, int, int]:
+        """Its place in a product: dimensions, displacements, rates."""
+        return _RANKS[self.kind], self.letter, len(self.low), self.low, self.primes, self.dots
+
+
+@frozen
+class AngleSum:
+    """A sum of angles, θ1 − θ3 + γ + 90°: symbols with whole coefficients in their order, and quarter turns."""
+
+    parts: tuple[tuple[Symbol, int], ...] = ()
+    quarters: int = 0
+
+    @classmethod
+    def of(cls, symbol: Symbol, quarters: int = 0) -> AngleSum:
+        return cls(((symbol, 1),), quarters)
+
+    @classmethod
+    def sum_of(cls, parts: Iterable[tuple[Symbol, int]], quarters: int) -> AngleSum:
+        """Like symbols together, in their order; whole turns left out."""
+        counts: dict[Symbol, int] = {}
+        for symbol, count in parts:
+            counts[symbol] = counts.get(symbol, 0) + count
+        nonzero = ((symbol, count) for symbol, count in counts.items() if count)
+        return cls(tuple(sorted(nonzero, key=lambda part: (not part[0].moves, part[0].order))), quarters % 4)
+
+    def __add__(self, other: AngleSum) -> AngleSum:
+        return AngleSum.sum_of((*self.parts, *other.parts), self.quarters + other.quarters)
+
+    def __neg__(self) -> AngleSum:
+        return AngleSum.sum_of(((s, -n) for s, n in self.parts), -self.quarters)
+
+    def __sub__(self, other: AngleSum) -> AngleSum:
+        return self + -other
+
+    def turned(self, quarters: int) -> AngleSum:
+        return AngleSum.sum_of(self.parts, self.quarters + quarters)
+
+    @property
+    def moving(self) -> tuple[tuple[Symbol, int], ...]:
+        """The symbols that change with time."""
+        return tuple(part for part in self.parts if part[0].moves)
+
+    def has(self, symbol: Symbol) -> bool:
+        return any(symbol == part for part, _ in self.parts)
+
+
+NO_ANGLE = AngleSum()
+
 
 Values = Mapping[Symbol, Value]
 WaveKind = Literal["cos", "sin", "exp"]
@@ -43,39 +137,43 @@ class SymbolProduct:
         for symbol, power in other.symbols:
             powers[symbol] = powers.get(symbol, 0) + power
         symbols = tuple(sorted(powers.items(), key=lambda item: item[0].order))
-        plain = [wave for wave in (*self.waves, *other.waves) if wave.kind != "exp"]
-        turning = [wave.angle for wave in (*self.waves, *other.waves) if wave.kind == "exp"]
-        made = _plain(self.factor * other.factor, symbols, tuple(plain), self.turns + other.turns)
-        return _turned(made, sum(turning, NO_ANGLE)) if turning else made
+        waves = (*self.plain.waves, *other.plain.waves)
+        product = SymbolProduct(self.factor * other.factor, symbols, waves).turned(self.turns + other.turns)
+        return product.times_phasor(self.exponent + other.exponent)
+
+    def turned(self, quarters: int) -> SymbolProduct:
+        """The term times a power of i, half turns folded into its sign."""
+        turns = (self.turns + quarters) % 4
+        return replace(self, factor=-self.factor if turns >= 2 else self.factor, turns=turns % 2)
+
+    def times_phasor(self, angle: AngleSum) -> SymbolProduct:
+        """The term times e^(i angle): half turns go into the sign; a plain quarter turn is i."""
+        if not angle.parts:
+            return self.turned(angle.quarters)
+        factor = -self.factor if angle.quarters >= 2 else self.factor
+        return replace(self, factor=factor, waves=(*self.waves, Wave("exp", AngleSum(angle.parts, angle.quarters % 2))))
 
     @property
     def key(self) -> tuple[object, ...]:
         return self.symbols, self.waves, self.turns
 
     @property
+    def plain(self) -> SymbolProduct:
+        """The term without its e^i."""
+        return replace(self, waves=tuple(wave for wave in self.waves if wave.kind != "exp"))
+
+    @property
+    def exponent(self) -> AngleSum:
+        """The angle of its e^i."""
+        return next((wave.angle for wave in self.waves if wave.kind == "exp"), NO_ANGLE)
+
+    @property
     def angle(self) -> AngleSum:
         """The angle of the arrow this term is."""
-        return next((wave.angle for wave in self.waves if wave.kind == "exp"), NO_ANGLE).turned(self.turns)
+        return self.exponent.turned(self.turns)
 
     def has(self, symbol: Symbol) -> bool:
         return any(symbol == s for s, _ in self.symbols) or any(wave.angle.has(symbol) for wave in self.waves)
-
-
-def _plain(
-    factor: float, symbols: tuple[tuple[Symbol, int], ...], waves: tuple[Wave, ...], turns: int
-) -> SymbolProduct:
-    """A term whose power of i is folded into its sign."""
-    sign = -1.0 if turns % 4 in (2, 3) else 1.0
-    return SymbolProduct(sign * factor, symbols, waves, turns % 2)
-
-
-def _turned(term: SymbolProduct, angle: AngleSum) -> SymbolProduct:
-    """The term times e^(i angle): half turns go into the sign; a plain quarter turn is i."""
-    quarters = angle.quarters
-    if not angle.parts:
-        return _plain(term.factor, term.symbols, term.waves, term.turns + quarters)
-    sign, rest = (-1.0 if quarters >= 2 else 1.0), quarters % 2
-    return replace(term, factor=sign * term.factor, waves=(*term.waves, Wave("exp", AngleSum(angle.parts, rest))))
 
 
 @frozen
@@ -87,11 +185,11 @@ class Sum:
     @classmethod
     def of(cls, terms: Iterable[SymbolProduct]) -> Sum:
         """Like terms together, in the order of their first."""
-        found: dict[tuple[object, ...], SymbolProduct] = {}
+        sums: dict[tuple[object, ...], SymbolProduct] = {}
         for term in terms:
-            known = found.get(term.key)
-            found[term.key] = term if known is None else replace(known, factor=known.factor + term.factor)
-        return cls(tuple(term for term in found.values() if term.factor != 0))
+            like = sums.get(term.key)
+            sums[term.key] = term if like is None else replace(like, factor=like.factor + term.factor)
+        return cls(tuple(term for term in sums.values() if term.factor != 0))
 
     def __add__(self, other: Sum) -> Sum:
         return Sum.of((*self.terms, *other.terms))
@@ -110,23 +208,39 @@ class Sum:
 
     @property
     def conjugate(self) -> Sum:
-        return Sum.of(_conjugate(term) for term in self.terms)
+        parts = ((term.plain, -term.exponent, -term.factor if term.turns else term.factor) for term in self.terms)
+        return Sum.of(replace(plain, factor=factor).times_phasor(angle) for plain, angle, factor in parts)
 
     @property
     def real(self) -> Sum:
-        return Sum.of(part for term in self.terms for part in _part(term, 0))
+        """e^iψ gives cos ψ."""
+        return self._part("cos")
 
     @property
     def imag(self) -> Sum:
-        return Sum.of(part for term in self.terms for part in _part(term, 1))
+        """e^iψ gives sin ψ."""
+        return self._part("sin")
+
+    def _part(self, kind: Literal["cos", "sin"]) -> Sum:
+        parts = (Sum((replace(term.plain, turns=0),)) * wave(kind, term.angle) for term in self.terms)
+        return Sum.of(term for part in parts for term in part.terms)
 
     @property
     def over_i(self) -> Sum:
         return self * Sum((SymbolProduct(-1.0, turns=1),))
 
+    @property
+    def only(self) -> SymbolProduct | None:
+        """Its only term; None where there are several, or none."""
+        return self.terms[0] if len(self.terms) == 1 else None
+
     def having(self, *symbols: Symbol) -> Sum:
         """The terms in which any of these stands."""
         return Sum(tuple(term for term in self.terms if any(term.has(symbol) for symbol in symbols)))
+
+    def lacking(self, *symbols: Symbol) -> Sum:
+        """The terms in which none of these stands."""
+        return Sum(tuple(term for term in self.terms if not any(term.has(symbol) for symbol in symbols)))
 
     def partial(self, symbol: Symbol) -> Sum:
         """Derivative by one symbol."""
@@ -141,11 +255,11 @@ class Sum:
     @property
     def moving(self) -> tuple[Symbol, ...]:
         """The symbols in it that change with time, in the order of the terms."""
-        found: dict[Symbol, None] = {}
+        moving: dict[Symbol, None] = {}
         for term in self.terms:
-            found |= dict.fromkeys(symbol for symbol, _ in term.symbols if symbol.moves)
-            found |= dict.fromkeys(symbol for wave in term.waves for symbol, _ in wave.angle.moving)
-        return tuple(found)
+            moving |= dict.fromkeys(symbol for symbol, _ in term.symbols if symbol.moves)
+            moving |= dict.fromkeys(symbol for wave in term.waves for symbol, _ in wave.angle.moving)
+        return tuple(moving)
 
     @property
     def rate(self) -> Sum:
@@ -164,12 +278,21 @@ def one(symbol: Symbol) -> Sum:
 
 
 def number(value: float) -> Sum:
+    """A number alone."""
     return Sum((SymbolProduct(value),)) if value else Sum()
+
+
+ONE = number(1.0)
 
 
 def phasor(length: Sum, angle: AngleSum) -> Sum:
     """length · e^(i angle)."""
-    return Sum.of(_turned(term, angle) for term in length.terms)
+    return Sum.of(term.times_phasor(angle) for term in length.terms)
+
+
+def unit_vector(angle: AngleSum) -> Sum:
+    """e^(i angle), a vector of length 1."""
+    return phasor(ONE, angle)
 
 
 def wave(kind: Literal["cos", "sin"], angle: AngleSum) -> Sum:
@@ -184,39 +307,19 @@ def wave(kind: Literal["cos", "sin"], angle: AngleSum) -> Sum:
     return Sum((SymbolProduct(sign, waves=(Wave(name, bare),)),))
 
 
-def _conjugate(term: SymbolProduct) -> SymbolProduct:
-    rest = [wave for wave in term.waves if wave.kind != "exp"]
-    plain = replace(term, waves=tuple(rest), factor=-term.factor if term.turns else term.factor)
-    exps = [wave.angle for wave in term.waves if wave.kind == "exp"]
-    return _turned(plain, -exps[0]) if exps else plain
-
-
-def _part(term: SymbolProduct, quarter: int) -> Iterable[SymbolProduct]:
-    """Real (0) or imaginary (1) part: e^iψ gives cos ψ or sin ψ."""
-    exps = [wave.angle for wave in term.waves if wave.kind == "exp"]
-    plain = replace(term, waves=tuple(wave for wave in term.waves if wave.kind != "exp"), turns=0)
-    angle = (exps[0] if exps else NO_ANGLE).turned(term.turns)
-    return (Sum((plain,)) * wave("sin" if quarter else "cos", angle)).terms
-
-
 def _partial(term: SymbolProduct, symbol: Symbol) -> Iterable[SymbolProduct]:
-    for at, (found, power) in enumerate(term.symbols):
-        if found == symbol:
-            left = ((found, power - 1),) if power > 1 else ()
+    for at, (factor, power) in enumerate(term.symbols):
+        if factor == symbol:
+            left = ((factor, power - 1),) if power > 1 else ()
             symbols = (*term.symbols[:at], *left, *term.symbols[at + 1 :])
             yield replace(term, factor=term.factor * power, symbols=symbols)
-    for at, found_wave in enumerate(term.waves):
-        count = found_wave.angle.symbols.get(symbol, 0)
-        if count:
+    for at, each in enumerate(term.waves):
+        if count := dict(each.angle.parts).get(symbol, 0):
             rest = replace(term, factor=term.factor * count, waves=(*term.waves[:at], *term.waves[at + 1 :]))
-            yield from (Sum((rest,)) * _slope(found_wave)).terms
-
-
-def _slope(of: Wave) -> Sum:
-    """Derivative of a wave by its angle."""
-    if of.kind == "exp":
-        return phasor(Sum((SymbolProduct(1.0, turns=1),)), of.angle)
-    return -wave("sin", of.angle) if of.kind == "cos" else wave("cos", of.angle)
+            slope = -wave("sin", each.angle) if each.kind == "cos" else wave("cos", each.angle)
+            if each.kind == "exp":
+                slope = phasor(Sum((SymbolProduct(1.0, turns=1),)), each.angle)
+            yield from (Sum((rest,)) * slope).terms
 
 
 def cross(first: Sum, second: Sum) -> Sum:
@@ -246,7 +349,7 @@ def _value(term: SymbolProduct, values: Values) -> Value:
     product: Value = term.factor * (1j if term.turns else 1.0)
     for symbol, power in term.symbols:
         product = product * values[symbol] ** power
-    for found in term.waves:
-        angle = angle_value(found.angle, values)
-        product = product * (np.exp(1j * angle) if found.kind == "exp" else getattr(np, found.kind)(angle))
+    for each in term.waves:
+        angle = angle_value(each.angle, values)
+        product = product * (np.exp(1j * angle) if each.kind == "exp" else getattr(np, each.kind)(angle))
     return product

@@ -1,7 +1,8 @@
-"""The closed vector polygons: each link an arrow with a length and an angle, from the frame round to the frame.
+"""The closed vector polygons and the rolling contacts: all that the equations of a mechanism are.
 
-A polygon goes through the links of one stage of the plan (two unknown scalars) and closes over links known before,
-by as few as there are.
+Each link is an arrow with a length and an angle, from the frame round to the frame. A polygon goes through the links of
+one stage of the plan (two unknown scalars) and closes over links known before, by as few as there are. A rolling
+contact is an angle relation, r1 θ1 + r2 θ2 − (r1 + r2) θH = c, from the motion seen from the arm.
 """
 
 from __future__ import annotations
@@ -9,16 +10,17 @@ from __future__ import annotations
 import cmath
 from collections import deque
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
+from graphkin.analytic import Motion
+from graphkin.base.geometry import number
 from graphkin.base.value import frozen
 from graphkin.equations.bodies import Bodies, quarters
-from graphkin.equations.expressions import Sum, SymbolProduct, one, phasor
-from graphkin.equations.legend import Legend
-from graphkin.equations.readers import slide_readers
-from graphkin.equations.symbols import AngleSum, Symbol
+from graphkin.equations.expressions import AngleSum, Sum, Symbol, SymbolProduct, one, phasor
+from graphkin.equations.legend import Legend, slide_readers
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Slide
+from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Hinge, Joint, Sliding, Topology
 from graphkin.say.catalogue import meaning
 
@@ -38,7 +40,12 @@ class LinkVector:
 
     @property
     def sum(self) -> Sum:
-        return phasor(Sum((SymbolProduct(float(self.sign)),)) * one(self.length), self.angle)
+        return phasor(one(self.length).times(float(self.sign)), self.angle)
+
+    @property
+    def forward(self) -> bool:
+        """True for an arrow of the left side of the equation: half turns of its angle count."""
+        return self.sum.terms[0].factor > 0
 
 
 @frozen
@@ -57,19 +64,14 @@ class ClosedPolygon:
     def sides(self) -> tuple[tuple[LinkVector, ...], tuple[LinkVector, ...]]:
         """Arrows walked forward, and those walked backward in the order they are met from the start."""
         walk = self.walk
-        return tuple(a for a in walk if _sign(a) > 0), tuple(a for a in reversed(walk) if _sign(a) < 0)
+        return tuple(a for a in walk if a.forward), tuple(a for a in reversed(walk) if not a.forward)
 
     @property
     def walk(self) -> tuple[LinkVector, ...]:
         """Once round, beginning where arrows walked forward begin."""
-        signs = [_sign(arrow) for arrow in self.arrows]
-        first = next((k for k, sign in enumerate(signs) if sign > 0 and signs[k - 1] < 0), 0)
+        forward = [arrow.forward for arrow in self.arrows]
+        first = next((k for k, each in enumerate(forward) if each and not forward[k - 1]), 0)
         return (*self.arrows[first:], *self.arrows[:first])
-
-
-def _sign(arrow: LinkVector) -> float:
-    """Which side of the equation an arrow stands on: half turns of its angle count."""
-    return arrow.sum.terms[0].factor
 
 
 @dataclass
@@ -77,7 +79,7 @@ class LinkVectorMaker:
     """Makes the arrows of links and slides, each once."""
 
     bodies: Bodies
-    ledger: Legend
+    legend: Legend
     arms: dict[tuple[str, frozenset[str]], LinkVector] = field(default_factory=dict)
     slides: dict[str, Symbol] = field(default_factory=dict)
     radii: dict[tuple[str, str], Symbol] = field(default_factory=dict)
@@ -90,44 +92,37 @@ class LinkVectorMaker:
     def along(self, body: str, start: str, end: str) -> Iterator[LinkVector]:
         """The arrow on one body from a point to another; none where they lie at one place."""
         shape = self.structure.shapes[body]
-        if start == end or abs(shape[end] - shape[start]) <= 1e-12 * self._size(body):
+        if body not in self.sizes:
+            self.sizes[body] = max((abs(p - q) for p in shape.values() for q in shape.values()), default=0.0)
+        if start == end or abs(shape[end] - shape[start]) <= 1e-12 * self.sizes[body]:
             return
         key = body, frozenset((start, end))
         if key not in self.arms:
             self.arms[key] = self._arm(body, start, end)
         arrow = self.arms[key]
-        yield arrow if arrow.tail[0] == start else LinkVector(arrow.length, arrow.angle, arrow.tail, arrow.head, -1)
-
-    def _size(self, body: str) -> float:
-        """How far the points of a body lie apart at most [m]."""
-        if body not in self.sizes:
-            places = [*self.structure.shapes[body].values()]
-            self.sizes[body] = max((abs(p - q) for p in places for q in places), default=0.0)
-        return self.sizes[body]
+        yield arrow if arrow.tail[0] == start else replace(arrow, sign=-1)
 
     def _arm(self, body: str, start: str, end: str) -> LinkVector:
         """Along the link's own direction where it lies on it; else as nearly so as can be."""
         shape = self.structure.shapes[body]
         arm = shape[end] - shape[start]
         count = quarters(cmath.phase(arm))
-        backward = count in (2, 3) if count is not None else arm.real < 0
-        if backward:
+        if count in (2, 3) if count is not None else arm.real < 0:
             start, end, arm = end, start, -arm
             count = None if count is None else (count + 2) % 4
         called = self.bodies.called(body)
-        ends = self.bodies.spot(start) + self.bodies.spot(end)
-        what = meaning("equations.length", ends=ends, link=called)
-        length = self.ledger.constant("l", called, what, "mm", abs(arm))
+        text = meaning("equations.length", ends=self.bodies.spot(start) + self.bodies.spot(end), link=called)
+        length = self.legend.constant("l", called, text, "mm", abs(arm))
         angle = AngleSum((), count) if count is not None else self._offset(body, called, length, arm)
         return LinkVector(length, self.bodies.angles[body] + angle, (start, body), (end, body))
 
     def _offset(self, body: str, called: str, length: Symbol, arm: complex) -> AngleSum:
-        low = called + "'" * length.primes
+        """The angle of an arrow against its link, or on the frame."""
+        vector = length.letter + ("" if length.low.isdigit() else "_") + length.low + "'" * length.primes
+        letter, text = "β", meaning("equations.offset", link=called, vector=vector)
         if body == FRAME:
-            what = meaning("equations.frame direction", vector=_written(length))
-            return AngleSum.of(self.ledger.constant("θ", low, what, "deg", cmath.phase(arm)))
-        what = meaning("equations.offset", link=called, vector=_written(length))
-        return AngleSum.of(self.ledger.constant("β", low, what, "deg", cmath.phase(arm)))
+            letter, text = "θ", meaning("equations.frame direction", vector=vector)
+        return AngleSum.of(self.legend.constant(letter, called + "'" * length.primes, text, "deg", cmath.phase(arm)))
 
     def sliding(self, name: str) -> LinkVector:
         """The displacement along a slide's line, from its origin on the guide to the point."""
@@ -137,16 +132,18 @@ class LinkVectorMaker:
         return LinkVector(self.displacement(name), angle, tail, head)
 
     def displacement(self, name: str) -> Symbol:
+        """The symbol of a slide's displacement."""
         if name not in self.slides:
             slide = self.structure.slides[name]
             driver = self.structure.slides_driven.get(name)
             steady = driver is not None and self.structure.mechanism.drivers[driver].acceleration == 0
-            symbol = self.ledger.fresh("s", self._low(slide), "displacement", steady)
-            guide, point = self.bodies.called(slide.guide), slide.point
-            words = {"point": point, "guide": guide, "start": self.bodies.spot(slide.line.origin)}
-            texts = tuple(meaning(f"equations.sliding {rate}", **words) for rate in _SLIDING)
-            self.ledger.variable(symbol, texts, ("mm", "m/s", "m/s^2"), slide_readers(self.structure, slide))
-            self.slides[name] = symbol
+            symbol = self.legend.fresh("s", self._low(slide), "displacement", steady)
+            guide, start = self.bodies.called(slide.guide), self.bodies.spot(slide.line.origin)
+            words = {"point": slide.point, "guide": guide, "start": start}
+            rates = ("displacement", "velocity", "acceleration")
+            texts = (meaning(f"equations.sliding {rate}", **words) for rate in rates)
+            readers = slide_readers(self.structure, slide)
+            self.slides[name] = self.legend.variable(symbol, tuple(texts), ("mm", "m/s", "m/s^2"), readers)
         return self.slides[name]
 
     def _low(self, slide: Slide) -> str:
@@ -154,22 +151,25 @@ class LinkVectorMaker:
         if slide.guide == FRAME:
             return slide.point
         own = quarters(cmath.phase(slide.line.direction)) in (0, 2)
-        if own or slide.block is None or slide.tilt != 0:
-            return self.bodies.called(slide.guide)
-        return self.bodies.called(slide.block)
+        return self.bodies.called(slide.guide if own or slide.block is None or slide.tilt != 0 else slide.block)
+
+    def point_of(self, joint: Joint, body: str) -> str:
+        """The point of a body in which a joint is."""
+        return joint.point if isinstance(joint, Hinge) else self.structure.slide_point(joint.slide, body)
+
+    def radius(self, wheel: str, radius: float) -> Symbol:
+        """The radius of a wheel's circle, one letter for each size."""
+        name, size = self.bodies.called(wheel), f"{radius * 1000:.12g}"
+        if (name, size) not in self.radii:
+            text = meaning("equations.radius", radius=size, wheel=name)
+            self.radii[name, size] = self.legend.constant("r", name, text, "mm", radius)
+        return self.radii[name, size]
 
 
-_SLIDING = ("displacement", "velocity", "acceleration")
-
-
-def _written(symbol: Symbol) -> str:
-    return symbol.letter + ("" if symbol.low.isdigit() else "_") + symbol.low + "'" * symbol.primes
-
-
-def way(
+def shortest_path(
     structure: Topology, known: Collection[str], starts: Sequence[str], ends: Collection[str]
 ) -> tuple[list[str], list[Joint]]:
-    """The bodies, and the joints between them, of the shortest way over known bodies; the frame goes first."""
+    """The bodies, and the joints between them, of the shortest path over known bodies; the frame goes first."""
     queue = deque([([start], list[Joint]()) for start in starts])
     seen = set(starts)
     while queue:
@@ -181,7 +181,7 @@ def way(
                 if other in known and other not in seen:
                     seen.add(other)
                     queue.append(([*bodies, other], [*joints, joint]))
-    raise ValueError(f"no way from {starts} to {ends}")
+    raise ValueError(f"no path from {starts} to {ends}")
 
 
 def closed(
@@ -192,35 +192,81 @@ def closed(
     Where the last joint is the first, the bodies are a ring by themselves, whether or not any of them is known.
     """
     structure = arrows.structure
+
+    def known_side(joint: Joint, body: str) -> list[str]:
+        """The known bodies at the other side of a joint, the frame first."""
+        if isinstance(joint, Hinge):
+            owners = [other for other in structure.owners[joint.point] if other != body and other in known]
+            return sorted(owners, key=lambda other: other != FRAME)
+        slide = structure.slides[joint.slide]
+        return [slide.guide if body != slide.guide else structure.block(slide)]
+
     if joints[0] == joints[-1]:
-        return ClosedPolygon(tuple(_round(arrows, bodies, joints[:-1])))
-    near = _known_side(structure, known, joints[0], bodies[0])
-    far = _known_side(structure, known, joints[-1], bodies[-1])
-    back, between = way(structure, known, far, near)
-    ring, links = [*bodies, *back], [*joints, *between]
-    return ClosedPolygon(tuple(_round(arrows, ring, links)))
+        return ClosedPolygon(tuple(_ring(arrows, bodies, joints[:-1])))
+    near, far = known_side(joints[0], bodies[0]), known_side(joints[-1], bodies[-1])
+    back, between = shortest_path(structure, known, far, near)
+    return ClosedPolygon(tuple(_ring(arrows, [*bodies, *back], [*joints, *between])))
 
 
-def _known_side(structure: Topology, known: Collection[str], joint: Joint, body: str) -> list[str]:
-    if isinstance(joint, Hinge):
-        found = [other for other in structure.owners[joint.point] if other != body and other in known]
-        return sorted(found, key=lambda other: other != FRAME)
-    slide = structure.slides[joint.slide]
-    return [slide.guide if body != slide.guide else structure.block(slide)]
-
-
-def _round(arrows: LinkVectorMaker, ring: Sequence[str], joints: Sequence[Joint]) -> Iterator[LinkVector]:
+def _ring(arrows: LinkVectorMaker, ring: Sequence[str], joints: Sequence[Joint]) -> Iterator[LinkVector]:
     """All arrows of a ring of bodies: joint k leads into body k, the first one out of the last."""
     for k, body in enumerate(ring):
         into, out = joints[k], joints[(k + 1) % len(joints)]
         if isinstance(into, Sliding):
-            arrow = arrows.sliding(into.slide)
             backward = arrows.structure.slides[into.slide].guide == body
-            yield LinkVector(arrow.length, arrow.angle, arrow.tail, arrow.head, -1 if backward else 1)
-        yield from arrows.along(body, _place(arrows.structure, into, body), _place(arrows.structure, out, body))
+            yield replace(arrows.sliding(into.slide), sign=-1 if backward else 1)
+        yield from arrows.along(body, arrows.point_of(into, body), arrows.point_of(out, body))
 
 
-def _place(structure: Topology, joint: Joint, body: str) -> str:
-    return joint.point if isinstance(joint, Hinge) else structure.slide_point(joint.slide, body)
+# --- rolling ----------------------------------------------------------------------------------
 
 
+@frozen
+class RollingSum:
+    """sum = 0: what turns and slides, less the constant of the drawn position, of one rolling contact."""
+
+    contact: Contact
+    moving: Sum
+    constant: Symbol
+
+    @property
+    def sum(self) -> Sum:
+        return self.moving - one(self.constant)
+
+
+def rolling(arrows: LinkVectorMaker, contact: Contact, motion: Motion) -> RollingSum:
+    """The relation of one contact; its constant is what the drawn position gives."""
+    moving = _on_circles(arrows, contact) if contact.arm else _on_line(arrows, contact)
+    entries = arrows.legend.entries
+    value = number(moving.at({symbol: entries[symbol].read(motion) for symbol in moving.symbols}))
+    names = [arrows.bodies.called(wheel) for wheel in contact.wheels]
+    text = meaning("equations.rolling constant", first=names[0], second=names[1])
+    low = "".join(names) if all(map(str.isdigit, names)) else names[1]
+    return RollingSum(contact, moving, arrows.legend.constant("c", low, text, "mm rad", value))
+
+
+def turning_part(angle: AngleSum) -> Sum:
+    """The part of an angle that changes with time."""
+    return Sum.of(SymbolProduct(float(count), ((symbol, 1),)) for symbol, count in angle.moving)
+
+
+def _on_circles(arrows: LinkVectorMaker, contact: Contact) -> Sum:
+    arm, total = turning_part(arrows.bodies.angles[contact.arm]), Sum()
+    for wheel, radius in zip(contact.wheels, contact.radii, strict=True):
+        share = one(arrows.radius(wheel, abs(radius))).times(1.0 if radius > 0 else -1.0)
+        total += share * (turning_part(arrows.bodies.angles[wheel]) - arm)
+    return total
+
+
+def _on_line(arrows: LinkVectorMaker, contact: Contact) -> Sum:
+    """s + r (θ_wheel − θ_track) where the centre lies left of the line, s − r (..) where right.
+
+    Where other pairs keep the centre on its path, s is made up of their displacements.
+    """
+    track, wheel = (turning_part(arrows.bodies.angles[body]) for body in contact.wheels)
+    radius = next(share for body, share in contact.angles if body == contact.wheels[1])
+    rolled = one(arrows.radius(contact.wheels[1], radius)) * (wheel - track)
+    gone = Sum()
+    for slide, share in contact.way or ((contact.slide, 1.0),):
+        gone += one(arrows.displacement(slide)).times(share * contact.on_slide)
+    return gone + rolled

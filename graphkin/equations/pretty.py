@@ -1,4 +1,4 @@
-"""From sums to formulas: what is put first, how angles are called, what is taken out of brackets."""
+"""From sums to formulas: the order of terms, the names of angles, the factors before brackets."""
 
 from __future__ import annotations
 
@@ -8,11 +8,8 @@ from functools import cached_property
 from heapq import heapify, heappop, heappush
 
 from graphkin.base.value import frozen
-from graphkin.equations.expressions import Sum, SymbolProduct, Wave
-from graphkin.equations.layout import Call, Exp, Frac, Letter, Minus, Node, Num, Op, Paren, Pow, Row, Word
-from graphkin.equations.symbols import AngleSum, Symbol
-
-ZERO = Num("0")
+from graphkin.equations.expressions import ONE, AngleSum, Sum, Symbol, SymbolProduct, Wave
+from graphkin.equations.formulas import ZERO, Call, Exp, Frac, Letter, Minus, Node, Num, Op, Paren, Pow, Row, Word
 
 
 @frozen
@@ -30,9 +27,14 @@ class Pretty:
         return added([(term.factor < 0, self._product(term)) for term in terms])
 
     def factored(self, of: Sum) -> Node:
-        """What all terms share, before a bracket."""
-        common = _common(of.terms)
-        if len(of.terms) < 2 or common is None:
+        """All that the terms share, number and symbols, before a bracket."""
+        if len(of.terms) < 2:
+            return self.sum(of)
+        sizes = {abs(term.factor) for term in of.terms}
+        powers = {s: min(dict(term.symbols).get(s, 0) for term in of.terms) for s, _ in of.terms[0].symbols}
+        shared = tuple((symbol, power) for symbol, power in powers.items() if power)
+        common = SymbolProduct(sizes.pop() if len(sizes) == 1 else 1.0, shared)
+        if not shared and common.factor == 1.0:
             return self.sum(of)
         inner = Sum(tuple(_without(term, common) for term in of.terms))
         if all(term.factor < 0 for term in inner.terms):
@@ -45,42 +47,47 @@ class Pretty:
         for term in of.terms:
             rates = tuple(part for part in term.symbols if part[0].kind in ("rate", "push"))
             groups.setdefault(rates, []).append(term)
-        found: list[tuple[bool, Node]] = []
+        nodes: list[tuple[bool, Node]] = []
         for rates, terms in groups.items():
             if not rates or len(terms) == 1:
-                found += [(term.factor < 0, self._product(term)) for term in terms]
+                nodes += [(term.factor < 0, self._product(term)) for term in terms]
                 continue
             minus = all(term.factor < 0 for term in terms)
             inner = Sum(tuple(_without(term, SymbolProduct(-1.0 if minus else 1.0, rates)) for term in terms))
-            found.append((minus, Row((self._product(SymbolProduct(1.0, rates)), Paren(self.sum(inner))))))
-        return added(sorted(found, key=lambda part: part[0])) if found else ZERO
+            nodes.append((minus, Row((self._product(SymbolProduct(1.0, rates)), Paren(self.sum(inner))))))
+        return added(sorted(nodes, key=lambda part: part[0])) if nodes else ZERO
 
     def quotient(self, top: Sum, bottom: Sum) -> Node:
         """top / bottom; signs above, nothing below where it is 1."""
         if bottom.terms and bottom.terms[0].factor < 0:
             top, bottom = -top, -bottom
-        if bottom == Sum((SymbolProduct(1.0),)):
+        if bottom == ONE:
             return self.sum(top)
-        if top.terms and all(term.factor < 0 for term in top.terms):
-            return Minus(Frac(self.factored(-top), self.factored(bottom)))
         if not top.terms:
             return ZERO
+        if all(term.factor < 0 for term in top.terms):
+            return Minus(Frac(self.factored(-top), self.factored(bottom)))
         return Frac(self.factored(top), self.factored(bottom))
 
     def angle(self, of: AngleSum) -> Node:
-        parts = sorted(self._called(of), key=lambda part: part[1] < 0)
+        """A sum of angles by their names, positive ones first."""
+        parts = sorted(self._renamed(of), key=lambda part: part[1] < 0)
         quarters = of.quarters - sum(n * self.alias[s].quarters for s, n in parts if s in self.alias)
-        found = [(count < 0, _times(abs(count), Letter(symbol))) for symbol, count in parts]
+        nodes: list[tuple[bool, Node]] = []
+        for symbol, count in parts:
+            letter = Letter(symbol)
+            nodes.append((count < 0, letter if abs(count) == 1 else Row((Num(str(abs(count))), letter))))
         if quarters % 4:
-            found.append((False, Num(f"{quarters % 4 * 90}°")))
-        return added(found) if found else ZERO
+            nodes.append((False, Num(f"{quarters % 4 * 90}°")))
+        return added(nodes) if nodes else ZERO
 
-    def _called(self, of: AngleSum) -> list[tuple[Symbol, int]]:
+    def _renamed(self, of: AngleSum) -> list[tuple[Symbol, int]]:
+        """Its symbols, sums that have a name of their own replaced by it, the longest first."""
         counts, last = dict(of.parts), -1
-        waiting = [k for symbol in counts for k in self._naming.get(symbol, ())]
-        heapify(waiting)
-        while waiting:
-            if (at := heappop(waiting)) == last:
+        queue = [k for symbol in counts for k in self._naming.get(symbol, ())]
+        heapify(queue)
+        while queue:
+            if (at := heappop(queue)) == last:
                 continue
             (name, meaning), last = self._longest_first[at], at
             times = {counts.get(symbol, 0) * sign for symbol, sign in meaning.parts if abs(sign) == 1}
@@ -90,7 +97,7 @@ class Pretty:
                     counts[symbol] -= count * sign
                 counts[name] = count
                 for later in self._naming.get(name, ()):
-                    heappush(waiting, max(later, last))
+                    heappush(queue, max(later, last))
         return [(symbol, count) for symbol, count in counts.items() if count]
 
     @cached_property
@@ -104,44 +111,34 @@ class Pretty:
 
     @cached_property
     def _longest_first(self) -> list[tuple[Symbol, AngleSum]]:
-        """What a long sum is called, before what a part of it is."""
+        """The names of sums, of long ones before those of a part of them."""
         return sorted(self.alias.items(), key=lambda each: -len(each[1].parts))
 
     def _product(self, term: SymbolProduct) -> Node:
         """A term without its sign."""
         size, items = abs(term.factor), list[Node]()
         items += [Word("i")] if term.turns else []
-        items += [_powered(Letter(symbol), power) for symbol, power in term.symbols]
+        items += [Letter(symbol) if power == 1 else Pow(Letter(symbol), power) for symbol, power in term.symbols]
         for wave in dict.fromkeys(term.waves):
-            items.append(self._wave(wave, term.waves.count(wave)))
+            power = term.waves.count(wave)
+            items.append(self._wave(wave) if power == 1 or wave.kind == "exp" else Pow(self._wave(wave), power))
         if size != 1 or not items:
             items.insert(0, Num(f"{size:.12g}"))
         return items[0] if len(items) == 1 else Row(tuple(items))
 
-    def _wave(self, wave: Wave, power: int) -> Node:
+    def _wave(self, wave: Wave) -> Node:
         angle = self.angle(wave.angle)
         if wave.kind == "exp":
             return Exp(Row((Word("i"), angle if isinstance(angle, Letter) else Paren(angle))))
-        return _powered(Call(wave.kind, (angle,)), power)
-
-
-def _powered(node: Node, power: int) -> Node:
-    return node if power == 1 else Pow(node, power)
-
-
-def _times(count: int, node: Node) -> Node:
-    return node if count == 1 else Row((Num(str(count)), node))
+        return Call(wave.kind, (angle,))
 
 
 def added(terms: Sequence[tuple[bool, Node]]) -> Node:
     """Nodes with their signs (True: minus)."""
-    items: list[Node] = []
-    for minus, node in terms:
-        if items:
-            items.append(Op("−" if minus else "+"))
-            items.append(node)
-        else:
-            items.append(Minus(node) if minus else node)
+    (minus, first), *rest = terms
+    items: list[Node] = [Minus(first) if minus else first]
+    for minus, node in rest:
+        items += [Op("−" if minus else "+"), node]
     return items[0] if len(items) == 1 else Row(tuple(items))
 
 
@@ -151,18 +148,7 @@ def bracketed(node: Node) -> Node:
     return Paren(node) if summed else node
 
 
-def _common(terms: Sequence[SymbolProduct]) -> SymbolProduct | None:
-    """The number and the symbols that stand in all terms."""
-    if not terms:
-        return None
-    sizes = {abs(term.factor) for term in terms}
-    powers = {s: min(dict(term.symbols).get(s, 0) for term in terms) for s, _ in terms[0].symbols}
-    shared = tuple((symbol, power) for symbol, power in powers.items() if power)
-    size = sizes.pop() if len(sizes) == 1 else 1.0
-    return SymbolProduct(size, shared) if shared or size != 1.0 else None
-
-
 def _without(term: SymbolProduct, common: SymbolProduct) -> SymbolProduct:
-    taken = dict(common.symbols)
-    left = ((symbol, power - taken.get(symbol, 0)) for symbol, power in term.symbols)
+    powers = dict(common.symbols)
+    left = ((symbol, power - powers.get(symbol, 0)) for symbol, power in term.symbols)
     return replace(term, factor=term.factor / common.factor, symbols=tuple((s, p) for s, p in left if p))

@@ -1,17 +1,14 @@
-"""What a sheet is written as: one file a format.
+"""Sheets, sweeps, keys and marks as files: one module a format.
 
-`svg` is the drawing file itself; a program can measure it (`graphkin.check`). `animation` and `notebook` use it.
-Tables and diagrams of quantities over the motion (`tables`, `diagram`) are written here, too.
+`svg` is the drawing file itself; a program can measure it (`graphkin.check`). `animation` uses it. Tables and
+diagrams of quantities over the motion (`tables`, `diagram`) are written here, too.
 
 How to add a format:
  1. a file with one function from a `Sheet` to its text or bytes: `sheet.paper` is the page, `sheet.marks` are painted
     on it in their order [mm, y down];
  2. a `match` over the kinds of marks that ends in `assert_never`, so that the type checker misses none;
- 3. pens are in `sheet.paper.PENS`; `sheet.lettering.scripts` puts the runs of a label in their places;
- 4. files are written through `files.beside`, with bytes by which graphkin knows its own;
- 5. the command that offers it takes it by the ending of the file's name.
+ 3. pens are in `sheet.paper.PENS`; `sheet.lettering.scripts` puts the runs of a label in their places, `typesetting`
+    sets them in letters of other programs;
+ 4. its ending and a function of a `DrawingSource` in `drawings.WRITERS`: the commands offer what stands there;
+ 5. files are written through `files.beside`, with bytes by which graphkin knows its own.
 """
-
-from graphkin.outputs import svg
-
-__all__ = ["svg"]

@@ -10,13 +10,14 @@ from __future__ import annotations
 import re
 import xml.etree.ElementTree as ET
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import groupby
+from typing import assert_never
 
 from graphkin.outputs.paint import Ink
-from graphkin.outputs.spans import short
 from graphkin.outputs.svg import Ready, SvgPen
+from graphkin.outputs.typesetting import short
 from graphkin.sheet import Sheet
 from graphkin.sheet.marks import ArcMark, Disc, Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer
@@ -24,9 +25,7 @@ from graphkin.sheet.page import Layer
 SECONDS = 8.0
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 _STILL = ("id", "class", "step")
-"""What tells marks apart, and never moves."""
-
-Key = tuple[object, ...]
+"""Attributes that tell marks apart, and never move."""
 Row = list[Mark | None]
 """A mark as it is on each sheet; None where it is not there."""
 
@@ -45,7 +44,8 @@ def animation(frames: Sequence[Sheet], seconds: float = SECONDS, ink: Ink = "acc
 def _moving(pen: SvgPen, layer: Layer, frames: Sequence[Sequence[Mark]], seconds: float) -> ET.Element:
     """A layer's marks; neighbours in one paint share it."""
     whole = ET.Element("g")
-    painted = [(_paint(pen, layer, row), row) for row in _rows(frames)]
+    firsts = ((row, next(mark for mark in row if mark is not None)) for row in _rows(frames))
+    painted = [(pen.colours.paint(layer, first), row) for row, first in firsts]
     for paint, rows in groupby(painted, key=lambda entry: entry[0]):
         group = ET.SubElement(whole, "g", dict(paint))
         for _, row in rows:
@@ -53,20 +53,19 @@ def _moving(pen: SvgPen, layer: Layer, frames: Sequence[Sequence[Mark]], seconds
     return whole
 
 
-def _paint(pen: SvgPen, layer: Layer, row: Row) -> tuple[tuple[str, str], ...]:
-    return pen.colours.paint(layer, next(mark for mark in row if mark is not None))
-
-
 # --- which marks of the sheets are one ---------------------------------------------------------
 
 
 def _rows(frames: Sequence[Sequence[Mark]]) -> list[Row]:
-    """The marks of all sheets in their order of painting, each once."""
-    order: list[Key] = []
-    rows: dict[Key, Row] = {}
+    """The marks of all sheets in their order of painting, each once: by its kind, and its number among that kind."""
+    order: list[tuple[object, ...]] = []
+    rows: dict[tuple[object, ...], Row] = {}
     for number, marks in enumerate(frames):
-        at = 0
-        for key, mark in _keyed(marks):
+        at, count = 0, Counter[tuple[object, ...]]()
+        for mark in marks:
+            kind = _kind(mark)
+            count[kind] += 1
+            key = (*kind, count[kind])
             if key not in rows:
                 rows[key] = [None] * len(frames)
                 order.insert(at, key)
@@ -74,20 +73,11 @@ def _rows(frames: Sequence[Sequence[Mark]]) -> list[Row]:
                 at = max(at, order.index(key))
             at += 1
             rows[key][number] = mark
-    return [_alike(rows[key]) for key in order]
+    return [_aligned(rows[key]) for key in order]
 
 
-def _keyed(marks: Iterable[Mark]) -> Iterator[tuple[Key, Mark]]:
-    """Each mark with what it is, and the how manyth of its kind."""
-    met: Counter[Key] = Counter()
-    for mark in marks:
-        kind = _kind(mark)
-        met[kind] += 1
-        yield (*kind, met[kind]), mark
-
-
-def _kind(mark: Mark) -> Key:
-    """What stays the same of it while it moves."""
+def _kind(mark: Mark) -> tuple[object, ...]:
+    """All that stays the same of it while it moves."""
     match mark:
         case Stroke():
             return "stroke", mark.pen, mark.fill, mark.closed, mark.shows, len(mark.places), mark.accent
@@ -101,102 +91,77 @@ def _kind(mark: Mark) -> Key:
             return "vector", mark.plane, mark.name, mark.tail, mark.head
         case PointMark():
             return "point", mark.plane, mark.name, mark.fill
+        case _:
+            assert_never(mark)
 
 
-def _alike(row: Row) -> Row:
+def _aligned(row: Row) -> Row:
     """A line's ends, and an outline's first corner, as they were before, where it is drawn from another one now."""
-    before: Stroke | None = None
+    before: Sequence[complex] = ()
     for k, mark in enumerate(row):
         if isinstance(mark, Stroke):
-            if before is not None and mark.places != before.places:
-                row[k] = mark = replace(mark, places=_nearest(mark, before.places))
-            before = mark
+            if before and mark.places != before:
+                starts = range(len(mark.places) if mark.closed else 1)
+                turned = [(*mark.places[start:], *mark.places[:start]) for start in starts]
+                turned += [places[::-1] for places in turned]
+                off = [sum(abs(a - b) for a, b in zip(places, before, strict=True)) for places in turned]
+                row[k] = mark = replace(mark, places=turned[off.index(min(off))])
+            before = mark.places
     return row
-
-
-def _nearest(mark: Stroke, before: Sequence[complex]) -> tuple[complex, ...]:
-    count = len(mark.places) if mark.closed else 1
-    ways = [(*mark.places[k:], *mark.places[:k]) for k in range(count)]
-    ways += [way[::-1] for way in ways]
-    return min(ways, key=lambda way: sum(abs(a - b) for a, b in zip(way, before, strict=True)))
 
 
 # --- elements ---------------------------------------------------------------------------------
 
 
 def _element(pen: SvgPen, layer: Layer, row: Row, seconds: float) -> ET.Element:
-    """A mark as it is first, with what of it changes."""
-    shown = [mark is not None for mark in row]
-    there = _filled(row)
-    made = [_plain(pen.element(mark, layer)) if k == 0 or mark is not there[k - 1] else None
-            for k, mark in enumerate(there)]  # fmt: skip
-    drawn: list[ET.Element] = []
-    for element in made:
-        drawn.append(element if element is not None else drawn[-1])
-    _change(drawn[0], drawn, seconds)
-    if not all(shown):
-        states = ["visible" if seen else "hidden" for seen in shown]
-        drawn[0].set("visibility", states[0])
-        drawn[0].insert(0, _steps("visibility", states, seconds))
-    return drawn[0]
+    """A mark as it is first, with all that changes of it; hidden where it is not there.
 
-
-def _filled(row: Row) -> list[Mark]:
-    """Where it is not there it stays as it was last; before it first comes, as it will be."""
-    last = next(mark for mark in row if mark is not None)
-    found = []
+    There it stays as it was last; before it first comes, as it will be. The size of a vector in words, which is another
+    one in each position, is left out.
+    """
+    elements: list[ET.Element] = []
+    last = shown = next(mark for mark in row if mark is not None)
     for mark in row:
         last = mark or last
-        found.append(last)
-    return found
+        if elements and last is shown:
+            elements.append(elements[-1])
+            continue
+        elements.append(pen.element(last, layer))
+        for title in elements[-1].findall("title"):
+            elements[-1].remove(title)
+        shown = last
+    _change(elements[0], elements, seconds)
+    if None in row:
+        states = ["hidden" if mark is None else "visible" for mark in row]
+        elements[0].set("visibility", states[0])
+        elements[0].insert(0, _steps("visibility", states, seconds))
+    return elements[0]
 
 
-def _plain(element: ET.Element) -> ET.Element:
-    """Without the size of a vector in words, which is another one in each position."""
-    for title in element.findall("title"):
-        element.remove(title)
-    return element
-
-
-def _change(into: ET.Element, drawn: Sequence[ET.Element], seconds: float) -> None:
+def _change(into: ET.Element, elements: Sequence[ET.Element], seconds: float) -> None:
     """Everything in which the elements differ, as values in turn; and so of their parts."""
-    for part, parts in zip(list(into), zip(*map(list, drawn), strict=True), strict=True):
+    for part, parts in zip(list(into), zip(*map(list, elements), strict=True), strict=True):
         _change(part, parts, seconds)
-    names = dict.fromkeys(name for element in drawn for name in element.attrib)
+    names = dict.fromkeys(name for element in elements for name in element.attrib)
     for place, name in enumerate(name for name in names if name not in _STILL):
-        values = [element.get(name, "none") for element in drawn]
+        values = [element.get(name, "none") for element in elements]
         if len(set(values)) == 1:
             continue
         if len({_NUMBER.sub("", value) for value in values}) == 1 and not name.startswith("marker"):
             rounded = [_NUMBER.sub(lambda number: short(float(number[0])), value) for value in values]
-            if len(set(rounded)) > 1:
-                into.insert(place, _glide(name, rounded, seconds))
+            if len(set(rounded)) > 1:  # from value to value, and to the first again
+                into.insert(place, _animate(name, [*rounded, rounded[0]], seconds))
         else:
             into.insert(place, _steps(name, values, seconds))
 
 
-def _glide(name: str, values: Sequence[str], seconds: float) -> ET.Element:
-    """From value to value, and to the first again."""
-    return ET.Element("animate", {"attributeName": name, "values": ";".join([*values, values[0]])} | _turn(seconds))
-
-
 def _steps(name: str, values: Sequence[str], seconds: float) -> ET.Element:
     """One value after the other; each as long as it stays."""
-    count = len(values)
-    changes = [k for k in range(count) if k == 0 or values[k] != values[k - 1]]
-    told = {
-        "attributeName": name,
-        "values": ";".join(values[k] for k in changes),
-        "keyTimes": ";".join(short_time(k / count) for k in changes),
-        "calcMode": "discrete",
-    }
-    return ET.Element("animate", told | _turn(seconds))
+    changes = [k for k in range(len(values)) if k == 0 or values[k] != values[k - 1]]
+    times = ";".join(short(k / len(values), 4) for k in changes)
+    return _animate(name, [values[k] for k in changes], seconds, keyTimes=times, calcMode="discrete")
 
 
-def short_time(part: float) -> str:
-    """A part of the turn."""
-    return f"{part:.4f}".rstrip("0").rstrip(".") or "0"
-
-
-def _turn(seconds: float) -> dict[str, str]:
-    return {"dur": f"{seconds:g}s", "repeatCount": "indefinite"}
+def _animate(name: str, values: Sequence[str], seconds: float, **more: str) -> ET.Element:
+    turn = {"dur": f"{seconds:g}s", "repeatCount": "indefinite"}
+    return ET.Element("animate", {"attributeName": name, "values": ";".join(values), **more, **turn})

@@ -1,24 +1,33 @@
-"""A drawing as a file, by the ending of its name; any drawing is written here, and replaces only one of graphkin's."""
+"""A drawing as a file, by the ending of its name; any drawing is written here, and replaces only one of graphkin's.
+
+A drawing that somebody worked on since it was drawn is not replaced unasked. This module loads no format before one is
+written, so that the commands can list them.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING, ClassVar
 
 from graphkin.base.value import frozen
-from graphkin.construction import Plot
-from graphkin.errors import Lang
-from graphkin.outputs.files import beside
-from graphkin.outputs.files import refuse as refuse_file
-from graphkin.outputs.paint import Ink
-from graphkin.outputs.svg import NAMESPACE
-from graphkin.planning import Method
-from graphkin.sheet import Sheet
+from graphkin.errors import BadDrawing, GraphkinError, Lang
+from graphkin.outputs import files
+
+if TYPE_CHECKING:
+    from graphkin.construction import Plot
+    from graphkin.outputs.paint import Ink
+    from graphkin.planning import Method
+    from graphkin.sheet import Sheet
+
+_MARKS = (files.NAMESPACE.encode(), b"graphkin sheet")
+_ADDED = ("other", "words")
+"""Notes of the ruler on signs and letters that are more or fewer than were drawn."""
 
 
 @frozen
 class DrawingSource:
-    """What a format is made of: the sheet; for a GeoGebra file, what the sheet shows."""
+    """A sheet to be written, and for a GeoGebra file the construction that the sheet shows."""
 
     sheet: Sheet
     method: Method
@@ -28,40 +37,40 @@ class DrawingSource:
     ink: Ink = "accent"
 
 
-def _svg(picture: DrawingSource) -> bytes:
+def _svg(source: DrawingSource) -> bytes:
     from graphkin.outputs.svg import svg
 
-    return svg(picture.sheet, picture.ink).encode()
+    return svg(source.sheet, source.ink).encode()
 
 
-def _pdf(picture: DrawingSource) -> bytes:
+def _pdf(source: DrawingSource) -> bytes:
     from graphkin.outputs.paged import pdf
 
-    return pdf(picture.sheet, picture.lang, picture.ink)
+    return pdf(source.sheet, source.lang, source.ink)
 
 
-def _png(picture: DrawingSource) -> bytes:
+def _png(source: DrawingSource) -> bytes:
     from graphkin.outputs.paged import png
 
-    return png(picture.sheet, picture.dpi, picture.ink)
+    return png(source.sheet, source.dpi, source.ink)
 
 
-def _dxf(picture: DrawingSource) -> bytes:
+def _dxf(source: DrawingSource) -> bytes:
     from graphkin.outputs.dxf import dxf
 
-    return dxf(picture.sheet)
+    return dxf(source.sheet)
 
 
-def _tikz(picture: DrawingSource) -> bytes:
+def _tikz(source: DrawingSource) -> bytes:
     from graphkin.outputs.tikz import tikz
 
-    return tikz(picture.sheet, picture.ink).encode()
+    return tikz(source.sheet, source.ink).encode()
 
 
-def _ggb(picture: DrawingSource) -> bytes:
+def _ggb(source: DrawingSource) -> bytes:
     from graphkin.outputs.geogebra import ggb
 
-    return ggb(picture.method, picture.plot, picture.sheet.scales, picture.lang)
+    return ggb(source.method, source.plot, source.sheet.scales, source.lang)
 
 
 def _moving_svg(sheets: Sequence[Sheet], dpi: float, ink: Ink) -> bytes:
@@ -83,18 +92,52 @@ WRITERS: Mapping[str, Callable[[DrawingSource], bytes]] = {
 """By the file's ending."""
 MOVING: Mapping[str, Callable[[Sequence[Sheet], float, Ink], bytes]] = {".svg": _moving_svg, ".png": _moving_png}
 """Sheets of several positions as one file, by its ending."""
-_MARKS = (NAMESPACE.encode(), b"graphkin sheet")
 
 
 def refuse(path: Path, force: bool) -> None:
-    """Whether a drawing may be written there; several are all asked before the first is written.
-
-    Raises FileInTheWay, NoFolder, CannotWrite.
-    """
-    refuse_file(path, force, _MARKS)
+    """Raises FileInTheWay, NoFolder, CannotWrite; several files are all asked about before the first is written."""
+    files.refuse(path, force, _MARKS)
 
 
 def write(path: Path, content: bytes | str, force: bool) -> None:
     """Beside, then renamed; a text as UTF-8. Raises FileInTheWay, NoFolder, CannotWrite."""
-    with beside(path, force, _MARKS) as draft:
+    with files.beside(path, force, _MARKS) as draft:
         draft.write_bytes(content.encode() if isinstance(content, str) else content)
+
+
+class EditedByHand(GraphkinError):
+    """A drawing of graphkin's that no longer is as it was drawn."""
+
+    path: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{path} was changed by hand since graphkin drew it (`graphkin check` tells where). Choose another name, "
+        "or replace it with --force.",
+        "zh": "{path} 在 graphkin 绘制之后被手工修改过（`graphkin check` 可查看何处）。"
+        "请换文件名，或用 --force 覆盖。",
+    }
+
+
+def refuse_edited(path: Path, force: bool) -> None:
+    """Raises EditedByHand for an SVG of graphkin's that somebody has changed."""
+    if not force and path.suffix.lower() == ".svg" and path.is_file() and path.stat().st_size and _edited(path):
+        raise EditedByHand(str(path))
+
+
+def _edited(path: Path) -> bool:
+    """True for a drawing that no longer measures, or has other signs and letters than it was drawn with.
+
+    One that cannot be measured (a problem without answers, a drawing that moves, one of an older version) counts as it
+    was drawn.
+    """
+    if b"<animate" in path.read_bytes():
+        return False
+    from graphkin.check import measure
+
+    try:
+        report = measure(path)
+    except BadDrawing as error:
+        return error.reason in ("shown", "xml")
+    except GraphkinError:
+        return False
+    return not report.passed(0.01) or any(note.kind in _ADDED for note in report.notes)

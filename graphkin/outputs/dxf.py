@@ -10,9 +10,10 @@ import io
 import math
 from typing import Any, assert_never
 
-from graphkin.outputs.extras import needed
+from graphkin.outputs.files import needed
+from graphkin.outputs.typesetting import stacked
 from graphkin.sheet import Sheet
-from graphkin.sheet.lettering import Label, box
+from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
 
@@ -40,7 +41,9 @@ def dxf(sheet: Sheet) -> bytes:
         for name, colour in _LAYERS.items():
             if name:
                 document.layers.add(name, color=colour)
-        _DxfPage(document.modelspace(), sheet).draw()
+        page = _DxfPage(document.modelspace(), sheet)
+        for mark in sheet.marks:
+            page.add(mark)
         for name in sorted(document.entitydb.dxf_types_in_use()):  # else in an order that changes
             document.classes.add_class(name)
         held = io.StringIO()
@@ -56,47 +59,41 @@ class _DxfPage:
     def __init__(self, space: Any, sheet: Sheet) -> None:
         self.space, self.sheet = space, sheet
 
-    def draw(self) -> None:
-        for mark in self.sheet.marks:
-            self._mark(mark)
-
-    def _mark(self, mark: Mark) -> None:
+    def add(self, mark: Mark) -> None:
         match mark:
             case Stroke():
+                corners = [self._xy(place) for place in mark.places]
+                if mark.fill == "ink" and len(corners) > 2:
+                    hatch = self.space.add_hatch(dxfattribs={"layer": "0"})
+                    hatch.paths.add_polyline_path(corners, is_closed=True)
                 look = self._look(mark.pen, mark.shows.plane if mark.shows is not None else "")
-                self._filled([self._xy(place) for place in mark.places], mark)
-                self.space.add_lwpolyline([self._xy(p) for p in mark.places], close=mark.closed, dxfattribs=look)
+                self.space.add_lwpolyline(corners, close=mark.closed, dxfattribs=look)
             case Disc():
                 look = self._look(mark.pen, mark.shows.plane if mark.shows is not None else "")
                 self.space.add_circle(self._xy(mark.centre), mark.radius, dxfattribs=look)
             case ArcMark():
                 start, end = -math.degrees(mark.start), -math.degrees(mark.start + mark.sweep)
-                if mark.sweep > 0:
-                    start, end = end, start
+                start, end = (end, start) if mark.sweep > 0 else (start, end)
                 self.space.add_arc(self._xy(mark.centre), mark.radius, start, end, dxfattribs=self._look(mark.pen, ""))
             case VectorMark():
                 self._arrow(mark)
             case PointMark():
-                look = self._look("outline", mark.plane)
-                self.space.add_circle(self._xy(mark.at), mark.radius, dxfattribs=look)
+                self.space.add_circle(self._xy(mark.at), mark.radius, dxfattribs=self._look("outline", mark.plane))
             case Text():
-                self._text(mark)
+                (x, y), (_, _, depth) = self._xy(mark.at), box(mark.label, mark.size)
+                look = {"layer": "labels", "style": "letters", "char_height": mark.size * _CAP, "attachment_point": 7}
+                self.space.add_mtext(stacked(mark.label), dxfattribs=look | {"insert": (x, y - depth)})
             case _:
                 assert_never(mark)
 
     def _xy(self, place: Place) -> tuple[float, float]:
         return round(place.real, 6), round(self.sheet.paper.height - place.imag, 6)
 
-    def _look(self, pen: PenName, plane: str) -> dict[str, Any]:
+    def _look(self, pen: PenName, plane: str) -> dict[str, object]:
         """Layer and width [hundredths of a millimetre, of the widths that DXF knows]."""
         width = round(100 * PENS[pen].width)
         known = (13, 18, 25, 35, 50, 70, 100)
         return {"layer": _NAMES.get(plane, plane) or "0", "lineweight": min(known, key=lambda w: abs(w - width))}
-
-    def _filled(self, corners: list[tuple[float, float]], mark: Stroke) -> None:
-        if mark.fill == "ink" and len(corners) > 2:
-            hatch = self.space.add_hatch(dxfattribs={"layer": "0"})
-            hatch.paths.add_polyline_path(corners, is_closed=True)
 
     def _arrow(self, mark: VectorMark) -> None:
         """The line as long as the vector is; the head lies on it."""
@@ -110,28 +107,3 @@ class _DxfPage:
             left, right = (0.0 if mark.half == other else _WIDE for other in ("right", "left"))
             corners = (tip, tip - along + along * left * 1j, tip - along - along * right * 1j)
             self.space.add_solid([(c.real, c.imag) for c in corners], dxfattribs={"layer": look["layer"]})
-
-    def _text(self, mark: Text) -> None:
-        _, _, depth = box(mark.label, mark.size)
-        x, y = self._xy(mark.at)
-        look = {"layer": "labels", "style": "letters", "char_height": mark.size * _CAP, "attachment_point": 7}
-        self.space.add_mtext(stacked(mark.label), dxfattribs={**look, "insert": (x, y - depth)})
-
-
-def stacked(label: Label) -> str:
-    """A label as MTEXT writes it: a part and a subscript are stacked (`a\\Sn^ CB;`)."""
-    text, waiting = "", ""
-    for run in label:
-        letters = run.text.replace("\\", "\\\\").replace("{", "\\{").replace("}", "\\}").replace(";", "\\;")
-        if run.place == "sub":
-            waiting += letters
-            continue
-        if run.place == "sup":
-            text, waiting = f"{text}{{\\H0.7x;\\S{letters}^ {waiting};}}", ""
-            continue
-        text, waiting = f"{text}{_low(waiting)}{letters}", ""
-    return text + _low(waiting)
-
-
-def _low(letters: str) -> str:
-    return f"{{\\H0.7x;\\S^ {letters};}}" if letters else ""

@@ -1,4 +1,7 @@
-"""Files are written beside, then renamed: none is ever half written, and none of another's is lost."""
+"""Files are written beside, then renamed: none is ever half written, and none of another's is lost.
+
+Packages that only some files need are imported when such a file is written, and named where they are not there.
+"""
 
 from __future__ import annotations
 
@@ -6,14 +9,17 @@ import contextlib
 import os
 from collections.abc import Iterator, Sequence
 from functools import cache
+from importlib import import_module
 from pathlib import Path
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from graphkin.errors import CannotWrite, GraphkinError, Lang, NoFolder
 
-DRAFT = ".draft"
+NAMESPACE = "https://graphkin.invalid/sheet/1"
+"""By this a program knows a drawing of graphkin's."""
+_DRAFT = ".draft"
 """The end of the name of a file that is being written."""
-GLANCE = 4096
+_GLANCE = 4096
 """How much of a file's beginning and end is looked at for a mark of graphkin."""
 
 
@@ -39,7 +45,7 @@ def beside(path: Path, force: bool, marks: Sequence[bytes]) -> Iterator[Path]:
     """
     refuse(path, force, marks)
     path = Path(os.path.realpath(path))
-    draft = path.with_name(f".{path.name[:60]}.{os.getpid()}{DRAFT}")
+    draft = path.with_name(f".{path.name[:60]}.{os.getpid()}{_DRAFT}")
     _clear(path.parent)
     try:
         yield draft
@@ -55,33 +61,34 @@ def beside(path: Path, force: bool, marks: Sequence[bytes]) -> Iterator[Path]:
 def _clear(folder: Path) -> None:
     """Drafts in a folder that writers left who were ended before they were done; looked for once a process."""
     with contextlib.suppress(OSError):
-        for left in folder.glob(f".*{DRAFT}"):
-            owner = left.name.removesuffix(DRAFT).rpartition(".")[2]
-            if owner.isdecimal() and owner.isascii() and not _runs(int(owner)):
+        for left in folder.glob(f".*{_DRAFT}"):
+            owner = left.name.removesuffix(_DRAFT).rpartition(".")[2]
+            if owner.isdecimal() and owner.isascii() and _is_ended(int(owner)):
                 left.unlink()
 
 
-def _runs(process: int) -> bool:
-    """True if there is such a process, not ended and waited for; where that cannot be asked without harm, there may
-    be."""
+def _is_ended(process: int) -> bool:
+    """True if there surely is no such process, or it only waits to be asked; not where that cannot be found out."""
     if os.name != "posix":
-        return True
+        return False
     try:
         os.kill(process, 0)
-        return ") Z " not in Path(f"/proc/{process}/stat").read_text(encoding="utf-8", errors="replace")
+        return ") Z " in Path(f"/proc/{process}/stat").read_text(encoding="utf-8", errors="replace")
     except ProcessLookupError:
-        return False
-    except (OSError, OverflowError):
         return True
+    except (OSError, OverflowError):
+        return False
 
 
 def refuse(path: Path, force: bool, marks: Sequence[bytes]) -> None:
-    """Whether a file may be written there; several are all asked before the first is written. A device or a pipe is no
-    file: the new one would take its place."""
+    """Raises FileInTheWay, NoFolder, CannotWrite; several files are all asked about before the first is written.
+
+    A device or a pipe is no file: the new one would take its place.
+    """
     try:
         if path.exists() and not path.is_file() and not path.is_dir():
             raise CannotWrite(str(path), "not a regular file")
-        if path.exists() and not force and not _ours(path, marks):
+        if path.exists() and not force and not _is_own(path, marks):
             raise FileInTheWay(str(path))
         if not path.parent.is_dir():
             raise NoFolder(str(path), str(path.parent))
@@ -89,12 +96,33 @@ def refuse(path: Path, force: bool, marks: Sequence[bytes]) -> None:
         raise CannotWrite.by(path, error) from None
 
 
-def _ours(path: Path, marks: Sequence[bytes]) -> bool:
-    """Whether a file says in its beginning or its end that graphkin wrote it; an empty one is nobody's loss."""
+def _is_own(path: Path, marks: Sequence[bytes]) -> bool:
+    """True where a file says in its beginning or its end that graphkin wrote it; an empty one is nobody's loss."""
     if not path.is_file():
         return False
     with path.open("rb") as file:
-        glance = file.read(GLANCE)
-        file.seek(max(0, path.stat().st_size - GLANCE))
-        glance += file.read(GLANCE)
+        glance = file.read(_GLANCE)
+        file.seek(max(0, path.stat().st_size - _GLANCE))
+        glance += file.read(_GLANCE)
     return not glance or any(mark in glance for mark in marks)
+
+
+class NeedsExtra(GraphkinError):
+    """A file whose writer is a package that is not installed."""
+
+    package: str
+    extra: str
+
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "This kind of file is written by {package}, which is not installed. "
+        "Install it: pip install 'graphkin[{extra}]'.",
+        "zh": "写这种文件需要 {package}，尚未安装。请安装：pip install 'graphkin[{extra}]'。",
+    }
+
+
+def needed(package: str, extra: str) -> Any:
+    """A package by name, imported. Raises NeedsExtra."""
+    try:
+        return import_module(package)
+    except ImportError:
+        raise NeedsExtra(package, extra) from None

@@ -7,13 +7,11 @@
 from __future__ import annotations
 
 import json
-from typing import Any
 
+from graphkin.base.plain import Plain
 from graphkin.errors import Lang
 
-__all__ = ["json_schema", "json_schema_text"]
-
-Json = dict[str, Any]
+Json = dict[str, Plain]
 
 
 def json_schema(lang: Lang = "en") -> Json:
@@ -29,22 +27,20 @@ def json_schema(lang: Lang = "en") -> Json:
 
 
 def json_schema_text(lang: Lang = "en") -> str:
-    """What `graphkin.schema.json` holds."""
+    """The text of `graphkin.schema.json`."""
     return json.dumps(json_schema(lang), indent=1, ensure_ascii=False, sort_keys=True) + "\n"
 
 
-def _table(table: str, kind: Any, lang: Lang) -> Json:
-    """A table's keys with what they say."""
+def _table(table: str, kind: type, lang: Lang) -> Json:
+    """A table's keys with their descriptions."""
     from graphkin.files.fields import keys, kind_of
     from graphkin.files.schema import FURTHER
     from graphkin.say.file_help import described, head
 
-    found = dict(kind_of(kind).json)
-    found["description"] = head(table, lang)
-    found["properties"] = {
-        key: found["properties"][key] | {"description": described(table, key, lang)} for key in keys(kind)
-    }
-    if "patternProperties" in found:
-        told = {"description": described(table, FURTHER, lang)}
-        found["patternProperties"] = {pattern: rest | told for pattern, rest in found["patternProperties"].items()}
-    return found
+    schema = kind_of(kind).json
+    properties = {key: {**schema["properties"][key], "description": described(table, key, lang)} for key in keys(kind)}
+    whole = {**schema, "description": head(table, lang), "properties": properties}
+    if "patternProperties" in schema:
+        further = {"description": described(table, FURTHER, lang)}
+        whole["patternProperties"] = {name: {**rest, **further} for name, rest in schema["patternProperties"].items()}
+    return whole

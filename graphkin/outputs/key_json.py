@@ -5,17 +5,20 @@ from __future__ import annotations
 import base64
 import json
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any, cast, get_args
 
 import numpy as np
 
+from graphkin.base.geometry import Array
+from graphkin.base.plain import Plain
 from graphkin.errors import BadKey, Where
 from graphkin.marking.key import Doubt, Hypotheses, Key, KeyEntry, KeyStep, Marking, Name, Sort
 
 FORMAT, KIND = 1, "graphkin key"
-_DEEP = "nested too deep"
-Json = dict[str, Any]
+Json = dict[str, Plain]
+Read = Mapping[str, Any]
+"""Plain data as it is read, before it is looked at."""
 
 
 # --- out --------------------------------------------------------------------------------------
@@ -35,7 +38,8 @@ def key_text(key: Key) -> str:
 
 def key_data(key: Key) -> Json:
     """As plain data."""
-    marking = key.marking
+    marking, singles = key.marking, key.singles
+    mistakes = zip(singles.names, singles.values, singles.scatters, _correlations(singles), strict=True)
     return {
         "kind": KIND,
         "format": FORMAT,
@@ -48,29 +52,30 @@ def key_data(key: Key) -> Json:
             "sigmas": marking.sigmas, "relative": marking.relative,
         },
         "given": list(key.given),
-        "quantities": [_entry(entry) for entry in key.entries],
+        "quantities": [
+            {name: getattr(entry, name) for name in KeyEntry.__match_args__ if name != "doubt" or entry.doubt}
+            for entry in key.entries
+        ],
         "together": [[round(float(x), 6) for x in row] for row in key.together],
         "steps": [
             {"plane": step.plane, "left": list(step.left), "right": list(step.right), "gives": list(step.gives)}
             for step in key.steps
         ],
         "mistakes": [
-            {"names": [list(name) for name in names], "values": _numbers(values), "scatters": _numbers(scatters), **own}
-            for names, values, scatters, own in zip(
-                key.singles.names, key.singles.values, key.singles.scatters, _hanging(key.singles), strict=True
-            )
+            {"names": [list(name) for name in names], "values": _row(values), "scatters": _row(scatters), **own}
+            for names, values, scatters, own in mistakes
         ],
         **({"positions": [key_data(one) for one in key.further]} if key.further else {}),
     }  # fmt: skip
 
 
-def _entry(entry: KeyEntry) -> Json:
-    return {name: getattr(entry, name) for name in KeyEntry.__match_args__ if name != "doubt" or entry.doubt}
+def _row(values: Array) -> list[float | None]:
+    return [float(f"{x:.12g}") if np.isfinite(x) else None for x in values]
 
 
-def _hanging(mistakes: Hypotheses) -> list[dict[str, str]]:
-    """How each mistake's values scatter together: the part of the table above its diagonal, row by row, in hundredths,
-    a byte each, as base64. A mistake without it scatters as right values do."""
+def _correlations(mistakes: Hypotheses) -> list[dict[str, str]]:
+    """The correlations of each mistake's values: the part of the table above its diagonal, row by row, in hundredths, a
+    byte each, as base64. A mistake without it scatters as right values do."""
     if mistakes.together is None:
         return [{} for _ in mistakes.names]
     above = np.triu_indices(mistakes.values.shape[1], 1)
@@ -82,19 +87,19 @@ def _line(value: object) -> str:
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 
-def _numbers(row: np.ndarray) -> list[float | None]:
-    return [float(f"{x:.12g}") if np.isfinite(x) else None for x in row]
-
-
 # --- in ---------------------------------------------------------------------------------------
 
 
 def key_of(text: str, where: Where) -> Key:
     """The key that a text holds. Raises BadKey."""
+
+    def refused(constant: str) -> float:
+        raise ValueError(f"{constant} is no number")
+
     try:
-        data = json.loads(text, parse_constant=_refused)
+        data = json.loads(text, parse_constant=refused)
     except RecursionError:
-        raise BadKey(where, _DEEP) from None
+        raise BadKey(where, "nested too deep") from None
     except ValueError as problem:
         raise BadKey(where, str(problem)) from None
     try:
@@ -103,17 +108,13 @@ def key_of(text: str, where: Where) -> Key:
         raise BadKey(where, f"{type(problem).__name__}: {problem}"[:200]) from None
 
 
-def _refused(constant: str) -> float:
-    raise ValueError(f"{constant} is no number")
-
-
 class _KeyReader:
     """Takes plain data apart; whatever is not as it should be raises."""
 
     def __init__(self, where: Where) -> None:
         self.where = where
 
-    def key(self, data: Json) -> Key:
+    def key(self, data: Read) -> Key:
         self._require(isinstance(data, dict) and data.get("kind") == KIND, "kind")
         self._require(data.get("format") == FORMAT, f"format {data.get('format')!r}, not {FORMAT}")
         entries = tuple(self._entry(item) for item in data["quantities"])
@@ -131,7 +132,7 @@ class _KeyReader:
             tuple(self.key(item) for item in data.get("positions", ())),
         )  # fmt: skip
 
-    def _entry(self, item: Json) -> KeyEntry:
+    def _entry(self, item: Read) -> KeyEntry:
         what = f"quantities: {item['text']}"
         self._require(isinstance(item["text"], str) and item["sort"] in ("sense", "size", "angle"), what)
         right, scatter, tolerance, points = (
@@ -142,7 +143,7 @@ class _KeyReader:
         self._require(doubt in get_args(Doubt), what)
         return KeyEntry(item["text"], item["unit"], cast(Sort, item["sort"]), right, scatter, tolerance, points, doubt)
 
-    def _marking(self, item: Json) -> Marking:
+    def _marking(self, item: Read) -> Marking:
         planes = ("position", "velocity", "acceleration")
         lengths = {plane: self._number(item["lengths"][plane], plane) for plane in planes}
         scales = {str(name): self._number(x, "scales") for name, x in item["scales"].items()}
@@ -150,7 +151,7 @@ class _KeyReader:
         self._require(min(*lengths.values(), angle, relative) >= 0 and sigmas > 0, "marking")
         return Marking(lengths, angle, scales, sigmas, relative)
 
-    def _mistakes(self, items: Iterable[Json], count: int) -> Hypotheses:
+    def _mistakes(self, items: Iterable[Read], count: int) -> Hypotheses:
         names, values, scatters, together = [], [], [], []
         for item in items:
             name = tuple(cast(Name, tuple(str(part) for part in one)) for one in item["names"])
@@ -158,12 +159,12 @@ class _KeyReader:
             names.append(name)
             values.append(item["values"])
             scatters.append(item["scatters"])
-            together.append(self._hanging(item.get("together"), count))
+            together.append(self._correlations(item.get("together"), count))
         tables = self._table(values, count), self._table(scatters, count)
         self._require(not np.any(tables[1] <= 0), "mistakes")
         return Hypotheses(tuple(names), *tables, np.array(together).reshape(-1, count, count))
 
-    def _hanging(self, text: str | None, count: int) -> np.ndarray:
+    def _correlations(self, text: str | None, count: int) -> Array:
         """A table of correlations; NaN where nothing is said."""
         table = np.full((count, count), np.nan)
         if text is not None:
@@ -174,10 +175,10 @@ class _KeyReader:
             table[rows, columns] = table[columns, rows] = values
         return table
 
-    def _step(self, item: Json) -> KeyStep:
+    def _step(self, item: Read) -> KeyStep:
         return KeyStep(str(item["plane"]), *(tuple(map(str, item[name])) for name in ("left", "right", "gives")))
 
-    def _table(self, rows: list[list[float | None]], count: int) -> np.ndarray:
+    def _table(self, rows: list[list[float | None]], count: int) -> Array:
         """(rows, count); None is NaN."""
         table = np.array([[math.nan if x is None else self._number(x, "table") for x in row] for row in rows])
         self._require(all(len(row) == count for row in rows), "table")

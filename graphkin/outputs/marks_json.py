@@ -1,84 +1,73 @@
-"""Marks as JSON: the line that programs read, one a submission, and the whole record. Version 1; SI units, radians."""
+"""Marks as JSON: the line that programs read, one a submission, the whole record, and a file of all records.
+
+Version 1; SI units, radians.
+"""
 
 from __future__ import annotations
 
 import cmath
-from collections.abc import Mapping
+import json
+from collections.abc import Iterable, Iterator, Mapping
+from pathlib import Path
 from typing import Any, get_args
 
+from graphkin.base.plain import Plain
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.marking.diagnosis import Explanation
 from graphkin.marking.graded import Graded
-from graphkin.marking.marked import Judged, Marked
+from graphkin.marking.marked import Judged
+from graphkin.outputs.files import beside
 
 FORMAT = 1
-Json = dict[str, Any]
-
-
-def line(graded: Graded, lang: Lang = "en") -> Json:
-    """What programs get of one submission; a `reason` only where it was not marked, which has no score."""
-    start: Json = {"format": FORMAT, "student": graded.student, "file": graded.file}
-    if graded.marked is None:
-        reason = "" if graded.reason is None else graded.reason.message(lang)
-        return {**start, "status": "not marked", "reason": reason, "score": None, "quantities": {}, "mistakes": []}
-    return {
-        **start,
-        "status": "marked",
-        "score": None if graded.marked.score is None else _rounded(graded.marked.score),
-        "quantities": {one.text: _quantity(one) for one in graded.marked.judged},
-        "mistakes": [_explanation(one) for one in graded.marked.diagnosis.explanations],
-    }
-
-
-def record(graded: Graded, lang: Lang = "en") -> Json:
-    """All of one submission: the line's, with the arithmetic, the mistakes' places, and what was passed over."""
-    whole: Json = {**line(graded, lang), "place": graded.place, "notes": [note.message(lang) for note in graded.notes]}
-    prints = {"fingerprints": list(graded.prints)} if graded.prints else {}
-    if graded.marked is None:
-        return {**whole, **prints}
-    for one in graded.marked.judged:
-        whole["quantities"][one.text] |= {
-            "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
-            "points": one.points, "credit": one.credit, **({"measured": True} if one.measured else {}),
-        }  # fmt: skip
-    for data, explanation in zip(whole["mistakes"], graded.marked.diagnosis.explanations, strict=True):
-        data["names"] = [[_name(name) for name in names] for names in explanation.names]
-    return {**whole, "evidence": _evidence(graded.marked), **_drawn(graded), **prints}
-
-
-def line_of(record: Mapping[str, Any]) -> Json:
-    """The line's part of a record."""
-    told = {key: record[key] for key in _LINE if key in record}
-    quantities = {text: {key: one[key] for key in _QUANTITY} for text, one in record["quantities"].items()}
-    mistakes = [{key: one[key] for key in _MISTAKE} for one in record["mistakes"]]
-    return {**told, "quantities": quantities, "mistakes": mistakes}
-
-
+KIND = "graphkin marks"
+MARKS = [KIND.encode()]
+HEAD = f'{{"kind": "{KIND}", "format": {FORMAT},\n"results": ['
+END = "]}"
+Json = dict[str, Plain]
+Record = Mapping[str, Any]
+"""A record as it is read."""
 _LINE = ("format", "student", "file", "status", "reason", "score")
 _QUANTITY = ("given", "right", "carried", "tolerance", "verdict", "sense")
 _MISTAKE = ("ids", "probability", "margin", "explains")
 
 
-def drawn_of(record: Mapping[str, Any]) -> dict[Plane, dict[str, complex]]:
-    """The points of a drawing in a record. Raises TypeError, ValueError, AttributeError where they are none."""
-    found: dict[Plane, dict[str, complex]] = {}
-    for plane, points in record.get("drawn", {}).items():
-        if plane not in get_args(Plane):
-            raise ValueError(f"{plane!r} is no plane")
-        found[plane] = {str(name): complex(float(x), float(y)) for name, (x, y) in points.items()}
-        if not all(map(cmath.isfinite, found[plane].values())):
-            raise ValueError(f"drawn: {plane}")
-    return found
+def line(graded: Graded, lang: Lang = "en") -> Json:
+    """The data that programs get of one submission; one that was not marked has a `reason` and no score."""
+    marked = graded.marked
+    quantities = {} if marked is None else {one.text: _quantity(one) for one in marked.judged}
+    mistakes = [] if marked is None else [_mistake(one) for one in marked.diagnosis.explanations]
+    return _line(graded, lang, quantities, mistakes)
 
 
-def _drawn(graded: Graded) -> Json:
-    """Only where a drawing was handed in."""
-    planes = {
-        plane: {name: [_rounded(at.real), _rounded(at.imag)] for name, at in points.items()}
-        for plane, points in graded.drawn.items()
-    }
-    return {"drawn": planes} if planes else {}
+def record(graded: Graded, lang: Lang = "en") -> Json:
+    """All of one submission: the line's, with the arithmetic, the mistakes' places, and what was passed over."""
+    marked = graded.marked
+    quantities = {} if marked is None else {one.text: _quantity(one) | _arithmetic(one) for one in marked.judged}
+    mistakes = [] if marked is None else [
+        _mistake(one) | {"names": [[_place(name) for name in names] for names in one.names]}
+        for one in marked.diagnosis.explanations
+    ]  # fmt: skip
+    whole = _line(graded, lang, quantities, mistakes)
+    whole |= {"place": graded.place, "notes": [note.message(lang) for note in graded.notes]}
+    if marked is not None:
+        whole["evidence"] = {id: _rounded(weight) for id, weight in marked.diagnosis.evidence.items()}
+    if marked is not None and graded.drawn:
+        whole["drawn"] = {
+            plane: {name: [_rounded(at.real), _rounded(at.imag)] for name, at in points.items()}
+            for plane, points in graded.drawn.items()
+        }
+    return whole | ({"fingerprints": list(graded.prints)} if graded.prints else {})
+
+
+def _line(graded: Graded, lang: Lang, quantities: Mapping[str, Plain], mistakes: Iterable[Plain]) -> Json:
+    start: Json = {"format": FORMAT, "student": graded.student, "file": graded.file}
+    rest: Json = {"quantities": dict(quantities), "mistakes": list(mistakes)}
+    if graded.marked is None:
+        reason = "" if graded.reason is None else graded.reason.message(lang)
+        return {**start, "status": "not marked", "reason": reason, "score": None, **rest}
+    score = graded.marked.score
+    return {**start, "status": "marked", "score": None if score is None else _rounded(score), **rest}
 
 
 def _quantity(one: Judged) -> Json:
@@ -88,22 +77,83 @@ def _quantity(one: Judged) -> Json:
     }  # fmt: skip
 
 
-def _explanation(one: Explanation) -> Json:
+def _arithmetic(one: Judged) -> Json:
     return {
-        "ids": list(one.ids),
-        "probability": _rounded(one.probability),
-        "margin": _rounded(one.margin),
+        "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
+        "points": one.points, "credit": one.credit, **({"measured": True} if one.measured else {}),
+    }  # fmt: skip
+
+
+def _mistake(one: Explanation) -> Json:
+    return {
+        "ids": list(one.ids), "probability": _rounded(one.probability), "margin": _rounded(one.margin),
         "explains": list(one.explains),
-    }
+    }  # fmt: skip
 
 
-def _name(name: tuple[str, str, str, str]) -> Mapping[str, str]:
+def _place(name: tuple[str, str, str, str]) -> Json:
     return dict(zip(("id", "way", "of", "form"), name, strict=True))
-
-
-def _evidence(marked: Marked) -> dict[str, float]:
-    return {id: _rounded(weight) for id, weight in marked.diagnosis.evidence.items()}
 
 
 def _rounded(number: float) -> float:
     return float(f"{number:.6g}") + 0.0
+
+
+# --- records read -----------------------------------------------------------------------------
+
+
+def line_of(record: Record) -> Json:
+    """The line's part of a record."""
+    kept = {key: record[key] for key in _LINE if key in record}
+    quantities = {text: {key: one[key] for key in _QUANTITY} for text, one in record["quantities"].items()}
+    mistakes = [{key: one[key] for key in _MISTAKE} for one in record["mistakes"]]
+    return {**kept, "quantities": quantities, "mistakes": mistakes}
+
+
+def drawn_of(record: Record) -> dict[Plane, dict[str, complex]]:
+    """The points of a drawing in a record. Raises TypeError, ValueError, AttributeError where they are none."""
+    planes: dict[Plane, dict[str, complex]] = {}
+    for plane, points in record.get("drawn", {}).items():
+        if plane not in get_args(Plane):
+            raise ValueError(f"{plane!r} is no plane")
+        planes[plane] = {str(name): complex(float(x), float(y)) for name, (x, y) in points.items()}
+        if not all(map(cmath.isfinite, planes[plane].values())):
+            raise ValueError(f"drawn: {plane}")
+    return planes
+
+
+# --- a file of records ------------------------------------------------------------------------
+
+
+def write(path: Path, records: Iterable[Record], force: bool = False) -> None:
+    """A line for each record. Raises FileInTheWay, NoFolder, CannotWrite."""
+    with beside(path, force, MARKS) as draft, draft.open("w", encoding="utf-8") as file:
+        file.write(HEAD)
+        for k, record in enumerate(records):
+            file.write((",\n" if k else "\n") + text(record))
+        file.write(f"\n{END}\n")
+
+
+def text(value: object) -> str:
+    """A record as it stands in its line."""
+    return json.dumps(value, ensure_ascii=False, allow_nan=False)
+
+
+def records_in(path: Path, errors: str = "strict") -> Iterator[tuple[int, Record | None]]:
+    """The records of a file, each with the number of its line; None where a line is none any more.
+
+    errors   how bytes that are no UTF-8 are read, as `open` has it
+    """
+    with path.open(encoding="utf-8", errors=errors) as file:
+        for number, line in enumerate(file, 1):
+            if line.startswith('{"format"'):
+                yield number, record_of(line)
+
+
+def record_of(line: str) -> Record | None:
+    """The record in a line; None where there is none."""
+    try:
+        record = json.loads(line.strip().removesuffix(","))
+    except (ValueError, RecursionError):
+        return None
+    return record if isinstance(record, dict) else None

@@ -14,13 +14,13 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from graphkin.errors import Lang
-from graphkin.outputs.extras import needed
+from graphkin.outputs.files import needed
 from graphkin.outputs.paint import Ink
 from graphkin.outputs.svg import svg
 from graphkin.sheet import Sheet
 
 MARK = b"graphkin sheet"
-_SERIF = "STIXGeneral"
+SERIF = "STIXGeneral"
 _COLOURS = 64
 """Of a moving picture."""
 _PAGE = """#set document(title: sys.inputs.title, author: "graphkin sheet", date: none)
@@ -47,34 +47,39 @@ def unscaled(content: bytes) -> bytes:
     """
     trailer = content[content.rfind(b"trailer") :]
     root, start = re.search(rb"/Root (\d+) 0 R", trailer), re.search(rb"startxref\s+(\d+)", trailer)
-    size = re.search(rb"/Size (\d+)", trailer)
-    if root is None or start is None or size is None:
+    if root is None or start is None or re.search(rb"/Size (\d+)", trailer) is None:
         return content
     number = root[1]
     catalog = re.search(rb"(?<!\d)%s 0 obj\s.*?endobj" % number, content, re.DOTALL)
     if catalog is None or b"/ViewerPreferences<<" not in catalog[0]:
         return content
-    asked = catalog[0].replace(b"/ViewerPreferences<<", b"/ViewerPreferences<</PrintScaling/None")
+    changed = catalog[0].replace(b"/ViewerPreferences<<", b"/ViewerPreferences<</PrintScaling/None")
     body = content.rstrip(b"\n") + b"\n"
     table = b"xref\n%s 1\n%010d 00000 n \n" % (number, len(body))
     entries = re.sub(rb"startxref.*", b"", trailer, flags=re.DOTALL).replace(b"trailer", b"", 1).strip()
-    told = b"trailer\n" + entries[:-2] + b"/Prev " + start[1] + b">>\n"
-    return body + asked + b"\n" + table + told + b"startxref\n%d\n%%%%EOF\n" % (len(body) + len(asked) + 1)
+    end = b"trailer\n" + entries[:-2] + b"/Prev " + start[1] + b">>\n"
+    return body + changed + b"\n" + table + end + b"startxref\n%d\n%%%%EOF\n" % (len(body) + len(changed) + 1)
 
 
-def png(sheet: Sheet, dpi: float, ink: Ink = "accent") -> bytes:
-    """The sheet at so many dots per inch. Raises NeedsExtra without resvg-py."""
-    resvg = needed("resvg_py", "png")
-    drawn = svg(sheet, ink)
-    fonts = {"serif_family": _SERIF, "font_files": _serif_files()}
-    return _signed(bytes(resvg.svg_to_bytes(svg_string=drawn, dpi=dpi, background="#ffffff", **fonts)), dpi)
-
-
-def _serif_files() -> list[str]:
+def serif_files() -> list[str]:
     """A serif that comes with matplotlib, for machines that have none: resvg leaves out text that has no font."""
     spec = find_spec("matplotlib")
     folder = Path(spec.origin or "").parent / "mpl-data/fonts/ttf" if spec else Path()
-    return [str(file) for file in sorted(folder.glob(f"{_SERIF}*.ttf"))]
+    return [str(file) for file in sorted(folder.glob(f"{SERIF}*.ttf"))]
+
+
+def png(sheet: Sheet, dpi: float, ink: Ink = "accent") -> bytes:
+    """The sheet at so many dots per inch, with who made it, and how large it is meant to be.
+
+    Raises NeedsExtra without resvg-py.
+    """
+    resvg = needed("resvg_py", "png")
+    fonts = {"serif_family": SERIF, "font_files": serif_files()}
+    content = bytes(resvg.svg_to_bytes(svg_string=svg(sheet, ink), dpi=dpi, background="#ffffff", **fonts))
+    first = 8 + 25  # the signature, and the chunk that every PNG begins with
+    metres = round(dpi / 0.0254)
+    stated = _chunk(b"tEXt", b"Software\0" + MARK) + _chunk(b"pHYs", struct.pack(">IIB", metres, metres, 1))
+    return content[:first] + stated + content[first:]
 
 
 def moving_png(sheets: Sequence[Sheet], dpi: float, seconds: float, ink: Ink = "accent") -> bytes:
@@ -85,24 +90,15 @@ def moving_png(sheets: Sequence[Sheet], dpi: float, seconds: float, ink: Ink = "
     from PIL import Image, PngImagePlugin
 
     pictures = [Image.open(io.BytesIO(png(sheet, dpi, ink))).convert("RGB") for sheet in sheets]
-    known = pictures[0].quantize(_COLOURS, dither=Image.Dither.NONE)
-    few = [picture.quantize(palette=known, dither=Image.Dither.NONE) for picture in pictures]
-    told = PngImagePlugin.PngInfo()
-    told.add_text("Software", MARK.decode())
-    made = io.BytesIO()
+    palette = pictures[0].quantize(_COLOURS, dither=Image.Dither.NONE)
+    few = [picture.quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
+    info, made = PngImagePlugin.PngInfo(), io.BytesIO()
+    info.add_text("Software", MARK.decode())
     few[0].save(
         made, "PNG", save_all=True, append_images=few[1:], duration=1000 * seconds / len(few), loop=0,
-        dpi=(dpi, dpi), pnginfo=told, optimize=True,
+        dpi=(dpi, dpi), pnginfo=info, optimize=True,
     )  # fmt: skip
     return made.getvalue()
-
-
-def _signed(content: bytes, dpi: float) -> bytes:
-    """The picture with who made it, and how large it is meant to be."""
-    first = 8 + 25  # the signature, and the chunk that every PNG begins with
-    metres = round(dpi / 0.0254)
-    told = _chunk(b"tEXt", b"Software\0" + MARK) + _chunk(b"pHYs", struct.pack(">IIB", metres, metres, 1))
-    return content[:first] + told + content[first:]
 
 
 def _chunk(kind: bytes, data: bytes) -> bytes:

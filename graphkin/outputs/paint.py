@@ -1,4 +1,4 @@
-"""With which colours, widths and dashes a mark is painted."""
+"""The colours, widths and dashes that a mark is painted with."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from typing import Literal
 
 from graphkin.base.value import frozen
-from graphkin.outputs.spans import mm
+from graphkin.outputs.typesetting import mm
 from graphkin.sheet import Sheet
-from graphkin.sheet.marks import ArcMark, Disc, Fill, Mark, PointMark, Stroke, Text, VectorMark
+from graphkin.sheet.marks import ArcMark, Fill, Mark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer
-from graphkin.sheet.paper import PENS, PenName
+from graphkin.sheet.paper import PENS
 
 _INK, _NEW, _PALE = "#000000", "#c00000", "#777777"
 _ACCENTS: Mapping[str, str] = {"velocity": "#0b4f9c", "acceleration": "#a3200d"}
@@ -20,7 +20,7 @@ Ink = Literal["accent", "black"]
 
 @frozen
 class Colours:
-    """What marks are painted with: an accent a plane, or black alone; of a stage, only what is new stands out."""
+    """The colours of marks: an accent a plane, or black alone; of a stage, only what is new stands out."""
 
     ink: Ink
     staged: bool
@@ -38,28 +38,19 @@ class Colours:
         return _ACCENTS.get(plane or "", _NEW if mark.new else _INK)
 
     def paint(self, layer: Layer, mark: Mark) -> tuple[tuple[str, str], ...]:
-        """What a viewer paints a mark with, as attributes."""
+        """The attributes a viewer paints a mark by; in a detail an arrow's head is part of its outline."""
         colour = self.of_mark(mark, layer)
         if isinstance(mark, Text):
             weight = {"font-weight": "bold"} if mark.new and self.ink == "black" else {}
             return (("fill", colour), *weight.items())
-        pen = PENS[_pen_of(mark)]
-        fill = _fill_of(mark)
-        found = {"fill": {"paper": "#ffffff", "grey": "#dddddd", "none": "none"}.get(fill, colour)}
-        found |= {"fill-opacity": "0.1"} if fill == "tint" else {}
-        found |= {"stroke": colour, "stroke-width": mm(pen.width * (1.8 if mark.new else 1))}
-        found |= {"stroke-dasharray": " ".join(map(mm, pen.dashes))} if pen.dashes else {}
-        return tuple(found.items())
-
-
-def _fill_of(mark: Stroke | Disc | ArcMark | VectorMark | PointMark) -> Fill:
-    """In a detail an arrow's head is part of its outline."""
-    if isinstance(mark, VectorMark):
-        return "ink" if mark.plane == "detail" else "none"
-    return "none" if isinstance(mark, ArcMark) else mark.fill
-
-
-def _pen_of(mark: Stroke | Disc | ArcMark | VectorMark | PointMark) -> PenName:
-    if isinstance(mark, PointMark):
-        return "outline" if mark.fill == "paper" else "construction"
-    return mark.pen
+        fill: Fill = "none" if isinstance(mark, ArcMark | VectorMark) else mark.fill
+        if isinstance(mark, PointMark):
+            pen = PENS["outline" if mark.fill == "paper" else "construction"]
+        else:
+            pen = PENS[mark.pen]
+            fill = "ink" if isinstance(mark, VectorMark) and mark.plane == "detail" else fill
+        attributes = {"fill": {"paper": "#ffffff", "grey": "#dddddd", "none": "none"}.get(fill, colour)}
+        attributes |= {"fill-opacity": "0.1"} if fill == "tint" else {}
+        attributes |= {"stroke": colour, "stroke-width": mm(pen.width * (1.8 if mark.new else 1))}
+        attributes |= {"stroke-dasharray": " ".join(map(mm, pen.dashes))} if pen.dashes else {}
+        return tuple(attributes.items())

@@ -1,4 +1,4 @@
-"""What a drawing says of itself, for a program that measures it: what each mark shows, and the problem behind all."""
+"""The data in a drawing for a program that measures it: what each mark shows, and the problem behind all."""
 
 from __future__ import annotations
 
@@ -7,33 +7,30 @@ import json
 from pathlib import Path
 from typing import assert_never
 
-from graphkin.base.plain import seal
-from graphkin.outputs.spans import lettered
+from graphkin.base.checksum import seal
+from graphkin.outputs.typesetting import lettered
 from graphkin.sheet import Sheet
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark
 from graphkin.sheet.scales import KEYS
 
 
 def stated(mark: Mark) -> dict[str, str]:
-    """What a mark says that it shows, for a reader to hold it to: the element's `data-*`."""
+    """The data that a mark says it shows, for a reader to hold it to: the element's `data-*`."""
+    said: dict[str, str] = {}
     match mark:
         case VectorMark(plane="detail") | PointMark(plane="detail"):
-            return {}
+            pass
         case VectorMark():
-            known: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "tail", "head")}
-            sites = zip(("of", "seen-from", "over", "onto"), mark.sites, strict=False)
-            return _filled(known | {"part": mark.part, "aside": str(mark.aside or "")} | dict(sites))
+            said = {key: getattr(mark, key) for key in ("plane", "name", "tail", "head", "part")}
+            said |= {"aside": str(mark.aside or "")}
+            said |= zip(("of", "seen-from", "over", "onto"), mark.sites, strict=False)
         case PointMark():
-            named: dict[str, str] = {key: getattr(mark, key) for key in ("plane", "name", "of")}
-            return _filled(named | {"site": mark.site})
+            said = {key: getattr(mark, key) for key in ("plane", "name", "of", "site")}
         case Stroke(shows=Shows() as shows) | Disc(shows=Shows() as shows):
-            lies = {"plane": shows.plane, "link": shows.link, "form": shows.form, "points": " ".join(shows.points)}
-            return _filled(lies | {"line": shows.line})
+            said = {key: getattr(shows, key) for key in ("plane", "link", "form")}
+            said |= {"points": " ".join(shows.points), "line": shows.line}
         case _:
-            return {}
-
-
-def _filled(said: dict[str, str]) -> dict[str, str]:
+            pass
     return {key: value for key, value in said.items() if value}
 
 
@@ -41,7 +38,7 @@ def kind(mark: Mark) -> str:
     return {VectorMark: "vector", PointMark: "point"}.get(type(mark), "link")
 
 
-def _rounded(place: Place) -> list[float]:
+def _xy(place: Place) -> list[float]:
     return [round(place.real, 4), round(place.imag, 4)]
 
 
@@ -60,7 +57,7 @@ def statement(sheet: Sheet, moving: bool = False) -> str:
         "file": Path(machine.file).name,
         "drivers": list(sheet.drivers),
         "scales": {KEYS[plane]: scale for plane, scale in sheet.scales.items()},
-        "origin": {plane: _rounded(origin) for plane, origin in sheet.origins.items()},
+        "origin": {plane: _xy(origin) for plane, origin in sheet.origins.items()},
     }
     if not sheet.paper.margin:
         data["tight"] = True
@@ -81,8 +78,8 @@ def _drawn(sheet: Sheet) -> dict[str, object]:
     texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
     return {
         "drawn": sorted([sort, *sorted(f"{key}={value}" for key, value in said.items())] for sort, said in drawn),
-        "letters": sorted([lettered(text), *_rounded(text.at)] for text in texts),
-        "signs": sorted([*_rounded(one), *_rounded(other)] for mark in sheet.marks if _is_sign(mark, placed)
+        "letters": sorted([lettered(text), *_xy(text.at)] for text in texts),
+        "signs": sorted([*_xy(one), *_xy(other)] for mark in sheet.marks if _is_sign(mark, placed)
                         for one, other in (_ends(mark),)),
     }  # fmt: skip
 
@@ -95,7 +92,7 @@ def _is_sign(mark: Mark, placed: bool) -> bool:
 
 
 def _ends(mark: Mark) -> tuple[Place, Place]:
-    """Where a sign begins, and its middle corner or, of a circle, its middle, as `graphkin.check.signs` sees them."""
+    """The start of a sign, and its middle corner or, of a circle, its middle, as `graphkin.check.signs` sees them."""
     match mark:
         case Stroke():
             corners = (*mark.places, *mark.places[: mark.closed])

@@ -16,19 +16,17 @@ from functools import partial
 from itertools import groupby
 from typing import Any, ClassVar, assert_never
 
-from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, Lang
+from graphkin.outputs.files import NAMESPACE
 from graphkin.outputs.paint import Colours, Ink
-from graphkin.outputs.spans import LATIN, mm, runs, short
 from graphkin.outputs.stated import kind, stated, statement
+from graphkin.outputs.typesetting import LATIN, mm, runs, short
 from graphkin.sheet import Sheet
 from graphkin.sheet.composed import HEADINGS
-from graphkin.sheet.lettering import Label
 from graphkin.sheet.marks import ArcMark, Disc, Half, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer
 from graphkin.sheet.scales import written
 
-NAMESPACE = "https://graphkin.invalid/sheet/1"
 _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 _CONTROL = "[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]"
 
@@ -79,22 +77,19 @@ def _drawn(sheet: Sheet, ink: Ink, metadata: bool) -> str:
 
 def _written(element: ET.Element) -> str:
     """The element as text. Names with their prefix are written as they are, so nothing has to be looked up."""
-    attributes = "".join([f' {name}="{value}"' for name, value in _safe(element.attrib).items()])
+    items = element.attrib.items()
+    if _SPECIAL.search("".join(element.attrib.values())) is not None:
+        items = {name: value.translate(_QUOTED) for name, value in items}.items()
+    attributes = "".join([f' {name}="{value}"' for name, value in items])
     inside = (element.text or "").translate(_LETTERED) + "".join([_written(part) for part in element])
     return f"<{element.tag}{attributes}" + (f">{inside}</{element.tag}>" if inside else " />")
 
 
-def _safe(attributes: dict[str, str]) -> dict[str, str]:
-    if _SPECIAL.search("".join(attributes.values())) is None:
-        return attributes
-    return {name: value.translate(_QUOTED) for name, value in attributes.items()}
-
-
 def _refuse_control(text: str, where: str) -> None:
     plain = text.replace("\n", "").isprintable()  # so nearly every file is
-    if not plain and (found := re.search(_CONTROL, text)) is not None:
-        line = text.count("\n", 0, found.start()) + 1
-        raise Unwritable(f"{where}:{line}", f"U+{ord(found.group()):04X}")
+    if not plain and (control := re.search(_CONTROL, text)) is not None:
+        line = text.count("\n", 0, control.start()) + 1
+        raise Unwritable(f"{where}:{line}", f"U+{ord(control.group()):04X}")
 
 
 def _xy(place: Place) -> tuple[str, str]:
@@ -131,26 +126,26 @@ class SvgPen:
     def layer(self, layer: Layer) -> None:
         if not layer.marks:
             return
+        parts = []
+        for painted, run in groupby(layer.marks, partial(self.colours.paint, layer)):
+            paint, marks = dict(painted), [*run]
+            parts.append(
+                self.element(marks[0], layer, paint) if len(marks) == 1
+                else _element("g", paint, [self.element(mark, layer) for mark in marks])
+            )  # fmt: skip
         named = {"inkscape:groupmode": "layer", "inkscape:label": layer.name} if self.metadata else {}
-        painted = ((dict(paint), [*marks]) for paint, marks in groupby(layer.marks, partial(self.colours.paint, layer)))
-        parts = [self._painted(marks, layer, paint) for paint, marks in painted]
         self.drawing.add(Ready(_element("g", named, parts)))
-
-    def _painted(self, marks: Sequence[Mark], layer: Layer, paint: Attributes) -> ET.Element:
-        if len(marks) == 1:
-            return self.element(marks[0], layer, paint)
-        return _element("g", paint, [self.element(mark, layer) for mark in marks])
 
     def element(self, mark: Mark, layer: Layer, paint: Attributes = _NONE) -> ET.Element:
         """A mark; what is around it has its paint, where it has none itself."""
         name, form, inside = self._form(mark, layer)
-        found = {**form, **paint}
+        attributes = {**form, **paint}
         if said := stated(mark):
-            found["class"] = kind(mark)
-            found |= {f"data-{key}": value for key, value in said.items()}
+            attributes["class"] = kind(mark)
+            attributes |= {f"data-{key}": value for key, value in said.items()}
         if mark.step is not None:
-            found["data-step"] = str(mark.step)
-        return _element(name, found, inside)
+            attributes["data-step"] = str(mark.step)
+        return _element(name, attributes, inside)
 
     def _form(self, mark: Mark, layer: Layer) -> Form:
         match mark:
@@ -172,11 +167,15 @@ class SvgPen:
                 assert_never(mark)
 
     def _vector(self, mark: VectorMark, colour: str) -> Form:
-        name, form, _ = _line(mark.start, mark.end)
+        form = _line(mark.start, mark.end)
         if mark.length > 0.05:
             form["marker-end"] = f"url(#{self._head(mark, colour)})"
-        named = mark.plane in self.sheet.scales
-        return name, form, [_element("title", {}, _value(mark, self.sheet.scales))] if named else ""
+        if mark.plane not in self.sheet.scales:
+            return "line", form, ""
+        size = mark.length * next(scale for plane, scale in self.sheet.scales.items() if plane == mark.plane)
+        value = f"{size:.4g}" if mark.length > 0.0001 else "0"  # v_B3 = v_C = 0.2712 m/s
+        title = f"{' = '.join((mark.name, *mark.also))} = {value} {'m/s' if mark.plane == 'velocity' else 'm/s²'}"
+        return "line", form, [_element("title", {}, title)]
 
     def _head(self, mark: VectorMark, colour: str) -> str:
         """The name of an arrow head whose tip lies on the line, so far from its end; on short arrows it is small."""
@@ -214,9 +213,9 @@ def _element(name: str, attributes: Attributes, inside: Inside = "") -> ET.Eleme
     return element
 
 
-def _line(start: Place, end: Place) -> Form:
+def _line(start: Place, end: Place) -> dict[str, str]:
     (x1, y1), (x2, y2) = _xy(start), _xy(end)
-    return "line", {"x1": x1, "y1": y1, "x2": x2, "y2": y2}, ""
+    return {"x1": x1, "y1": y1, "x2": x2, "y2": y2}
 
 
 def _circle(centre: Place, radius: float) -> Form:
@@ -226,7 +225,7 @@ def _circle(centre: Place, radius: float) -> Form:
 
 def _stroke(mark: Stroke) -> Form:
     if len(mark.places) == 2 and not mark.closed:
-        return _line(*mark.places)
+        return "line", _line(*mark.places), ""
     corners = "L".join(" ".join(_xy(place)) for place in mark.places)
     return "path", {"d": "M" + corners + ("Z" if mark.closed else "")}, ""
 
@@ -246,12 +245,12 @@ def _text(mark: Text) -> Form:
         (span,) = spans
         place = {"x": short(span.at.real), "y": short(span.at.imag)}
         return "text", size | place | span.type(0), span.text
-    found, line = [], math.nan
+    elements, line = [], math.nan
     for span in spans:
         place = {"x": short(span.at.real)} | ({"y": short(span.at.imag)} if span.at.imag != line else {})
-        found.append(_element("tspan", place | span.type(mark.size), span.text))
+        elements.append(_element("tspan", place | span.type(mark.size), span.text))
         line = span.at.imag
-    return "text", size, found
+    return "text", size, elements
 
 
 _HEADS: Mapping[Half, str] = {
@@ -276,18 +275,19 @@ _WIDTHS: Mapping[Half, tuple[float, float]] = {"": (0.45, 0.45), "left": (0.6, 0
 """How far such a head opens to the left and to the right, with the line around it as far as others do [mm]."""
 
 
-def _value(mark: VectorMark, scales: Mapping[Plane, float]) -> str:
-    """`v_B3 = v_C = 0.2712 m/s`."""
-    scale = next(scale for plane, scale in scales.items() if plane == mark.plane)
-    said = f"{mark.length * scale:.4g}" if mark.length > 0.0001 else "0"
-    return f"{' = '.join((mark.name, *mark.also))} = {said} {'m/s' if mark.plane == 'velocity' else 'm/s²'}"
-
-
 def _described(sheet: Sheet) -> str:
-    """What is on the sheet, at which scales."""
+    """The figures on the sheet, at which scales."""
     words = HEADINGS[sheet.lang]
-    return "; ".join(f"{words[plane]}, {_read(written(plane, scale))}" for plane, scale in sheet.scales.items())
+    labels = {plane: "".join(run.text for run in written(plane, scale)) for plane, scale in sheet.scales.items()}
+    return "; ".join(f"{words[plane]}, {label}" for plane, label in labels.items())
 
 
-def _read(label: Label) -> str:
-    return "".join(run.text for run in label)
+class NotebookSheet(Sheet):
+    """A sheet that a notebook shows as its SVG."""
+
+    def _repr_svg_(self) -> str:
+        return svg(self)
+
+
+def shown(sheet: Sheet) -> NotebookSheet:
+    return NotebookSheet(**vars(sheet))

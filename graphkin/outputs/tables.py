@@ -1,31 +1,42 @@
-"""Sweeps as tables: CSV, JSON, JSON Lines, Parquet. Written part by part, so that their length costs no memory.
+"""Sweeps as tables: CSV, JSON, JSON Lines, Parquet; for notebooks and other programs pandas, polars, Arrow, a diagram.
 
-CSV and Parquet have mm and deg and say so in their headers; JSON has SI units and radians, as `solve --json`: one
-object of columns (`.json`), which has to be whole before it is written, or one object a position (`.jsonl`).
+Files are written part by part, so that their length costs no memory. CSV and Parquet have mm and deg and say so in
+their headers; JSON has SI units and radians, as `solve --json`: one object of columns (`.json`), which has to be whole
+before it is written, or one object a position (`.jsonl`).
 """
 
 from __future__ import annotations
 
+import io
 import json
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from html import escape
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
+from graphkin.base.geometry import Array, number
+from graphkin.base.plain import Plain
 from graphkin.errors import GraphkinError, Lang
 from graphkin.model.quantities import EDGE, Unit, driven
 from graphkin.outputs.files import beside
+from graphkin.running.path import Event
 from graphkin.studies.sweeps import Course, Road, Series, Sweep, in_parts
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 FORMATS = (".csv", ".json", ".jsonl", ".parquet")
 MARKS = (b" [deg]", b" [mm]", b' [rad]": ', b' [m]": ', b'"format": 1', b"graphkin")
 _SI = {name: Unit("" if name == "1" else name, name) for name in EDGE}
 _LINES = 4096
 """So many lines are made at once."""
+_SHOWN = 8
+"""Rows at either end of a table in a notebook."""
 Seen = Callable[[Sweep], None]
-"""Is shown each part that is done."""
+"""A function that sees each part that is done."""
 
 
 class NoParquet(GraphkinError):
@@ -45,21 +56,20 @@ def write(
 
     Raises FileInTheWay, NoFolder, CannotWrite, NoParquet.
     """
-    found = told(in_parts(course, names, by), seen)
+    parts = shown_parts(in_parts(course, names, by), seen)
     if path.suffix == ".parquet":
-        _write_parquet(path, course, found, force)
+        _write_parquet(path, parts, force)
         return
     with beside(path, force, MARKS) as draft, draft.open("w", encoding="utf-8", newline="\n") as file:
         if path.suffix == ".json":
-            file.write(json_text(course, found) + "\n")
+            file.write(json_text(course, parts) + "\n")
         else:
-            for lines in (json_lines if path.suffix == ".jsonl" else csv_lines)(course, found):
-                file.write(lines)
+            file.writelines((json_lines if path.suffix == ".jsonl" else csv_lines)(course, parts))
 
 
-def told(found: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
+def shown_parts(parts: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
     """The parts, each shown to `seen` when it is done."""
-    for part in found:
+    for part in parts:
         yield part
         seen(part)
 
@@ -67,38 +77,33 @@ def told(found: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
 # --- columns ----------------------------------------------------------------------------------
 
 
-def columns(part: Sweep, units: Mapping[str, Unit] = EDGE) -> dict[str, np.ndarray]:
+def columns(part: Sweep, units: Mapping[str, Unit] = EDGE) -> dict[str, Array]:
     """By header, in mm and deg or so: the drivers' values, and each quantity as the terminal has it.
 
     Of vectors then x and y; where a guide of the frame gives a sign, the size, too.
     """
-    driver = part.course.driver.name
     unit = units[part.course.unit]
-    found = {f"{driver} [{unit.name}]": part.driven * unit.factor}
+    table: dict[str, Array] = {f"{part.course.driver.name} [{unit.name}]": part.driven * unit.factor}
     for name, other, values in _others(part):
-        found[f"{name} [{units[other].name}]"] = values * units[other].factor
+        table[f"{name} [{units[other].name}]"] = values * units[other].factor
     for entry in part.series:
-        found |= _columns(entry, units[entry.unit])
-    return found
-
-
-def _columns(entry: Series, shown: Unit) -> Iterator[tuple[str, np.ndarray]]:
-    unit, factor = shown.name or "1", shown.factor
-    if not entry.is_place:
-        yield f"{entry.name} [{unit}]", entry.signed * factor
-    if _has_size(entry):
-        yield f"{entry.name} size [{unit}]", entry.values * factor
-    if entry.vectors is not None:
-        yield f"{entry.name} x [{unit}]", entry.vectors.real * factor
-        yield f"{entry.name} y [{unit}]", entry.vectors.imag * factor
+        shown, factor = units[entry.unit].name or "1", units[entry.unit].factor
+        if not entry.is_place:
+            table[f"{entry.name} [{shown}]"] = entry.signed * factor
+        if _has_size(entry):
+            table[f"{entry.name} size [{shown}]"] = entry.values * factor
+        if entry.vectors is not None:
+            table[f"{entry.name} x [{shown}]"] = entry.vectors.real * factor
+            table[f"{entry.name} y [{shown}]"] = entry.vectors.imag * factor
+    return table
 
 
 def _has_size(entry: Series) -> bool:
-    """Whether its value has a sign that its size has not."""
+    """True where its value has a sign that its size has not."""
     return entry.along is not None and entry.vectors is not None
 
 
-def _others(part: Sweep) -> Iterator[tuple[str, str, np.ndarray]]:
+def _others(part: Sweep) -> Iterator[tuple[str, str, Array]]:
     """The other drivers that move on the path: name, SI unit, values."""
     course = part.course
     for k, driver in enumerate(course.method.drivers):
@@ -107,42 +112,58 @@ def _others(part: Sweep) -> Iterator[tuple[str, str, np.ndarray]]:
             yield driver.name, unit, course.path.start[k] + course.path.pace[k] * part.t
 
 
-def csv_lines(course: Course, found: Iterator[Sweep]) -> Iterator[str]:
+# --- files ------------------------------------------------------------------------------------
+
+
+def csv_lines(course: Course, parts: Iterator[Sweep]) -> Iterator[str]:
     """The header, then the rows of each part; twelve digits, as RFC 4180 has it but for the line ends."""
-    for number, part in enumerate(found):
+    for k, part in enumerate(parts):
         table = columns(part)
-        if number == 0:
-            yield ",".join(_quoted(name) for name in table) + "\n"
+        if k == 0:
+            yield ",".join(f'"{name}"' if "," in name else name for name in table) + "\n"
         rows = np.column_stack(list(table.values())) + 0.0
         line = ",".join(["%.12g"] * rows.shape[1]) + "\n"
         yield (line * len(rows)) % tuple(rows.ravel().tolist())
 
 
-def _quoted(name: str) -> str:
-    return f'"{name}"' if "," in name else name
+def json_lines(course: Course, parts: Iterator[Sweep]) -> Iterator[str]:
+    """An object for each position, each by itself: columns as in CSV, in SI units and radians."""
+    for part in parts:
+        table = columns(part, _SI)
+        rows = np.column_stack(list(table.values())) + 0.0
+        heads = (json.dumps(head, ensure_ascii=False).replace("%", "%%") for head in table)
+        line = "{" + ", ".join(f"{head}: %s" for head in heads) + "}\n"
+        for some in np.array_split(rows, 1 + len(rows) // _LINES):
+            numbers: Sequence[float | str] = some.ravel().tolist()
+            if not np.isfinite(some).all():
+                numbers = [value if math.isfinite(value) else "null" for value in some.ravel().tolist()]
+            yield (line * len(some)) % tuple(numbers)
 
 
-# --- JSON -------------------------------------------------------------------------------------
-
-
-def json_text(course: Course, found: Iterator[Sweep]) -> str:
+def json_text(course: Course, parts: Iterator[Sweep]) -> str:
     """One object: the driver's values, the range that is reached, and each quantity with its unit."""
-    collected = list(found)
-    low, high = course.reach
-    values = _all([part.driven for part in collected])
-    data: dict[str, Any] = {
+    collected = list(parts)
+    low, high = (None, None) if course.full_turn else course.reach
+    others = [list(_others(part)) for part in collected]
+    together: dict[str, Plain] = {
+        name: {"unit": unit, "values": _all(part[k][2] for part in others)}
+        for k, (name, unit, _) in enumerate(others[0])
+    }
+    undefined = _all(part.undefined for part in collected)
+    values = _all(part.driven for part in collected)
+    data: dict[str, Plain] = {
         "format": 1,
         "name": course.method.mechanism.name,
         "driver": {"name": course.driver.name, "unit": course.unit, "values": values},
-        **({"together": others} if (others := _together(collected)) else {}),
+        **({"together": together} if together else {}),
         "range": {
             "full_turn": course.full_turn,
-            "low": None if course.full_turn else low,
-            "high": None if course.full_turn else high,
+            "low": low,
+            "high": high,
             "stops": [_event(course, stop) for stop in course.stops],
             "change_points": [_event(course, change) for change in course.changes],
             "not_reached": [float(value) for value in course.dropped],
-            **({"undefined": undefined} if (undefined := _all([part.undefined for part in collected])) else {}),
+            **({"undefined": undefined} if undefined else {}),
         },
         "quantities": {
             entry.name: _quantity([part.series[k] for part in collected])
@@ -152,53 +173,30 @@ def json_text(course: Course, found: Iterator[Sweep]) -> str:
     return json.dumps(data, ensure_ascii=False, allow_nan=False)
 
 
-def json_lines(course: Course, found: Iterator[Sweep]) -> Iterator[str]:
-    """An object for each position, each by itself: columns as in CSV, in SI units and radians."""
-    for part in found:
-        table = columns(part, _SI)
-        rows = np.column_stack(list(table.values())) + 0.0
-        heads = (json.dumps(head, ensure_ascii=False).replace("%", "%%") for head in table)
-        line = "{" + ", ".join(f"{head}: %s" for head in heads) + "}\n"
-        for some in np.array_split(rows, 1 + len(rows) // _LINES):
-            numbers: list[Any] = some.ravel().tolist()
-            if not np.isfinite(some).all():
-                numbers = [number if math.isfinite(number) else "null" for number in numbers]
-            yield (line * len(some)) % tuple(numbers)
-def _together(found: list[Sweep]) -> dict[str, Any]:
-    """The other drivers that move, by name."""
-    rows = [list(_others(part)) for part in found]
-    return {
-        name: {"unit": unit, "values": _all([part[k][2] for part in rows])} for k, (name, unit, _) in enumerate(rows[0])
-    }
+def _event(course: Course, event: Event) -> Plain:
+    return {"at": number(course.value(event.at)), "kind": event.kind, "links": list(event.links)}
 
 
-def _event(course: Course, event: Any) -> dict[str, Any]:
-    return {"at": float(course.value(event.at)), "kind": event.kind, "links": list(event.links)}
-
-
-def _quantity(found: list[Series]) -> dict[str, Any]:
-    data: dict[str, Any] = {"unit": found[0].unit, "values": _all([entry.signed for entry in found])}
-    if _has_size(found[0]):
-        data["sizes"] = _all([entry.values for entry in found])
-    if found[0].vectors is not None:
-        vectors = np.concatenate([np.asarray(entry.vectors) for entry in found])
-        data["vectors"] = [[_number(v.real), _number(v.imag)] for v in vectors]
+def _quantity(parts: list[Series]) -> dict[str, Plain]:
+    data: dict[str, Plain] = {"unit": parts[0].unit, "values": _all(part.signed for part in parts)}
+    if _has_size(parts[0]):
+        data["sizes"] = _all(part.values for part in parts)
+    if parts[0].vectors is not None:
+        vectors = np.concatenate([np.asarray(part.vectors) for part in parts])
+        data["vectors"] = [[_finite(vector.real), _finite(vector.imag)] for vector in vectors]
     return data
 
 
-def _all(found: list[np.ndarray]) -> list[float | None]:
-    return [_number(value) for value in np.concatenate(found)]
+def _all(parts: Iterable[Array]) -> list[float | None]:
+    return [_finite(value) for value in np.concatenate(list(parts))]
 
 
-def _number(value: float) -> float | None:
+def _finite(value: float) -> float | None:
     """A number JSON can hold; what has no value there (a quotient by 0) is null."""
     return float(value) + 0.0 if math.isfinite(value) else None
 
 
-# --- Parquet ----------------------------------------------------------------------------------
-
-
-def _write_parquet(path: Path, course: Course, found: Iterator[Sweep], force: bool) -> None:
+def _write_parquet(path: Path, parts: Iterator[Sweep], force: bool) -> None:
     try:
         import pyarrow  # type: ignore[import-not-found, unused-ignore]
         import pyarrow.parquet  # type: ignore[import-not-found, unused-ignore]
@@ -206,9 +204,92 @@ def _write_parquet(path: Path, course: Course, found: Iterator[Sweep], force: bo
         raise NoParquet(str(path)) from None
     with beside(path, force, MARKS) as draft:
         writer: Any = None
-        for part in found:
+        for part in parts:
             table = pyarrow.table(columns(part)).replace_schema_metadata({"writer": "graphkin"})
             writer = writer or pyarrow.parquet.ParquetWriter(draft, table.schema)
             writer.write_table(table)
         writer.close()
 
+
+# --- notebooks and other programs -------------------------------------------------------------
+
+
+class SweepFrames(Sweep):
+    __doc__ = Sweep.__doc__
+
+    def columns(self, si: bool = False) -> dict[str, Array]:
+        """By heading, as in CSV: the driver's value, and each quantity; of vectors the size, then x and y.
+
+        si    in rad and m, the arrays of the sweep itself, not copied; else in deg and mm
+        """
+        if not si:
+            return columns(self)
+        table: dict[str, Array] = {f"{self.driver} [{self.course.unit}]": self.driven}
+        for entry in self.series:
+            if not entry.is_place:
+                table[f"{entry.name} [{entry.unit}]"] = entry.values
+            if entry.vectors is not None:
+                table[f"{entry.name} x [{entry.unit}]"] = entry.vectors.real
+                table[f"{entry.name} y [{entry.unit}]"] = entry.vectors.imag
+        return table
+
+    def to_arrow(self, si: bool = False) -> Any:
+        """A `pyarrow.Table` of the columns; arrays of the sweep are not copied. Needs pyarrow."""
+        import pyarrow
+
+        return pyarrow.table(self.columns(si))
+
+    def to_pandas(self, si: bool = False) -> Any:
+        """A `pandas.DataFrame` of the columns, in deg and mm or in SI. Needs pandas."""
+        import pandas  # type: ignore[import-not-found, import-untyped, unused-ignore]
+
+        return pandas.DataFrame(self.columns(si), copy=False)
+
+    def to_polars(self, si: bool = False) -> Any:
+        """A `polars.DataFrame` of the columns; by pyarrow, so that nothing is copied. Needs polars and pyarrow."""
+        import polars  # type: ignore[import-not-found, unused-ignore]
+
+        return polars.from_arrow(self.to_arrow(si))
+
+    def __arrow_c_stream__(self, requested_schema: object = None) -> object:
+        """Whatever takes Arrow (polars, pandas, DuckDB) takes a sweep."""
+        return self.to_arrow().__arrow_c_stream__(requested_schema)
+
+    def figure(self, lang: Lang = "en") -> Figure:
+        """The motion diagram, by matplotlib: to be changed, or saved with `savefig`. Raises NothingToDraw."""
+        from graphkin.outputs import diagram
+
+        return diagram.figure(self.course, tuple(self), lang, self.by)
+
+    def _repr_svg_(self) -> str | None:
+        """A notebook shows the diagram; nothing of a sweep that has none, of instant centres alone."""
+        from graphkin.outputs import diagram
+
+        text = io.StringIO()
+        try:
+            page = self.figure()
+        except diagram.NothingToDraw:
+            return None
+        with diagram.settings():
+            title = self.course.method.mechanism.headline("en")
+            page.savefig(text, format="svg", metadata=diagram.metadata(".svg", title))
+        return text.getvalue()
+
+    def _repr_html_(self) -> str:
+        """Its first and last rows, in deg and mm."""
+        table, count = self.columns(), self.t.size
+        rows = [*range(count)] if count <= 2 * _SHOWN else [*range(_SHOWN), None, *range(count - _SHOWN, count)]
+        lines = [_html_row("th", table)]
+        lines += [
+            _html_row("td", ("…" if k is None else f"{column[k]:.6g}" for column in table.values())) for k in rows
+        ]
+        return f"<table>\n<caption>{escape(repr(self)[1:-1])}</caption>\n" + "\n".join(lines) + "\n</table>"
+
+
+def _html_row(kind: str, cells: Iterable[str]) -> str:
+    return f"<tr>{''.join(f'<{kind}>{escape(cell)}</{kind}>' for cell in cells)}</tr>"
+
+
+def framed(sweep: Sweep) -> SweepFrames:
+    """The same sweep, as programs and notebooks take it."""
+    return SweepFrames(**vars(sweep))

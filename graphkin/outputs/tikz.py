@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator
 from functools import partial
 from itertools import groupby
 from typing import assert_never
 
 from graphkin.outputs.paint import Colours, Ink
-from graphkin.outputs.tex_words import tex_words
+from graphkin.outputs.typesetting import tex_words
 from graphkin.sheet import Sheet
 from graphkin.sheet.marks import ArcMark, Disc, Fill, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.paper import PENS, PenName
@@ -28,70 +27,57 @@ _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 
 def tikz(sheet: Sheet, ink: Ink = "accent") -> str:
     """The LaTeX text of a sheet."""
-    drawn = picture(sheet, ink)
-    paper = sheet.paper
-    chinese = [r"\usepackage[fontset=fandol]{ctex}"] if _WIDE.search(drawn) else []
-    newer = "newtxmath" if chinese else "newtxtext,newtxmath"
-    return "\n".join(
-        [
-            MARK.decode() + ": one unit is a millimetre of the sheet" + ("; compile with xelatex" if chinese else ""),
-            r"\documentclass{article}",
-            rf"\usepackage[paperwidth={_mm(paper.width)}mm, paperheight={_mm(paper.height)}mm, margin=0pt]{{geometry}}",
-            *LIBRARIES,
-            r"\usepackage{amsmath}",
-            *chinese,
-            rf"\IfFileExists{{newtxmath.sty}}{{\usepackage{{{newer}}}}}{{\usepackage{{fix-cm}}}}",
-            r"\pagestyle{empty}",
-            r"\begin{document}",
-            r"\noindent%",
-            drawn,
-            r"\end{document}",
-            "",
-        ]
-    )
+    drawn, paper = picture(sheet, ink), sheet.paper
+    chinese = _WIDE.search(drawn) is not None
+    fonts = "newtxmath" if chinese else "newtxtext,newtxmath"
+    lines = [
+        MARK.decode() + ": one unit is a millimetre of the sheet" + ("; compile with xelatex" if chinese else ""),
+        r"\documentclass{article}",
+        rf"\usepackage[paperwidth={_mm(paper.width)}mm, paperheight={_mm(paper.height)}mm, margin=0pt]{{geometry}}",
+        *LIBRARIES,
+        r"\usepackage{amsmath}",
+        *([r"\usepackage[fontset=fandol]{ctex}"] if chinese else []),
+        rf"\IfFileExists{{newtxmath.sty}}{{\usepackage{{{fonts}}}}}{{\usepackage{{fix-cm}}}}",
+        r"\pagestyle{empty}", r"\begin{document}", r"\noindent%", drawn, r"\end{document}", "",
+    ]  # fmt: skip
+    return "\n".join(lines)
 
 
 def picture(sheet: Sheet, ink: Ink = "accent") -> str:
     """Its picture alone, for a document that has `LIBRARIES`."""
     colours = Colours.of(sheet, ink)
-    drawn = (
-        line
-        for layer in sheet.layers
-        for colour, marks in groupby(layer.marks, partial(colours.of_mark, layer=layer))
-        for line in (rf"\color[HTML]{{{colour.strip('#').upper()}}}", *(line for mark in marks for line in _mark(mark)))
-    )
-    return "\n".join(
-        [
-            r"\begin{tikzpicture}[x=1mm, y=-1mm, line cap=round, line join=round,",
-            r"  letters/.style={anchor=base west, inner sep=0pt, outer sep=0pt},",
-            r"  arrow/.style={-{Stealth[length=2.8mm, width=0.9mm]}}]",
-            rf"\useasboundingbox (0, 0) rectangle ({_mm(sheet.paper.width)}, {_mm(sheet.paper.height)});",
-            *drawn,
-            r"\end{tikzpicture}",
-        ]
-    )
+    lines = [
+        r"\begin{tikzpicture}[x=1mm, y=-1mm, line cap=round, line join=round,",
+        r"  letters/.style={anchor=base west, inner sep=0pt, outer sep=0pt},",
+        r"  arrow/.style={-{Stealth[length=2.8mm, width=0.9mm]}}]",
+        rf"\useasboundingbox (0, 0) rectangle ({_mm(sheet.paper.width)}, {_mm(sheet.paper.height)});",
+    ]
+    for layer in sheet.layers:
+        for colour, marks in groupby(layer.marks, partial(colours.of_mark, layer=layer)):
+            lines += [rf"\color[HTML]{{{colour.strip('#').upper()}}}", *map(_mark, marks)]
+    return "\n".join([*lines, r"\end{tikzpicture}"])
 
 
-def _mark(mark: Mark) -> Iterator[str]:
+def _mark(mark: Mark) -> str:
     match mark:
         case Stroke():
             ends = " -- ".join(map(_place, mark.places)) + (" -- cycle" if mark.closed else "")
-            yield rf"\draw[{_pen(mark.pen, mark.fill)}] {ends};"
+            return rf"\draw[{_pen(mark.pen, mark.fill)}] {ends};"
         case Disc():
-            yield rf"\draw[{_pen(mark.pen, mark.fill)}] {_place(mark.centre)} circle[radius={_mm(mark.radius)}];"
+            return rf"\draw[{_pen(mark.pen, mark.fill)}] {_place(mark.centre)} circle[radius={_mm(mark.radius)}];"
         case ArcMark():
             start = mark.centre + mark.radius * complex(math.cos(mark.start), math.sin(mark.start))
             turn = f"start angle={_mm(math.degrees(mark.start))}, delta angle={_mm(math.degrees(mark.sweep))}"
-            yield rf"\draw[{_pen(mark.pen)}] {_place(start)} arc[{turn}, radius={_mm(mark.radius)}];"
+            return rf"\draw[{_pen(mark.pen)}] {_place(start)} arc[{turn}, radius={_mm(mark.radius)}];"
         case VectorMark():
             look = _pen(mark.pen) + (", arrow" if mark.length > 0.05 else "")
-            yield rf"\draw[{look}] {_place(mark.start)} -- {_place(mark.end)};"
+            return rf"\draw[{look}] {_place(mark.start)} -- {_place(mark.end)};"
         case PointMark():
-            yield rf"\draw[{_pen('outline', mark.fill)}] {_place(mark.at)} circle[radius={_mm(mark.radius)}];"
+            return rf"\draw[{_pen('outline', mark.fill)}] {_place(mark.at)} circle[radius={_mm(mark.radius)}];"
         case Text():
             size = f"{mark.size * _POINT:.2f}"
             font = rf"\fontsize{{{size}}}{{{size}}}\selectfont"
-            yield rf"\node[letters, font={font}] at {_place(mark.at)} {{{tex_words(mark.label)}}};"
+            return rf"\node[letters, font={font}] at {_place(mark.at)} {{{tex_words(mark.label)}}};"
         case _:
             assert_never(mark)
 

@@ -1,39 +1,23 @@
-"""What students hand in, read: numbers in tables and texts, vectors measured on drawings, whole classes.
+"""Whatever students hand in, read: numbers in tables and texts, vectors measured on drawings, whole classes.
 
     files, archives, class tables --handed_in--> Handed (owner, names and bytes, or a row), one after another
-    Handed + Asked --read_one--> Submission      pure, within its time; goes to any executor
+    Handed + ReadableProblem --read_one--> Submission      pure, within its time; goes to any executor
     read = both
-    batches --guarded--> what worker processes make of them, in order; one that hangs or dies takes nobody with it
+    batches --guarded--> results of worker processes, in order; one that hangs or dies takes nobody with it
 
-    documents, tables --Entry--> answers --questions, numbers, scales--> Given
-    drawings: svg, geogebra, dxf --Picture--> letters --> measuring --> Given
+    documents --Entry--> answers --questions, numbers--> HandedValue
+    drawings: svg, geogebra, dxf --PagePicture--> letters --> drawings --> HandedValue
 
 Nothing here judges. A file that cannot be read is a Submission with its reason, and stops nothing. A new format of
-answers is a reader that gives a `Document`, of drawings one that gives a `Picture`.
+answers is a reader that gives a `StudentDocument`, of drawings one that gives a `PagePicture`.
 """
 
-from graphkin.submissions.class_names import safe_name
-from graphkin.submissions.deadline import limited
-from graphkin.submissions.handed import Handed, handed_in
-from graphkin.submissions.pool import guarded
+from graphkin.submissions.handed import FirstOnes, Handed, called, handed_in
+from graphkin.submissions.pool import guarded, limited
 from graphkin.submissions.reading import read, read_one
-from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing, ReadableProblem, Sense, Submission
-from graphkin.submissions.twice import FirstOnes, called
+from graphkin.submissions.submission import Limits, MeasuredDrawing, ReadableProblem, Submission, safe_name
 
 __all__ = [
-    "FirstOnes",
-    "Handed",
-    "HandedValue",
-    "Limits",
-    "MeasuredDrawing",
-    "ReadableProblem",
-    "Sense",
-    "Submission",
-    "called",
-    "guarded",
-    "handed_in",
-    "limited",
-    "read",
-    "read_one",
-    "safe_name",
+    "FirstOnes", "Handed", "Limits", "MeasuredDrawing", "ReadableProblem", "Submission",
+    "called", "guarded", "handed_in", "limited", "read", "read_one", "safe_name",
 ]  # fmt: skip

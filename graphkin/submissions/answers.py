@@ -1,36 +1,36 @@
-"""From what stands beside each name to values: scales first, then every answer in SI."""
+"""From names and what stands beside them to values in SI: scales first, then every answer, at each position.
+
+`omega 3 #2` in any table or file is omega 3 at the second position, and so is `omega 3 @ 120` where the driver stands
+at 120 there; of the drawn position, which is the first, nothing need be said. A drawing is for the drawn position, or
+for the one at the end of its file's name: `drawing #2.svg`.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+import re
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from pathlib import PurePosixPath
 
+from graphkin import errors
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.errors import (
-    NOWHERE,
-    AnsweredTwice,
-    GraphkinError,
-    NoPaperScale,
-    NotAnAnswer,
-    NotAQuestion,
-    OutOfRange,
-    TooMuch,
-    Where,
-    WrongType,
-)
-from graphkin.model.quantities import Centre, Moving, Quantity
-from graphkin.submissions import scales
-from graphkin.submissions.numbers import given
+from graphkin.errors import NOWHERE, GraphkinError, Where
+from graphkin.model.mechanism import Driver
+from graphkin.model.quantities import Centre, Moving, Quantity, at_position, position_of
+from graphkin.submissions import numbers
+from graphkin.submissions.numbers import parsed_value, plain, short
 from graphkin.submissions.questions import Questions
-from graphkin.submissions.spelling import plain, short
-from graphkin.submissions.submission import HandedValue, Limits
+from graphkin.submissions.submission import HandedValue, Limits, ReadableProblem
 
 Entry = tuple[str, object, Where]
-"""What an answer is called, what is given, and where it stands."""
+"""The name of an answer, its value as it stands there, and where."""
 
 _NOTHING = {"", "-", "--", "---", "/", "\\", "?", "n/a", "na", "none", "null", "无", "空", "未答", "未作答"}
+_DRIVER_VALUE = re.compile(r"(?<=\s)@\s*(-?[0-9]+(?:[.,][0-9]+)?) ?(?:deg|°|mm)?(?![\w.])")
+_NEAR = 0.05
+"""A driver's value that is typed may be off by so much [deg, mm]."""
 
 
 @frozen
@@ -44,45 +44,35 @@ class Answers:
 
 def answers(entries: Iterable[Entry], questions: Questions, limits: Limits) -> Answers:
     """Raises TooMuch; whatever is wrong with one answer is in that answer or in the notes."""
-    found: dict[str, HandedValue] = {}
+    values: dict[str, HandedValue] = {}
     notes: list[GraphkinError] = []
     stated: dict[Plane, float] = {}
     rest: list[Entry] = []
     for count, (name, raw, where) in enumerate(entries):
-        if count >= limits.answers:
-            raise TooMuch(Where(where.file), "answers", limits.answers)
-        if (plane := scales.plane_named(name)) is None:
+        limits.check(Where(where.file), "answers", count + 1)
+        if (plane := numbers.plane_named(name)) is None:
             rest.append((name, raw, where))
-        elif not _nothing(raw):
-            _state(stated, notes, plane, raw, where)
-    known = scales.stated_by(questions.mechanism) | stated
+        elif not _is_nothing(raw):
+            try:
+                stated[plane] = numbers.scale(raw, plane)
+            except GraphkinError as fault:
+                notes.append(fault.at(where))
+    scales = numbers.stated_by(questions.mechanism) | stated
     for name, raw, where in rest:
-        if _nothing(raw):
+        if _is_nothing(raw):
             continue
         if (read := questions.read(name)) is None:
-            notes.append(NotAQuestion(where, short(name), tuple(questions.asked.values())))
+            notes.append(errors.NotAQuestion(where, short(name), tuple(questions.asked.values())))
             continue
         question, quantity, unit = read
-        value = _placed(_value(raw, quantity, unit, known), where)
-        found[question] = _joined(found[question], value, question) if question in found else value
-    return Answers(found, stated, tuple(notes))
+        value = _value(raw, quantity, unit, scales)
+        value = replace(value, where=where, fault=value.fault and value.fault.at(where))
+        values[question] = _joined(values[question], value, question) if question in values else value
+    return Answers(values, stated, tuple(notes))
 
 
-def _state(
-    stated: dict[Plane, float], notes: list[GraphkinError], plane: Plane, raw: object, where: Where
-) -> None:
-    try:
-        stated[plane] = scales.scale(raw, plane)
-    except GraphkinError as fault:
-        notes.append(fault.at(where))
-
-
-def _nothing(raw: object) -> bool:
+def _is_nothing(raw: object) -> bool:
     return raw is None or (isinstance(raw, str) and plain(raw).lower() in _NOTHING)
-
-
-def _placed(value: HandedValue, where: Where) -> HandedValue:
-    return replace(value, where=where, fault=value.fault and value.fault.at(where))
 
 
 def _joined(first: HandedValue, second: HandedValue, question: str) -> HandedValue:
@@ -91,28 +81,28 @@ def _joined(first: HandedValue, second: HandedValue, question: str) -> HandedVal
         return first if second.value is None else second
     if math.isclose(first.value, second.value, rel_tol=1e-9) and first.sense in (None, second.sense):
         return second
-    fault = AnsweredTwice(second.where, question, first.text[:60], second.text[:60])
+    fault = errors.AnsweredTwice(second.where, question, first.text[:60], second.text[:60])
     return replace(first, value=None, vector=None, fault=fault)
 
 
 # --- one value --------------------------------------------------------------------------------
 
 
-def _value(raw: object, quantity: Quantity, unit: str, stated: Mapping[Plane, float]) -> HandedValue:
+def _value(raw: object, quantity: Quantity, unit: str, scales: Mapping[Plane, float]) -> HandedValue:
     match raw:
         case bool():
-            return HandedValue(str(raw).lower(), None, fault=NotAnAnswer(NOWHERE, str(raw).lower()))
+            return HandedValue(str(raw).lower(), None, fault=errors.NotAnAnswer(NOWHERE, str(raw).lower()))
         case int() | float():
             return _number(raw, quantity, unit)
         case str():
-            return _text(raw, quantity, unit, stated)
+            return _text(raw, quantity, unit, scales)
         case {"value": inner, **more} if not isinstance(inner, dict | list):
             parts = [str(part) for part in (inner, more.get("unit", ""), more.get("sense", "")) if part is not None]
-            return _text(" ".join(parts), quantity, unit, stated)
+            return _text(" ".join(parts), quantity, unit, scales)
         case [x, y]:
             return _pair(x, y, quantity, unit)
         case _:
-            return HandedValue("", None, fault=WrongType(NOWHERE, "quantity", type(raw).__name__))
+            return HandedValue("", None, fault=errors.WrongType(NOWHERE, "quantity", type(raw).__name__))
 
 
 def _number(raw: float, quantity: Quantity, unit: str) -> HandedValue:
@@ -122,31 +112,30 @@ def _number(raw: float, quantity: Quantity, unit: str) -> HandedValue:
     except OverflowError:
         shown = "1e999"
     if not math.isfinite(float(shown)):
-        return HandedValue(shown, None, fault=OutOfRange(NOWHERE, shown))
-    return replace(given(shown, quantity.unit, unit), text=shown)
+        return HandedValue(shown, None, fault=errors.OutOfRange(NOWHERE, shown))
+    return replace(parsed_value(shown, quantity.unit, unit), text=shown)
 
 
-def _text(raw: str, quantity: Quantity, unit: str, stated: Mapping[Plane, float]) -> HandedValue:
+def _text(raw: str, quantity: Quantity, unit: str, scales: Mapping[Plane, float]) -> HandedValue:
     text = raw.strip()[:400]
-    if isinstance(quantity, Centre | Moving) and (pair := _two(text)) is not None:
+    if isinstance(quantity, Centre | Moving) and (pair := _components(text)) is not None:
         return replace(_pair(*pair, quantity, unit), text=text)
-    found = given(text, quantity.unit, unit)
-    plane = scales.plane_of(quantity.unit)
-    if plane is None or found.unit not in scales.PAPER or found.value is None:
-        return found
-    mm = found.value * scales.PAPER[found.unit]
-    if plane not in stated:
-        fault = NoPaperScale(NOWHERE, text[:60], plane)
-        return HandedValue(text, None, None, found.unit, fault, paper_mm=mm)
-    return HandedValue(text, mm * stated[plane], None, found.unit, paper_mm=mm)
+    value = parsed_value(text, quantity.unit, unit)
+    plane = numbers.plane_of(quantity.unit)
+    if plane is None or value.unit not in numbers.PAPER or value.value is None:
+        return value
+    mm = value.value * numbers.PAPER[value.unit]
+    if plane not in scales:
+        return HandedValue(text, None, None, value.unit, errors.NoPaperScale(NOWHERE, text[:60], plane), paper_mm=mm)
+    return HandedValue(text, mm * scales[plane], None, value.unit, paper_mm=mm)
 
 
-def _two(text: str) -> tuple[str, str] | None:
+def _components(text: str) -> tuple[str, str] | None:
     """`(12.3, 40.5) mm`: two numbers in brackets; `;` between decimal commas."""
-    made = plain(text)
-    if not made.startswith(("(", "[")):
+    text = plain(text)
+    if not text.startswith(("(", "[")):
         return None
-    inner, close, unit = made[1:].partition(")" if made[0] == "(" else "]")
+    inner, close, unit = text[1:].partition(")" if text[0] == "(" else "]")
     parts = inner.split(";") if ";" in inner else inner.split(",")
     return (f"{parts[0]} {unit}", f"{parts[1]} {unit}") if close and len(parts) == 2 else None
 
@@ -154,10 +143,71 @@ def _two(text: str) -> tuple[str, str] | None:
 def _pair(x: object, y: object, quantity: Quantity, unit: str) -> HandedValue:
     """A place or a vector by its components."""
     if not isinstance(quantity, Centre | Moving):
-        return HandedValue(f"{x}, {y}"[:60], None, fault=WrongType(NOWHERE, "quantity", "[ .. ]"))
-    halves = [given(str(half), quantity.unit, unit) for half in (x, y)]
+        return HandedValue(f"{x}, {y}"[:60], None, fault=errors.WrongType(NOWHERE, "quantity", "[ .. ]"))
+    halves = [parsed_value(str(half), quantity.unit, unit) for half in (x, y)]
     text = ", ".join(half.text[:60] for half in halves)
     if (fault := next((half.fault for half in halves if half.value is None), None)) is not None:
         return HandedValue(text, None, fault=fault)
     vector = complex(*(half.value or 0.0 for half in halves))
     return HandedValue(text, abs(vector), None, halves[0].unit, halves[0].fault, vector=vector)
+
+
+# --- positions --------------------------------------------------------------------------------
+
+
+def answers_at(
+    entries: Iterable[Entry], asked: ReadableProblem, questions: Callable[[ReadableProblem], Questions], limits: Limits
+) -> Answers:
+    """The values of every position under its names; scales hold at all of them. Raises TooMuch."""
+    if not asked.further:
+        return answers(entries, questions(asked), limits)
+    shared: list[Entry] = []  # scales
+    by_position: list[list[Entry]] = [[] for _ in asked.positions]
+    strange: list[Entry] = []
+    for entry in entries:
+        if numbers.plane_named(entry[0]) is not None:
+            shared.append(entry)
+            continue
+        bare, at = _position(entry[0], asked)
+        if 0 < at <= len(by_position):
+            by_position[at - 1].append((bare, *entry[1:]))
+        else:
+            strange.append(entry)
+    each = zip(asked.positions, by_position, strict=True)
+    parts = [answers([*shared, *some], questions(one), limits) for one, some in each]
+    values = {name: value for at, part in enumerate(parts, 1) for name, value in named_at(part.values, at).items()}
+    notes = {note.message("en"): note for part in parts for note in part.notes}
+    lost = (errors.NotAQuestion(where, short(name), tuple(asked.questions)) for name, _, where in strange)
+    return Answers(values, parts[0].scales, (*notes.values(), *lost))
+
+
+def named_at(values: Mapping[str, HandedValue], at: int) -> dict[str, HandedValue]:
+    """Under the names that they have among those of all positions."""
+    return {at_position(name, at): value for name, value in values.items()}
+
+
+def of_file(name: str, asked: ReadableProblem) -> tuple[ReadableProblem, int]:
+    """The problem that a drawing shows, and the number of the position, by the name of its file."""
+    at = position_of(PurePosixPath(name).stem)[1]
+    return (asked.positions[at - 1], at) if at <= len(asked.positions) else (asked, 1)
+
+
+def _position(name: str, asked: ReadableProblem) -> tuple[str, int]:
+    """The bare name and the number of the position; 0 for one that there is not."""
+    text = plain(name[:200])
+    if (match := _DRIVER_VALUE.search(text)) is None:
+        return position_of(name)
+    bare = f"{text[: match.start()].rstrip()} {text[match.end() :].lstrip()}".strip()
+    typed = float(match[1].replace(",", "."))
+    for driver in asked.mechanism.drivers:
+        for number, value in enumerate((driver.value, *driver.also) if driver.also else (), 1):
+            if value is not None and _off(driver, value, typed) <= _NEAR:
+                return bare, number
+    return bare, 0
+
+
+def _off(driver: Driver, value: float, typed: float) -> float:
+    """In deg, but for whole turns, or mm."""
+    if driver.kind == "slide":
+        return abs(value * 1000 - typed)
+    return abs(math.remainder(math.degrees(value) - typed, 360.0))

@@ -1,11 +1,13 @@
-"""Archives, never unpacked to disk: members are read by name, as many bytes as are allowed and no more."""
+"""Files as bytes: archives, never unpacked to disk and read as far as is allowed; and text in any usual encoding."""
 
 from __future__ import annotations
 
+import codecs
 import io
 import zlib
 from collections.abc import Iterator
 from pathlib import Path
+from typing import IO
 from zipfile import BadZipFile, ZipFile, ZipInfo
 
 from graphkin.errors import BrokenSubmission, TooMuch, Where
@@ -13,6 +15,9 @@ from graphkin.submissions.submission import Limits
 
 _JUNK = ("__MACOSX/", ".DS_Store", "Thumbs.db", "desktop.ini")
 _FLAG_UTF8, _FLAG_LOCKED = 0x800, 0x1
+_BROKEN = (BadZipFile, zlib.error, OSError, ValueError, RuntimeError, NotImplementedError, EOFError, OverflowError)
+_MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
+_PIECE = 1 << 16
 
 
 def opened(source: bytes | Path, where: Where) -> ZipFile:
@@ -24,7 +29,8 @@ def opened(source: bytes | Path, where: Where) -> ZipFile:
 
 
 def checked_zip(content: bytes, where: Where, limits: Limits) -> None:
-    """Whether a file that is a zip inside (.xlsx, .ggb) is within the limits, before another's reader opens it."""
+    """Raises TooMuch, BrokenSubmission for a file that is a zip inside (.xlsx, .ggb) and beyond the limits, or whose
+    members are larger than they say: a bomb is packed behind a small number."""
     with opened(content, where) as archive:
         infos = archive.infolist()
         if len(infos) > limits.parts:
@@ -33,28 +39,19 @@ def checked_zip(content: bytes, where: Where, limits: Limits) -> None:
             raise TooMuch(where, "archive", 16 * limits.bytes)
         for info in infos:
             _check_ratio(info, where, limits)
-            _check_true_size(archive, info, where)
-
-
-def _check_true_size(archive: ZipFile, info: ZipInfo, where: Where) -> None:
-    """That a member is as large as it says: what is packed behind a small number is a bomb."""
-    try:
-        with archive.open(info) as stream:
-            left = info.file_size + 1
-            while left > 0 and (piece := stream.read(min(left, 1 << 20))):
-                left -= len(piece)
-    except _BROKEN as problem:
-        raise BrokenSubmission(where, "ZIP", type(problem).__name__) from None
-
-
-_BROKEN = (BadZipFile, zlib.error, OSError, ValueError, RuntimeError, NotImplementedError, EOFError, OverflowError)
+            try:
+                with archive.open(info) as stream:
+                    left = info.file_size + 1
+                    while left > 0 and (piece := stream.read(min(left, 1 << 20))):
+                        left -= len(piece)
+            except _BROKEN as problem:
+                raise BrokenSubmission(where, "ZIP", type(problem).__name__) from None
 
 
 def members(archive: ZipFile, where: Where, limits: Limits) -> Iterator[ZipInfo]:
     """The files in it. Raises TooMuch."""
     infos = archive.infolist()
-    if sum(not info.is_dir() for info in infos) > limits.members:
-        raise TooMuch(where, "members", limits.members)
+    limits.check(where, "members", sum(not info.is_dir() for info in infos))
     if sum(info.file_size for info in infos) > limits.archive_bytes:
         raise TooMuch(where, "archive", limits.archive_bytes)
     archive.NameToInfo.clear()  # of a large class that is much, and no member is asked for by its name
@@ -86,19 +83,60 @@ def read_member(archive: ZipFile, info: ZipInfo, where: Where, limits: Limits) -
     """Its bytes. Raises TooMuch, BrokenSubmission."""
     if info.flag_bits & _FLAG_LOCKED:
         raise BrokenSubmission(where, "ZIP", "password")
-    if info.file_size > limits.bytes:
-        raise TooMuch(where, "bytes", limits.bytes)
+    limits.check(where, "bytes", info.file_size)
     _check_ratio(info, where, limits)
     try:
         with archive.open(info) as stream:
             content = stream.read(limits.bytes + 1)
     except _BROKEN as problem:
         raise BrokenSubmission(where, "ZIP", type(problem).__name__) from None
-    if len(content) > limits.bytes:
-        raise TooMuch(where, "bytes", limits.bytes)
+    limits.check(where, "bytes", len(content))
     return content
 
 
 def _check_ratio(info: ZipInfo, where: Where, limits: Limits) -> None:
     if info.file_size > 100_000 and info.file_size > limits.ratio * max(1, info.compress_size):
         raise TooMuch(where, "ratio", limits.ratio)
+
+
+# --- text --------------------------------------------------------------------------------------
+
+
+def decoded(content: bytes, where: Where) -> str:
+    """The text of a whole file. Raises BrokenSubmission for what is text in none of these."""
+    try:
+        return content.decode(_encoding(io.BytesIO(content)))
+    except UnicodeDecodeError:
+        raise BrokenSubmission(where, "text") from None
+
+
+def lines_of(stream: IO[bytes], where: Where) -> Iterator[str]:
+    """Line after line of a seekable stream, in flat memory; lines far too long are given in pieces."""
+    encoding = _encoding(stream)
+    with io.TextIOWrapper(stream, encoding, newline="") as text:
+        try:
+            while line := text.readline(_PIECE):
+                yield line
+        except UnicodeDecodeError:
+            raise BrokenSubmission(where, "text") from None
+
+
+def _encoding(stream: IO[bytes]) -> str:
+    """Its mark says, or zeros at every second place; else UTF-8 if all of it is that, else GBK."""
+    start = stream.read(_PIECE)
+    stream.seek(0)
+    for mark, encoding in _MARKS:
+        if start.startswith(mark):
+            return encoding
+    if len(start) > 3 and 3 * start.count(0) > len(start):
+        return "utf-16-le" if start[1] == 0 else "utf-16-be"
+    decoder = codecs.getincrementaldecoder("utf-8")()
+    try:
+        while piece := stream.read(_PIECE):
+            decoder.decode(piece)
+        decoder.decode(b"", final=True)
+        return "utf-8"
+    except UnicodeDecodeError:
+        return "gb18030"
+    finally:
+        stream.seek(0)

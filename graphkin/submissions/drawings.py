@@ -1,38 +1,52 @@
-"""A drawing measured: its letters found, its scales known, the size and the direction of every vector taken."""
+"""A drawing measured: its letters found, its scales known, the size and the direction of every vector taken.
+
+Directions of links are measured on a drawn mechanism. A letter that is taken for another point's would be a wrong
+answer of ours: a direction counts only where the link comes out as long as it is given, by the scale that the drawn
+lengths have together.
+"""
 
 from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import combinations
 from pathlib import PurePosixPath
 
+import numpy as np
+
+from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, LetterTwice, NoLetters, NoScaleDrawn, Where
-from graphkin.submissions import scales
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.quantities import Rotation
+from graphkin.submissions import numbers
 from graphkin.submissions.answers import answers
-from graphkin.submissions.directions import directions
 from graphkin.submissions.documents import read_lines
 from graphkin.submissions.letters import find_letters
 from graphkin.submissions.picture import PagePicture
-from graphkin.submissions.polygons import PaperPolygon, polygons
+from graphkin.submissions.polygons import PaperPolygon, PolygonVector, polygons
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing, ReadableProblem
 
 _SHORTEST = 1.0
 """A known vector shorter than this gives no scale [mm]."""
 _KEYS: Mapping[Plane, str] = {"position": "mu_l", "velocity": "mu_v", "acceleration": "mu_a"}
-
 _SEVERAL = re.compile(r"[,;，；]\s+(?=[^,;=，；]+=)")
 """Between `ω3 = 3.92 rad/s, α3 = 62 rad/s²`."""
+_OFF = 0.03
+"""A drawn length that is off by a larger part is of other points."""
+_LENGTHS, _AGREE = 3, 2 / 3
+"""So many lengths must agree, and more than this part of all: with two letters exchanged half of them may."""
 
+Pair = tuple[str, str]
 Points = Mapping[tuple[Plane, str], complex]
 Measured = tuple[dict[str, HandedValue], MeasuredDrawing, list[GraphkinError]]
 
 
 def picture_of(name: str, content: bytes, where: Where, limits: Limits) -> PagePicture:
-    """What is drawn in a file, by its suffix. Raises BrokenSubmission, TooMuch, WantsExtra."""
+    """The picture in a file, by its suffix. Raises BrokenSubmission, TooMuch, WantsExtra."""
     from graphkin.submissions import dxf, geogebra, svg
 
     readers: Mapping[str, Callable[[bytes, Where, Limits], PagePicture]]
@@ -40,137 +54,149 @@ def picture_of(name: str, content: bytes, where: Where, limits: Limits) -> PageP
     return readers[PurePosixPath(name).suffix.lower()](content, where, limits)
 
 
+@frozen
+class _PaperScale:
+    """Scales [SI per mm] and turns [rad] by plane, by which vectors of one file are measured."""
+
+    scales: Mapping[Plane, float]
+    turned: Mapping[Plane, float]
+    where: Where
+
+    def value(self, tail: complex, head: complex, plane: Plane) -> HandedValue:
+        vector = (head - tail) * self.scales[plane] * cmath.rect(1, -self.turned.get(plane, 0.0))
+        size = abs(head - tail)
+        return HandedValue("", abs(vector), where=self.where, vector=vector, paper_mm=size, ends=(tail, head))
+
+
 def measured(
-    name: str,
-    content: bytes,
-    where: Where,
-    asked: ReadableProblem,
-    stated: Mapping[Plane, float],
-    questions: Questions,
-    limits: Limits,
-) -> Measured:
+    name: str, content: bytes, where: Where, asked: ReadableProblem, stated: Mapping[Plane, float],
+    questions: Questions, limits: Limits,
+) -> Measured:  # fmt: skip
     """The vectors of a drawing's polygons, and what else is written on it. Raises what `picture_of` does, NoLetters."""
     picture = picture_of(name, content, where, limits)
     shapes = polygons(asked.mechanism, questions)
-    found = find_letters(picture, shapes, asked.mechanism.points, limits.names)
-    told, written = _told(picture, where, questions, limits)
-    known = {**scales.stated_by(asked.mechanism), **_calibrated(found.points, shapes)}
-    known |= {**picture.scales, **written, **stated}
-    turned = _turned(found.points, shapes) if limits.turned else {}
-    values = _named(picture, known, turned, questions, where)
-    values |= _vectors(found.points, shapes, known, turned, where)
+    letters = find_letters(picture, shapes, asked.mechanism.points, limits.names)
+    texts, written = _written_on(picture, where, questions, limits)
+    first = dict(_first_known(letters.points, shapes))
+    calibrated = {plane: abs(value) / abs(drawn) for plane, (drawn, value) in first.items()}
+    claimed = {**picture.scales, **written, **stated}
+    scales = numbers.stated_by(asked.mechanism) | calibrated | claimed
+    turned = {plane: cmath.phase(drawn / value) for plane, (drawn, value) in first.items()} if limits.turned else {}
+    paper = _PaperScale(scales, turned, where)
+    values = _named(picture, paper, questions) | _vectors(letters.points, shapes, paper)
     values |= directions(picture, questions, where, limits)
-    if not values and not told and not found.points:
+    if not values and not texts and not letters.points:
         raise NoLetters(where, tuple(letter for shape in shapes for letter in shape.letters))
-    notes: list[GraphkinError] = [LetterTwice(where, letter) for letter in found.doubtful]
-    drawn = {plane for plane, _ in found.points}
-    notes += [NoScaleDrawn(where, plane, _KEYS[plane]) for plane in sorted(drawn) if plane not in known]
-    own = {plane for plane in known if plane not in {**picture.scales, **written, **stated}}
-    calibrated = tuple(sorted(own & set(_calibrated(found.points, shapes))))
-    return _with_told(values, told), MeasuredDrawing(found.points, known, calibrated, turned, where), notes
-
-
-def _with_told(values: dict[str, HandedValue], told: Mapping[str, HandedValue]) -> dict[str, HandedValue]:
-    """What is written beside what is measured: the written value, with the drawn direction."""
-    for question, given in told.items():
+    for question, text in texts.items():  # the written value, with the drawn direction
         drawn = values.get(question)
-        values[question] = given if drawn is None else replace(given, vector=drawn.vector, ends=drawn.ends)
-    return values
+        values[question] = text if drawn is None else replace(text, vector=drawn.vector, ends=drawn.ends)
+    notes: list[GraphkinError] = [LetterTwice(where, letter) for letter in letters.doubtful]
+    planes = sorted({plane for plane, _ in letters.points})
+    notes += [NoScaleDrawn(where, plane, _KEYS[plane]) for plane in planes if plane not in scales]
+    own = tuple(sorted(calibrated.keys() - claimed.keys()))
+    return values, MeasuredDrawing(letters.points, scales, own, turned, where), notes
 
 
-def _told(
+def _written_on(
     picture: PagePicture, where: Where, questions: Questions, limits: Limits
 ) -> tuple[dict[str, HandedValue], Mapping[Plane, float]]:
-    """Answers and scales that are written on a drawing, as `ω3 = 3.92 rad/s`; its other texts are none, and what is
-    given is no answer."""
+    """Answers and scales that are written on a drawing, as `ω3 = 3.92 rad/s`; its other texts are none, and what the
+    problem states of its drivers is no answer."""
     texts = (text.text.replace("\n", " ") for text in picture.texts if "=" in text.text)
     lines = "\n".join(line for text in texts for line in _SEVERAL.split(text))
     try:
-        found = answers(read_lines(lines, where, limits).entries, questions, limits)
+        written = answers(read_lines(lines, where, limits).entries, questions, limits)
     except GraphkinError:
         return {}, {}
     words = ("theta", "omega", "alpha")
-    given_by_problem = {f"{word} {driver.link}" for driver in questions.mechanism.drivers for word in words}
-    told = {
-        question: given for question, given in found.values.items()
-        if given.value is not None and question not in given_by_problem
-    }  # fmt: skip
-    return told, found.scales
+    stated = {f"{word} {driver.link}" for driver in questions.mechanism.drivers for word in words}
+    values = {name: value for name, value in written.values.items() if value.value is not None and name not in stated}
+    return values, written.scales
 
 
-# --- scale and turn ---------------------------------------------------------------------------
-
-
-def _calibrated(points: Points, shapes: Sequence[PaperPolygon]) -> dict[Plane, float]:
-    """SI per mm by the first known vector that is drawn long enough."""
-    found: dict[Plane, float] = {}
+def _first_known(points: Points, shapes: Sequence[PaperPolygon]) -> Iterator[tuple[Plane, tuple[complex, complex]]]:
+    """By plane the first known vector that is drawn long enough, as drawn [mm] and as it is [SI]."""
     for shape in shapes:
-        for drawn, value in _first_known(points, shape)[:1]:
-            found[shape.plane] = abs(value) / abs(drawn)
-    return found
+        for vector, value in shape.known:
+            tail, head = (points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
+            if tail is not None and head is not None and abs(head - tail) >= _SHORTEST and value:
+                yield shape.plane, (head - tail, value)
+                break
 
 
-def _turned(points: Points, shapes: Sequence[PaperPolygon]) -> dict[Plane, float]:
-    """By how much a polygon stands turned, by the same vector [rad]."""
-    return {
-        shape.plane: cmath.phase(drawn / value) for shape in shapes for drawn, value in _first_known(points, shape)[:1]
-    }
-
-
-def _first_known(points: Points, shape: PaperPolygon) -> list[tuple[complex, complex]]:
-    """As drawn [mm] and as it is [SI]."""
-    found = []
-    for vector, value in shape.known:
-        ends = [points.get((shape.plane, letter)) for letter in (vector.tail, vector.head)]
-        if ends[0] is not None and ends[1] is not None and abs(ends[1] - ends[0]) >= _SHORTEST and value:
-            found.append((ends[1] - ends[0], value))
-    return found
-
-
-# --- vectors ----------------------------------------------------------------------------------
-
-
-def _vectors(
-    points: Points,
-    shapes: Sequence[PaperPolygon],
-    known: Mapping[Plane, float],
-    turned: Mapping[Plane, float],
-    where: Where,
-) -> dict[str, HandedValue]:
+def _vectors(points: Points, shapes: Sequence[PaperPolygon], paper: _PaperScale) -> dict[str, HandedValue]:
     """Every vector between two letters that are found, where its plane has a scale."""
-    found: dict[str, HandedValue] = {}
+    values: dict[str, HandedValue] = {}
     for shape in shapes:
         for vector in shape.vectors:
             tail, head = (points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
-            if vector.question and tail is not None and head is not None and shape.plane in known:
-                found.setdefault(vector.question, _given(tail, head, shape.plane, known, turned, where))
-    return found
+            if vector.question and tail is not None and head is not None and shape.plane in paper.scales:
+                values.setdefault(vector.question, paper.value(tail, head, shape.plane))
+    return values
 
 
-def _given(
-    tail: complex,
-    head: complex,
-    plane: Plane,
-    known: Mapping[Plane, float],
-    turned: Mapping[Plane, float],
-    where: Where,
-) -> HandedValue:
-    vector = (head - tail) * known[plane] * cmath.rect(1, -turned.get(plane, 0.0))
-    return HandedValue("", abs(vector), where=where, vector=vector, paper_mm=abs(head - tail), ends=(tail, head))
-
-
-def _named(
-    picture: PagePicture,
-    known: Mapping[Plane, float],
-    turned: Mapping[Plane, float],
-    questions: Questions,
-    where: Where,
-) -> dict[str, HandedValue]:
+def _named(picture: PagePicture, paper: _PaperScale, questions: Questions) -> dict[str, HandedValue]:
     """Arrows that the file itself names after a quantity: `v_B3B2`."""
-    found: dict[str, HandedValue] = {}
+    values: dict[str, HandedValue] = {}
     for arrow in picture.arrows:
         read = questions.read(arrow.name) if arrow.name else None
-        plane = scales.plane_of(read[1].unit) if read is not None else None
-        if read is not None and plane is not None and plane in known and not read[2]:
-            found.setdefault(read[0], _given(arrow.tail, arrow.head, plane, known, turned, where))
-    return found
+        plane = numbers.plane_of(read[1].unit) if read is not None else None
+        if read is not None and plane is not None and plane in paper.scales and not read[2]:
+            values.setdefault(read[0], paper.value(arrow.tail, arrow.head, plane))
+    return values
+
+
+# --- directions of links ----------------------------------------------------------------------
+
+
+def directions(picture: PagePicture, questions: Questions, where: Where, limits: Limits) -> dict[str, HandedValue]:
+    """theta of the links whose direction the problem asks for, as drawn [rad]."""
+    mechanism = questions.mechanism
+    axes = dict(_axes(mechanism, questions))
+    if not axes:
+        return {}
+    sizes = dict(_lengths(mechanism))
+    names = {name: (name,) for name in mechanism.points}
+    figure = PaperPolygon("position", names, tuple(PolygonVector("", *pair) for pair in sizes), ())
+    places = {name: place for (_, name), place in find_letters(picture, [figure]).points.items()}
+    lengths = {(one, other): abs(places[other] - places[one]) / size for (one, other), size in sizes.items()
+               if one in places and other in places}  # fmt: skip
+    if len(lengths) < _LENGTHS:
+        return {}
+    scale = float(np.median(list(lengths.values())))
+    good = {pair for pair, each in lengths.items() if abs(each - scale) <= _OFF * scale}
+    if len(good) < _LENGTHS or len(good) <= _AGREE * len(lengths):
+        return {}
+    turned = _page_turn(mechanism, places, good) if limits.turned else 0.0
+    values = {}
+    for question, (tail, head) in axes.items():
+        if good & {(tail, head), (head, tail)}:
+            angle, ends = cmath.phase(places[head] - places[tail]) - turned, (places[tail], places[head])
+            values[question] = HandedValue("", angle, where=where, ends=ends)
+    return values
+
+
+def _axes(mechanism: Mechanism, questions: Questions) -> Iterator[tuple[str, Pair]]:
+    """Questions for a direction, with the two points it runs through."""
+    for text in mechanism.ask:
+        read = questions.read(text)
+        if read is not None and isinstance(read[1], Rotation) and read[1].word == "theta":
+            axis = mechanism.links[read[1].link].axis
+            if axis is not None and set(axis) <= set(mechanism.points):
+                yield read[0], axis
+
+
+def _lengths(mechanism: Mechanism) -> Iterator[tuple[Pair, float]]:
+    """Every two points of a link, and how far apart they are [m]."""
+    for link in mechanism.links.values():
+        for pair in combinations(mechanism.named(link.name), 2):
+            if (size := abs(link.arm(*pair))) > 0:
+                yield pair, size
+
+
+def _page_turn(mechanism: Mechanism, places: dict[str, complex], good: set[Pair]) -> float:
+    """The angle by which the page is turned, by two fixed points [rad]."""
+    for pair in combinations(mechanism.named(FRAME), 2):
+        if pair in good:
+            return cmath.phase((places[pair[1]] - places[pair[0]]) / mechanism.links[FRAME].arm(*pair))
+    return 0.0

@@ -10,13 +10,18 @@ from collections.abc import Iterator
 from typing import Any
 
 from graphkin.errors import BrokenSubmission, GraphkinError, TooMuch, WantsExtra, Where
-from graphkin.submissions.picture import Dot, PagePicture, PictureText
+from graphkin.submissions.picture import Dot, Line, PagePicture, PictureText
 from graphkin.submissions.submission import Limits
 
+_Dxf = Any
+"""A document or an entity of ezdxf."""
 _MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
 """By $INSUNITS: unitless counts as mm."""
 _WIDE = 0.8
 """A letter's width in parts of its height."""
+_STACK = re.compile(r"\\S([^;^#/\\]*)\^ ?([^;\\]*);")
+"""A raised and a lowered piece of a text, one of which may be empty."""
+_Mark = Line | Dot | PictureText
 
 
 def read_dxf(content: bytes, where: Where, limits: Limits) -> PagePicture:
@@ -29,36 +34,21 @@ def read_dxf(content: bytes, where: Where, limits: Limits) -> PagePicture:
         raise TooMuch(where, "elements", limits.elements)
     try:
         document, _ = recover.read(io.BytesIO(content))
-        found = list(_DxfReader(document, where, limits).marks())
+        marks = list(_DxfReader(document, where, limits).marks())
     except (GraphkinError, MemoryError):
         raise
     except Exception as problem:  # ezdxf raises whatever it meets in a file that is none
         raise BrokenSubmission(where, "DXF", type(problem).__name__) from None
-    if not found:
+    if not marks:
         raise BrokenSubmission(where, "DXF")
-    lines = tuple(mark for mark in found if isinstance(mark, tuple))
-    return PagePicture(
-        lines, tuple(m for m in found if isinstance(m, Dot)), tuple(m for m in found if isinstance(m, PictureText))
-    )  # fmt: skip
-
-
-_STACK = re.compile(r"\\S([^;^#/\\]*)\^ ?([^;\\]*);")
-"""A raised and a lowered piece of a text, one of which may be empty."""
-
-
-def _one_line(stack: re.Match[str]) -> str:
-    """`v^n_CD`, as people write it; MTEXT has a caret and a blank for a caret."""
-    raised, lowered = (piece.strip() for piece in stack.groups())
-    return (f"^ {raised}" if raised else "") + (f"_{lowered}" if lowered else "")
-
-
-_Mark = tuple[complex, complex] | Dot | PictureText
+    lines, dots = (m for m in marks if isinstance(m, tuple)), (m for m in marks if isinstance(m, Dot))
+    return PagePicture(tuple(lines), tuple(dots), tuple(m for m in marks if isinstance(m, PictureText)))
 
 
 class _DxfReader:
     """Walks the entities once; blocks are followed as often as the limits allow."""
 
-    def __init__(self, document: Any, where: Where, limits: Limits) -> None:
+    def __init__(self, document: _Dxf, where: Where, limits: Limits) -> None:
         self.document, self.where, self.limits = document, where, limits
         self.mm = _MM.get(int(document.header.get("$INSUNITS", 0) or 0), 1.0)
         self.walked = 0
@@ -68,10 +58,9 @@ class _DxfReader:
         for entity in self.document.modelspace():
             yield from self._marks(entity, 0)
 
-    def _marks(self, entity: Any, depth: int) -> Iterator[_Mark]:
+    def _marks(self, entity: _Dxf, depth: int) -> Iterator[_Mark]:
         self.walked += 1
-        if self.walked > self.limits.elements:
-            raise TooMuch(self.where, "elements", self.limits.elements)
+        self.limits.check(self.where, "elements", self.walked)
         if entity.dxf.get("layer", "0").lower() in self.hidden or entity.dxf.get("invisible", 0):
             return
         match entity.dxftype():
@@ -80,7 +69,8 @@ class _DxfReader:
             case "LINE":
                 yield self._place(entity.dxf.start), self._place(entity.dxf.end)
             case "LWPOLYLINE" | "POLYLINE":
-                yield from self._polyline(entity)
+                lines = (piece for piece in entity.virtual_entities() if piece.dxftype() == "LINE")
+                yield from (mark for piece in lines for mark in self._marks(piece, 0))
             case "POINT":
                 yield Dot(self._place(entity.dxf.location))
             case "CIRCLE":
@@ -92,30 +82,24 @@ class _DxfReader:
             case _:
                 pass
 
-    def _block(self, insert: Any, depth: int) -> Iterator[_Mark]:
-        """What a block shows where it is put, its attributes too."""
+    def _block(self, insert: _Dxf, depth: int) -> Iterator[_Mark]:
+        """The marks of a block where it is put, its attributes too."""
         if depth > min(self.limits.depth, 20):
             raise TooMuch(self.where, "depth", min(self.limits.depth, 20))
-        if insert.mcount > self.limits.copies:
-            raise TooMuch(self.where, "copies", self.limits.copies)
+        self.limits.check(self.where, "copies", insert.mcount)
         for single in insert.multi_insert() if insert.mcount > 1 else (insert,):
             for entity in single.virtual_entities():
                 yield from self._marks(entity, depth + 1)
         for attribute in insert.attribs:
             yield from self._marks(attribute, depth + 1)
 
-    def _place(self, point: Any) -> complex:
+    def _place(self, point: _Dxf) -> complex:
         place = complex(point.x, point.y) * self.mm
         if not (cmath.isfinite(place) and abs(place) < 1e9):
             raise BrokenSubmission(self.where, "DXF", "coordinates")
         return place
 
-    def _polyline(self, entity: Any) -> Iterator[_Mark]:
-        for piece in entity.virtual_entities():
-            if piece.dxftype() == "LINE":
-                yield from self._marks(piece, 0)
-
-    def _text(self, entity: Any) -> Iterator[PictureText]:
+    def _text(self, entity: _Dxf) -> Iterator[PictureText]:
         """From where it is aligned to its left end, along its own line."""
         letters = entity.plain_text().strip()
         placement = entity.get_placement()
@@ -129,7 +113,7 @@ class _DxfReader:
         if letters:
             yield PictureText(letters[:400], anchor - left * right - low * up, right, up, width, tall, 0.25 * tall)
 
-    def _axes(self, entity: Any, degrees: float) -> tuple[complex, complex]:
+    def _axes(self, entity: _Dxf, degrees: float) -> tuple[complex, complex]:
         """The directions of a text's line and across it, as they come to lie."""
         ocs, turned = entity.ocs(), math.radians(degrees)
         right = ocs.to_wcs((math.cos(turned), math.sin(turned), 0))
@@ -137,10 +121,15 @@ class _DxfReader:
         one, other = complex(right[0], right[1]), complex(up[0], up[1])
         return one / (abs(one) or 1.0), other / (abs(other) or 1.0)
 
-    def _mtext(self, entity: Any) -> Iterator[PictureText]:
+    def _mtext(self, entity: _Dxf) -> Iterator[PictureText]:
+        """A text of pieces, `v^n_CD`, as people write it; MTEXT has a caret and a blank for a caret."""
         from ezdxf.tools.text import fast_plain_mtext
 
-        letters = " ".join(str(fast_plain_mtext(_STACK.sub(_one_line, entity.text))).split())
+        def one_line(stack: re.Match[str]) -> str:
+            raised, lowered = (piece.strip() for piece in stack.groups())
+            return (f"^ {raised}" if raised else "") + (f"_{lowered}" if lowered else "")
+
+        letters = " ".join(str(fast_plain_mtext(_STACK.sub(one_line, entity.text))).split())
         tall = float(entity.dxf.char_height) * self.mm
         width = _WIDE * tall * len(re.sub("[_^]", "", letters))
         direction = entity.dxf.text_direction if entity.dxf.hasattr("text_direction") else None

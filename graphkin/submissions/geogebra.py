@@ -1,5 +1,5 @@
-"""GeoGebra's .ggb: a zip with `geogebra.xml`. Points by their labels; one of its units counts as a millimetre,
-unless a text of the file says `unit = 10 mm`.
+"""GeoGebra's .ggb: a zip with `geogebra.xml`. Points by their labels; one of its units counts as a millimetre, unless a
+text of the file says `unit = 10 mm`.
 
 Coordinates in a saved file are what GeoGebra last computed, homogeneous: they are divided by z.
 """
@@ -40,35 +40,27 @@ def read_ggb(content: bytes, where: Where, limits: Limits) -> PagePicture:
 
 def _picture(construction: Element) -> PagePicture:
     elements = [element for element in construction if element.tag == "element"]
-    placed = ((element, element.get("label", ""), _place(element)) for element in elements)
-    points = {label: (element, place) for element, label, place in placed if place is not None}
+    points = {element.get("label", ""): (element, place) for element in elements
+              if (place := _place(element)) is not None}  # fmt: skip
     places = {label: place for label, (_, place) in points.items()}
     written = {e.get("label", ""): e.get("exp", "") for e in construction if e.tag == "expression"}
-    dots = [Dot(place, _called(element)) for element, place in points.values()]
     ends = dict(_ends(construction, places, written))
-    vectors = [element for element in elements if element.get("type") == "vector"]
-    drawn = ((element, ends.get(element.get("label", "")) or _free(element)) for element in vectors)
-    arrows = [PictureArrow(_called(element), *pair) for element, pair in drawn if pair is not None]
     texts = [
         PictureText(text, places.get("", 0j), 1 + 0j, 1j, 0.0, 0.0)
         for element in elements
         if element.get("type") == "text" and "=" in (text := written.get(element.get("label", ""), "").strip('"'))
     ]
-    return _in_mm(PagePicture(tuple(ends.values()), tuple(dots), tuple(texts), tuple(arrows)))
-
-
-def _in_mm(picture: PagePicture) -> PagePicture:
-    """By `unit = 10 mm`, where a text of the file says so."""
-    told = (_UNIT.search(text.text) for text in picture.texts)
-    mm = next((float(found[1]) for found in told if found is not None), 1.0)
-    if not 1e-6 < mm < 1e6 or mm == 1.0:
-        return picture
-    return PagePicture(
-        tuple((mm * one, mm * other) for one, other in picture.lines),
-        tuple(Dot(mm * dot.place, dot.name) for dot in picture.dots),
-        picture.texts,
-        tuple(PictureArrow(arrow.name, mm * arrow.tail, mm * arrow.head) for arrow in picture.arrows),
-    )
+    units = (_UNIT.search(text.text) for text in texts)
+    mm = next((float(unit[1]) for unit in units if unit is not None), 1.0)
+    mm = mm if 1e-6 < mm < 1e6 else 1.0
+    dots = (Dot(mm * place, _name(element)) for element, place in points.values())
+    arrows = []
+    for element in elements:
+        if element.get("type") == "vector":
+            pair = ends.get(element.get("label", "")) or _free(element)
+            arrows += [PictureArrow(_name(element), mm * pair[0], mm * pair[1])] if pair is not None else []
+    lines = tuple((mm * one, mm * other) for one, other in ends.values())
+    return PagePicture(lines, tuple(dots), tuple(texts), tuple(arrows))
 
 
 def _number(element: Element | None, key: str) -> float | None:
@@ -89,7 +81,7 @@ def _place(element: Element) -> complex | None:
     return complex(x, y) / z
 
 
-def _called(element: Element) -> str:
+def _name(element: Element) -> str:
     """Its caption where one is shown (or its name is the program's own), else its name."""
     caption, mode = element.find("caption"), element.find("labelMode")
     shown = caption is not None and mode is not None and mode.get("val") in ("3", "9")

@@ -1,38 +1,36 @@
-"""What there is to read, one hand-in after another: files, folders, the students of an archive, rows of a class table.
+"""All there is to read, one hand-in after another: files, folders, students of an archive, rows of a class table.
 
-Nothing of a student's is parsed here but the cells of a class table; that is `read_one`'s.
+Nothing of a student's is parsed here but the cells of a class table; that is `read_one`'s. Of each student the first
+submission counts, and none that another's name stands in.
 """
 
 from __future__ import annotations
 
 import hashlib
-import io
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import replace
+from functools import cached_property
 from pathlib import Path, PurePosixPath
 
 import numpy as np
 
+from graphkin import errors
 from graphkin.base.value import frozen
-from graphkin.errors import BrokenSubmission, GraphkinError, NamesNobody, NoAnswers, NoFile, TooMuch, Unreadable, Where
+from graphkin.errors import GraphkinError, Where
 from graphkin.model.quantities import position_of
 from graphkin.submissions import archives
-from graphkin.submissions.class_names import Owner, owner, tidy_id
-from graphkin.submissions.deadline import limited
-from graphkin.submissions.documents import listed
-from graphkin.submissions.submission import Limits
-from graphkin.submissions.tables import TableRow, csv_cells, rows_of, xlsx_cells
-from graphkin.submissions.texts import decoded
+from graphkin.submissions.documents import PLAIN_TABLES, SHEETS, TableRow, cells_of, csv_cells, listed, rows_of
+from graphkin.submissions.pool import limited
+from graphkin.submissions.submission import Limits, Owner, owner, tidy_id
 
 LIMITS = Limits()
-_TABLES, _SHEETS = (".csv", ".tsv"), (".xlsx", ".xlsm")
 
 
 @frozen
 class Handed:
-    """What one student handed in, unread.
+    """The files of one student, unread.
 
     owner    who it seems to be; a file may state an id itself
     file     as results call it
@@ -52,11 +50,11 @@ class Handed:
     @property
     def digest(self) -> str:
         """Of all that it holds, by which a broken-off marking knows it again."""
-        found = hashlib.sha256(repr((self.owner.student, self.file, self.row)).encode("utf-8", "surrogatepass"))
+        digest = hashlib.sha256(repr((self.owner.student, self.file, self.row)).encode("utf-8", "surrogatepass"))
         for name, content in self.files:
-            found.update(repr((name, len(content))).encode("utf-8", "surrogatepass"))
-            found.update(content)
-        return found.hexdigest()
+            digest.update(repr((name, len(content))).encode("utf-8", "surrogatepass"))
+            digest.update(content)
+        return digest.hexdigest()
 
 
 def handed_in(paths: Iterable[str | Path], limits: Limits) -> Iterator[Handed]:
@@ -68,36 +66,24 @@ def handed_in(paths: Iterable[str | Path], limits: Limits) -> Iterator[Handed]:
         except GraphkinError as reason:
             yield Handed(owner(path.name), str(path), reason=reason)
         except OSError as problem:
-            yield Handed(owner(path.name), str(path), reason=Unreadable(where, problem.strerror or str(problem)))
-
-
-def named_in(paths: Iterable[str | Path], limits: Limits = LIMITS) -> Iterator[Owner]:
-    """The students whom files, folders and members of archives are named after, unread."""
-    for path in map(Path, paths):
-        with suppress(GraphkinError, OSError):
-            names = [path.name]
-            if path.is_dir():
-                names = sorted(_walked(path))
-            elif path.suffix.lower() == ".zip":
-                with archives.opened(path, where := Where(str(path))) as archive:
-                    names = [*map(archives.member_name, archives.members(archive, where, limits))]
-            yield from (who for who, _ in _grouped(names))
+            unreadable = errors.Unreadable(where, problem.strerror or str(problem))
+            yield Handed(owner(path.name), str(path), reason=unreadable)
 
 
 def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
     if path.is_dir():
         yield from _of_folder(path, limits)
     elif not path.exists():
-        raise NoFile(where, path.name, ())
+        raise errors.NoFile(where, path.name, ())
     elif not path.is_file():
-        raise Unreadable(where, "not a file")
+        raise errors.Unreadable(where, "not a file")
     elif path.suffix.lower() == ".zip":
         yield from _of_archive(path, where, limits)
-    elif path.suffix.lower() in _TABLES:
+    elif path.suffix.lower() in PLAIN_TABLES:
         with path.open("rb") as stream:
             yield from _of_table(rows_of(csv_cells(stream, where), where, limits), owner(path.name), where, limits)
-    elif path.suffix.lower() in _SHEETS:
-        cells = xlsx_cells(_content(path, where, limits), where, limits)
+    elif path.suffix.lower() in SHEETS:
+        cells = cells_of(path.name, _content(path, where, limits), where, limits)
         yield from _of_table(rows_of(cells, where, limits), owner(path.name), where, limits)
     else:
         yield from _of_file(path, where, limits)
@@ -106,15 +92,14 @@ def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
 def _content(path: Path, where: Where, limits: Limits) -> bytes:
     with path.open("rb") as stream:
         content = stream.read(limits.bytes + 1)
-    if len(content) > limits.bytes:
-        raise TooMuch(where, "bytes", limits.bytes)
+    limits.check(where, "bytes", len(content))
     return content
 
 
 def _of_file(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
     content = _content(path, where, limits)
     if path.suffix.lower() == ".json" and content.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"[":
-        students = listed(decoded(content, where), where, limits)
+        students = listed(archives.decoded(content, where), where, limits)
         for number, student in enumerate(students or (), 1):
             row = TableRow(student.student, number, tuple((name, value, number) for name, value, _ in student.entries))
             yield _of_row(row, owner(path.name), str(path))
@@ -124,26 +109,20 @@ def _of_file(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
 
 
 def _of_table(rows: Iterator[TableRow], by_file: Owner, where: Where, limits: Limits) -> Iterator[Handed]:
-    """What breaks off in the middle keeps the rows before it."""
+    """Each row read within the time of a submission; what breaks off in the middle keeps the rows before it."""
     file, line, named = str(where.file), 0, False
     try:
-        for row in _timed(rows, where, limits):
+        while True:
+            with limited(limits.seconds, where):
+                row = next(rows, None)
+            if row is None:
+                return
             line, nobody = row.line, named and not row.student.strip()
             named = named or bool(row.student.strip())
-            found = _of_row(row, by_file, file)
-            yield replace(found, row=None, reason=NamesNobody(Where(file, line))) if nobody else found
+            handed = _of_row(row, by_file, file)
+            yield replace(handed, row=None, reason=errors.NamesNobody(Where(file, line))) if nobody else handed
     except GraphkinError as reason:
         yield Handed(by_file, file, place=str(line + 1) if line else "", reason=reason.at(where))
-
-
-def _timed(rows: Iterator[TableRow], where: Where, limits: Limits) -> Iterator[TableRow]:
-    """Each row within the time of a submission."""
-    while True:
-        with limited(limits.seconds, where):
-            row = next(rows, None)
-        if row is None:
-            return
-        yield row
 
 
 def _of_row(row: TableRow, by_file: Owner, file: str) -> Handed:
@@ -155,24 +134,46 @@ def _of_folder(path: Path, limits: Limits) -> Iterator[Handed]:
     """A folder as an archive that was unpacked; links out of it are not followed."""
     names = sorted(_walked(path))
     if not names:
-        raise NoAnswers(Where(str(path)))
-    if _class_table(names):
+        raise errors.NoAnswers(Where(str(path)))
+    if _is_class_table(names):
         yield from _of_path(path / names[0], Where(f"{path}/{names[0]}"), limits)
         return
-    if len(names) > limits.members:
-        raise TooMuch(Where(str(path)), "members", limits.members)
+    limits.check(Where(str(path)), "members", len(names))
+    yield from _of_students(names, f"{path}/", lambda k, where: _content(path / names[k], where, limits))
+
+
+def _of_archive(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
+    with archives.opened(path, where) as archive:
+        infos = list(archives.members(archive, where, limits))
+        names = [archives.member_name(info) for info in infos]
+        if not infos:
+            raise errors.BrokenSubmission(where, "ZIP")
+        if _is_class_table(names):
+            member = Where(f"{path}!{names[0]}")
+            cells = cells_of(names[0], archives.read_member(archive, infos[0], member, limits), member, limits)
+            yield from _of_table(rows_of(cells, member, limits), owner(names[0], _root(names)), member, limits)
+            return
+
+        def read(k: int, member: Where) -> bytes:
+            return archives.read_member(archive, infos[k], member, limits)
+
+        yield from _of_students(names, f"{path}!", read)
+
+
+def _of_students(names: list[str], before: str, read: Callable[[int, Where], bytes]) -> Iterator[Handed]:
+    """The files of each student, read by their numbers; a reason only where none of them can be read."""
     for who, numbers in _grouped(names):
-        files, reason = [], None
+        files, reason = list[tuple[str, bytes]](), None
         for k in numbers:
-            where = Where(f"{path}/{names[k]}")
+            where = Where(before + names[k])
             try:
-                files.append((names[k], _content(path / names[k], where, limits)))
+                files.append((names[k], read(k, where)))
             except GraphkinError as problem:
                 reason = problem
             except OSError as problem:
-                reason = Unreadable(where, problem.strerror or str(problem))
+                reason = errors.Unreadable(where, problem.strerror or str(problem))
         first = names[numbers[0]]
-        yield Handed(who, f"{path}/{first}", first, tuple(files), reason=None if files else reason)
+        yield Handed(who, before + first, first, tuple(files), reason=None if files else reason)
 
 
 def _walked(path: Path) -> Iterator[str]:
@@ -185,42 +186,15 @@ def _walked(path: Path) -> Iterator[str]:
                 yield inside.relative_to(path).as_posix()
 
 
-def _of_archive(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
-    with archives.opened(path, where) as archive:
-        infos = list(archives.members(archive, where, limits))
-        names = [archives.member_name(info) for info in infos]
-        if not infos:
-            raise BrokenSubmission(where, "ZIP")
-        if _class_table(names):
-            member = Where(f"{path}!{names[0]}")
-            rows = _rows(names[0], archives.read_member(archive, infos[0], member, limits), member, limits)
-            yield from _of_table(rows, owner(names[0], _root(names)), member, limits)
-            return
-        for who, numbers in _grouped(names):
-            files, reason = [], None
-            for k in numbers:
-                member = Where(f"{path}!{names[k]}")
-                try:
-                    files.append((names[k], archives.read_member(archive, infos[k], member, limits)))
-                except GraphkinError as problem:
-                    reason = problem
-            first = names[numbers[0]]
-            yield Handed(who, f"{path}!{first}", first, tuple(files), reason=None if files else reason)
+# --- whose files they are ---------------------------------------------------------------------
 
 
-def _rows(name: str, content: bytes, where: Where, limits: Limits) -> Iterator[TableRow]:
-    sheet = PurePosixPath(name).suffix.lower() in _SHEETS
-    cells = xlsx_cells(content, where, limits) if sheet else csv_cells(io.BytesIO(content), where)
-    return rows_of(cells, where, limits)
-
-
-def _class_table(names: list[str]) -> bool:
-    """Whether all there is is a table, which bears no student's name as platforms give them: nobody else's work stands
-    beside it. Among others it is one student's."""
+def _is_class_table(names: list[str]) -> bool:
+    """True where all there is is a table, which bears no student's name as platforms give them: nobody else's work
+    stands beside it. Among others it is one student's."""
     name = PurePosixPath(names[0])
-    return len(names) == 1 and name.suffix.lower() in (*_TABLES, *_SHEETS) and (
-        owner(names[0], _root(names)).student == tidy_id(name.stem)
-    )
+    is_table = len(names) == 1 and name.suffix.lower() in (*PLAIN_TABLES, *SHEETS)
+    return is_table and owner(names[0], _root(names)).student == tidy_id(name.stem)
 
 
 def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:
@@ -228,7 +202,7 @@ def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:
     root, shared = _root(names), _shared_folders(names)
 
     def of(k: int) -> Owner:
-        return owner(names[k], root, alone=hash(_folder(names[k])) in shared)
+        return owner(names[k], root, alone=hash(names[k].rpartition("/")[0]) in shared)
 
     number: dict[int, int] = {}
     groups = np.fromiter((number.setdefault(hash(of(k).group), len(number)) for k in range(len(names))), np.int64)
@@ -245,18 +219,14 @@ def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:
 def _shared_folders(names: list[str]) -> set[int]:
     """Folders with several files of one kind: a class's, while a student's own has answers and a drawing."""
     seen: set[int] = set()
-    found: set[int] = set()
+    shared: set[int] = set()
     for name in names:
-        path = PurePosixPath(name)
-        kind = hash((_folder(name), path.suffix.lower(), position_of(path.stem)[1]))
+        path, folder = PurePosixPath(name), name.rpartition("/")[0]
+        kind = hash((folder, path.suffix.lower(), position_of(path.stem)[1]))
         if kind in seen:
-            found.add(hash(_folder(name)))
+            shared.add(hash(folder))
         seen.add(kind)
-    return found
-
-
-def _folder(name: str) -> str:
-    return name.rpartition("/")[0]
+    return shared
 
 
 def _root(names: list[str]) -> str:
@@ -270,3 +240,46 @@ def _root(names: list[str]) -> str:
     if several or len(names) == 1:
         return f"{folder}/"
     return f"{folder}/" + _root([name[len(folder) + 1 :] for name in names])
+
+
+class FirstOnes:
+    """The first submission of each student, as far as they have gone by.
+
+    paths   all that is handed in: what a file, or a platform's folder, is named after goes before a line inside
+    """
+
+    def __init__(self, paths: Iterable[str | Path] = ()) -> None:
+        self._paths = paths
+        self._seen: dict[str, Where] = {}
+
+    @cached_property
+    def _named(self) -> frozenset[str]:
+        """The names of students that files, folders and members of archives bear; looked for where a line inside says
+        another."""
+        students: set[str] = set()
+        for path in map(Path, self._paths):
+            with suppress(GraphkinError, OSError):
+                names = [path.name]
+                if path.is_dir():
+                    names = sorted(_walked(path))
+                elif path.suffix.lower() == ".zip":
+                    with archives.opened(path, where := Where(str(path))) as archive:
+                        names = [*map(archives.member_name, archives.members(archive, where, LIMITS))]
+                students.update(name for who, _ in _grouped(names) for name in (who.student, *who.others))
+        return frozenset(students)
+
+    def reason(self, student: str, file: str, place: str) -> errors.HandedTwice | errors.TwoNames | None:
+        """Why this submission is not marked, being another's or a further one; None where it is the student's first."""
+        if not place.isdecimal():
+            name = place or Path(file).name
+            own = owner(name), owner(name, alone=True)
+            if not any(student in (who.student, *who.others) for who in own) and student in self._named:
+                return errors.TwoNames(Where(file), own[0].student, student)
+        here = Where(file, int(place) if place.isdecimal() else None)
+        first = self._seen.setdefault(student, here)
+        return None if first is here else errors.HandedTwice(here, student, str(first))
+
+
+def called(student: str, reason: GraphkinError) -> str:
+    """The student whose submission is not marked; of one that is another's, nobody."""
+    return reason.named if isinstance(reason, errors.TwoNames) else student

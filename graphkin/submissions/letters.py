@@ -1,4 +1,4 @@
-"""Which point of a drawing bears which letter.
+"""The points of a drawing that bear letters.
 
 A letter stands beside its point, and points that a vector joins are joined by a line: among the line ends, dots and
 crossings near a letter the one counts that is nearest, a drawn vector making up for some millimetres. Of a letter that
@@ -11,16 +11,14 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from itertools import combinations, permutations
+from itertools import chain, combinations, permutations
 
 import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.submissions.figures import Figures, distances
-from graphkin.submissions.letter_names import by_name, loosely, pieces_of, spellings, texts_of
-from graphkin.submissions.picture import PagePicture, PictureText
-from graphkin.submissions.polygons import PaperPolygon
+from graphkin.submissions.picture import Figures, Line, PagePicture, PictureText, distances
+from graphkin.submissions.polygons import PaperPolygon, by_name, loosely, pieces_of, spellings, texts_of
 
 _REACH = 6.0
 """A letter belongs to no dot farther from it [mm]."""
@@ -48,7 +46,7 @@ Place = tuple[float, complex]
 
 @frozen
 class PlacedLetters:
-    """Where the letters are, by plane and the construction's letter; and those of which it is not clear."""
+    """The places of letters, by plane and the construction's letter; and letters whose place is not clear."""
 
     points: Mapping[tuple[Plane, str], complex]
     doubtful: tuple[str, ...]
@@ -57,9 +55,9 @@ class PlacedLetters:
 def find_letters(
     picture: PagePicture, polygons: Sequence[PaperPolygon], others: Collection[str] = (), names: Sequence[str] = ()
 ) -> PlacedLetters:
-    """Where each letter of each polygon is.
+    """The place of each letter of each polygon.
 
-    others  what letters something else: the points of the mechanism
+    others  letters of something else: the points of the mechanism
     names   letters of the dots in the file's order, instead of those that stand beside them
     """
     spelled = {name: key for name, key in spellings(polygons).items() if name not in others}
@@ -68,12 +66,11 @@ def find_letters(
     figures = Figures(picture.lines)
     points, doubtful = dict(sure), []
     for polygon in polygons:
-        wanted = {key: texts for key, texts in written.items() if key[0] == polygon.plane and key not in sure}
-        choices = {key[1]: _candidates(picture, texts) for key, texts in wanted.items()}
+        own = {key: texts for key, texts in written.items() if key[0] == polygon.plane and key not in sure}
+        choices = {key[1]: _candidates(picture, texts) for key, texts in own.items()}
         fixed = {letter: place for (plane, letter), place in sure.items() if plane == polygon.plane}
         choices = _own_figure(choices, fixed, polygon, picture, figures)
-        chosen = _settled({k: v for k, v in choices.items() if v}, fixed, polygon, picture)
-        for letter, place in chosen.items():
+        for letter, place in _settled(_Layout({k: v for k, v in choices.items() if v}, fixed, polygon, picture)):
             if place is None:
                 doubtful.append(letter)
             else:
@@ -82,12 +79,9 @@ def find_letters(
 
 
 def _own_figure(
-    choices: dict[str, list[Place]],
-    fixed: Mapping[str, complex],
-    polygon: PaperPolygon,
-    picture: PagePicture,
+    choices: dict[str, list[Place]], fixed: Mapping[str, complex], polygon: PaperPolygon, picture: PagePicture,
     figures: Figures,
-) -> dict[str, list[Place]]:
+) -> dict[str, list[Place]]:  # fmt: skip
     """The choices that hang together with the pole, for letters that have such; further letters by looser spellings."""
     pole = next(iter(polygon.letters))
     places = [fixed[pole]] if pole in fixed else [place for _, place in choices.get(pole, ())[:1]]
@@ -99,14 +93,14 @@ def _own_figure(
     def here(some: Sequence[Place]) -> list[Place]:
         return [one for one in some if np.min(distances(np.array([one[1]]), ends[:, 0], ends[:, 1])) < _SAME]
 
-    found = {letter: here(some) or some for letter, some in choices.items()}
+    own = {letter: here(some) or some for letter, some in choices.items()}
     alike = Counter(map(loosely, polygon.letters))
     for letter in polygon.letters:
-        if letter not in fixed and alike[loosely(letter)] == 1 and not here(found.get(letter, ())):
+        if letter not in fixed and alike[loosely(letter)] == 1 and not here(own.get(letter, ())):
             loose = [text for text in picture.texts if loosely(letter) in map(loosely, pieces_of(text.text))]
             if some := here(_candidates(picture, loose)):
-                found[letter] = some
-    return found
+                own[letter] = some
+    return own
 
 
 # --- where they belong ------------------------------------------------------------------------
@@ -114,22 +108,22 @@ def _own_figure(
 
 def _candidates(picture: PagePicture, texts: Sequence[PictureText]) -> list[Place]:
     """Points near any of a letter's texts, the nearest first."""
-    found: list[Place] = []
+    candidates: list[Place] = []
     for text in texts[:8]:
         near = [(_far(text, dot.place, _REACH), dot.place) for dot in picture.dots]
         near += [(_END + _far(text, end, _NEAR), end) for line in picture.lines for end in line]
         near += [(_LEADER + distance, far) for distance, far in _led(picture, text)]
         near += [(_CROSSING + _far(text, place, _NEAR), place) for place in _crossings(picture, text)]
         for distance, place in sorted((pair for pair in near if pair[0] < math.inf), key=lambda pair: pair[0]):
-            if all(abs(place - other) > _SAME for _, other in found):
-                found.append((distance, place))
-            if len(found) >= _CANDIDATES:
+            if all(abs(place - other) > _SAME for _, other in candidates):
+                candidates.append((distance, place))
+            if len(candidates) >= _CANDIDATES:
                 break
-    return sorted(found, key=lambda pair: pair[0])
+    return sorted(candidates, key=lambda pair: pair[0])
 
 
 def _far(text: PictureText, place: complex, reach: float) -> float:
-    """How unlikely it is that a text letters a place, in mm of a letter that stands close by."""
+    """The unlikeliness that a text letters a place, in mm of a letter that stands close by."""
     distance = text.distance(place)
     return distance + distance**2 * _FARTHER if distance <= reach else math.inf
 
@@ -139,18 +133,15 @@ def _led(picture: PagePicture, text: PictureText) -> Iterator[Place]:
     for line in picture.lines:
         for end, far in (line, line[::-1]):
             distance = text.distance(end)
-            if distance <= _TOUCHES and abs(far - end) <= 2 * _REACH and _free(end, line, picture):
-                yield distance, far
-
-
-def _free(end: complex, own: tuple[complex, complex], picture: PagePicture) -> bool:
-    marks = (dot.place for dot in picture.dots)
-    ends = (place for line in picture.lines if line is not own for place in line)
-    return all(abs(end - mark) > _SAME for mark in marks) and all(abs(end - other) > _SAME for other in ends)
+            if distance <= _TOUCHES and abs(far - end) <= 2 * _REACH:
+                others = (place for other in picture.lines if other is not line for place in other)
+                marks = (dot.place for dot in picture.dots)
+                if all(abs(end - mark) > _SAME for mark in chain(marks, others)):
+                    yield distance, far
 
 
 def _crossings(picture: PagePicture, text: PictureText) -> Iterator[complex]:
-    """Where lines cross near a text: direction lines are drawn beyond their points."""
+    """The crossings of lines near a text: direction lines are drawn beyond their points."""
     middle = text.corner + text.right * text.width / 2
     reach = _REACH + text.width / 2 + text.above
     near = [line for line in picture.lines if _off(middle, *line) < reach][:_LINES_NEAR]
@@ -160,14 +151,13 @@ def _crossings(picture: PagePicture, text: PictureText) -> Iterator[complex]:
             yield place
 
 
-def _crossing(one: tuple[complex, complex], other: tuple[complex, complex]) -> complex | None:
+def _crossing(one: Line, other: Line) -> complex | None:
     a, b = one[1] - one[0], other[1] - other[0]
     turn = (a.conjugate() * b).imag
     if abs(turn) <= 0.02 * abs(a) * abs(b):
         return None
     along = ((other[0] - one[0]).conjugate() * b).imag / turn
-    place = one[0] + along * a
-    slack = _SAME / abs(a)
+    place, slack = one[0] + along * a, _SAME / abs(a)
     return place if -slack <= along <= 1 + slack and _off(place, *other) <= _SAME else None
 
 
@@ -182,12 +172,9 @@ class _Layout:
     """Letters on points: what an arrangement of them costs [mm]."""
 
     def __init__(
-        self,
-        choices: Mapping[str, list[Place]],
-        fixed: Mapping[str, complex],
-        polygon: PaperPolygon,
+        self, choices: Mapping[str, list[Place]], fixed: Mapping[str, complex], polygon: PaperPolygon,
         picture: PagePicture,
-    ) -> None:
+    ) -> None:  # fmt: skip
         self.choices, self.picture = choices, picture
         self.far = {(letter, place): distance for letter, places in choices.items() for distance, place in places}
         self.around: dict[str, set[str]] = {}
@@ -200,14 +187,22 @@ class _Layout:
     def cost(self, changes: Mapping[str, complex]) -> float:
         """With some letters moved. Each letter: its distance, less for its drawn vectors, more on another's point."""
         chosen = {**self.chosen, **changes}
-        taken = Counter(_cell(place) for place in chosen.values())
+        at_place = Counter(_cell(place) for place in chosen.values())
         total = 0.0
         for letter in self.choices:
             place = chosen[letter]
             others = [chosen[name] for name in self.around.get(letter, ()) if name in chosen]
-            drawn = sum(self._joined(place, other) for other in others) / max(1, len(others))
-            total += self.far[letter, place] - _JOINED * drawn + _JOINED * (taken[_cell(place)] > 1)
+            joined = (abs(place - other) >= _SAME and self._lines(place) & self._lines(other) for other in others)
+            drawn = sum(map(bool, joined)) / max(1, len(others))
+            total += self.far[letter, place] - _JOINED * drawn + _JOINED * (at_place[_cell(place)] > 1)
         return total
+
+    def _lines(self, place: complex) -> frozenset[int]:
+        """Numbers of the lines that run through a place."""
+        if place not in self._through:
+            passing = (k for k, line in enumerate(self.picture.lines) if _off(place, *line) < _SAME)
+            self._through[place] = frozenset(passing)
+        return self._through[place]
 
     def moves(self) -> Iterator[dict[str, complex]]:
         """A letter to another point of its own; one that takes another's, which moves on; two, three that exchange."""
@@ -219,34 +214,16 @@ class _Layout:
                 yield from ({one: there, other: place} for _, place in self.choices[other] if place != there)
         for letters in permutations(self.choices, 3):
             if letters[0] == min(letters):
-                yield from self._round(letters)
-
-    def _round(self, letters: tuple[str, ...]) -> Iterator[dict[str, complex]]:
-        """Each to the next one's point."""
-        moved = {letter: self.chosen[after] for letter, after in zip(letters, (*letters[1:], letters[0]), strict=True)}
-        if all(move in self.far for move in moved.items()) and len(set(moved.values())) == len(moved):
-            yield moved
-
-    def _joined(self, one: complex, other: complex) -> bool:
-        """Whether a line runs from the one to the other."""
-        return abs(one - other) >= _SAME and bool(self._lines(one) & self._lines(other))
-
-    def _lines(self, place: complex) -> frozenset[int]:
-        if place not in self._through:
-            passing = (k for k, line in enumerate(self.picture.lines) if _off(place, *line) < _SAME)
-            self._through[place] = frozenset(passing)
-        return self._through[place]
-
+                moved = {letter: self.chosen[after] for letter, after in zip(letters, (*letters[1:], letters[0]))}
+                if all(move in self.far for move in moved.items()) and len(set(moved.values())) == len(moved):
+                    yield moved
 
 def _cell(place: complex) -> tuple[float, float]:
     return round(place.real, 3), round(place.imag, 3)
 
 
-def _settled(
-    choices: Mapping[str, list[Place]], fixed: Mapping[str, complex], polygon: PaperPolygon, picture: PagePicture
-) -> dict[str, complex | None]:
+def _settled(layout: _Layout) -> Iterator[tuple[str, complex | None]]:
     """The best arrangement; None for letters that could as well be elsewhere."""
-    layout = _Layout(choices, fixed, polygon, picture)
     best = layout.cost({})
     for _ in range(_ROUNDS):
         before = best
@@ -256,8 +233,6 @@ def _settled(
                 best = cost
         if best == before:
             break
-    found: dict[str, complex | None] = {letter: layout.chosen[letter] for letter in choices}
-    for move in layout.moves():
-        if layout.cost(move) < best + _CLEAR:
-            found.update(dict.fromkeys(move))
-    return found
+    unclear = {letter for move in layout.moves() if layout.cost(move) < best + _CLEAR for letter in move}
+    for letter in layout.choices:
+        yield letter, None if letter in unclear else layout.chosen[letter]

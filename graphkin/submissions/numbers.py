@@ -1,21 +1,49 @@
-"""A value as students write it: number, unit, sense, sometimes its direction. The units are the mechanism file's own.
+"""Text, values and paper scales as students type them: number, unit, sense, sometimes its direction.
 
-A bare number stands in the house's edge unit (mm, deg, rad/s, m/s ..). One comma alone is a decimal comma; beside a
-point, the last of the two is the decimal sign.
+The units are the mechanism file's own. A bare number stands in the house's edge unit (mm, deg, rad/s, m/s ..). One
+comma alone is a decimal comma; beside a point, the last of the two is the decimal sign.
 """
 
 from __future__ import annotations
 
 import math
 import re
+import unicodedata
 from collections.abc import Mapping
+from dataclasses import replace
 
 from graphkin.base.value import frozen
-from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OtherDimension, SenseDisputed
-from graphkin.files.values import UNITS, read_quantity
-from graphkin.model.mechanism import Dimension
-from graphkin.submissions.spelling import plain
+from graphkin.construction import Plane
+from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OtherDimension, OutOfRange, SenseDisputed
+from graphkin.files.units import UNITS, Dimension, read_quantity
+from graphkin.model.mechanism import Mechanism
 from graphkin.submissions.submission import HandedValue, Sense
+
+_RAISED = re.compile("[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+")
+_ALIKE = str.maketrans({
+    **dict.fromkeys("−–—‐‑‒―﹣－➖", "-"), "º": "°", "˚": "°", "∘": "°", "∕": "/", "⁄": "/", "÷": "/", "·": "*",
+    "⋅": "*", "∙": "*", "•": "*", "×": "*", "✕": "*", "﹢": "+", "，": ",", "；": ";", "：": ":", "。": ".", "（": "(",
+    "）": ")", "【": "[", "】": "]", "\u2019": "'", "\u2032": "'", "\u02b9": "'", "\u2033": "''", "\u2034": "'''",
+    "\u02bc": "'", "´": "'", "`": "'", "＝": "=", "≈": "=", "≅": "=", "≃": "=", "～": "=", "\u200b": "", "\ufeff": "",
+})  # fmt: skip
+
+
+def plain(text: str) -> str:
+    """`−3,92 rad/s²` -> `-3,92 rad/s^2`: compatibility letters folded, and what looks alike written one way."""
+    text = _RAISED.sub(lambda run: "^" + unicodedata.normalize("NFKC", run.group()).replace("−", "-"), text)
+    text = unicodedata.normalize("NFKC", text.translate(_ALIKE)).translate(_ALIKE)
+    return " ".join(text.split())
+
+
+def short(text: str) -> str:
+    """On one line and not too long, for a message."""
+    return " ".join(text[:200].split())[:60]
+
+
+def unaccented(text: str) -> str:
+    """Without combining marks: the bar or the arrow over a vector's letter."""
+    return "".join(letter for letter in unicodedata.normalize("NFD", text) if not unicodedata.combining(letter))
+
 
 DIMENSIONS: Mapping[str, Dimension | None] = {
     "rad": "angle", "rad/s": "angular velocity", "rad/s^2": "angular acceleration", "m": "length", "m/s": "velocity",
@@ -47,51 +75,38 @@ class WrittenNumber:
     number: float
     unit: str
     sense: Sense | None
-    signed: bool
 
 
-def given(text: str, si: str, unit: str = "") -> HandedValue:
-    """What a text gives for a quantity of this SI unit; `unit` is that of its column. Faults come with `NOWHERE`."""
+def parsed_value(text: str, si: str, unit: str = "") -> HandedValue:
+    """The value that a text gives for a quantity of this SI unit; `unit` is that of its column. Faults come with
+    `NOWHERE`."""
     size, *direction = _ANGLE.split(plain(text), maxsplit=1)
     try:
-        found = _in_si(text, written(size, text), DIMENSIONS[si], unit)
-        if direction and found.value is not None:
-            at = written(direction[0], text)
-            turned = read_quantity(_joined(at.number, unit_named(at.unit)) if at.unit else at.number, "angle")
-            return _replaced(found, vector=complex(found.value * math.cos(turned), found.value * math.sin(turned)))
-        return found
+        value = _in_si(text, written(size, text), DIMENSIONS[si], unit)
+        if not direction or value.value is None:
+            return value
+        at = written(direction[0], text)
+        angle = read_quantity(f"{at.number!r} {unit_named(at.unit)}" if at.unit else at.number, "angle")
+        return replace(value, vector=complex(value.value * math.cos(angle), value.value * math.sin(angle)))
     except GraphkinError as fault:
         return HandedValue(text, None, fault=fault)
 
 
-def _replaced(found: HandedValue, **changes: object) -> HandedValue:
-    from dataclasses import replace
-
-    return replace(found, **changes)  # type: ignore[arg-type]
-
-
 def _in_si(text: str, value: WrittenNumber, dimension: Dimension | None, unit: str) -> HandedValue:
     sense = value.sense if dimension in _TURNING else None
-    sized = abs(value.number) * (-1 if sense == "cw" else 1) if sense else value.number
     if sense == "ccw" and value.number < 0:
         raise SenseDisputed(NOWHERE, text[:LONGEST])
+    sized = abs(value.number) * (-1 if sense == "cw" else 1) if sense else value.number
     name = unit_named(value.unit or unit)
     if dimension is None:
         if name:
             raise NotAnAnswer(NOWHERE, text[:LONGEST])
         return HandedValue(text, read_quantity(sized, "velocity"), sense)
+    shown = name.replace("²", "^2")
     try:
-        return HandedValue(text, read_quantity(_joined(sized, name) if name else sized, dimension), sense, _shown(name))
+        return HandedValue(text, read_quantity(f"{sized!r} {name}" if name else sized, dimension), sense, shown)
     except OtherDimension as fault:
-        return HandedValue(text, read_quantity(sized, dimension), sense, _shown(name), fault)
-
-
-def _joined(number: float, unit: str) -> str:
-    return f"{number!r} {unit}"
-
-
-def _shown(unit: str) -> str:
-    return unit.replace("²", "^2")
+        return HandedValue(text, read_quantity(sized, dimension), sense, shown, fault)
 
 
 # --- number, unit and sense -------------------------------------------------------------------
@@ -109,23 +124,16 @@ def written(text: str, whole: str) -> WrittenNumber:
     if len(senses) > 1:
         raise SenseDisputed(NOWHERE, whole[:LONGEST])
     text = re.sub(r"[(\[] *[)\]]", "", text).strip(" ,;=") if senses else text.strip(" ;=")
-    found = _NUMBER.match(text)
-    if found is None:
+    match = _NUMBER.match(text)
+    if match is None:
         raise NotAnAnswer(NOWHERE, whole[:LONGEST])
-    sign, body, power = found.groups()
-    value = float(f"{_digits(body, whole)}e{_exponent(power)}")
-    unit = text[found.end() :].strip(" ,;")
-    return WrittenNumber(-value if sign == "-" else value, unit, next(iter(senses), None), bool(sign))
-
-
-def _exponent(power: str | None) -> int:
-    """Of `e-3`, `*10^-3`."""
-    if power is None:
-        return 0
-    digits = power[1:] if power[0] in "eE" else re.sub(r"^ ?[*xX] ?10 ?(?:\^|\*\*)? ?\(?", "", power).rstrip(")")
-    if len(digits) > 5:
+    sign, body, power = match.groups()
+    exponent = re.sub(r"^(?:[eE]| ?[*xX] ?10 ?(?:\^|\*\*)? ?\(?)", "", power or "").rstrip(")")  # of `e-3`, `*10^-3`
+    if len(exponent) > 5:
         raise NotAnAnswer(NOWHERE, power.strip()[:40])
-    return int(digits)
+    value = float(f"{_digits(body, whole)}e{int(exponent or 0)}")
+    unit = text[match.end() :].strip(" ,;")
+    return WrittenNumber(-value if sign == "-" else value, unit, next(iter(senses), None))
 
 
 def _digits(body: str, whole: str) -> str:
@@ -167,3 +175,69 @@ def unit_named(text: str) -> str:
         name = pattern.sub(better, name)
     house = name.replace("^2", "²")
     return house if any(house in units for units in UNITS.values()) else text.strip()[:40]
+
+
+PAPER: Mapping[str, float] = {"mm": 1.0, "cm": 10.0, "in": 25.4}
+"""Units of lengths on paper in mm: such a length becomes a velocity or an acceleration by its scale."""
+_DIMENSIONS: Mapping[Plane, Dimension] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
+_SI: Mapping[str, Plane] = {"m/s": "velocity", "m/s^2": "acceleration"}
+_NAMES: Mapping[str, Plane] = {
+    "l": "position", "s": "position", "length": "position", "position": "position", "长度": "position",
+    "v": "velocity", "velocity": "velocity", "速度": "velocity",
+    "a": "acceleration", "acceleration": "acceleration", "加速度": "acceleration",
+}  # fmt: skip
+_KEY = re.compile(
+    r"(?:scales?\.|(?:mu|[μµ]|k|scale)[ _]*)(?:of )?(l|s|v|a|length|position|velocity|acceleration)"
+    r"|(?:(length|velocity|acceleration)[ _]*scale|(长度|速度|加速度)比例尺)"
+)
+_SMALLEST, _LARGEST = 1e-9, 1e9
+
+
+def plane_named(text: str) -> Plane | None:
+    """The plane whose scale a name is: `mu_v`, `μa`, `scales.velocity`, `velocity scale`, `速度比例尺`."""
+    match = _KEY.fullmatch(re.sub(r"[{}\\$]", "", plain(text[:60])).strip().lower())
+    return _NAMES[next(name for name in match.groups() if name)] if match is not None else None
+
+
+def plane_of(si: str) -> Plane | None:
+    """The polygon in which a quantity of this unit is drawn."""
+    return _SI.get(si)
+
+
+def stated_by(mechanism: Mechanism) -> dict[Plane, float]:
+    """The scales that the problem says to take."""
+    return {plane: mechanism.scales[key] for plane, key in _DIMENSIONS.items() if key in mechanism.scales}
+
+
+def scale(raw: object, plane: Plane) -> float:
+    """SI units per mm on paper: `0.01`, `0.01 (m/s)/mm`, `1 mm = 0.01 m/s`, `100 mm : 1 m/s`.
+
+    Raises NotAnAnswer, OutOfRange, OtherDimension with `NOWHERE`.
+    """
+    if isinstance(raw, bool) or not isinstance(raw, int | float | str):
+        raise NotAnAnswer(NOWHERE, str(raw)[:40])
+    shown = str(raw)[:200] if isinstance(raw, str) or abs(raw) < 1e30 else "1e30"
+    text, dimension = plain(shown), _DIMENSIONS[plane]
+    if (value := _ratio(text, dimension)) is None:
+        number = written(re.sub(r"/\((s(?:\^2)?)\*mm\)", r"/\1/mm", text.replace(" ", "")), text)
+        unit = re.sub(r"(?:/|\*? ?per|\*) ?mm(?:\^-1)?$", "", number.unit.replace("*mm^-1", "/mm")).strip("() ")
+        value = _read(f"{number.number!r} {unit}", dimension) if unit else number.number
+    if not _SMALLEST <= value <= _LARGEST:
+        raise OutOfRange(NOWHERE, shown[:40])
+    return value
+
+
+def _ratio(text: str, dimension: Dimension) -> float | None:
+    """Of a length on paper and what it stands for, in either order; None for what is no such pair."""
+    one, sign, other = text.partition("=") if "=" in text else text.partition(":")
+    for paper, thing in ((one, other), (other, one)) if sign else ():
+        try:
+            return _read(thing, dimension) / (_read(paper, "length") * 1000)
+        except (GraphkinError, ZeroDivisionError):
+            continue
+    return None
+
+
+def _read(text: str, dimension: Dimension) -> float:
+    number = written(text.strip(), text)
+    return read_quantity(f"{number.number!r} {unit_named(number.unit)}", dimension)

@@ -1,10 +1,16 @@
-"""A drawing as far as it is measured: lines, dots, letters; in mm on the page, y up, whatever program saved it."""
+"""A drawing as far as it is measured: lines, dots, letters, in mm on the page, y up, whatever program saved it.
+
+The mechanism and its polygons are figures of their own, of lines that hang together; letters recur in them.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 
+import numpy as np
+
+from graphkin.base.geometry import Array, Value, cross
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 
@@ -27,11 +33,8 @@ class PictureText:
     def distance(self, place: complex) -> float:
         """From its box [mm]; 0 within."""
         to = place - self.corner
-        along = (to * self.right.conjugate()).real
-        across = (to * self.up.conjugate()).real
-        over = max(-along, along - self.width, 0.0)
-        off = max(-self.below - across, across - self.above, 0.0)
-        return abs(complex(over, off))
+        along, across = (to * self.right.conjugate()).real, (to * self.up.conjugate()).real
+        return abs(complex(max(-along, along - self.width, 0.0), max(-self.below - across, across - self.above, 0.0)))
 
 
 @frozen
@@ -54,7 +57,7 @@ class PictureArrow:
 
 @frozen
 class PagePicture:
-    """What is on the page.
+    """The marks on a page.
 
     lines   straight pieces; scales: those the file states as data, SI per mm
     """
@@ -64,3 +67,57 @@ class PagePicture:
     texts: tuple[PictureText, ...] = ()
     arrows: tuple[PictureArrow, ...] = ()
     scales: Mapping[Plane, float] = field(default_factory=dict)
+
+
+_TOUCH = 0.2
+"""Lines nearer to each other are joined [mm]."""
+_LARGEST = 2_000
+"""Lines of a figure that are followed at most; of a larger one nothing is told."""
+
+Line = tuple[complex, complex]
+
+
+class Figures:
+    """The lines of a page, and what hangs together with a place."""
+
+    def __init__(self, lines: Sequence[Line]) -> None:
+        ends = np.array(lines, dtype=complex).reshape(-1, 2)
+        self._tails, self._heads = ends[:, 0], ends[:, 1]
+
+    def about(self, place: complex) -> Sequence[Line]:
+        """The lines that hang together with a place, one through another; none where no line is there."""
+        figure = self._off(place) <= _TOUCH
+        new = np.flatnonzero(figure)
+        while new.size:
+            if figure.sum() > _LARGEST:
+                return ()
+            touched = np.zeros(len(figure), dtype=bool)
+            for k in new:
+                touched |= self._touching(int(k))
+            new = np.flatnonzero(touched & ~figure)
+            figure |= touched
+        return [(complex(self._tails[k]), complex(self._heads[k])) for k in np.flatnonzero(figure)]
+
+    def _touching(self, k: int) -> Array:
+        """Flags of the lines that end on line k or cross it, or on which it ends."""
+        tails, heads, tail, head = self._tails, self._heads, self._tails[k], self._heads[k]
+        near = (self._off(tail) <= _TOUCH) | (self._off(head) <= _TOUCH)
+        for ends in (tails, heads):
+            near |= distances(ends, np.array([tail]), np.array([head])) <= _TOUCH
+        return np.asarray(near | (_parted(tails, heads, tail, head) & _parted(tail, head, tails, heads)))
+
+    def _off(self, place: complex) -> Array:
+        return distances(np.array([place]), self._tails, self._heads)
+
+
+def distances(places: Array, tails: Array, heads: Array) -> Array:
+    """Of places from pieces of lines, broadcast [mm]."""
+    along = heads - tails
+    size = np.abs(along) ** 2
+    share = ((places - tails) * along.conj()).real / np.where(size > 0, size, 1.0)
+    return np.asarray(np.abs(places - tails - np.clip(share, 0.0, 1.0) * along))
+
+
+def _parted(tail: Value, head: Value, start: Value, end: Value) -> Array:
+    """Flags of pairs of points that lie on either side of a line."""
+    return np.asarray(cross(end - start, tail - start) * cross(end - start, head - start) < 0)

@@ -1,4 +1,4 @@
-"""What a student calls a quantity, made into what `quantities` reads: a normaliser in front, not a second reader.
+"""Names of quantities as students write them, made into what `quantities` reads: a normaliser, not a second reader.
 
 `w3`, `ω₃`, `omega_3`, `aB3B2k`, `a^k_B3B2`, `v_{B3B2}`, `v C/B`, `α3 (rad/s²)`. Of several readings the first that
 means something in the mechanism counts, and the one nearest to what was typed comes first.
@@ -11,23 +11,13 @@ from collections.abc import Iterator
 from typing import assert_never
 
 from graphkin.errors import GraphkinError
-from graphkin.files.values import split_points, tidy
+from graphkin.files.names import split_points, tidy
+from graphkin.model import quantities as kinds
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import Seen
-from graphkin.model.quantities import (
-    Centre,
-    Component,
-    Displacement,
-    Moving,
-    Place,
-    Quantity,
-    Quotient,
-    Rotation,
-    Track,
-)
+from graphkin.model.quantities import Centre, Quantity
 from graphkin.model.quantities.reading import read
-from graphkin.submissions.numbers import unit_named
-from graphkin.submissions.spelling import plain, unaccented
+from graphkin.submissions.numbers import plain, unaccented, unit_named
 
 LONGEST = 120
 """No question is longer."""
@@ -36,7 +26,6 @@ _HEADS = (
     (r"velocity of|velocity|速度|v", "v"), (r"acceleration of|acceleration|加速度|a", "a"),
     (r"displacement|位移|s", "s"), (r"x", "x"), (r"y", "y"),
 )  # fmt: skip
-_TURNING = ("omega", "alpha", "theta")
 _GREEK = str.maketrans({
     "ω": "omega", "Ω": "omega", "ϖ": "omega", "α": "alpha", "ɑ": "alpha", "ε": "epsilon", "ϵ": "epsilon",
     "θ": "theta", "ϑ": "theta", "φ": "phi", "ϕ": "phi", "τ": "t", "υ": "v", "ν": "v",
@@ -59,7 +48,7 @@ class Questions:
         self.mechanism = mechanism
         self.asked: dict[object, str] = {}
         self._words: dict[str, list[str]] = {}
-        self._known: dict[str, tuple[str, Quantity, str] | None] = {}
+        self._read: dict[str, tuple[str, Quantity, str] | None] = {}
         for text in asked:
             if (quantity := _quietly(mechanism, text)) is not None:
                 self.asked.setdefault(_meaning(mechanism, quantity), text)
@@ -67,46 +56,46 @@ class Questions:
 
     def read(self, text: str) -> tuple[str, Quantity, str] | None:
         """The key's words for what a text names, the quantity, and the unit that stands with it ("" for none)."""
-        if text not in self._known:
-            if len(self._known) > 10_000:
-                self._known.clear()
-            self._known[text] = self._read(text) if len(text) <= LONGEST else None
-        return self._known[text]
+        if text not in self._read:
+            if len(self._read) > 10_000:
+                self._read.clear()
+            self._read[text] = self._reading(text) if len(text) <= LONGEST else None
+        return self._read[text]
 
-    def _read(self, text: str) -> tuple[str, Quantity, str] | None:
-        if (quantity := self._quantity(text)) is not None:
-            return *self._called(quantity), ""
-        cut = _IN_UNIT.match(plain(text))
-        if cut is None or (quantity := self._quantity(cut[1])) is None:
-            return None
-        return *self._called(quantity), unit_named(next(unit for unit in cut.groups()[1:] if unit))
-
-    def _called(self, quantity: Quantity) -> tuple[str, Quantity]:
-        text = quantity.text.replace(" ", "") if isinstance(quantity, Centre) else quantity.text
-        return self.asked.get(_meaning(self.mechanism, quantity), text), quantity
+    def _reading(self, text: str) -> tuple[str, Quantity, str] | None:
+        unit, quantity = "", self._quantity(text)
+        if quantity is None:
+            cut = _IN_UNIT.match(plain(text))
+            if cut is None or (quantity := self._quantity(cut[1])) is None:
+                return None
+            unit = unit_named(next(unit for unit in cut.groups()[1:] if unit))
+        own = quantity.text.replace(" ", "") if isinstance(quantity, Centre) else quantity.text
+        return self.asked.get(_meaning(self.mechanism, quantity), own), quantity, unit
 
     def _quantity(self, text: str) -> Quantity | None:
+        """By any of its spellings; `omega BC` by two points of link 2; a word alone, `a^k`, where the key asks for one
+        such quantity and no other."""
         for candidate in spelled(text):
-            if (found := _quietly(self.mechanism, candidate)) is not None:
-                return found
-            if (link := _by_points(self.mechanism, candidate)) is not None:
-                return _quietly(self.mechanism, link)
-        return self._alone(text)
-
-    def _alone(self, text: str) -> Quantity | None:
-        """A word alone, `a^k`, where the key asks for one such quantity and no other."""
+            if (quantity := _quietly(self.mechanism, candidate)) is not None:
+                return quantity
+            word, _, of = candidate.partition(" ")
+            points = split_points(of)
+            if word in ("omega", "alpha") and len(points) == 2:
+                links = self.mechanism.links.items()
+                fits = [name for name, link in links if set(points) <= set(link.points) and name != FRAME]
+                if len(fits) == 1:
+                    return _quietly(self.mechanism, f"{word} {fits[0]}")
         word = re.sub(r"[ ^{}_$\\]", "", plain(text).translate(_GREEK)).lower()
-        fits = [asked for name, asked in self._words.items() if name.replace("_", "") == word]
-        return _quietly(self.mechanism, fits[0][0]) if len(fits) == 1 and len(fits[0]) == 1 else None
-
+        asked = [texts for name, texts in self._words.items() if name.replace("_", "") == word]
+        return _quietly(self.mechanism, asked[0][0]) if len(asked) == 1 and len(asked[0]) == 1 else None
 
 def begins_like_one(text: str) -> bool:
-    """Whether a text begins as quantities do, of whatever mechanism: `ω3`, `aB3B2k`, `v_C`; and no id such as s1."""
-    made = plain(text[:LONGEST]).translate(_GREEK)
+    """True where a text begins as quantities do, of whatever mechanism: `ω3`, `aB3B2k`, `v_C`; and no id such as s1."""
+    bare = plain(text[:LONGEST]).translate(_GREEK)
     for pattern, word in _HEADS:
-        head = re.match(pattern, made, re.I)
-        after = "[ _^{0-9]" if word in _TURNING else "[ _^{]|[ntkr]?[A-Z]"
-        if head is not None and re.match(after, made[head.end() :]) is not None:
+        head = re.match(pattern, bare, re.I)
+        after = "[ _^{0-9]" if word in ("omega", "alpha", "theta") else "[ _^{]|[ntkr]?[A-Z]"
+        if head is not None and re.match(after, bare[head.end() :]) is not None:
             return True
     return False
 
@@ -118,16 +107,6 @@ def _quietly(mechanism: Mechanism, text: str) -> Quantity | None:
         return None
 
 
-def _by_points(mechanism: Mechanism, text: str) -> str | None:
-    """`omega BC` -> `omega 2`: a link by two of its points."""
-    word, _, of = text.partition(" ")
-    points = split_points(of)
-    if word not in ("omega", "alpha") or len(points) != 2:
-        return None
-    links = [name for name, link in mechanism.links.items() if set(points) <= set(link.points) and name != FRAME]
-    return f"{word} {links[0]}" if len(links) == 1 else None
-
-
 # --- spellings --------------------------------------------------------------------------------
 
 
@@ -135,14 +114,14 @@ def spelled(text: str) -> Iterator[str]:
     """Texts that `quantities` may read, the nearest to what was typed first."""
     bare = tidy(text.strip())
     yield bare
-    made = unaccented(_DRESS.sub(" ", plain(bare).translate(_GREEK)))
-    made = re.sub(r"\s+", " ", made).strip()
-    yield made
-    top, slash, bottom = made.partition("/")
+    bare = unaccented(_DRESS.sub(" ", plain(bare).translate(_GREEK)))
+    bare = re.sub(r"\s+", " ", bare).strip()
+    yield bare
+    top, slash, bottom = bare.partition("/")
     if slash:
         yield from (f"{one} / {other}" for one in _one(top.strip()) for other in _one(bottom.strip()))
-        made = f"{top.rstrip()}{bottom.lstrip()}"
-    yield from _one(made)
+        bare = f"{top.rstrip()}{bottom.lstrip()}"
+    yield from _one(bare)
 
 
 def _one(text: str) -> Iterator[str]:
@@ -154,17 +133,17 @@ def _one(text: str) -> Iterator[str]:
         if head is None or head.group() in ("A", "S", "X", "Y"):
             continue
         rest = text[head.end() :]
-        yield from _of_moving(word, rest) if word in ("v", "a") else _of_plain(word, rest)
         if word in ("v", "a"):
-            yield from (_capitals(candidate) for candidate in _of_moving(word, rest))
-
-
-def _of_plain(word: str, rest: str) -> Iterator[str]:
-    of = rest.strip(" _^=:")
-    yield f"{word} {of}"
-    yield f"{word} {re.sub('[ _^]', '', of)}"
-    if word in ("x", "y"):
-        yield f"{word} {of.upper()}"
+            yield from _of_moving(word, rest)
+            for candidate in _of_moving(word, rest):  # names of links after an @ stay
+                head_word, _, of = candidate.partition(" ")
+                yield f"{head_word} " + re.sub(r"(@[^,]*)|([^@]+)", lambda run: run[1] or run[2].upper(), of)
+        else:
+            of = rest.strip(" _^=:")
+            yield f"{word} {of}"
+            yield f"{word} {re.sub('[ _^]', '', of)}"
+            if word in ("x", "y"):
+                yield f"{word} {of.upper()}"
 
 
 def _of_moving(word: str, rest: str) -> Iterator[str]:
@@ -182,35 +161,30 @@ def _of_moving(word: str, rest: str) -> Iterator[str]:
         yield f"{word}_{_PARTS[after[1].lower()]} {tight[: after.start()]}"
 
 
-def _capitals(text: str) -> str:
-    """The points of `a_k b3b2` as mechanisms have them; names of links after an @ stay."""
-    word, _, of = text.partition(" ")
-    return f"{word} " + re.sub(r"(@[^,]*)|([^@]+)", lambda run: run[1] or run[2].upper(), of)
-
-
 # --- the same quantity ------------------------------------------------------------------------
 
 
 def _meaning(mechanism: Mechanism, quantity: Quantity) -> object:
-    """What a quantity is, however it is written: B2 is B where link 2 has the point."""
+    """A quantity itself, however it is written: B2 is B where link 2 has the point."""
+
+    def place(site: Seen) -> tuple[str, str]:
+        by_link = site.explicit and site.link not in mechanism.owners.get(site.point, ())
+        return site.point, site.link if by_link else ""
+
     match quantity:
-        case Quotient(_, _, top, bottom):
+        case kinds.Quotient(_, _, top, bottom):
             return _meaning(mechanism, top), _meaning(mechanism, bottom)
-        case Component(word, _, _, whole):
+        case kinds.Component(word, _, _, whole):
             return word, _meaning(mechanism, whole)
-        case Moving(word, _, site, seen_from):
-            return word, _site(mechanism, site), seen_from and _site(mechanism, seen_from)
-        case Place(word, _, _, site):
+        case kinds.Moving(word, _, site, seen_from):
+            return word, place(site), seen_from and place(seen_from)
+        case kinds.Place(word, _, _, site):
             return word, site.point
         case Centre(word, _, links):
             return word, frozenset(links)
-        case Rotation(word, of) | Displacement(word, of):
+        case kinds.Rotation(word, of) | kinds.Displacement(word, of):
             return word, of
-        case Track():
+        case kinds.Track():
             return quantity.text
         case _:
             assert_never(quantity)
-
-
-def _site(mechanism: Mechanism, site: Seen) -> tuple[str, str]:
-    return site.point, "" if not site.explicit or site.link in mechanism.owners.get(site.point, ()) else site.link

@@ -2,42 +2,31 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
-from graphkin.errors import (
-    BrokenSubmission,
-    GraphkinError,
-    NoAnswers,
-    NotMarkable,
-    OwnFault,
-    SeveralStudents,
-    TooMuch,
-    TwoNames,
-    UnknownStudent,
-    Where,
-)
-from graphkin.model.mechanism import Mechanism
-from graphkin.submissions import archives
-from graphkin.submissions.answers import Answers
-from graphkin.submissions.at_positions import answers_at, named_at, of_file
-from graphkin.submissions.class_names import DRAWINGS, tidy_id
-from graphkin.submissions.deadline import limited
-from graphkin.submissions.documents import StudentDocument, read_json, read_lines, read_toml
-from graphkin.submissions.handed import Handed, handed_in
+from graphkin import errors
+from graphkin.base.value import frozen
+from graphkin.errors import GraphkinError, Where
+from graphkin.submissions import archives, documents
+from graphkin.submissions.answers import answers_at, named_at, of_file
+from graphkin.submissions.archives import decoded
+from graphkin.submissions.documents import StudentDocument, TableRow
+from graphkin.submissions.handed import FirstOnes, Handed, called, handed_in
+from graphkin.submissions.numbers import short
+from graphkin.submissions.pool import limited
 from graphkin.submissions.questions import Questions
-from graphkin.submissions.spelling import short
-from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing, ReadableProblem, Submission
-from graphkin.submissions.tables import TableRow, csv_cells, rows_of, xlsx_cells
-from graphkin.submissions.texts import decoded
-from graphkin.submissions.twice import FirstOnes, called
+from graphkin.submissions.submission import DRAWINGS, Limits, MeasuredDrawing, ReadableProblem, Submission, tidy_id
 
 Key = ReadableProblem | Callable[[str], ReadableProblem | None]
 """One problem for all, or each student's own by id; None for a student there is not."""
 
 USUAL = Limits()
-_DOCUMENTS = {".toml": read_toml, ".json": read_json, ".txt": read_lines, ".md": read_lines}
+_DOCUMENTS = {
+    ".toml": documents.read_toml, ".json": documents.read_json, ".txt": documents.read_lines,
+    ".md": documents.read_lines,
+}  # fmt: skip
 _INNER = 50
 """Files in an archive that a student hands in."""
 
@@ -53,22 +42,22 @@ def read(paths: Iterable[str | Path], asked: Key, limits: Limits = USUAL) -> Ite
 
 
 def read_one(handed: Handed, asked: Key, limits: Limits = USUAL) -> Submission:
-    """What was handed in, read within its time. It never raises: an error of graphkin's own is a reason, too."""
+    """A hand-in, read within its time. It never raises: an error of graphkin's own is a reason, too."""
     where = Where(handed.file)
     student = handed.owner.student
     try:
         with limited(limits.seconds, where):
             if handed.reason is not None:
                 raise handed.reason
-            documents, drawings, notes = _sorted_out(handed, limits)
-            stated = next((document.student for document in documents if document.student), "")
+            contents = _contents(handed, limits)
+            stated = next((document.student for document in contents.documents if document.student), "")
             student = tidy_id(stated) or student
             student, key = _key(handed, stated, asked, where)
-            return _read(handed, student, key, documents, drawings, notes, limits)
+            return _read(handed, student, key, contents, limits)
     except GraphkinError as reason:
         return _refused(handed, student, reason)
     except (Exception, RecursionError) as problem:
-        return _refused(handed, student, OwnFault(where, type(problem).__name__))
+        return _refused(handed, student, errors.OwnFault(where, type(problem).__name__))
 
 
 def _refused(handed: Handed, student: str, reason: GraphkinError) -> Submission:
@@ -83,37 +72,42 @@ def _key(handed: Handed, stated: str, asked: Key, where: Where) -> tuple[str, Re
     if isinstance(asked, ReadableProblem):
         return names[0], asked
     if names == own != [owner.student] and asked(owner.student) is not None and asked(own[0]) is not None:
-        raise TwoNames(where, owner.student, own[0])
+        raise errors.TwoNames(where, owner.student, own[0])
     for name in names:
-        if (found := asked(name)) is not None:
-            return name, found
-    raise UnknownStudent(where, names[0])
+        if (problem := asked(name)) is not None:
+            return name, problem
+    raise errors.UnknownStudent(where, names[0])
 
 
 # --- what kind of file it is ------------------------------------------------------------------
 
-_Sorted = tuple[list[StudentDocument], list[tuple[str, bytes]], list[GraphkinError]]
+@frozen
+class _Contents:
+    """The documents in a hand-in, its drawings by name, and why the rest is passed over."""
+
+    documents: tuple[StudentDocument, ...]
+    drawings: tuple[tuple[str, bytes], ...]
+    notes: tuple[GraphkinError, ...]
 
 
-def _sorted_out(handed: Handed, limits: Limits) -> _Sorted:
-    """The documents in a hand-in, its drawings, and why the rest is passed over; where that is all, it is raised."""
+def _contents(handed: Handed, limits: Limits) -> _Contents:
+    """The files sorted by kind. Raises the first note where there is nothing else."""
     if handed.row is not None:
-        return [_of_row(handed.row, Where(handed.file))], [], []
-    documents: list[StudentDocument] = []
+        return _Contents((_of_row(handed.row, Where(handed.file)),), (), ())
+    texts: list[StudentDocument] = []
     drawings: list[tuple[str, bytes]] = []
     notes: list[GraphkinError] = []
     for name, content in _unpacked(handed, limits, notes):
-        where = _where(handed, name)
         try:
             if PurePosixPath(name).suffix.lower() in DRAWINGS:
                 drawings.append((name, content))
             else:
-                documents.append(_document(name, content, where, limits))
+                texts.append(_document(name, content, _where(handed, name), limits))
         except GraphkinError as problem:
             notes.append(problem)
-    if not documents and not drawings:
-        raise notes[0] if notes else NoAnswers(Where(handed.file))
-    return documents, drawings, notes
+    if not texts and not drawings:
+        raise notes[0] if notes else errors.NoAnswers(Where(handed.file))
+    return _Contents(tuple(texts), tuple(drawings), tuple(notes))
 
 
 def _where(handed: Handed, name: str) -> Where:
@@ -130,7 +124,7 @@ def _unpacked(handed: Handed, limits: Limits, notes: list[GraphkinError]) -> Ite
         where = _where(handed, name)
         try:
             with archives.opened(content, where) as archive:
-                few = dataclasses.replace(limits, members=_INNER, archive_bytes=4 * limits.bytes)
+                few = replace(limits, members=_INNER, archive_bytes=4 * limits.bytes)
                 for info in archives.members(archive, where, few):
                     yield archives.member_name(info), archives.read_member(archive, info, where, few)
         except GraphkinError as problem:
@@ -140,27 +134,19 @@ def _unpacked(handed: Handed, limits: Limits, notes: list[GraphkinError]) -> Ite
 def _document(name: str, content: bytes, where: Where, limits: Limits) -> StudentDocument:
     suffix = PurePosixPath(name).suffix.lower()
     if not content.strip(b"\0 \r\n\t"):
-        raise NoAnswers(where)
-    if len(content) > limits.bytes:
-        raise TooMuch(where, "bytes", limits.bytes)
+        raise errors.NoAnswers(where)
+    limits.check(where, "bytes", len(content))
     if suffix in _DOCUMENTS:
         return _DOCUMENTS[suffix](decoded(content, where), where, limits)
-    if suffix in (".csv", ".tsv"):
-        import io
-
-        return _table(rows_of(csv_cells(io.BytesIO(content), where), where, limits), where)
-    if suffix in (".xlsx", ".xlsm"):
-        return _table(rows_of(xlsx_cells(content, where, limits), where, limits), where)
-    raise NotMarkable(where, suffix or name[:40])
-
-
-def _table(rows: Iterator[TableRow], where: Where) -> StudentDocument:
+    if suffix not in (*documents.PLAIN_TABLES, *documents.SHEETS):
+        raise errors.NotMarkable(where, suffix or name[:40])
+    rows = documents.rows_of(documents.cells_of(name, content, where, limits), where, limits)
     row = next(rows, None)
     if row is None:
-        raise NoAnswers(where)
+        raise errors.NoAnswers(where)
     other = next((other.student for other in rows if other.student not in ("", row.student)), None)
     if other is not None:
-        raise SeveralStudents(where, tidy_id(row.student), tidy_id(other))
+        raise errors.SeveralStudents(where, tidy_id(row.student), tidy_id(other))
     return _of_row(row, where)
 
 
@@ -172,44 +158,27 @@ def _of_row(row: TableRow, where: Where) -> StudentDocument:
 # --- reading it -------------------------------------------------------------------------------
 
 
-def _read(
-    handed: Handed,
-    student: str,
-    key: ReadableProblem,
-    documents: list[StudentDocument],
-    drawings: list[tuple[str, bytes]],
-    notes: list[GraphkinError],
-    limits: Limits,
-) -> Submission:
-    told = answers_at((entry for document in documents for entry in document.entries), key, _questions, limits)
-    values, drawn, more = dict(told.values), dict[int, MeasuredDrawing](), [*notes, *told.notes]
-    for name, content in drawings:
-        try:
-            asked, at = of_file(name, key)
-            measured, drawn[at], others = _measured(name, content, _where(handed, name), asked, told, limits)
-            values = {**named_at(measured, at), **values}
-            more += others
-        except GraphkinError as problem:
-            more.append(problem)
-    if not values:
-        raise more[0] if len(more) == 1 and not isinstance(more[0], BrokenSubmission) else _worst(more, handed)
-    return Submission(student, handed.file, values, None, tuple(more), handed.place, drawn)
-
-
-def _worst(notes: list[GraphkinError], handed: Handed) -> GraphkinError:
-    """Why there is nothing to mark: what stopped a file as a whole, else that no answer was found."""
-    from graphkin.errors import NotAQuestion
-
-    whole = [note for note in notes if not isinstance(note, NotAQuestion)]
-    return whole[0] if whole else NoAnswers(Where(handed.file))
-
-
-def _measured(
-    name: str, content: bytes, where: Where, asked: ReadableProblem, told: Answers, limits: Limits
-) -> tuple[dict[str, HandedValue], MeasuredDrawing, list[GraphkinError]]:
+def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Contents, limits: Limits) -> Submission:
     from graphkin.submissions.drawings import measured
 
-    return measured(name, content, where, asked, told.scales, _questions(asked), limits)
+    entries = (entry for document in contents.documents for entry in document.entries)
+    written = answers_at(entries, key, _questions, limits)
+    values, drawn, notes = dict(written.values), dict[int, MeasuredDrawing](), [*contents.notes, *written.notes]
+    for name, content in contents.drawings:
+        try:
+            asked, at = of_file(name, key)
+            where, scales = _where(handed, name), written.scales
+            vectors, drawn[at], others = measured(name, content, where, asked, scales, _questions(asked), limits)
+            values = {**named_at(vectors, at), **values}
+            notes += others
+        except GraphkinError as problem:
+            notes.append(problem)
+    if not values:
+        if len(notes) == 1 and not isinstance(notes[0], errors.BrokenSubmission):
+            raise notes[0]
+        whole = (note for note in notes if not isinstance(note, errors.NotAQuestion))  # what stopped a file as a whole
+        raise next(whole, errors.NoAnswers(Where(handed.file)))
+    return Submission(student, handed.file, values, None, tuple(notes), handed.place, drawn)
 
 
 _REMEMBERED: list[tuple[ReadableProblem, Questions]] = []
@@ -218,14 +187,11 @@ _REMEMBERED: list[tuple[ReadableProblem, Questions]] = []
 
 def _questions(key: ReadableProblem) -> Questions:
     for asked, questions in _REMEMBERED:
-        if asked is key or (asked.questions == key.questions and _same(asked.mechanism, key.mechanism)):
+        one, other = asked.mechanism, key.mechanism  # between processes copies: their text is what they are
+        same = one is other or bool(one.text and one.text == other.text)
+        if asked is key or (asked.questions == key.questions and same):
             return questions
-    found = Questions(key.mechanism, key.questions)
-    _REMEMBERED.append((key, found))
+    questions = Questions(key.mechanism, key.questions)
+    _REMEMBERED.append((key, questions))
     del _REMEMBERED[:-8]
-    return found
-
-
-def _same(one: Mechanism, other: Mechanism) -> bool:
-    """Between processes mechanisms are copies; their text is what they are."""
-    return one is other or bool(one.text and one.text == other.text)
+    return questions

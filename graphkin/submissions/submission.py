@@ -1,18 +1,24 @@
-"""What is handed in, as data: no language, no millimetre but those measured on a drawing, no verdict."""
+"""The data of what is handed in: no language, no millimetre but those measured on a drawing, no verdict; its owner."""
 
 from __future__ import annotations
 
 import cmath
+import hashlib
+import re
 from collections.abc import Mapping
 from dataclasses import field
+from pathlib import PurePosixPath
 from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.errors import NOWHERE, GraphkinError, Where
+from graphkin.errors import NOWHERE, GraphkinError, TooMuch, Where, steers
 from graphkin.model.mechanism import Mechanism
+from graphkin.model.quantities import position_of
 
 Sense = Literal["ccw", "cw"]
+Counted = Literal["bytes", "members", "elements", "depth", "copies", "answers", "rows", "columns"]
+"""Things of which there may be too many in a hostile file."""
 
 
 @frozen
@@ -30,7 +36,7 @@ class ReadableProblem:
 
     @property
     def positions(self) -> tuple[ReadableProblem, ...]:
-        """What is asked at each position, the drawn one first."""
+        """The problem at each position, the drawn one first."""
         return self, *self.further
 
 
@@ -63,7 +69,7 @@ class HandedValue:
 
 @frozen
 class MeasuredDrawing:
-    """What was measured on a drawing.
+    """All that was measured on a drawing.
 
     points      by plane and the construction's letter (`b3'`): where on the page [mm, y up]
     scales      by plane: SI unit per mm, as used; None where none is known
@@ -80,20 +86,17 @@ class MeasuredDrawing:
 
     def in_si(self) -> dict[Plane, dict[str, complex]]:
         """Points from the first of their plane on, SI, turned back; of planes whose scale is known."""
-        found: dict[Plane, dict[str, complex]] = {}
+        places: dict[Plane, dict[str, complex]] = {}
         for (plane, letter), place in self.points.items():
             if plane in self.scales:
-                found.setdefault(plane, {})[letter] = place * self.scales[plane] * self._turn(plane)
+                turn = cmath.rect(1.0, -self.turned.get(plane, 0.0))
+                places.setdefault(plane, {})[letter] = place * self.scales[plane] * turn
         return {plane: {letter: at - first for letter, at in points.items()}
-                for plane, points in found.items() for first in [next(iter(points.values()))]}  # fmt: skip
-
-    def _turn(self, plane: Plane) -> complex:
-        return cmath.rect(1.0, -self.turned.get(plane, 0.0))
-
+                for plane, points in places.items() for first in [next(iter(points.values()))]}  # fmt: skip
 
 @frozen
 class Submission:
-    """What one student handed in, or why it cannot be read.
+    """The answers of one student, or why they cannot be read.
 
     student  the id; text of any kind, never a path (`safe_name` makes a file's name of it)
     file     as results call it: the path, or `class.zip!folder/answer.svg`
@@ -120,7 +123,7 @@ class Submission:
 
 @frozen
 class Limits:
-    """How much of a hostile file is looked at.
+    """The most of a hostile file that is looked at.
 
     seconds  for one submission; bytes of a file or member; members of a class's archive, bytes of all of them
              together, and how much larger than packed; parts of a file that is an archive inside; elements and depth
@@ -143,3 +146,64 @@ class Limits:
     columns: int = 1_000
     turned: bool = False
     names: tuple[str, ...] = ()
+
+    def check(self, where: Where, name: Counted, count: int) -> None:
+        """Raises TooMuch where there are more of something than are looked at."""
+        if count > (most := getattr(self, name)):
+            raise TooMuch(where, name, most)
+
+
+_MOODLE = re.compile(r"(?P<name>[^/]+)_(?P<id>[0-9]+)_assignsubmission_[a-z]+(?:_|/|$)")
+_CANVAS = re.compile(r"(?P<name>[^_/]+)(?:_LATE)?_(?P<id>[0-9]+)_(?P<sub>[0-9]+)_(?P<file>[^/]+)$")
+_RESERVED = {"con", "prn", "aux", "nul", *(f"{port}{k}" for port in ("com", "lpt") for k in range(10))}
+LONGEST_ID = 200
+DRAWINGS = (".svg", ".ggb", ".dxf")
+"""Kinds of files that may show one position of several, whose number ends their name."""
+
+
+@frozen
+class Owner:
+    """The one who handed in: the name of the results, and other names under which a key may know the student.
+
+    group  what the files of one hand-in have in common
+    """
+
+    student: str
+    others: tuple[str, ...]
+    group: str
+
+
+def owner(path: str, root: str = "", alone: bool = False) -> Owner:
+    """Of a file or of a member of an archive; `root` is the folder that all members share.
+
+    alone  a folder is no student's: each name in it is one
+    """
+    inner = path.removeprefix(root)
+    if (moodle := _MOODLE.search(inner)) is not None:
+        number = moodle["id"]
+        return Owner(tidy_id(number), (f"Participant {number}", tidy_id(moodle["name"])), inner[: moodle.end()])
+    if (canvas := _CANVAS.search(inner)) is not None:
+        return Owner(tidy_id(canvas["id"]), (tidy_id(canvas["name"]),), inner[: canvas.start("sub")])
+    whole = PurePosixPath(inner)
+    if alone or "/" not in inner:
+        stem = position_of(whole.stem)[0].rstrip() if whole.suffix.lower() in DRAWINGS else whole.stem
+        return Owner(tidy_id(stem), (), str(whole.with_name(stem or whole.stem)))
+    return Owner(tidy_id(whole.parent.name), (), str(whole.parent))
+
+
+def tidy_id(text: str) -> str:
+    """An id as it is shown: without blanks about it, and nothing in it that steers a screen."""
+    return "".join(letter for letter in " ".join(text.split()) if not steers(letter))[:LONGEST_ID]
+
+
+def safe_name(student: str) -> str:
+    """A file's name for an id: its plain letters, and a mark of the whole id wherever that is not all of it.
+
+    >>> safe_name("s1"), safe_name("../../etc")
+    ('s1', 'etc-74ccf3c5b4c1')
+    """
+    name = "".join(letter if letter.isalnum() or letter in "_-" else "-" for letter in student[:60]).strip("-_")
+    if name and name == student and name.isascii() and name == name.lower() and name not in _RESERVED:
+        return name
+    mark = hashlib.sha256(student.encode("utf-8", "surrogatepass")).hexdigest()[:12]
+    return f"{name}-{mark}" if name else mark

@@ -13,7 +13,7 @@ from graphkin.base.value import frozen
 from graphkin.check.outlines import is_plain, outline
 from graphkin.check.transforms import Affine, Unread, length, numbers_in, transform
 from graphkin.construction import Plane
-from graphkin.errors import BrokenSubmission, TooMuch, Where
+from graphkin.errors import BrokenSubmission, Where
 from graphkin.submissions.picture import Dot, PagePicture, PictureArrow, PictureText
 from graphkin.submissions.submission import Limits
 
@@ -27,6 +27,9 @@ _LINES = ("line", "polyline", "polygon", "path")
 _WIDE, _ABOVE, _BELOW = 0.52, 0.75, 0.22
 """A letter's width, and how far letters reach over and under their line, in parts of the type's size."""
 _KEYS: Mapping[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
+_FAR = 1e9
+"""No page is so large [mm]."""
+_Mark = list[tuple[complex, complex]] | Dot | PictureText
 
 
 def xml_root(content: bytes, where: Where, kind: str, limits: Limits, forbid_dtd: bool = False) -> Element:
@@ -43,10 +46,8 @@ def xml_root(content: bytes, where: Where, kind: str, limits: Limits, forbid_dtd
     while level:
         count += len(level)
         depth += 1
-        if depth > limits.depth:
-            raise TooMuch(where, "depth", limits.depth)
-        if count > limits.elements:
-            raise TooMuch(where, "elements", limits.elements)
+        limits.check(where, "depth", depth)
+        limits.check(where, "elements", count)
         level = [child for element in level for child in element]
     return root
 
@@ -58,34 +59,27 @@ def read_svg(content: bytes, where: Where, limits: Limits) -> PagePicture:
         raise BrokenSubmission(where, "SVG")
     reader = _SvgReader(root, where, limits)
     try:
-        found = list(reader.walk(root, _page(root.attrib), _Type()))
+        marks = list(reader.walk(root, _page(root.attrib), _Type()))
     except Unread as problem:
         raise BrokenSubmission(where, "SVG", str(problem)) from None
     except (OverflowError, ZeroDivisionError):
         raise BrokenSubmission(where, "SVG", "numbers") from None
-    lines = tuple(line for mark in found if isinstance(mark, list) for line in mark)
-    dots = tuple(mark for mark in found if isinstance(mark, Dot))
-    texts = tuple(mark for mark in found if isinstance(mark, PictureText))
+    lines = tuple(line for mark in marks if isinstance(mark, list) for line in mark)
+    dots = tuple(mark for mark in marks if isinstance(mark, Dot))
+    texts = tuple(mark for mark in marks if isinstance(mark, PictureText))
     places = [*(end for line in lines for end in line), *(dot.place for dot in dots), *(text.corner for text in texts)]
     if not all(abs(place.real) + abs(place.imag) < _FAR for place in places):  # NaN is no place either
         raise BrokenSubmission(where, "SVG", "numbers")
     return PagePicture(lines, dots, texts, tuple(reader.arrows), _stated(root))
 
 
-_FAR = 1e9
-"""No page is so large [mm]."""
-
-
 @frozen
 class _Type:
-    """How letters are set, as inherited: size in user units, and where they hang."""
+    """The type of letters, as inherited: size in user units, and where they hang."""
 
     size: float = 16.0
     anchor: str = "start"
     shown: bool = True
-
-
-_Mark = list[tuple[complex, complex]] | Dot | PictureText
 
 
 class _SvgReader:
@@ -99,20 +93,16 @@ class _SvgReader:
 
     def walk(self, element: Element, affine: Affine, kind: _Type, depth: int = 0) -> Iterator[_Mark]:
         """The marks of an element's children."""
-        if depth > self.limits.depth:
-            raise TooMuch(self.where, "depth", self.limits.depth)
+        self.limits.check(self.where, "depth", depth)
         for child in element:
             yield from self.mark(child, affine, kind, depth)
 
     def mark(self, element: Element, outer: Affine, above: _Type, depth: int) -> Iterator[_Mark]:
         name = _name(element)
         self.walked += 1
-        if self.walked > self.limits.elements:
-            raise TooMuch(self.where, "elements", self.limits.elements)
-        if name in _DEFINED:
-            return
-        kind = _typed(element, above)
-        if not kind.shown:
+        self.limits.check(self.where, "elements", self.walked)
+        kind = above if name in _DEFINED else _typed(element, above)
+        if name in _DEFINED or not kind.shown:
             return
         affine = outer.then(transform(element.attrib.get("transform", "")))
         if name in ("g", "a", "switch"):
@@ -124,21 +114,20 @@ class _SvgReader:
         elif name == "text":
             yield from _texts(element, affine, kind)
         elif name in ("circle", "ellipse"):
-            yield Dot(_at(affine, element.attrib, "cx", "cy"), *_named(element))
+            x, y = (length(element.attrib.get(key, "0")) for key in ("cx", "cy"))
+            yield Dot(affine(x, y), *_named(element))
         elif name in _LINES and is_plain(name, element.attrib):
             yield self._line(name, element, affine)
 
     def _copy(self, element: Element, affine: Affine, kind: _Type, depth: int) -> Iterator[_Mark]:
         self.copies += 1
-        if self.copies > self.limits.copies:
-            raise TooMuch(self.where, "copies", self.limits.copies)
-        if depth > self.limits.depth:
-            raise TooMuch(self.where, "depth", self.limits.depth)
+        self.limits.check(self.where, "copies", self.copies)
+        self.limits.check(self.where, "depth", depth)
         href = element.attrib.get("href") or element.attrib.get(_HREF, "")
         target = self.by_id.get(href.removeprefix("#"))
         if target is None:
             return
-        moved = affine.then(Affine(e=length(element.attrib.get("x", "0")), f=length(element.attrib.get("y", "0"))))
+        moved = affine.then(_shift(element.attrib))
         if _name(target) == "symbol":
             yield from self.walk(target, moved, _typed(target, kind), depth + 1)
         else:
@@ -148,8 +137,7 @@ class _SvgReader:
         runs = [[affine(z.real, z.imag) for z in run] for run in outline(name, element.attrib)]
         pieces = [(a, b) for run in runs for a, b in pairwise(run) if a != b]
         self.pieces += len(pieces)
-        if self.pieces > self.limits.elements:
-            raise TooMuch(self.where, "elements", self.limits.elements)
+        self.limits.check(self.where, "elements", self.pieces)
         if len(pieces) == 1:
             self.arrows.append(PictureArrow(_named(element)[0], *pieces[0]))
         return pieces
@@ -159,16 +147,12 @@ def _name(element: Element) -> str:
     return element.tag.rpartition("}")[2] if isinstance(element.tag, str) else ""
 
 
-def _at(affine: Affine, attributes: Mapping[str, str], x: str, y: str) -> complex:
-    return affine(length(attributes.get(x, "0")), length(attributes.get(y, "0")))
-
-
 def _named(element: Element) -> tuple[str, Plane | None]:
     """The name that a dot bears in the file: graphkin's own, Inkscape's label, or its id."""
     attributes = element.attrib
-    plane: Mapping[str, Plane] = {"velocity": "velocity", "acceleration": "acceleration", "position": "position"}
     if "data-name" in attributes:
-        return attributes["data-name"][:60], plane.get(attributes.get("data-plane", ""))
+        plane = next((plane for plane in _KEYS.values() if plane == attributes.get("data-plane")), None)
+        return attributes["data-name"][:60], plane
     return (attributes.get(f"{_INK}label") or attributes.get("id", ""))[:60], None
 
 
@@ -194,12 +178,16 @@ def _millimetres(text: str) -> float:
     return length(re.sub(r"(?<=[0-9])\s+(?=[a-zA-Z])", "", text)) * _PX
 
 
+def _shift(attributes: Mapping[str, str]) -> Affine:
+    return Affine(e=length(attributes.get("x", "0")), f=length(attributes.get("y", "0")))
+
+
 def _nested(attributes: Mapping[str, str]) -> Affine:
     """Of an `svg` within: moved, and fitted to its own box."""
-    moved = Affine(e=length(attributes.get("x", "0")), f=length(attributes.get("y", "0")))
+    moved = _shift(attributes)
     if "viewBox" not in attributes or not {"width", "height"} <= attributes.keys():
         return moved
-    inner = _page({**attributes, "width": attributes["width"], "height": attributes["height"]})
+    inner = _page(attributes)
     return moved.then(Affine(inner.a / _PX, 0.0, 0.0, inner.d / _PX, inner.e / _PX, inner.f / _PX))
 
 
@@ -207,9 +195,9 @@ def _typed(element: Element, above: _Type) -> _Type:
     declared = (declaration.partition(":") for declaration in element.attrib.get("style", "").split(";"))
     style = {name.strip(): value.strip() for name, _, value in declared}
     keys = ("font-size", "text-anchor", "display", "visibility")
-    told = {key: style.get(key, element.attrib.get(key, "")) for key in keys}
-    shown = above.shown and told["display"] != "none" and told["visibility"] not in ("hidden", "collapse")
-    return _Type(_size(told["font-size"], above.size), told["text-anchor"] or above.anchor, shown)
+    size, anchor, display, visibility = (style.get(key, element.attrib.get(key, "")) for key in keys)
+    shown = above.shown and display != "none" and visibility not in ("hidden", "collapse")
+    return _Type(_size(size, above.size), anchor or above.anchor, shown)
 
 
 def _size(text: str, above: float) -> float:
@@ -229,28 +217,23 @@ def _size(text: str, above: float) -> float:
 def _texts(element: Element, affine: Affine, kind: _Type) -> Iterator[PictureText]:
     """A text; of several lines each for itself."""
     lines = [child for child in element if _name(child) == "tspan" and child.get(_ROLE) == "line"]
-    if len(lines) > 1:
-        for line in lines:
-            yield from _text(line, affine, _typed(line, kind), element)
-    else:
-        yield from _text(element, affine, kind, element)
+    for line in lines if len(lines) > 1 else [element]:
+        yield from _text(line, affine, kind if line is element else _typed(line, kind), element)
 
 
 def _text(element: Element, affine: Affine, kind: _Type, whole: Element) -> Iterator[PictureText]:
     letters = "".join(_letters(element)).strip()
     if not letters:
         return
-    sizes = [_typed(piece, kind).size for piece in element.iter()]
     x, y = (_first(element, whole, key) for key in "xy")
     corner = affine(x, y)
     right, up = affine(x + 1, y) - corner, affine(x, y - 1) - corner
     scale, tall = abs(right), abs(up)
     if not (math.isfinite(scale * tall) and scale > 0 and tall > 0):
         return
-    size = max(sizes[0], *sizes) if len(sizes) > 1 else sizes[0]
-    anchored = _typed(element, kind).anchor
+    size = max(_typed(piece, kind).size for piece in element.iter())
     width = _WIDE * size * scale * len(letters)
-    start = {"middle": width / 2, "end": width}.get(anchored, 0.0)
+    start = {"middle": width / 2, "end": width}.get(_typed(element, kind).anchor, 0.0)
     yield PictureText(
         letters[:400], corner - start * right / scale, right / scale, up / tall, width,
         _ABOVE * size * tall, _BELOW * size * tall,
@@ -267,12 +250,10 @@ def _letters(element: Element) -> Iterator[str]:
 
 
 def _first(element: Element, whole: Element, key: str) -> float:
-    """Where a text begins: the first x (y) that one of its pieces has."""
-    for source in (element, whole):
-        value = next((piece.attrib[key] for piece in source.iter() if piece.attrib.get(key, "").strip()), "")
-        if value:
-            return length(value.replace(",", " ").split()[0])
-    return 0.0
+    """The start of a text: the first x (y) that one of its pieces has."""
+    values = (piece.attrib.get(key, "") for source in (element, whole) for piece in source.iter())
+    value = next((value for value in values if value.strip()), "")
+    return length(value.replace(",", " ").split()[0]) if value else 0.0
 
 
 def _stated(root: Element) -> dict[Plane, float]:
@@ -280,8 +261,7 @@ def _stated(root: Element) -> dict[Plane, float]:
     for element in root.iter():
         if _name(element) == "sheet" and element.text:
             try:
-                claims = json.loads(element.text)
-                scales = claims["scales"].items()
+                scales = json.loads(element.text)["scales"].items()
             except (ValueError, RecursionError, KeyError, TypeError, AttributeError):
                 return {}
             sized = {key: float(v) for key, v in scales if isinstance(v, float | int) and 1e-9 < v < 1e9}

@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from threading import RLock
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from graphkin.errors import GraphkinError, Lang
 from graphkin.model.quantities import centre_of
@@ -63,13 +63,12 @@ def figure(course: Course, names: Sequence[str], lang: Lang = "en", by: Road = "
     """
     from graphkin.outputs.diagram.draw import draw
 
-    mechanism = course.method.mechanism
-    drawn = [name for name in names if centre_of(mechanism, name) is None]
-    if not drawn:
+    shown = [name for name in names if centre_of(course.method.mechanism, name) is None]
+    if not shown:
         raise NothingToDraw(", ".join(names))
-    found = curves(course, drawn, by)
+    numbers = curves(course, shown, by)
     with settings():
-        return draw(found, lang if chinese_font() is not None else "en")
+        return draw(numbers, lang if chinese_font() is not None else "en")
 
 
 def write(
@@ -77,27 +76,27 @@ def write(
 ) -> NoChineseFont | None:
     """Write a diagram as SVG, PNG or PDF, after the file's ending; beside, then renamed.
 
-    Returns what is to be said where Chinese letters are wanted and there are none. Raises NotADiagram, FileInTheWay,
+    Returns the message for a diagram that needs Chinese letters where there are none. Raises NotADiagram, FileInTheWay,
     NoFolder, CannotWrite.
     """
-    kind = path.suffix.lower()
+    kind, title = path.suffix.lower(), course.method.mechanism.headline(lang)
     if kind not in FORMATS:
         raise NotADiagram(str(path))
     refuse(path, force)
-    drawn = figure(course, names, lang, by)
+    drawing = figure(course, names, lang, by)
     with files.beside(path, force, (MARK.encode(),)) as draft, settings():
-        drawn.savefig(draft, format=kind[1:], dpi=DPI, metadata=metadata(kind, course.method.mechanism.headline(lang)))
-    wanted = lang == "zh" or has_chinese(course.method.mechanism.headline(lang)) or any(map(has_chinese, names))
-    return NoChineseFont() if wanted and chinese_font() is None else None
+        drawing.savefig(draft, format=kind[1:], dpi=DPI, metadata=metadata(kind, title))
+    chinese = lang == "zh" or any(map(has_chinese, (title, *names)))
+    return NoChineseFont() if chinese and chinese_font() is None else None
 
 
 def refuse(path: Path, force: bool) -> None:
-    """Whether a diagram may be written there."""
+    """Raises FileInTheWay, NoFolder, CannotWrite where a diagram may not be written."""
     files.refuse(path, force, (MARK.encode(),))
 
 
-def metadata(kind: str, title: str) -> dict[str, Any]:
-    """What it is, who wrote it, and no time."""
+def metadata(kind: str, title: str) -> dict[str, str | None]:
+    """The title, the program, and no time."""
     if kind == ".png":
         return {"Software": f"graphkin {MARK}"}
     if kind == ".svg":
@@ -112,17 +111,10 @@ def settings() -> Iterator[None]:
 
     with _ALONE, matplotlib.rc_context():
         matplotlib.rcdefaults()
-        matplotlib.rcParams.update(
-            {
-                "font.family": letters(),
-                "font.size": 9.0,
-                "mathtext.fontset": "stix",
-                "mathtext.fallback": None,
-                "svg.hashsalt": "graphkin",
-                "svg.fonttype": "none",
-                "pdf.fonttype": 3,  # outlines: as 42, letters of OpenType Chinese fonts are not seen
-                "text.hinting": "no_hinting",
-                "path.simplify": False,
-            }
-        )
+        # PDF fonts as outlines (3): as 42, letters of OpenType Chinese fonts are not seen
+        matplotlib.rcParams.update({
+            "font.family": letters(), "font.size": 9.0, "mathtext.fontset": "stix", "mathtext.fallback": None,
+            "svg.hashsalt": "graphkin", "svg.fonttype": "none", "pdf.fonttype": 3, "text.hinting": "no_hinting",
+            "path.simplify": False,
+        })  # fmt: skip
         yield

@@ -1,6 +1,6 @@
-"""What a motion diagram shows, as numbers: finely sampled curves, and their greatest and least values.
+"""The numbers that a motion diagram shows: finely sampled curves, and their greatest and least values.
 
-Nothing here draws. Times of the way (`t`) are as in `graphkin.studies.sweeps`: driver values are `course.value(t)`.
+Nothing here draws. Times of the path (`t`) are as in `graphkin.studies.sweeps`: driver values are `course.value(t)`.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from functools import cached_property
 
 import numpy as np
 
+from graphkin.base.geometry import Array, number
 from graphkin.base.value import frozen
 from graphkin.running.path import Event
 from graphkin.studies import sweeps
@@ -18,7 +19,7 @@ from graphkin.studies.sweeps import Course, Road, Series
 TURN = 2 * np.pi
 POSITIONS = 721
 NEAR = 10.0 ** np.linspace(-8, -2.6, 55)
-"""How near to a stop it is looked at, as parts of the range: velocities grow without bound there."""
+"""Distances from a stop at which positions are put, as parts of the range: velocities grow without bound there."""
 BEND = 0.06
 """Where a curve turns by more than this between two positions, as drawn, more are put in [rad]."""
 MOST = 8000
@@ -27,7 +28,7 @@ ROUNDS, PLACES = 7, 33
 ZERO = 1e-9
 """Differences smaller than this part of the size of like quantities are rounding."""
 CLEAR = 0.05
-"""How far from a stop, as a part of the range, values count for the scale where they grow without bound."""
+"""Distance from a stop, as a part of the range, from which values count for the scale where they grow without bound."""
 
 
 @frozen
@@ -52,15 +53,15 @@ class Curves:
     by: Road
     low: float
     high: float
-    t: np.ndarray
+    t: Array
     series: tuple[Series, ...]
 
     @property
     def events(self) -> tuple[Event, ...]:
         """Stops and change points that are shown, in their order."""
-        margin = 1e-6 * (self.high - self.low)
-        found = (event for event in (*self.course.path.stops, *self.course.path.changes))
-        return tuple(sorted((e for e in found if self.low - margin <= e.at <= self.high + margin), key=lambda e: e.at))
+        margin, path = 1e-6 * (self.high - self.low), self.course.path
+        shown = (e for e in (*path.stops, *path.changes) if self.low - margin <= e.at <= self.high + margin)
+        return tuple(sorted(shown, key=lambda event: event.at))
 
     @cached_property
     def alike(self) -> tuple[tuple[int, ...], ...]:
@@ -78,25 +79,23 @@ class Curves:
         first, second = self.series[one], self.series[other]
         if first.unit != second.unit:
             return False
-        clear = np.abs(first.signed) <= 10 * self._like(one)
-        close = np.isclose(first.signed, second.signed, rtol=0, atol=ZERO * self._like(one), equal_nan=True)
+        clear = np.abs(first.signed) <= 10 * self.like(one)
+        close = np.isclose(first.signed, second.signed, rtol=0, atol=ZERO * self.like(one), equal_nan=True)
         return bool(close[clear].all() and clear.any())
 
     def unbounded(self, k: int) -> tuple[bool, bool]:
-        """Whether a curve grows without bound towards the low and the high end of what is shown."""
+        """True where a curve grows without bound, towards the low and the high end of what is shown."""
         return self._growing(k, self.low), self._growing(k, self.high)
 
     def _growing(self, k: int, end: float) -> bool:
-        part = np.abs(self.t - end) / (self.high - self.low)
-        sizes = np.abs(self.series[k].signed)
-        known = np.isfinite(sizes) & (part < 1e-3)
-        stops = [stop.at for stop in self.course.path.stops]
-        if not known.any() or not any(abs(end - at) <= 1e-6 * (self.high - self.low) for at in stops):
+        size = self.high - self.low
+        part = np.abs(self.t - end) / size
+        values = np.abs(self.series[k].signed)
+        known = np.isfinite(values) & (part < 1e-3)
+        if not known.any() or not any(abs(end - stop.at) <= 1e-6 * size for stop in self.course.path.stops):
             return False
-        nearest, farther = part[known] < 1e-6, part[known] > 1e-4
-        return bool(nearest.any() and farther.any()) and bool(
-            sizes[known][nearest].max() > 2 * sizes[known][farther].max()
-        )
+        nearest, farther = values[known & (part < 1e-6)], values[known & (part > 1e-4)]
+        return bool(nearest.size and farther.size and nearest.max() > 2 * farther.max())
 
     def bounds(self, k: int) -> tuple[float, float]:
         """The least and greatest value to be shown; where a curve grows without bound, some of the growth."""
@@ -114,21 +113,18 @@ class Curves:
     @cached_property
     def peaks(self) -> tuple[tuple[Peak, ...], ...]:
         """By curve: where it is greatest and least. None of a constant, nor where a curve only runs off its end."""
-        brackets = [found for k in range(len(self.series)) for found in self._brackets(k)]
-        if not brackets:
-            return tuple(() for _ in self.series)
-        polished = self._polished(brackets)
-        return tuple(
-            tuple(peak for peak, (owner, *_) in zip(polished, brackets, strict=True) if owner == k)
-            for k in range(len(self.series))
-        )
+        brackets = [bracket for k in range(len(self.series)) for bracket in self._brackets(k)]
+        by_curve: list[list[Peak]] = [[] for _ in self.series]
+        for (owner, *_), peak in zip(brackets, self._polished(brackets) if brackets else (), strict=True):
+            by_curve[owner].append(peak)
+        return tuple(map(tuple, by_curve))
 
     def _brackets(self, k: int) -> Iterator[tuple[int, int, float, float]]:
         """(curve, sign, from, to) around its greatest and its least sampled value."""
         values = self.series[k].signed
         there = np.flatnonzero(np.isfinite(values))
         low, high = self.bounds(k)
-        if not there.size or high - low <= ZERO * self._like(k):
+        if not there.size or high - low <= ZERO * self.like(k):
             return
         for sign in (1, -1):
             at = self._highest(k, sign * values[there], there, ZERO * (high - low))
@@ -136,7 +132,7 @@ class Curves:
                 before, after = there[max(at - 1, 0)], there[min(at + 1, there.size - 1)]
                 yield k, sign, float(self.t[before]), float(self.t[after])
 
-    def _highest(self, k: int, heights: np.ndarray, there: np.ndarray, rounding: float) -> int | None:
+    def _highest(self, k: int, heights: Array, there: Array, rounding: float) -> int | None:
         """The first of the highest places; where a curve rises without bound, the highest of its summits, if any."""
         at = int(np.flatnonzero(heights >= heights.max() - rounding)[0])
         if self._is_peak(k, at, there):
@@ -150,13 +146,13 @@ class Curves:
         best = heights[summits].max()
         return int(summits[heights[summits] >= best - rounding][0])
 
-    def _like(self, k: int) -> float:
+    def like(self, k: int) -> float:
         """The greatest size among quantities of one unit."""
         unit = self.series[k].unit
         same = [j for j, entry in enumerate(self.series) if entry.unit == unit]
         return max((abs(end) for j in same for end in self.bounds(j)), default=0.0)
 
-    def _is_peak(self, k: int, at: int, there: np.ndarray) -> bool:
+    def _is_peak(self, k: int, at: int, there: Array) -> bool:
         """An end of what is shown counts where the curve stops there, not where it goes on round or without bound."""
         if 0 < at < there.size - 1:
             t = self.t[there[at]]
@@ -170,23 +166,21 @@ class Curves:
     def _polished(self, brackets: Sequence[tuple[int, int, float, float]]) -> list[Peak]:
         """All of them closed in on together: each round looks at some positions in every bracket."""
         names = [entry.name for entry in self.series]
-        low, high = (np.array([bracket[k] for bracket in brackets]) for k in (2, 3))
-        owner, sign = (np.array([bracket[k] for bracket in brackets]) for k in (0, 1))
+        owner, sign, low, high = (np.array(column) for column in zip(*brackets))
         rows = np.arange(len(brackets))
         for _ in range(ROUNDS):
             t = np.linspace(low, high, PLACES, axis=1)
-            found = sweeps.quantities_at(self.course, names, t.ravel(), self.by).series
-            values = np.array([found[k].signed.reshape(t.shape)[row] for row, k in enumerate(owner)])
+            series = sweeps.quantities_at(self.course, names, t.ravel(), self.by).series
+            values = np.array([series[k].signed.reshape(t.shape)[row] for row, k in enumerate(owner)])
             heights = np.where(np.isfinite(values), sign[:, None] * values, -np.inf)
             best = heights.argmax(axis=1)
             low, high = t[rows, np.maximum(best - 1, 0)], t[rows, np.minimum(best + 1, PLACES - 1)]
-        peaks = [self._rounded(k, float(values[row, best[row]])) for row, k in enumerate(owner)]
-        return [Peak(float(t[row, best[row]]), value, int(sign[row])) for row, value in enumerate(peaks)]
-
-    def _rounded(self, k: int, value: float) -> float:
-        """0 for what is only rounding."""
-        return 0.0 if abs(value) <= ZERO * self._like(k) else value
-
+        peaks = []
+        for row, k in enumerate(owner):
+            value = float(values[row, best[row]])
+            rounded = 0.0 if abs(value) <= ZERO * self.like(k) else value
+            peaks.append(Peak(float(t[row, best[row]]), rounded, int(sign[row])))
+        return peaks
 
 def curves(course: Course, names: Sequence[str], by: Road = "construction") -> Curves:
     """Quantities over the shown part of a course, finely sampled whatever the steps of its table are."""
@@ -203,12 +197,12 @@ def curves(course: Course, names: Sequence[str], by: Road = "construction") -> C
 
 
 def span(course: Course) -> tuple[float, float]:
-    """The shown part of the way: what is asked for; to a full turn, or to the way's end, if only a step is missing."""
-    path, asked = course.path, np.unique(course.t)
-    low, high = float(asked[0]), float(asked[-1])
-    step = 1.01 * float(np.diff(asked).max()) if asked.size > 1 else np.inf
-    if course.full_turn and asked.size == 1:
-        low = high = min(float(course.at(TURN * np.floor(course.value(low) / TURN))), path.high - TURN)
+    """The shown part of the path: that asked for; to a full turn, or to the path's end, if only a step is missing."""
+    path, t = course.path, np.unique(course.t)
+    low, high = float(t[0]), float(t[-1])
+    step = 1.01 * float(np.diff(t).max()) if t.size > 1 else np.inf
+    if course.full_turn and t.size == 1:
+        low = high = min(number(course.at(TURN * np.floor(number(course.value(low)) / TURN))), path.high - TURN)
     if course.full_turn and TURN - step <= high - low < TURN:
         low, high = (low, low + TURN) if low + TURN <= path.high + 1e-9 else (high - TURN, high)
     if not course.full_turn:
@@ -217,7 +211,7 @@ def span(course: Course) -> tuple[float, float]:
     return low, high
 
 
-def _first_positions(course: Course, low: float, high: float) -> np.ndarray:
+def _first_positions(course: Course, low: float, high: float) -> Array:
     """Evenly, and ever closer to where the way stops; never on a stop itself."""
     size = high - low
     turns = size / TURN if course.angular else 1.0
@@ -230,17 +224,16 @@ def _first_positions(course: Course, low: float, high: float) -> np.ndarray:
     return np.unique(t)
 
 
-def _where_bent(found: Curves) -> np.ndarray:
+def _where_bent(curves: Curves) -> Array:
     """Positions to put in where a curve, drawn twice as wide as high, turns much from one position to the next."""
-    t, middles = found.t, (found.t[1:] + found.t[:-1]) / 2
-    wanted = np.zeros(middles.shape, dtype=bool)
-    for k, entry in enumerate(found.series):
-        low, high = found.bounds(k)
-        if high - low <= ZERO * found._like(k):
+    size, steps = curves.high - curves.low, np.diff(curves.t)
+    bent = np.zeros(steps.shape, dtype=bool)
+    for k, entry in enumerate(curves.series):
+        low, high = curves.bounds(k)
+        if high - low <= ZERO * curves.like(k):
             continue
-        across, up = np.diff(t) / (found.high - found.low) * 2, np.diff(np.clip(entry.signed, low, high)) / (high - low)
-        turn = np.abs(np.diff(np.arctan2(up, across)))
-        sharp = np.nan_to_num(turn) > BEND
-        wanted[1:] |= sharp
-        wanted[:-1] |= sharp
-    return np.asarray(middles[wanted & (np.diff(t) > 1e-6 * (found.high - found.low))])
+        across, up = steps / size * 2, np.diff(np.clip(entry.signed, low, high)) / (high - low)
+        sharp = np.nan_to_num(np.abs(np.diff(np.arctan2(up, across)))) > BEND
+        bent[1:] |= sharp
+        bent[:-1] |= sharp
+    return ((curves.t[1:] + curves.t[:-1]) / 2)[bent & (steps > 1e-6 * size)]

@@ -4,26 +4,37 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from graphkin.base.geometry import number
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE, IN_GRAVITY
-from graphkin.outputs.diagram import words
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import has_chinese, typeset, writable
 from graphkin.outputs.diagram.notes import DrawnPanel, note_peaks
-from graphkin.outputs.diagram.panels import Axis, CurvePanel, division, labels_of, limits, panels
+from graphkin.outputs.diagram.panels import (
+    CurvePanel,
+    about_drivers,
+    across,
+    division,
+    event_line,
+    limits,
+    panels,
+    upright_label,
+)
 from graphkin.say.catalogue import say
-from graphkin.sheet.lettering import Label, width
+from graphkin.sheet.given_tables import label_of
+from graphkin.sheet.lettering import Label, joined, width
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.axes._base import _AxesBase
     from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
 
-MM = 1 / 25.4
-POINT = 25.4 / 72
+MM, POINT = 1 / 25.4, 25.4 / 72
 """Inches in a millimetre, millimetres in a point."""
 WIDTH, A4 = 180.0, 267.0
 LEFT, PLAIN_RIGHT, SIDE = 16.0, 5.0, 14.0
@@ -35,145 +46,119 @@ ROW = 4.8
 BROAD, THIN = 0.35, 0.18
 """Lines after ISO 128 [mm]."""
 GREY = "#d8d8d8"
-STYLES: tuple[tuple[str, Any], ...] = (
-    ("#000000", "-"),
-    ("#0b4f9e", (0, (7, 2))),
-    ("#b0221a", (0, (8, 2, 1.5, 2))),
-    ("#1c6e34", (0, (2.5, 1.5))),
-    ("#6a2c91", (0, (8, 2, 1.5, 2, 1.5, 2))),
-    ("#8a5a00", (0, (1, 1.4))),
-)
+Style = tuple[str, str | tuple[float, tuple[float, ...]]]
+STYLES: tuple[Style, ...] = (
+    ("#000000", "-"), ("#0b4f9e", (0, (7, 2))), ("#b0221a", (0, (8, 2, 1.5, 2))), ("#1c6e34", (0, (2.5, 1.5))),
+    ("#6a2c91", (0, (8, 2, 1.5, 2, 1.5, 2))), ("#8a5a00", (0, (1, 1.4))),
+)  # fmt: skip
 """Colour and dashes: told apart in print without colours, too."""
 
 
-def draw(found: Curves, lang: Lang) -> Figure:
+def draw(curves: Curves, lang: Lang) -> Figure:
     """All panels of a diagram, with title, legends, extremes and notes."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     from matplotlib.text import Text
 
-    layout = panels({group[0]: found.series[group[0]].unit for group in found.alike})
-    rows = [_legend_rows(found, panel) for panel in layout]
-    notes = [words.event_line(found, event, lang) for event in found.events]
-    high = _panel_height(rows, len(notes))
+    layout = panels({group[0]: curves.series[group[0]].unit for group in curves.alike})
+    rows = []  # of each legend: as wide as its labels, with their samples of a line, are
+    for panel in layout:
+        size = sum(width(_label(curves, k), 9 * POINT) + 15.0 for axis in panel.axes for k in axis.curves)
+        rows.append(max(1, math.ceil(size / (WIDTH - LEFT - 2 * SIDE - 30.0))))
+    notes = [event_line(curves, event, lang) for event in curves.events]
+    room = A4 - TOP - FOOT - len(notes) * LINE - sum(row * ROW + BETWEEN for row in rows)
+    high = min(HIGH, max(LOW, room / len(rows)))
     total = TOP + FOOT + len(notes) * LINE + sum(high + row * ROW + BETWEEN for row in rows)
     page = Figure(figsize=(WIDTH * MM, total * MM), dpi=200)
     FigureCanvasAgg(page)
     drawn, level = [], total - TOP
     for panel, row in zip(layout, rows, strict=True):
         level -= row * ROW + high
-        drawn.append(_panel(page, found, panel, lang, (level / total, high / total), row, last=panel is layout[-1]))
+        drawn.append(_panel(page, curves, panel, lang, (level / total, high / total), row, last=panel is layout[-1]))
         level -= BETWEEN
-    _head(page, found, lang, total)
+    _head(page, curves, lang, total)
     _fit_sides(page, drawn)
     for k, line in enumerate(notes):
-        start = drawn[0].sides[0].get_position().x0
-        _written(page, start, ((len(notes) - k) * LINE - 1.5) / total, line, size=8, va="bottom")
-    note_peaks(page, found, drawn, lang)
+        start, foot = drawn[0].sides[0].get_position().x0, ((len(notes) - k) * LINE - 1.5) / total
+        page.text(start, foot, line, fontsize=8, parse_math=False, va="bottom")
+    note_peaks(page, curves, drawn, lang)
     for text in page.findobj(Text):
+        assert isinstance(text, Text)
         text.set_math_fontfamily("stix")
     return page
 
 
-def _legend_rows(found: Curves, panel: CurvePanel) -> int:
-    """Rows of a legend: as wide as its labels, with their samples of a line, are."""
-    size = sum(width(_label(found, k), 9 * POINT) + 15.0 for axis in panel.axes for k in axis.curves)
-    return max(1, math.ceil(size / (WIDTH - LEFT - 2 * SIDE - 30.0)))
+def _label(curves: Curves, k: int) -> Label:
+    """The quantity of a curve, and those that lie on it: `ω₂ = ω₃`."""
+    group = next(group for group in curves.alike if group[0] == k)
+    return joined([label_of(curves.series[j].quantity, "/") for j in group], " = ")
 
 
-def _label(found: Curves, k: int) -> Label:
-    """What a curve shows, with what else lies on it."""
-    group = next(group for group in found.alike if group[0] == k)
-    return labels_of([found.series[j].quantity for j in group])
-
-
-def _panel_height(rows: Sequence[int], notes: int) -> float:
-    room = A4 - TOP - FOOT - notes * LINE - sum(row * ROW + BETWEEN for row in rows)
-    return min(HIGH, max(LOW, room / len(rows)))
-
-
-def _written(page: Figure, x: float, y: float, text: str, size: float, **options: Any) -> None:
-    page.text(x, y, text, fontsize=size, parse_math=False, **options)
-
-
-def _head(page: Figure, found: Curves, lang: Lang, total: float) -> None:
+def _head(page: Figure, curves: Curves, lang: Lang, total: float) -> None:
     """Title and drivers; long ones are written smaller."""
-    mechanism = found.course.method.mechanism
-    lines = (writable(mechanism.headline(lang)), 11.0, 6.0), (words.about_drivers(found.course, lang), 9.0, 10.5)
+    mechanism = curves.course.method.mechanism
+    lines = (writable(mechanism.headline(lang)), 11.0, 6.0), (about_drivers(curves.course, lang), 9.0, 10.5)
     for text, size, below in lines:
         wide = sum(1.0 if has_chinese(letter) else 0.5 for letter in text) * size * POINT
         size *= min(1.0, (WIDTH - 10.0) / wide)
-        _written(page, 0.5, 1 - below / total, text, size=size, ha="center")
+        page.text(0.5, 1 - below / total, text, fontsize=size, parse_math=False, ha="center")
 
 
 # --- one panel --------------------------------------------------------------------------------
 
 
 def _panel(
-    page: Figure, found: Curves, panel: CurvePanel, lang: Lang, place: tuple[float, float], rows: int, last: bool
+    page: Figure, curves: Curves, panel: CurvePanel, lang: Lang, place: tuple[float, float], rows: int, last: bool
 ) -> DrawnPanel:
     """Axes, curves and legend of one panel; `place`: where its lower edge is and how high it is, of the page."""
     low, high = place
     first = page.add_axes((LEFT / WIDTH, low, 1 - (LEFT + PLAIN_RIGHT) / WIDTH, high), label=panel.kind)
     sides = [first, *(first.twinx() for _ in panel.axes[1:])]
-    for side, axis, ends in zip(sides, panel.axes, limits(found, panel), strict=True):
-        _upright(side, axis, ends, lang)
+    for side, axis, ends in zip(sides, panel.axes, limits(curves, panel), strict=True):
+        side.set_ylim(*ends)
+        _divide(side, side, axis.unit, ends, max(map(abs, ends)), lang)
     _acceleration_in_g(sides, panel, lang)
-    _across(first, found, lang, last)
-    lines, k = {}, 0
+    _across(first, curves, lang, last)
+    lines: dict[int, tuple[Axes, Line2D]] = {}
     for side, axis in zip(sides, panel.axes, strict=True):
-        for curve in axis.curves:
-            lines[curve] = _curve(side, found, curve, STYLES[k % len(STYLES)])
-            k += 1
-    _legend(first, panel, lang, [lines[k] for k in lines], rows)
-    _thin_lines(first, found, panel)
+        for k in axis.curves:
+            lines[k] = side, _curve(side, curves, k, STYLES[len(lines) % len(STYLES)])
+    _legend(first, panel, lang, [line for _, line in lines.values()], rows)
+    _thin_lines(first, curves, panel)
     return DrawnPanel(panel, tuple(sides), lines)
 
 
-def _curve(side: Axes, found: Curves, k: int, style: tuple[str, Any]) -> Any:
-    entry, course = found.series[k], found.course
-    across = EDGE[course.unit].factor
+def _curve(side: Axes, curves: Curves, k: int, style: Style) -> Line2D:
+    entry, course = curves.series[k], curves.course
     (line,) = side.plot(
-        course.value(found.t) * across, entry.signed * EDGE[entry.unit].factor, color=style[0], linestyle=style[1],
-        linewidth=BROAD / POINT, label=typeset(_label(found, k)), gid=f"curve-{k}", solid_joinstyle="round",
+        course.value(curves.t) * EDGE[course.unit].factor, entry.signed * EDGE[entry.unit].factor,
+        color=style[0], linestyle=style[1], linewidth=BROAD / POINT, label=typeset(_label(curves, k)),
+        gid=f"curve-{k}", solid_joinstyle="round",
     )  # fmt: skip
     return line
 
 
-def _upright(side: Axes, axis: Axis, ends: tuple[float, float], lang: Lang) -> None:
-    """Limits, round ticks and name of a y axis; very large and small numbers are written with a power of ten."""
-    side.set_ylim(*ends)
-    power = _power(max(map(abs, ends)))
-    ticks = _ticks(side, *ends, degrees=axis.unit == "rad")
-    side.set_yticks(ticks, labels=[_tick(value / 10**power, ticks, power) for value in ticks])
-    side.set_ylabel(words.upright_label(axis.unit, lang, power), labelpad=3)
-    _plain_spines(side)
+def _divide(axis: _AxesBase, side: Axes, unit: str, ends: tuple[float, float], size: float, lang: Lang) -> None:
+    """Round ticks and name of a y axis beside `side`; very large and small numbers have a power of ten.
 
-
-def _ticks(side: Axes, low: float, high: float, degrees: bool = False) -> list[float]:
-    """At most one in 7 mm, and none so near to the lower edge that its figure would stand on those of the x axis."""
-    figure: Any = side.figure
-    height = side.bbox.height / figure.dpi / MM
-    edge = (high - low) * 1.2 / height
-    return division(low + edge, high, most=max(3, int(height / 7)), degrees=degrees)
-
-
-def _power(size: float) -> int:
-    if size == 0 or 0.01 <= size < 1e5:
-        return 0
-    return 3 * math.floor(math.log10(size) / 3)
+    At most one tick in 7 mm, and none so near to the lower edge that its figure would stand on those of the x axis.
+    """
+    low, high = ends
+    power = 0 if size == 0 or 0.01 <= size < 1e5 else 3 * math.floor(math.log10(size) / 3)
+    height = side.bbox.height / side.figure.dpi / MM
+    low += (high - low) * 1.2 / height
+    ticks = division(low, high, most=max(3, int(height / 7)), degrees=unit == "rad")
+    axis.set_yticks(ticks, labels=[_tick(value / 10**power, ticks, power) for value in ticks])
+    axis.set_ylabel(upright_label(unit, lang, power), labelpad=3)
+    axis.tick_params(direction="in", width=THIN / POINT, length=3, labelsize=8, pad=2.5)
+    for spine in axis.spines.values():
+        spine.set_linewidth(THIN / POINT)
 
 
 def _tick(value: float, ticks: Sequence[float], power: int) -> str:
     step = abs(ticks[1] - ticks[0]) / 10**power if len(ticks) > 1 else 1.0
     digits = max(0, -math.floor(math.log10(step) + 1e-9))
     return f"{value:.{digits}f}".replace("-", "−") if abs(value) > 1e-9 * step else "0"
-
-
-def _plain_spines(side: Any) -> None:
-    side.tick_params(direction="in", width=THIN / POINT, length=3, labelsize=8, pad=2.5)
-    for spine in side.spines.values():
-        spine.set_linewidth(THIN / POINT)
 
 
 def _acceleration_in_g(sides: Sequence[Axes], panel: CurvePanel, lang: Lang) -> None:
@@ -185,17 +170,14 @@ def _acceleration_in_g(sides: Sequence[Axes], panel: CurvePanel, lang: Lang) -> 
     factor = IN_GRAVITY.factor
     scale = side.secondary_yaxis(away, functions=(lambda a: np.multiply(a, factor), lambda g: np.divide(g, factor)))
     low, high = (end * factor for end in side.get_ylim())
-    power, ticks = _power(max(-low, high)), _ticks(side, low, high)
-    scale.set_yticks(ticks, labels=[_tick(value / 10**power, ticks, power) for value in ticks])
-    scale.set_ylabel(words.upright_label("g", lang, power), labelpad=3)
-    _plain_spines(scale)
+    _divide(scale, side, "g", (low, high), max(-low, high), lang)
 
 
-def _across(first: Axes, found: Curves, lang: Lang, last: bool) -> None:
+def _across(first: Axes, curves: Curves, lang: Lang, last: bool) -> None:
     """The x axis: a turn by 30 degrees; a little wider than the range where stops are at its ends."""
-    course = found.course
+    course = curves.course
     factor = EDGE[course.unit].factor
-    low, high = sorted(float(course.value(t)) * factor for t in (found.low, found.high))
+    low, high = sorted(number(course.value(t)) * factor for t in (curves.low, curves.high))
     beyond = 0.015 * (high - low) if course.path.stops else 0.0
     first.set_xlim(low - beyond, high + beyond)
     ticks = division(low, high, most=13, degrees=course.angular)
@@ -203,22 +185,22 @@ def _across(first: Axes, found: Curves, lang: Lang, last: bool) -> None:
     first.grid(color=GREY, linewidth=THIN / POINT / 2)
     first.set_axisbelow(True)
     if last:
-        first.set_xlabel(words.across(course, lang), labelpad=3)
+        first.set_xlabel(across(course, lang), labelpad=3)
 
 
-def _thin_lines(first: Axes, found: Curves, panel: CurvePanel) -> None:
+def _thin_lines(first: Axes, curves: Curves, panel: CurvePanel) -> None:
     """The zero line, and upright lines where the driver stops and at change points."""
     low, high = first.get_ylim()
     if low < 0 < high and (panel.kind != "position" or len(panel.axes) == 1):
         first.axhline(0, color="black", linewidth=THIN / POINT, zorder=1.5)
-    factor = EDGE[found.course.unit].factor
-    for event in found.events:
-        place = float(found.course.value(event.at)) * factor
+    factor = EDGE[curves.course.unit].factor
+    for event in curves.events:
+        place = number(curves.course.value(event.at)) * factor
         first.axvline(place, color="black", linewidth=THIN / POINT, zorder=1.5, linestyle=(0, (12, 3, 2, 3)))
 
 
-def _legend(first: Axes, panel: CurvePanel, lang: Lang, lines: Sequence[Any], rows: int) -> None:
-    """What is shown, and which line is which; above the panel, so that it never hides a curve."""
+def _legend(first: Axes, panel: CurvePanel, lang: Lang, lines: Sequence[Line2D], rows: int) -> None:
+    """The title of a panel, and which line is which; above the panel, so that it never hides a curve."""
     first.set_title(say(f"diagrams.panel {panel.kind}", lang), loc="left", fontsize=9, pad=4, y=1.0)
     first.legend(
         handles=lines, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=math.ceil(len(lines) / rows), frameon=False,

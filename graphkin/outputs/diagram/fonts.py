@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 from functools import cache
+from itertools import groupby
 from typing import ClassVar
 
 from graphkin.errors import GraphkinError, Lang
-from graphkin.sheet.lettering import Label
+from graphkin.sheet.lettering import Label, Run
 
 LATIN = "STIXGeneral"
 _CHINESE = (
@@ -20,9 +21,10 @@ _FILES = re.compile(r"cjk|source ?han|song|simsun|simhei|msyh|pingfang|uming|wqy
 _WIDE = re.compile("[\u2e80-\u9fff\uf900-\ufaff\uff00-\uffef\u3000-\u303f]")
 _MATHS = re.compile("[ -~θωαμφ′−×]*")
 """Letters that stand in mathematics; names in others are written plainly."""
-_GREEK = {"θ": r"\theta", "ω": r"\omega", "α": r"\alpha", "μ": r"\mu", "φ": r"\varphi"}
+_RELATIONS = {
+    " = ": "=", " + ": "+", "θ": r"\theta", "ω": r"\omega", "α": r"\alpha", "μ": r"\mu", "φ": r"\varphi",
+}  # fmt: skip
 _SIGNS = {" ": r"\ ", "-": r"\text{-}", "_": r"\_", "/": "/"}
-_RELATIONS = {" = ": "=", " + ": "+"}
 
 
 class NoChineseFont(GraphkinError):
@@ -40,7 +42,11 @@ def chinese_font() -> str | None:
     """The name of a font with Chinese letters, None where there is none; newly installed ones are found, too."""
     from matplotlib.font_manager import findSystemFonts, fontManager
 
-    if (name := _known()) is not None:
+    def known() -> str | None:
+        names = {entry.name for entry in fontManager.ttflist}
+        return next((name for name in _CHINESE if name in names), None)
+
+    if (name := known()) is not None:
         return name
     old = {entry.fname for entry in fontManager.ttflist}
     for path in sorted(findSystemFonts()):
@@ -49,20 +55,13 @@ def chinese_font() -> str | None:
                 fontManager.addfont(path)
             except (OSError, RuntimeError):
                 continue
-    return _known()
-
-
-def _known() -> str | None:
-    from matplotlib.font_manager import fontManager
-
-    names = {entry.name for entry in fontManager.ttflist}
-    return next((name for name in _CHINESE if name in names), None)
+    return known()
 
 
 def letters() -> list[str]:
     """Font families in the order in which a letter is looked for."""
-    found = chinese_font()
-    return [LATIN] if found is None else [LATIN, found]
+    chinese = chinese_font()
+    return [LATIN] if chinese is None else [LATIN, chinese]
 
 
 def has_chinese(text: str) -> bool:
@@ -84,33 +83,18 @@ def _has(families: tuple[str, ...], letter: str) -> bool:
 
 
 def typeset(label: Label) -> str:
-    """A label of the drawings as matplotlib writes it: θ₃ as `$\\theta_{\\mathrm{3}}$`; Chinese names stay outside."""
+    """A label of the drawings as matplotlib writes it: θ₃ as `$\\theta_{\\mathrm{3}}$`; Chinese names stay outside, as
+    `θ 滑块` in one line."""
+    runs = [(place, list(some)) for place, some in groupby(label, key=lambda run: run.place)]
     if not all(_MATHS.fullmatch(run.text) for run in label):
-        return plain(label)
-    parts: list[str] = []
-    place = "base"
-    for run in label:
-        text = _run(run.text, run.italic)
-        if run.place == place and place != "base":
-            parts[-1] = f"{parts[-1][:-1]}{text}}}"
-        else:
-            parts.append(text if run.place == "base" else f"{'_' if run.place == 'sub' else '^'}{{{text}}}")
-        place = run.place
-    return f"${''.join(parts)}$"
+        return writable(" ".join("".join(run.text for run in some) for _, some in runs))
+    text = ""
+    for place, some in runs:
+        inside = "".join(_RELATIONS.get(run.text) or _mathtext(run) for run in some)
+        text += inside if place == "base" else f"{'_' if place == 'sub' else '^'}{{{inside}}}"
+    return f"${text}$"
 
 
-def _run(text: str, italic: bool) -> str:
-    if known := _GREEK.get(text) or _RELATIONS.get(text):
-        return known
-    letters = "".join(_SIGNS.get(letter, letter) for letter in text)
-    return rf"\mathit{{{letters}}}" if italic else rf"\mathrm{{{letters}}}"
-
-
-def plain(label: Label) -> str:
-    """A label in one line: `θ 滑块`."""
-    parts: list[str] = []
-    place = "base"
-    for run in label:
-        parts.append(run.text if run.place == place or not parts else f" {run.text}")
-        place = run.place
-    return writable("".join(parts))
+def _mathtext(run: Run) -> str:
+    inside = "".join(_SIGNS.get(letter, letter) for letter in run.text)
+    return rf"\mathit{{{inside}}}" if run.italic else rf"\mathrm{{{inside}}}"

@@ -1,15 +1,22 @@
-"""Which curves stand together in a motion diagram, on which axes, and how the axes are divided."""
+"""Panels of a motion diagram: curves that stand together, their axes and divisions, and all words in both languages."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 
+from graphkin.base.geometry import number
 from graphkin.base.value import frozen
-from graphkin.model.quantities import EDGE, Quantity
+from graphkin.errors import Lang
+from graphkin.model.quantities import EDGE, IN_GRAVITY, driven
 from graphkin.outputs.diagram.curves import Curves
-from graphkin.sheet.given_tables import label_of
-from graphkin.sheet.lettering import Label, joined
+from graphkin.outputs.diagram.fonts import typeset, writable
+from graphkin.running.path import Event
+from graphkin.say.catalogue import say
+from graphkin.say.sweeps import told
+from graphkin.sheet.lettering import link_label
+from graphkin.sheet.lettering import number as number_label
+from graphkin.studies.sweeps import Course
 
 MOST = 6
 """More curves than these do not stand together."""
@@ -44,54 +51,49 @@ def panels(units: Mapping[int, str]) -> tuple[CurvePanel, ...]:
 
     units  of the curves, by their numbers
     """
-    return tuple(panel for number, kind in enumerate(KINDS) for panel in _of_kind(kind, number, units))
-
-
-def _of_kind(kind: str, number: int, units: Mapping[int, str]) -> Iterator[CurvePanel]:
-    groups: dict[str, list[int]] = {}
-    for k, unit in sorted(units.items(), key=lambda entry: (_PLACE.get(entry[1], (3, 1))[1], entry[0])):
-        if _PLACE.get(unit, (3, 1))[0] == number:
-            groups.setdefault(unit, []).append(k)
-    if len(groups) <= 2 and sum(map(len, groups.values())) <= MOST:
-        if groups:
-            yield CurvePanel(kind, tuple(Axis(unit, tuple(group)) for unit, group in groups.items()))
-        return
-    for unit, group in groups.items():
-        size = math.ceil(len(group) / math.ceil(len(group) / MOST))
-        for begin in range(0, len(group), size):
-            yield CurvePanel(kind, (Axis(unit, tuple(group[begin : begin + size])),))
+    panels: list[CurvePanel] = []
+    for place, kind in enumerate(KINDS):
+        groups: dict[str, list[int]] = {}
+        for k, unit in sorted(units.items(), key=lambda entry: (_PLACE.get(entry[1], (3, 1))[1], entry[0])):
+            if _PLACE.get(unit, (3, 1))[0] == place:
+                groups.setdefault(unit, []).append(k)
+        if len(groups) <= 2 and sum(map(len, groups.values())) <= MOST:
+            if groups:
+                panels.append(CurvePanel(kind, tuple(Axis(unit, tuple(group)) for unit, group in groups.items())))
+            continue
+        for unit, group in groups.items():
+            size = math.ceil(len(group) / math.ceil(len(group) / MOST))
+            parts = (tuple(group[begin : begin + size]) for begin in range(0, len(group), size))
+            panels += (CurvePanel(kind, (Axis(unit, part),)) for part in parts)
+    return tuple(panels)
 
 
 # --- scales -----------------------------------------------------------------------------------
 
 
-def limits(found: Curves, panel: CurvePanel) -> list[tuple[float, float]]:
+def limits(curves: Curves, panel: CurvePanel) -> list[tuple[float, float]]:
     """Least and greatest value of each axis, as shown; the zeros of two axes of a panel lie on one line."""
-    ends = [_ends(found, axis, with_zero=panel.kind != "position") for axis in panel.axes]
-    if panel.kind != "position":
-        ends = _zeros_level(ends)
-    return [_roomy(low, high) for low, high in ends]
+    with_zero = panel.kind != "position"
+    ends = [_ends(curves, axis, with_zero) for axis in panel.axes]
+    if with_zero:
+        sizes = [max(-low, high) or 1.0 for low, high in ends]
+        down = max(-low / size for (low, _), size in zip(ends, sizes, strict=True))
+        up = max(high / size for (_, high), size in zip(ends, sizes, strict=True))
+        ends = [(-down * size, up * size) for size in sizes]
+    shown = []
+    for low, high in ends:
+        size = high - low
+        if size <= 1e-9 * max(abs(low), abs(high)) or size == 0:
+            size = abs(high) or 1.0
+        shown.append((low - HEADROOM * size, high + HEADROOM * size))
+    return shown
 
 
-def _ends(found: Curves, axis: Axis, with_zero: bool) -> tuple[float, float]:
+def _ends(curves: Curves, axis: Axis, with_zero: bool) -> tuple[float, float]:
     factor = EDGE[axis.unit].factor
-    bounds = [(low * factor, high * factor) for low, high in map(found.bounds, axis.curves)]
+    bounds = [(low * factor, high * factor) for low, high in map(curves.bounds, axis.curves)]
     extra = [0.0] if with_zero else []
     return min([low for low, _ in bounds] + extra), max([high for _, high in bounds] + extra)
-
-
-def _zeros_level(ends: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    sizes = [max(-low, high) or 1.0 for low, high in ends]
-    down = max(-low / size for (low, _), size in zip(ends, sizes, strict=True))
-    up = max(high / size for (_, high), size in zip(ends, sizes, strict=True))
-    return [(-down * size, up * size) for size in sizes]
-
-
-def _roomy(low: float, high: float) -> tuple[float, float]:
-    size = high - low
-    if size <= 1e-9 * max(abs(low), abs(high)) or size == 0:
-        size = abs(high) or 1.0
-    return low - HEADROOM * size, high + HEADROOM * size
 
 
 def division(low: float, high: float, most: int, degrees: bool = False) -> list[float]:
@@ -108,6 +110,70 @@ def division(low: float, high: float, most: int, degrees: bool = False) -> list[
 # --- names ------------------------------------------------------------------------------------
 
 
-def labels_of(quantities: Sequence[Quantity]) -> Label:
-    """`ω₂ = ω₃`: curves that lie on one another."""
-    return joined([label_of(quantity, "/") for quantity in quantities], " = ")
+def figure_of(value: float) -> str:
+    """A number at a curve: `−3.919`, `2.013×10⁻⁵` as matplotlib writes them; four digits, as on paper."""
+    if value and not 1e-4 <= abs(value) < 1e5:
+        return typeset(number_label(value, 4))
+    return (f"{value:#.4g}" if abs(value) < 1e4 and value else f"{value:.0f}").replace("-", "−").rstrip(".")
+
+
+def place_of(curves: Curves, t: float) -> str:
+    """The driver's value at which something is reached: `125.3°`, `72.35 mm`; as finely as the diagram shows it."""
+    course = curves.course
+    unit, parts = EDGE[course.unit], 2000 if course.angular else 5000
+    step = abs(number(course.value(curves.high)) - number(course.value(curves.low))) * unit.factor / parts
+    digits = max(0, -math.floor(math.log10(step)))
+    value = round(number(course.value(t)) * unit.factor, digits) + 0.0
+    return f"{value:.{digits}f}".replace("-", "−") + unit.after
+
+
+def across(course: Course, lang: Lang) -> str:
+    """The name of the x axis."""
+    driver = course.driver
+    kind = "between" if driver.kind == "angle" and driver.from_vector is not None else driver.kind
+    return say(f"diagrams.across {kind}", lang, name=writable(driver.name))
+
+
+def upright_label(unit: str, lang: Lang, power: int = 0) -> str:
+    """The name of a y axis: `ω [rad/s]`, in Chinese as the standard has it `ω /(rad/s)`."""
+    name, letter = (IN_GRAVITY if unit == "g" else EDGE[unit]).sign, LETTERS.get(unit, "")
+    name = r"\mathit{g}" if name == "g" else name
+    if power:
+        name = f"10^{{{power}}}" + (f"\\ {name}" if name else "")
+    name = "$\\mathrm{" + name.replace("²", "^2") + "}$" if "²" in name or "\\" in name or power else name
+    letter = typeset(link_label(letter)) if letter else ""
+    if lang == "en":
+        return f"{letter} [{name}]".strip() if name else letter
+    compound = any(sign in name for sign in "/° ")
+    return (f"{letter} /({name})" if compound else f"{letter} /{name}").strip() if name else letter
+
+
+def about_drivers(course: Course, lang: Lang) -> str:
+    """`driver AB: ω = 10 rad/s`, and where those stand that do not move."""
+    colon, comma = say("common.colon", lang), say("common.and", lang)
+    drivers = []
+    for k, driver in enumerate(course.method.drivers):
+        letters = ("v", "m/s", "a", "m/s²") if driver.kind == "slide" else ("ω", "rad/s", "α", "rad/s²")
+        speed, per_second, gain, per_square = letters
+        still = not course.path.pace[k]
+        parts = [EDGE[driven(driver.kind == "slide")].shown(float(course.path.start[k]))] if still else []
+        if driver.rate or not still:
+            parts.append(f"{speed} = {driver.rate:.6g} {per_second}")
+        if driver.acceleration:
+            parts.append(f"{gain} = {driver.acceleration:.6g} {per_square}")
+        drivers.append(f"{writable(driver.name)}{colon}{comma.join(part.replace('-', '−') for part in parts)}")
+    word = say("diagrams.driver" if len(drivers) == 1 else "diagrams.drivers", lang)
+    return word + say("common.semicolon", lang).join(drivers)
+
+
+def event_mark(event: Event, lang: Lang) -> str:
+    """The word beside an upright line."""
+    if event.choices or event.kind == "two ways":
+        return say("diagrams.event change", lang)
+    return say("diagrams.event limit" if event.kind in ("tangent", "parallel") else "diagrams.event dead", lang)
+
+
+def event_line(curves: Curves, event: Event, lang: Lang) -> str:
+    """The line below the diagram: where, and which links."""
+    mark, why = event_mark(event, lang), writable(told(event, lang))
+    return say("diagrams.event", lang, mark=mark[0].upper() + mark[1:], place=place_of(curves, event.at), why=why)

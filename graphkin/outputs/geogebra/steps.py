@@ -1,42 +1,86 @@
-"""The steps of a construction as objects of GeoGebra, so that everything hangs on the drivers' sliders."""
+"""The steps of a construction as objects of GeoGebra, so that everything hangs on the drivers' sliders.
+
+Links that are tried until they fit have a list of where they lie nearly, read off the whole motion, position by
+position, so that every group stays on its own side; Newton's steps find the place itself, from what the construction
+has by then. Past a dead point the list ends, and nothing is drawn.
+"""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import assert_never
 
+import numpy as np
+
+from graphkin import construction as kinds
+from graphkin.base.geometry import number, place
 from graphkin.base.value import frozen
-from graphkin.construction import (
-    Arc,
-    Chain,
-    Construction,
-    Fit,
-    Given,
-    Image,
-    InStep,
-    LayOff,
-    Measure,
-    Meet,
-    Plane,
-    Plot,
-    Ray,
-    Roll,
-    Simultaneous,
-    Swing,
-    Touch,
-    slide_key,
-)
-from graphkin.outputs.geogebra.fitted import ROUNDS, Nearly, Row, closure_rows, settle, unknowns_of
-from graphkin.outputs.geogebra.formulas import NOTHING, FormulaPair, between, grouped, minus, plus, product, value
-from graphkin.outputs.geogebra.protocol import Colour, Protocol
+from graphkin.construction import Construction, Fit, InStep, Measure, Plane, Plot, slide_key
+from graphkin.outputs.geogebra.protocol import Colour, FormulaPair, Protocol, grouped, minus, plus, product, value
 from graphkin.outputs.geogebra.state import ORDERS, GeogebraState
+from graphkin.planning import Method
+from graphkin.running.path import along, turned
+from graphkin.studies.sweeps import course
+
+ROUNDS = 4
+"""Steps of Newton's, from a place between two of the list: each doubles the digits that are right."""
+_APART_DEG, _PARTS = 1.0, 360
+"""Distance of the places of the list: an angle of the driver's, or a part of a slide's path."""
+_SHORT = 1e-6
+"""Distance from a dead point at which the list ends, as a part of the path."""
+
+Row = tuple[str, Mapping[str, str]]
+"""known + sum of coefficient * unknown = 0, as formulas."""
+
+
+@frozen
+class Nearly:
+    """The places where the fitted links lie nearly, by the driver's value.
+
+    at     how many places of the list the driver has gone, and the part of the next (labels of two numbers)
+    lists  labels, by what is fitted
+    """
+
+    protocol: Protocol
+    at: tuple[str, str]
+    lists: Mapping[str, str]
+
+    @classmethod
+    def of(cls, method: Method, protocol: Protocol, driven: str) -> Nearly:
+        """The lists over the whole motion; driven: the label of the driver's value [rad, m]."""
+        path = course(method).path
+        short = _SHORT * (path.last - path.first)
+        low, high = path.first + short, path.last - short
+        is_angle = method.drivers[0].kind != "slide"
+        apart = math.radians(_APART_DEG) if is_angle else (high - low) / _PARTS
+        t = np.linspace(low, high, 1 + math.ceil((high - low) / apart))
+        if path.stops and is_angle and not method.structure.contacts:
+            middle = value(path.start[0] + (low + high) / 2)  # whole turns away the mechanism stands alike
+            driven = protocol.number(f"{driven} - 2 * pi * round(({driven} - {middle}) / (2 * pi))")
+        gone = protocol.number(f"({driven} - {value(path.start[0] + low)}) / {value(float(t[1] - t[0]))} + 1")
+        whole = protocol.number(f"floor({gone})")
+        values = turned(method, along(method, path, t))
+        names = {name for step in method.position.steps if isinstance(step, Fit) for name in _unknowns(step)}
+        lists = {name: protocol.list_of(np.broadcast_to(values[name], t.shape)) for name in sorted(names)}
+        return cls(protocol, (whole, protocol.number(f"{gone} - {whole}")), lists)
+
+    def value(self, name: str) -> str:
+        """Between two places of the list."""
+        (whole, part), places = self.at, self.lists[name]
+        one, next_ = f"Element[{places}, {whole}]", f"Element[{places}, {whole} + 1]"
+        return self.protocol.number(f"{one} + {part} * ({next_} - {one})")
+
+
+def _unknowns(step: Fit | kinds.Simultaneous) -> tuple[str, ...]:
+    return (*step.angles, *map(slide_key, step.slides))
 
 
 @frozen
 class Draughtsman:
     """Draws one plane.
 
-    captions  what is written at its points; origin: in units of the drawing
+    captions  names written at its points; origin: in units of the drawing
     nearly    where links that are fitted lie
     """
 
@@ -69,33 +113,35 @@ class Draughtsman:
         return self.state.protocol
 
     def draw(self) -> None:
-        """Every step in order."""
+        """Every step in order; a line or an arc alone fixes no point."""
+        state = self.state
         for step in self.construction.steps:
             match step:
-                case Given():
+                case kinds.Given():
                     self._given(step)
-                case LayOff():
+                case kinds.LayOff():
                     assert step.term.size is not None
-                    arrow = self.state.arrow(step.term.size, self.plane).times(value(1 / self.scale))
+                    arrow = state.arrow(step.term.size, self.plane).times(value(1 / self.scale))
                     self._point(step.tip, f"{self.points[step.start]} {'-' if step.backwards else '+'} {arrow.point}")
-                case Ray() | Arc():
-                    pass  # alone it fixes no point
-                case Meet():
+                case kinds.Ray() | kinds.Arc():
+                    pass
+                case kinds.Meet():
                     self._meet(step)
-                case Swing():
-                    way = self.state.bound(self.state.arm(step.pivot, step.through))
-                    angle = self.state.swing(step.span, step.slide, way, step.side)
-                    self.state.settle(0, self.state.facts.turns[step.link].base, angle)
-                case Image():
+                case kinds.Swing():
+                    arm = state.bound(state.arm(step.pivot, step.through))
+                    state.settle(0, state.base(step.link), state.swing(step.span, step.slide, arm, step.side))
+                case kinds.Image():
                     self._image(step)
                 case Measure():
                     self._measure(step)
-                case Roll():
+                case kinds.Roll():
                     self._roll(step)
-                case Touch():
+                case kinds.Touch():
                     self._touch(step)
-                case Simultaneous():
-                    self._together(step)
+                case kinds.Simultaneous():
+                    rows = [row for chain in step.chains for row in self._chain(chain)]
+                    rows += [self._in_step(contact, set(_unknowns(step))) for contact in step.contacts]
+                    self._settle_all(step, self._solved(rows, _unknowns(step)), counted=False)
                 case Fit():
                     self._fit(step)
                 case _:
@@ -104,97 +150,90 @@ class Draughtsman:
     # --- points ---
 
     def _at(self, name: str) -> complex:
-        """Where a point lies now."""
-        return self.origin + complex(self.plot.points(self.plane)[name]) / self.scale
+        """The place of a point now."""
+        return self.origin + place(self.plot.points(self.plane)[name]) / self.scale
 
     def _point(self, name: str, formula: str) -> None:
         caption = self.captions.get(name, "")
         self.points[name] = self.protocol.point(caption, formula, self._at(name), self.colour)
 
-    def _given(self, step: Given) -> None:
-        if step.point == self.construction.pole and any(
-            isinstance(later, Meet) and later.point == step.point for later in self.construction.steps
-        ):
-            return  # a pole found last
-        self.points[step.point] = self.protocol.free_point(
-            self.captions.get(step.point, ""), self._at(step.point), self.colour
-        )
-        if step.point == self.construction.pole:
-            self._fixed()
+    def _given(self, step: kinds.Given) -> None:
+        """A point that can be dragged; a pole that is found last is none."""
+        meets = (later.point for later in self.construction.steps if isinstance(later, kinds.Meet))
+        if step.point == self.construction.pole and step.point in meets:
+            return
+        caption = self.captions.get(step.point, "")
+        self.points[step.point] = self.protocol.free_point(caption, self._at(step.point), self.colour)
+        self._put_fixed_on(step.point)
 
-    def _fixed(self) -> None:
-        """What never moves is on the pole."""
-        given = [step for step in self.construction.steps if isinstance(step, Given)]
-        self.points.update({name: self.points[self.construction.pole] for step in given for name in step.also})
+    def _put_fixed_on(self, point: str) -> None:
+        """All that never moves is on the pole, once that is there."""
+        if point == self.construction.pole:
+            fixed = (name for s in self.construction.steps if isinstance(s, kinds.Given) for name in s.also)
+            self.points.update(dict.fromkeys(fixed, self.points[point]))
 
-    def _meet(self, step: Meet) -> None:
-        first, second = self._place(step.first), self._place(step.second)
-        if isinstance(step.second, Ray):
+    def _meet(self, step: kinds.Meet) -> None:
+        first, second = self._line(step.first), self._line(step.second)
+        if isinstance(step.second, kinds.Ray):
             self._point(step.point, self.protocol.crossing(first, second))
         else:
             one, other = (self.protocol.crossing(first, second, k) for k in (1, 2))
-            self._point(step.point, f"If[{self._ahead(step, one, other)} > 0, {one}, {other}]")
-        if step.point == self.construction.pole:
-            self._fixed()
+            if isinstance(step.first, kinds.Ray):
+                along, across = self.state.direction(step.first.direction)
+                ahead = (along.turned if across else along).dot(FormulaPair.between(other, one))
+            else:
+                about, other_centre = self.points[step.first.about], self.points[step.second.about]
+                ahead = FormulaPair.between(about, other_centre).cross(FormulaPair.between(about, one))
+            self._point(step.point, f"If[{product(str(step.side), ahead)} > 0, {one}, {other}]")
+        self._put_fixed_on(step.point)
 
-    def _ahead(self, step: Meet, one: str, other: str) -> str:
-        """Positive where `one` is the crossing that is meant."""
-        assert isinstance(step.second, Arc)
-        if isinstance(step.first, Ray):
-            along, across = self.state.direction(step.first.direction)
-            return product(str(step.side), (along.turned if across else along).dot(between(other, one)))
-        centres = between(self.points[step.first.about], self.points[step.second.about])
-        return product(str(step.side), centres.cross(between(self.points[step.first.about], one)))
-
-    def _place(self, line: Ray | Arc) -> str:
+    def _line(self, line: kinds.Ray | kinds.Arc) -> str:
         """A line or a circle on which a point must lie."""
-        if isinstance(line, Ray):
+        if isinstance(line, kinds.Ray):
             along, across = self.state.direction(line.direction)
             return self.protocol.line(self.points[line.through], self.protocol.direction(along.point), across=across)
         radius = self.state.bound(self.state.span(line.reach))
         return self.protocol.circle(self.points[line.about], f"sqrt({radius.square}) / {value(self.scale)}")
 
-    def _image(self, step: Image) -> None:
+    def _image(self, step: kinds.Image) -> None:
         """The first point, and the known side turned and stretched as the link has it."""
         first, second, third = step.corners
         start, end = (self.points[name] for name in step.base)
         shape = self.state.facts.shapes[step.link]
         if all(corner in shape for corner in step.corners):
-            ratio = (shape[third] - shape[first]) / (shape[second] - shape[first])
-            new = between(start, end).by(FormulaPair(value(ratio.real), value(ratio.imag)))
+            ratio = FormulaPair.of((shape[third] - shape[first]) / (shape[second] - shape[first]))
         else:
             side, arm = (self.state.bound(self.state.arm(first, other)) for other in (second, third))
-            turned = FormulaPair(side.dot(arm), side.cross(arm)).times(f"1 / {grouped(side.square)}")
-            new = between(start, end).by(self.state.bound(turned))
-        self._point(step.point, f"{start} + {new.point}")
+            turn = FormulaPair(side.dot(arm), side.cross(arm))
+            ratio = self.state.bound(turn.times(f"1 / {grouped(side.square)}"))
+        self._point(step.point, f"{start} + {FormulaPair.between(start, end).by(ratio).point}")
 
-    def _touch(self, step: Touch) -> None:
+    def _touch(self, step: kinds.Touch) -> None:
         centre = self.points[step.centre]
         if step.slide:
             offset = self.state.guide(step.slide).turned.times(value(step.offset / self.scale))
         else:
-            offset = between(centre, self.points[step.other]).times(value(step.ratio))
+            offset = FormulaPair.between(centre, self.points[step.other]).times(value(step.ratio))
         self._point(step.point, f"{centre} + {offset.point}")
 
     # --- what is read off ---
 
     def _measure(self, step: Measure) -> None:
-        arrow = self.state.bound(between(self.points[step.tail], self.points[step.head]))
+        state = self.state
+        arrow = state.bound(FormulaPair.between(self.points[step.tail], self.points[step.head]))
         if step.quantity == "theta":
             assert step.span is not None
-            span = self.state.bound(self.state.span(step.span))
-            base = self.state.facts.turns[step.of].base
-            self.state.settle(0, base, minus(arrow.angle, span.angle))
+            span = state.bound(state.span(step.span))
+            state.settle(0, state.base(step.of), minus(arrow.angle, span.angle))
         elif step.quantity in ("omega", "alpha"):
-            arm = self.state.bound(self.state.arm(*step.lever))
+            arm = state.bound(state.arm(*step.lever))
             rate = f"{product(value(self.scale), arm.cross(arrow))} / {grouped(arm.square)}"
-            base = self.state.facts.turns[step.of].base
-            self.state.settle(self.order, base, minus(rate, self.state.relative(step.of, self.order)))
+            state.settle(self.order, state.base(step.of), minus(rate, state.relative(step.of, self.order)))
         else:
-            along = self.state.guide(step.of).dot(arrow)
-            self.state.displace(self.order, step.of, product(value(step.sign * self.scale), along))
+            along = state.guide(step.of).dot(arrow)
+            state.displace(self.order, step.of, product(value(step.sign * self.scale), along))
 
-    def _roll(self, step: Roll) -> None:
+    def _roll(self, step: kinds.Roll) -> None:
         unknown = {step.angle, slide_key(step.slide) if step.slide else ""} - {""}
         rest, coefficients = self._in_step(step.contact, unknown)
         formula = f"-{grouped(rest)} / {grouped(' + '.join(coefficients.values()))}"
@@ -204,74 +243,97 @@ class Draughtsman:
             self.state.displace(self.order, step.slide, formula)
 
     def _in_step(self, contact: InStep, unknown: set[str]) -> Row:
-        """What a rolling contact asks for: turns since the drawn position, or rates, that add up to nothing."""
+        """The sum that a rolling contact makes nothing: turns since the drawn position, or rates."""
         coefficients: dict[str, float] = {}
         rest, facts = "0", self.state.facts
-        for link, coefficient in contact.angles:
-            base = facts.turns[link].base
-            drawn = facts.drawn.get(link, 0.0) if self.order == 0 else 0.0
+        for link, arm in contact.angles:
+            base, coefficient = self.state.base(link), number(arm)
+            drawn = number(facts.drawn.get(link, 0.0)) if self.order == 0 else 0.0
             if base in unknown:
                 coefficients[base] = coefficients.get(base, 0.0) + coefficient
             turned = self.state.relative(link, self.order) if base in unknown else self.state.turn(link, self.order)
             rest = plus(rest, product(value(coefficient), minus(turned, value(drawn))))
         for slide, share in contact.way or ((contact.slide, 1.0),) * bool(contact.slide):
             coefficient, key = contact.on_slide * share, slide_key(slide)
-            drawn = facts.drawn[key] if self.order == 0 else 0.0
+            drawn = number(facts.drawn[key]) if self.order == 0 else 0.0
             if key in unknown:
                 coefficients[key] = coefficients.get(key, 0.0) + coefficient
                 rest = plus(rest, value(-coefficient * drawn))
             else:
                 moved = minus(self.state.slides[self.order][slide], value(drawn))
                 rest = plus(rest, product(value(coefficient), moved))
-        return rest, {name: value(number) for name, number in coefficients.items()}
+        return rest, {name: value(coefficient) for name, coefficient in coefficients.items()}
 
     # --- what is solved together ---
 
-    def _together(self, step: Simultaneous) -> None:
-        names = (*step.angles, *map(slide_key, step.slides))
-        rows = [row for chain in step.chains for row in self._chain(chain)]
-        rows += [self._in_step(contact, set(names)) for contact in step.contacts]
-        found = self._solved(rows, names)
-        for k, base in enumerate(step.angles, 1):
-            self.state.settle(self.order, base, f"Element[{found}, {k}, 1]")
-        for k, slide in enumerate(step.slides, len(step.angles) + 1):
-            self.state.displace(self.order, slide, f"Element[{found}, {k}, 1]")
-
-    def _solved(self, rows: Sequence[Row], names: Sequence[str]) -> str:
-        """The unknowns as a column."""
+    def _solved(self, rows: Sequence[Row], names: Sequence[str]) -> list[str]:
+        """The unknowns, each by its element of a column."""
         matrix = "{" + ", ".join("{" + ", ".join(row.get(n, "0") for n in names) + "}" for _, row in rows) + "}"
         right = "{" + ", ".join("{" + minus("0", rest) + "}" for rest, _ in rows) + "}"
         left, known = self.protocol.matrix(matrix), self.protocol.matrix(right)
         if len(rows) != len(names):
             left, known = (self.protocol.matrix(f"Transpose[{left}] * {side}") for side in (left, known))
-        return self.protocol.matrix(f"Invert[{left}] * {known}")
+        column = self.protocol.matrix(f"Invert[{left}] * {known}")
+        return [f"Element[{column}, {k}, 1]" for k in range(1, len(names) + 1)]
+
+    def _settle_all(self, step: Fit | kinds.Simultaneous, formulas: Sequence[str], counted: bool) -> None:
+        """The angles, then the displacements of a step."""
+        for base, formula in zip(step.angles, formulas):
+            self.state.settle(self.order, base, formula, counted=counted)
+        for slide, formula in zip(step.slides, formulas[len(step.angles) :]):
+            self.state.displace(self.order, slide, formula)
 
     def _fit(self, step: Fit) -> None:
         """From where the links lie nearly, by Newton's steps."""
         assert self.nearly is not None
-        names = unknowns_of(step)
-        trial = {name: self.nearly.value(name) for name in names}
-        settle(step, self.state, trial)
+        names = _unknowns(step)
+        trial = [self.nearly.value(name) for name in names]
+        self._settle_all(step, trial, counted=True)
         for _ in range(ROUNDS):
-            rows = [row for closure in step.closures for row in closure_rows(closure, self.state)]
+            rows = [row for closure in step.closures for row in self._closure(closure)]
             gaps = ((self._in_step(contact, set())[0], contact) for contact in step.contacts)
             rows += [(gap, self._in_step(contact, set(names))[1]) for gap, contact in gaps]
-            found = self._solved(rows, names)
-            trial = {n: self.protocol.number(f"{trial[n]} + Element[{found}, {k}, 1]") for k, n in enumerate(names, 1)}
-            settle(step, self.state, trial)
+            changes = self._solved(rows, names)
+            trial = [self.protocol.number(f"{old} + {change}") for old, change in zip(trial, changes, strict=True)]
+            self._settle_all(step, trial, counted=True)
 
-    def _chain(self, chain: Chain) -> Iterator[Row]:
+    def _closure(self, closure: kinds.Closure) -> Iterator[Row]:
+        """The gap left open by a loop of links, along x and along y, and what each unknown does to it [m]."""
+        state, points = self.state, self.points
+        gap = FormulaPair()
+        if not closure.floats:
+            gap = FormulaPair.between(points[closure.end], points[closure.start]).times(value(self.scale))
+        slopes: dict[str, FormulaPair] = {}
+        for part in closure.parts:
+            if isinstance(part, kinds.Arm):
+                link = part.link
+                arrow = FormulaPair.of(state.own_arm(part)).by(state.direction_of(link))
+            else:
+                link = state.facts.lines[part.slide][0]
+                guide = state.guide(part.slide).times(str(part.sign))
+                arrow = guide.times(state.slides[0][part.slide])
+                slopes[slide_key(part.slide)] = state.bound(guide)
+            arrow, base = state.bound(arrow), state.base(link)
+            gap += arrow
+            slopes[base] = slopes[base] + arrow.turned if base in slopes else arrow.turned
+        yield from _rows(gap, slopes)
+
+    def _chain(self, chain: kinds.Chain) -> Iterator[Row]:
         """A closed chain of arrows along x and along y."""
-        known, arrows = NOTHING, dict[str, FormulaPair]()
+        known, arrows = FormulaPair(), dict[str, FormulaPair]()
         for size, sign in chain.known:
             known += self.state.arrow(size, self.plane).times(str(sign))
         for unknown in chain.unknown:
             if unknown.slide:
                 name, arrow = slide_key(unknown.slide), self.state.guide(unknown.slide).times(str(unknown.sign))
             else:
-                name = self.state.facts.turns[unknown.link].base
+                name = self.state.base(unknown.link)
                 arrow = self.state.arm(unknown.tail, unknown.head).turned.times(str(unknown.sign))
                 known += arrow.times(self.state.relative(unknown.link, self.order))
-            arrows[name] = arrows.get(name, NOTHING) + arrow
-        yield known.x, {name: arrow.x for name, arrow in arrows.items()}
-        yield known.y, {name: arrow.y for name, arrow in arrows.items()}
+            arrows[name] = arrows.get(name, FormulaPair()) + arrow
+        yield from _rows(known, arrows)
+
+
+def _rows(known: FormulaPair, arrows: Mapping[str, FormulaPair]) -> Iterator[Row]:
+    yield known.x, {name: arrow.x for name, arrow in arrows.items()}
+    yield known.y, {name: arrow.y for name, arrow in arrows.items()}
