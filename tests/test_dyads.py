@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 from random_mechanisms import dyad
 
-from graphkin.analytic.assembly import drawn, driven
+from graphkin.analytic.assembly import drawn
 from graphkin.analytic.blocks import blocks_of
 from graphkin.analytic.dyads import ways
 from graphkin.analytic.newton import EquationSystem, close, search
+from graphkin.analytic.rules import driven
 
 
 @pytest.mark.parametrize("kind", ["RRR", "RRP", "PRR", "RPR"])

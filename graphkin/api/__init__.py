@@ -89,9 +89,9 @@ def _refuse_wrong_drivers(mechanism: Mechanism) -> None:
 
 
 def _refuse_wrong_side(mechanism: Mechanism) -> None:
-    from graphkin.planning.other_side import other_side
+    from graphkin.planning.planner import wrong_side
 
-    if (error := other_side(mechanism)) is not None:
+    if (error := wrong_side(mechanism)) is not None:
         raise error
 
 

@@ -14,6 +14,7 @@ than `WIDEST` remain are the farthest given up.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -23,8 +24,7 @@ from graphkin.construction import Construction, Facts, Fit, Measure, Meet, Plot,
 from graphkin.construction.pencil import begin, draw
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Slide
-from graphkin.planning.branches import Branches
-from graphkin.planning.starts import Starts
+from graphkin.planning.fit_starts import Branches, GroupFitter
 from graphkin.planning.structure import Topology
 
 WIDTHS = (1, 8, 64)
@@ -35,6 +35,7 @@ WIDEST_FITTED = 128
 BETWEEN = 0.04
 """A sketch lies between two assemblies if their squared distances from it differ by less than this part of the square
 of the distance between them."""
+
 
 class DeadEnd(Exception):
     """No branch closes: the plot so far, with every branch of the block at which the last of them ended."""
@@ -69,16 +70,16 @@ def branches(structure: Topology, construction: Construction, facts: Facts, know
     known  angles and displacements where the drawn position has them already
     """
     search = _BranchSearch(structure, construction, facts, known)
-    found, nearest = search.first(), np.inf
-    if search.alone(found):
-        return found
-    while (away := search.away(found)).min() < nearest:
+    assemblies, nearest = search.first(), np.inf
+    if search.alone(assemblies):
+        return assemblies
+    while (away := search.away(assemblies)).min() < nearest:
         nearest = float(away.min())
         try:
-            found = search.run(WIDEST, search.bound(found, int(np.argmin(away))))
+            assemblies = search.run(WIDEST, search.bound(assemblies, int(np.argmin(away))))
         except DeadEnd:  # too many branches lay nearer to the sketch for a while, and none of them closed
             break
-    return found
+    return assemblies
 
 
 @frozen
@@ -101,7 +102,7 @@ class _BranchSearch:
         last = self.blocks[-1]
         self.late = _late(last)
         self.blocks[-1] = SearchBlock(last.opening, last.rest[: len(last.rest) - len(self.late)])
-        self.starts = Starts(structure)
+        self.fitter = GroupFitter(structure)
         self.left: list[Branches] = []
 
     def first(self) -> Branches:
@@ -116,34 +117,31 @@ class _BranchSearch:
 
     def run(self, width: int, bound: _Bound | None) -> Branches:
         """All blocks, with so many branches kept at most."""
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return self._run(width, bound)
-
-    def _run(self, width: int, bound: _Bound | None) -> Branches:
         here = Branches(Plot(self.facts, dict(self.known)), np.zeros((1, 0), dtype=int))
         begin(here.plot, "position")
         waiting, before = list(self.late), (0, 0)
-        for block in self.blocks:
-            if isinstance(block.opening, Fit):
-                here = self._thinned(here, min(width, WIDEST_FITTED), None)
-            here = self._opened(here, block, self._spare(here, bound))
-            draw(block.rest, here.plot, "position", {})
-            waiting = self._measured(here.plot, waiting)
-            closed = self._closed(here, [*here.plot.position][before[0] :], [*here.plot.s][before[1] :])
-            before = len(here.plot.position), len(here.plot.s)
-            if not closed.any():
-                raise DeadEnd(here.plot)
-            if not closed.all():
-                here = here.taken(np.flatnonzero(closed))
-            here = self._thinned(here, width, bound)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            for block in self.blocks:
+                if isinstance(block.opening, Fit):
+                    here = self._thinned(here, min(width, WIDEST_FITTED), None)
+                here = self._opened(here, block, self._spare(here, bound))
+                draw(block.rest, here.plot, "position", {})
+                waiting = self._measured(here.plot, waiting)
+                closed = self._closed(here, [*here.plot.position][before[0] :], [*here.plot.s][before[1] :])
+                before = len(here.plot.position), len(here.plot.s)
+                if not closed.any():
+                    raise DeadEnd(here.plot)
+                if not closed.all():
+                    here = here.taken(np.flatnonzero(closed))
+                here = self._thinned(here, width, bound)
         return here
 
-    def alone(self, found: Branches) -> bool:
+    def alone(self, assemblies: Branches) -> bool:
         """Whether the first assembly is the only one that the sketch may mean: of the branches from which it was chosen
         the others would be left out by its bound, too."""
-        if found.count > 1 or any(isinstance(block.opening, Fit) for block in self.blocks):
+        if assemblies.count > 1 or any(isinstance(block.opening, Fit) for block in self.blocks):
             return False
-        bound = self.bound(found, 0)
+        bound = self.bound(assemblies, 0)
         return all(np.count_nonzero(self._open(here, bound)) == 1 for here in self.left)
 
     # --- one block ----------------------------------------------------------------------------
@@ -154,7 +152,12 @@ class _BranchSearch:
             case None:
                 return here
             case Fit():
-                return self._fitted(here, block.opening, spare)
+                fit, known = [block.opening], all(name in self.known for name in unknowns_of(block.opening))
+                if not known:
+                    fitting = partial(draw, fit, plane="position", sides={})
+                    return self.fitter.fitted(here, block.opening, fitting, spare)
+                draw(fit, here.plot, "position", {})
+                return here
             case step:
                 both = np.array((1, -1) * here.count)
                 here = here.taken(np.arange(2 * here.count) // 2)
@@ -162,12 +165,6 @@ class _BranchSearch:
                 assert step.choice is not None
                 draw([step], here.plot, "position", {step.choice: both})
                 return here
-
-    def _fitted(self, here: Branches, step: Fit, spare: float) -> Branches:
-        if all(name in self.known for name in unknowns_of(step)):
-            draw([step], here.plot, "position", {})
-            return here
-        return self.starts.fitted(here, step, lambda plot: draw([step], plot, "position", {}), spare)
 
     def _measured(self, plot: Plot, waiting: list[Measure]) -> list[Measure]:
         """Displacements are measured as soon as both ends are drawn; those that are not yet."""
@@ -180,7 +177,10 @@ class _BranchSearch:
 
     def _closed(self, here: Branches, points: Sequence[str], slides: Sequence[str]) -> np.ndarray:
         """Branches whose new points have places, with cylinders at the positive displacement they were drawn with."""
-        closed: np.ndarray = np.isfinite(_places(here, points)).all(axis=0)
+        places = np.empty((len(points), here.count), dtype=complex)
+        for row, point in zip(places, points, strict=True):
+            row[:] = here.plot.position[point]
+        closed: np.ndarray = np.isfinite(places).all(axis=0)
         for name in slides:
             if name in self.cylinders:
                 closed &= here.plot.s[name] > 0
@@ -214,14 +214,12 @@ class _BranchSearch:
 
     def _forward(self, here: Branches) -> np.ndarray:
         """How many displacements are positive rather than negative: (w,)."""
-        forward = np.zeros(here.count)
-        for name in told_slides(self.structure):
-            forward += np.sign(here.plot.s.get(name, 0.0))
-        return forward
+        displacements = (here.plot.s.get(name, 0.0) for name in slides_of_file(self.structure))
+        return sum(map(np.sign, displacements), np.zeros(here.count))
 
     def bound(self, here: Branches, k: int) -> _Bound:
         """To follow every branch that may come nearer to the sketch than branch k, or lies with it about the sketch."""
-        places = {p: _at(here.plot.position[p], k) for p in self.sketch if p in here.plot.position}
+        places = {p: at(here.plot.position[p], k) for p in self.sketch if p in here.plot.position}
         spare = {p: abs(self.sketch[p] - place) ** 2 / (1 - BETWEEN) for p, place in places.items()}
         reach = max((abs(z) for z in places.values()), default=1.0)
         return _Bound(places, spare, (1e-8 * reach) ** 2)
@@ -243,16 +241,9 @@ class _BranchSearch:
         return bound.rounding + sum(spare for point, spare in bound.spare.items() if point not in drawn)
 
 
-def _at(value: Value, k: int) -> complex:
+def at(value: Value, k: int) -> complex:
+    """A value on one of the branches."""
     return complex(value[k] if isinstance(value, np.ndarray) and value.ndim else value)
-
-
-def _places(here: Branches, points: Sequence[str]) -> np.ndarray:
-    """Where points lie on each branch: (k, w)."""
-    table = np.empty((len(points), here.count), dtype=complex)
-    for row, point in zip(table, points, strict=True):
-        row[:] = here.plot.position[point]
-    return table
 
 
 def _is_cylinder(structure: Topology, slide: Slide) -> bool:
@@ -270,6 +261,6 @@ def _late(block: SearchBlock) -> list[Measure]:
     return late
 
 
-def told_slides(structure: Topology) -> list[str]:
+def slides_of_file(structure: Topology) -> list[str]:
     """Slides that the file speaks of, not those of an equivalent."""
     return [name for name, pair in structure.slides.items() if pair.stands_for is None]

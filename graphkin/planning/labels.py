@@ -25,9 +25,9 @@ class Labels:
     _known: dict[Site, str] = field(default_factory=dict)
 
     def label(self, site: Site) -> str:
-        if (found := self._known.get(site)) is None:
-            found = self._known[site] = self._label(site)
-        return found
+        if (label := self._known.get(site)) is None:
+            label = self._known[site] = self._label(site)
+        return label
 
     def _label(self, site: Site) -> str:
         point = site.point
@@ -79,26 +79,22 @@ def _as_begun(label: str) -> str:
 
 def coincident_points(structure: Topology, order: tuple[Stage, ...]) -> dict[str, str]:
     """Points at which links move past a moving link, with the link of which the hinge there is a point."""
-    found: dict[str, str] = {}
+    points: dict[str, str] = {}
     for stage in order:
-        for hop in _jumps(structure, stage):
+        for hop in _relative_hops(structure, stage):
             if FRAME not in (hop.seen_from.link, hop.of.link) or isinstance(hop, Twist):
                 owners = structure.owners[hop.of.point]
                 homes = [site.link for site in (hop.of, hop.seen_from) if site.link in owners]
                 if homes:
-                    found.setdefault(hop.of.point, structure.home(homes[0]))
-    return found
+                    points.setdefault(hop.of.point, structure.home(homes[0]))
+    return points
 
 
-def _jumps(structure: Topology, stage: Stage) -> list[Slip | Twist]:
-    """The coincident points of one stage."""
-    if isinstance(stage, Loop):
-        return [hop for hop in way_round(structure, stage)[1] if isinstance(hop, Slip | Twist)]
-    if isinstance(stage, Group):
-        ways = [way_round(structure, loop)[1] for loop in stage.loops]
-        return [hop for way in ways for hop in way if isinstance(hop, Slip | Twist)]
+def _relative_hops(structure: Topology, stage: Stage) -> list[Slip | Twist]:
+    """The hops of one stage between coincident points."""
     if isinstance(stage, Carry) and isinstance(stage.by, Sliding):
         pair = structure.slides[stage.by.slide]
-        ends = (Site(pair.point, pair.guide), Site(pair.point, structure.block(pair)))
-        return [Slip(ends[0], ends[1], True, pair.name)]
-    return []
+        return [Slip(Site(pair.point, pair.guide), Site(pair.point, structure.block(pair)), True, pair.name)]
+    loops = (stage,) if isinstance(stage, Loop) else stage.loops if isinstance(stage, Group) else ()
+    hops = (hop for loop in loops for hop in way_round(structure, loop)[1])
+    return [hop for hop in hops if isinstance(hop, Slip | Twist)]

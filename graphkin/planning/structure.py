@@ -7,14 +7,15 @@ slides alone (the lower-pair form a textbook gives the half joint).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
-from graphkin.base.geometry import phase
+from graphkin.base.geometry import Real, phase
 from graphkin.base.value import frozen
 from graphkin.construction import Site, TurnOf
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
+from graphkin.model.naming import PairName
 from graphkin.model.pairs import Rod, Slide, pin_name
 from graphkin.planning.equivalent import Contact
 
@@ -36,6 +37,39 @@ class Sliding:
 Joint = Hinge | Sliding
 
 
+# --- redundant constraints --------------------------------------------------------------------
+
+
+@frozen
+class ConstraintRow:
+    """Whose equation a row is.
+
+    kind  "hinge" of a point and a body, "line" or "angle" of a slide, "slip" of a contact, "given" of a driver or pose
+    """
+
+    kind: str
+    name: str
+    body: str = ""
+
+
+@frozen
+class SetAside:
+    """One constraint that repeats others.
+
+    pair   as in the file
+    part   "whole", or only what keeps a "line", an "angle", or rolling without slip ("slip"); a "link" on hinges
+    rows   its equations
+    held   the pairs that hold the same already
+    body   of a link on hinges, in the planner's structure
+    """
+
+    pair: PairName
+    part: str
+    rows: tuple[ConstraintRow, ...]
+    held: tuple[PairName, ...] = ()
+    body: str = ""
+
+
 @frozen
 class Aside:
     """What repeats others, by name: slides (those that stand for cams, too); blocks whose angle is held; contacts."""
@@ -44,8 +78,18 @@ class Aside:
     angles: frozenset[str] = frozenset()
     contacts: frozenset[str] = frozenset()
 
+    @classmethod
+    def of(cls, redundant: Iterable[SetAside]) -> Aside:
+        """What the planner leaves out; links on hinges stay where they are (a `Bridge` is drawn last)."""
+        rows = {row for each in redundant if each.part != "link" for row in each.rows}
+        lines, angles, slips = ({row.name for row in rows if row.kind == kind} for kind in ("line", "angle", "slip"))
+        return cls(frozenset(lines), frozenset(angles - lines), frozenset(slips))
+
 
 NOTHING = Aside()
+
+
+# --- bodies and joints ------------------------------------------------------------------------
 
 
 @frozen
@@ -219,7 +263,8 @@ class Topology:
             for body in reached:
                 for other, more in ties.get(body, ()):
                     if other not in turns:
-                        turns[other] = _chain(turns[body], more)
+                        first = turns[body]
+                        turns[other] = TurnOf(first.base, first.constant + more.constant, first.drivers + more.drivers)
                         reached.append(other)
         return turns
 
@@ -236,12 +281,12 @@ class Topology:
                 yield driver.from_link, driver.link, TurnOf(driver.from_link, offset, ((k, 1),))
                 yield driver.link, driver.from_link, TurnOf(driver.link, -offset, ((k, -1),))
 
-    def driver_offset(self, driver: Driver) -> float:
+    def driver_offset(self, driver: Driver) -> Real:
         """Angle of the driven link against the other where the driver's own value is 0."""
         links = self.mechanism.links
         if driver.vector is None:
             return 0.0
-        offset: float = -phase(links[driver.link].arm(*driver.vector))
+        offset = -phase(links[driver.link].arm(*driver.vector))
         if driver.from_vector is not None:
             offset += phase(links[driver.from_link].arm(*driver.from_vector))
         return offset
@@ -258,7 +303,3 @@ class Topology:
         turn = self.turns[body]
         drivers = self.mechanism.drivers
         return turn.base == FRAME and all(drivers[k].acceleration == 0 for k, _ in turn.drivers)
-
-
-def _chain(first: TurnOf, second: TurnOf) -> TurnOf:
-    return TurnOf(first.base, first.constant + second.constant, first.drivers + second.drivers)

@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from graphkin.base.geometry import Value
 from graphkin.construction import Plot, replay
 from graphkin.errors import ValueForEach
-from graphkin.planning.assembly import refuse_bad_positions
 from graphkin.planning.method import Method
-from graphkin.planning.starting_facts import refuse_contacts_apart
+from graphkin.planning.refusals import refuse_bad_positions, refuse_contacts_apart
 
 
 def replay_all(method: Method, values: Sequence[Value] | None = None, compiled: bool | None = None) -> Plot:

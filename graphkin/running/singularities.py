@@ -15,8 +15,8 @@ from graphkin.base.geometry import weights_of
 from graphkin.base.tolerances import TOUCH
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing
 from graphkin.model.naming import spelled
-from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
+from graphkin.planning.refusals import links_of
 from graphkin.running.path import DriverPath, Event, along, stride
 
 LOOK_DEG, LOOK_PART = 0.5, 0.002

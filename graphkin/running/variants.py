@@ -22,10 +22,9 @@ from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Slide
 from graphkin.model.variants import coincidences, count_of, cut, single, stacked, topology
 from graphkin.planning import plan
-from graphkin.planning.assembly import DEAD_SINE
 from graphkin.planning.branch_search import BETWEEN
-from graphkin.planning.method import Method
-from graphkin.planning.starting_facts import facts_of
+from graphkin.planning.method import Method, facts_of
+from graphkin.planning.refusals import DEAD_SINE
 from graphkin.running.program import TABLES
 from graphkin.running.replaying import replay_all
 

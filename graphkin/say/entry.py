@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.planning.acts import Act
+from graphkin.planning.method import Act
 from graphkin.say.figures import Formula, written
 from graphkin.say.numbers import number
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.by_pose import by_pose, shown
+from graphkin.planning.drawn_position import by_pose, shown
 from graphkin.say.answers import AnswerLines
 from graphkin.say.asked import Asked, asked
 from graphkin.say.deviation import deviations

@@ -22,7 +22,7 @@ from graphkin.construction import (
     Swing,
     Touch,
 )
-from graphkin.planning.held_still import held_points, standing
+from graphkin.planning.at_rest import held_points, moving_parts
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equations import equation, known_arrow
@@ -35,7 +35,7 @@ from graphkin.say.together import solved_together
 
 def polygon(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], number: int) -> Iterator[Entry]:
     """Pole, known motions, equations, and what is read off each, in the order of the construction."""
-    drawn = PolygonReading(reading, plane, standing(reading.method, plane, parts, reading.rested))
+    drawn = PolygonReading(reading, plane, moving_parts(reading.method, plane, parts, reading.rested))
     yield Heading(reading.say(f"derivation.plane {plane}", number=number), plane)
     for part in drawn.parts:
         if isinstance(part, Equation):

@@ -15,9 +15,10 @@ from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.model.pairs import Cam, CircularSlot, Pair
 from graphkin.model.usual import Usual
 from graphkin.planning import Method
-from graphkin.planning.acts import Act, made
+from graphkin.planning.at_rest import at_rest
 from graphkin.planning.labels import Labels
-from graphkin.planning.needed import Fact, at_rest, turnings
+from graphkin.planning.method import Act, made
+from graphkin.planning.needed import Fact, turnings
 from graphkin.say import names
 from graphkin.say.catalogue import say_close
 from graphkin.say.numbers import degrees, direction, number

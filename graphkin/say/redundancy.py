@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from graphkin.errors import Lang, called_pair, listed
 from graphkin.model.naming import named
 from graphkin.planning import Method
-from graphkin.planning.redundancy import SetAside
 from graphkin.planning.stages import Bridge
+from graphkin.planning.structure import SetAside
 from graphkin.say.catalogue import say, say_close
 
 

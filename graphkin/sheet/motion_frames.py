@@ -17,7 +17,7 @@ from graphkin.construction import Plane, Plot, replay
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.step_numbers import births
+from graphkin.planning.method import births
 from graphkin.running.path import along, stride
 from graphkin.running.replaying import replay_all
 from graphkin.sheet.composed import HEADINGS

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphkin.construction import Plot
 from graphkin.planning import Method
-from graphkin.planning.step_numbers import births
+from graphkin.planning.method import births
 from graphkin.sheet.cams import equivalents
 from graphkin.sheet.marks import Disc, Mark, PointMark
 from graphkin.sheet.mechanism_figure import mechanism_figure

@@ -9,7 +9,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Along, Arc, Direction, Meet, Plot, Ray, Site, Touch
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.step_numbers import pages
+from graphkin.planning.method import pages
 from graphkin.sheet.lettering import plain, point_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
 from graphkin.sheet.polygons import named_site
