@@ -231,8 +231,8 @@ def by_pose(method: Method, plot: Plot) -> tuple[Method, Plot] | None:
     if not given or not all(abs(number(value) - number(drawn)) < 1e-12 for value, drawn in values):
         return None
     placed, own = _placement(method), method.position
-    near = 1e-9 * method.size
-    if not all(abs(placed.plot.position[p] - plot.position[p]) < near for p in method.mechanism.points):
+    apart = (abs(place(placed.plot.position[p] - plot.position[p])) for p in method.mechanism.points)
+    if not all(gap < 1e-9 * method.size for gap in apart):
         return None
     structure = replace(placed.structure, contacts=method.structure.contacts)
     more = tuple(part for part in own.parts if isinstance(part, Touch | Ray)

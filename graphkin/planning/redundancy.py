@@ -265,7 +265,7 @@ class Contradictions:
         across = self.restraints.along(slide, q)[1].imag @ free.T
         move = across @ free  # the motion that leads farthest off the line
         ends = (slide.guide, slide.line.origin), (self.restraints.carrier(slide), slide.point)
-        speed = max(abs(self.restraints.place(*end, q)[1] @ move) for end in ends)
+        speed = max(float(abs(self.restraints.place(*end, q)[1] @ move)) for end in ends)
         return float(np.degrees(np.arcsin(min(1.0, across @ across / speed))))
 
     def _refusal(self, each: SetAside, off: float, unit: str, rows: ConstraintRows) -> NotRepeated:

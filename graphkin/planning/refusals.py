@@ -143,8 +143,8 @@ def _open_link(structure: Topology, plot: Plot, size: float) -> tuple[str, float
     for link in structure.mechanism.links.values():
         points = [] if link.name in structure.followers or link.name not in plot.theta else [*link.points]
         for point in points[1:]:
-            arm = link.arm(points[0], point) * np.exp(1j * plot.theta[link.name])
-            gaps.append((link.name, abs(place(plot.arm(points[0], point) - arm))))
+            turned = link.arm(points[0], point) * np.exp(1j * plot.theta[link.name])
+            gaps.append((link.name, abs(place(plot.arm(points[0], point) - turned))))
     for slide in structure.slides.values():
         arm = plot.arm(slide.line.origin, slide.point)
         gap = abs(number(cross(plot.guide_direction(slide.name), arm)))

@@ -52,7 +52,8 @@ def key_of(step: Crossing) -> str:
 
 def event_at(method: Method, step: Crossing, at: float, choices: tuple[int, ...]) -> Event:
     """A stop, or a change point where choices change over, at a crossing."""
-    return Event(at, _kind(step), _called(method, step), choices)
+    links = tuple(spelled(method.mechanism.called(link)) for link in links_of(method.structure, step))
+    return Event(at, _kind(step), links, choices)
 
 
 def choice_of(step: Crossing) -> tuple[int, ...]:
@@ -73,10 +74,6 @@ def _kind(step: Crossing) -> str:
             return "fit"
 
 
-def _called(method: Method, step: Crossing) -> tuple[str, ...]:
-    return tuple(spelled(method.mechanism.called(link)) for link in links_of(method.structure, step))
-
-
 def first_touching(
     method: Method, path: DriverPath, t: np.ndarray, step: Crossing, plot: Plot
 ) -> tuple[float, bool] | None:
@@ -86,8 +83,8 @@ def first_touching(
     low = _lows(sine) & ~apart
     for k in map(int, np.flatnonzero(low | apart)):
         around = float(t[max(k - 1, 0)]), float(t[min(k + 1, t.size - 1)])
-        if (found := _closer(method, path, step, *around)) is not None:
-            return found
+        if (met := _closer(method, path, step, *around)) is not None:
+            return met
         if apart[k]:
             return float(t[max(k - 1, 0)]), False
     return None
@@ -114,11 +111,6 @@ def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -
     sine[touching & ~np.isfinite(sine)] = 0.0
     miss[touching] = 0.0
     return sine, miss
-
-
-def _seen(method: Method, path: DriverPath, step: Crossing, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The same at t (n,) on the path."""
-    return _angle(method, step, along(method, path, t), t.shape)
 
 
 @kept(8, objects=2)
@@ -152,8 +144,8 @@ def touching(method: Method, path: DriverPath, step: Crossing, begin: float, end
     """Where the loci of a crossing touch between two places, to go on beyond; None where they do not."""
     if isinstance(step, Fit) and (place := _turned_over(method, path, step, begin, end)) is not None:
         return place
-    found = _closer(method, path, step, begin, end)
-    return found[0] if found is not None and found[1] else None
+    met = _closer(method, path, step, begin, end)
+    return met[0] if met is not None and met[1] else None
 
 
 def _turned_over(method: Method, path: DriverPath, step: Fit, begin: float, end: float) -> float | None:
@@ -161,7 +153,7 @@ def _turned_over(method: Method, path: DriverPath, step: Fit, begin: float, end:
     for _ in range(2):
         t = np.linspace(begin, end, FEW)
         plot = along(method, path, t)
-        signed = plot.sines["position", step.name] * plot.senses[step.name]
+        signed = np.asarray(plot.sines["position", step.name] * plot.senses[step.name])
         if not signed[0] * signed[-1] < 0 or not np.all(np.diff(signed) * (signed[-1] - signed[0]) > 0):
             return None
         at = float(weights_of(np.zeros(1), signed)[0] @ t)
@@ -185,7 +177,7 @@ def _centred(method: Method, path: DriverPath, step: Crossing, at: float) -> flo
     """Where the sine, which falls and rises in straight lines, comes to 0."""
     aside = CENTRING * stride(method, path.pace, LOOK_DEG, LOOK_PART)
     t = at + aside * np.array([-1.0, 1.0])
-    (before, after), _ = _seen(method, path, step, t)
+    (before, after), _ = _angle(method, step, along(method, path, t), t.shape)
     return at + aside * float((before - after) / (before + after))
 
 

@@ -25,8 +25,8 @@ from graphkin.planning import plan
 from graphkin.planning.branch_search import BETWEEN
 from graphkin.planning.method import Method, facts_of
 from graphkin.planning.refusals import DEAD_SINE
-from graphkin.running.program import TABLES
-from graphkin.running.replaying import replay_all
+from graphkin.running import replay_all
+from graphkin.running.recorder import TABLES
 
 PART = 2048
 """So many mechanisms at once; what they need stays in the cache."""

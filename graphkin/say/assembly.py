@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphkin.errors import Lang
-from graphkin.running.assembled import DrawnSides, Lies
+from graphkin.running.drawn_sides import DrawnSides, PointSide
 from graphkin.say import names
 from graphkin.say.catalogue import say
 
@@ -25,7 +25,7 @@ def _told(found: DrawnSides, lang: Lang) -> Iterator[str]:
         yield say("assembly.near", lang, point=names.point(point), x=x, y=y)
 
 
-def _side(lies: Lies) -> str:
+def _side(lies: PointSide) -> str:
     if lies.by_distance:
         return "far" if lies.to.real > 0 else "near"
     if abs(lies.to.imag) >= abs(lies.to.real):

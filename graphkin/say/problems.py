@@ -25,7 +25,7 @@ from graphkin.model.quantities import (
 from graphkin.model.quantities.at_position import at_position
 from graphkin.model.quantities.reading import read
 from graphkin.model.quantities.units import EDGE
-from graphkin.running.assembled import DrawnSides
+from graphkin.running.drawn_sides import DrawnSides
 from graphkin.say import names
 from graphkin.say.assembly import assembly
 from graphkin.say.catalogue import is_phrase, say

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.running.reaching import moved_to
+from graphkin.running.other_positions import moved_to
 from graphkin.say.finding import caption, lines
 from graphkin.sheet import Sheet
 from graphkin.sheet.gallery_sheet import MOST, side_by_side

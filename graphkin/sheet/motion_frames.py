@@ -18,8 +18,8 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.planning.method import births
+from graphkin.running import replay_all
 from graphkin.running.path import along, stride
-from graphkin.running.replaying import replay_all
 from graphkin.sheet.composed import HEADINGS
 from graphkin.sheet.drives import drives
 from graphkin.sheet.fit import Extent

@@ -14,8 +14,8 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.model.naming import common_link, pair
 from graphkin.planning import Method
 from graphkin.proof import roads as agreement
+from graphkin.running.other_positions import reached
 from graphkin.running.path import DriverPath
-from graphkin.running.reaching import reached
 from graphkin.studies.finding.answers import Position, SlowPoint, Speeds
 from graphkin.studies.finding.conditions import WHERE, Scaling, Slowest, value
 from graphkin.studies.finding.quantities import looked_for

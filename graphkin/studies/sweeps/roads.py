@@ -19,9 +19,9 @@ from graphkin.model.kinematic_state import Motions
 from graphkin.planning import Method, with_other_points
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
-from graphkin.running.many_positions import replay_along
+from graphkin.running.other_positions import replay_along
 from graphkin.running.path import DriverPath, along, stride
-from graphkin.running.program import Entry
+from graphkin.running.recorder import Entry
 from graphkin.studies.centres import centres, over
 
 Road = Literal["construction", "analysis"]

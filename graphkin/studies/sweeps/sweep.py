@@ -14,11 +14,11 @@ from graphkin.model.quantities import EDGE, Centre, Quantity, Quotient, named
 from graphkin.model.readout import Readable
 from graphkin.model.units import Numbers
 from graphkin.planning import Method
-from graphkin.running.many_positions import MANY
+from graphkin.running.in_numpy import lent
+from graphkin.running.other_positions import MANY
 from graphkin.running.path import stride
-from graphkin.running.program import Entry
-from graphkin.running.program.memory import lent
-from graphkin.running.program.program import VERY_MANY
+from graphkin.running.recorder import Entry
+from graphkin.running.replay_program import VERY_MANY
 from graphkin.studies.sweeps.course import Course, course
 from graphkin.studies.sweeps.proof import prove
 from graphkin.studies.sweeps.quantities import Series, asked, series

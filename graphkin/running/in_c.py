@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from graphkin.running.program.tape import FAILING, INPUT, NUMBER, Tape
+from graphkin.running.tape import FAILING, INPUT, NUMBER, Tape
 
 HEAD = """\
 #include <math.h>
