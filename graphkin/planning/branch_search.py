@@ -183,7 +183,7 @@ class _BranchSearch:
         closed: np.ndarray = np.isfinite(places).all(axis=0)
         for name in slides:
             if name in self.cylinders:
-                closed &= np.asarray(here.plot.s[name] > 0)
+                closed = np.asarray(closed & (here.plot.s[name] > 0))
         return closed
 
     # --- what the sketch says -----------------------------------------------------------------

@@ -266,7 +266,7 @@ class Contradictions:
         move = across @ free  # the motion that leads farthest off the line
         ends = (slide.guide, slide.line.origin), (self.restraints.carrier(slide), slide.point)
         speed = max(float(abs(self.restraints.place(*end, q)[1] @ move)) for end in ends)
-        return float(np.degrees(np.arcsin(min(1.0, across @ across / speed))))
+        return float(np.degrees(np.arcsin(min(1.0, float(across @ across) / speed))))
 
     def _refusal(self, each: SetAside, off: float, unit: str, rows: ConstraintRows) -> NotRepeated:
         m, others = self.candidates.mechanism, self.candidates.holding(each, rows, rows.without(each.rows))

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Real
 from graphkin.construction import Plot, replay
 from graphkin.errors import ValueForEach
 from graphkin.planning import Method
@@ -21,7 +21,7 @@ from graphkin.planning.refusals import refuse_bad_positions, refuse_contacts_apa
 __all__ = ["replay_all"]
 
 
-def replay_all(method: Method, values: Sequence[Value] | None = None, compiled: bool | None = None) -> Plot:
+def replay_all(method: Method, values: Sequence[Real] | None = None, compiled: bool | None = None) -> Plot:
     """All three constructions at the drawn position, or at `values`: one entry a driver, scalar or (n,) [rad, m];
     `compiled`: as `ReplayProgram.run` has it.
 

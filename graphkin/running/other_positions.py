@@ -11,7 +11,7 @@ from weakref import finalize
 
 import numpy as np
 
-from graphkin.base.geometry import Real, Value, number
+from graphkin.base.geometry import Real, number
 from graphkin.construction import Plot, replay
 from graphkin.errors import NotReached
 from graphkin.model.quantities import EDGE, driven
@@ -156,8 +156,8 @@ def _worth_it(method: Method, count: int) -> bool:
 
 
 def by_program(
-    method: Method, values: Sequence[Value], sides: Mapping[int, Value] | None = None,
-    near: Mapping[str, Value] | None = None, asked: set[Entry] | None = None, compiled: bool | None = None,
+    method: Method, values: Sequence[Real], sides: Mapping[int, Real] | None = None,
+    near: Mapping[str, Real] | None = None, asked: set[Entry] | None = None, compiled: bool | None = None,
 ) -> Plot | None:  # fmt: skip
     """All three constructions at driver values, scalar or (n,) each; None where they are few, or no program does it.
 

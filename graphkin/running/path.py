@@ -81,7 +81,8 @@ class DriverPath:
     def leads_to(self, t: Real) -> Flags:
         """Whether the positions are reached."""
         before_stops = [np.less(t, stop.at) if stop.at > 0 else np.greater(t, stop.at) for stop in self.stops]
-        return np.all(before_stops, axis=0)
+        reached: Flags = np.all(before_stops, axis=0)
+        return reached
 
     def crossings(self, t: Real) -> dict[int, Real]:
         """The crossing that is right at each t, by choice; arrays for those choices that change over on the path."""

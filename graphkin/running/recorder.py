@@ -7,7 +7,7 @@ is replayed plainly, as where a division fails.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields, replace
 from functools import partial
 from itertools import pairwise
@@ -29,8 +29,8 @@ from graphkin.running.tape import CannotRecord, Tape
 
 TABLES = tuple(each.name for each in fields(Plot) if each.name not in ("facts", "near", "follows"))
 """The tables of a plot."""
-Entry = tuple[str, Hashable]
-"""A table of a plot, or "turn", and a name in it."""
+Entry = tuple[str, str]
+"""A table of a plot, or "turn", and a name in it (a plane and a point in that of sines)."""
 Quantity: TypeAlias = Union[Value, "Recorded"]
 STEPS = 2
 SHORT = 1e-7
@@ -137,7 +137,7 @@ class Recorded:
     def __bool__(self) -> bool:
         raise CannotRecord("a decision")
 
-    def _refused(self, other: Quantity) -> bool:
+    def _refused(self, other: object) -> bool:
         raise CannotRecord("a comparison")
 
     __lt__ = __le__ = __gt__ = __ge__ = __eq__ = __ne__ = _refused
@@ -179,7 +179,7 @@ class Recording:
     """
 
     tape: Tape
-    tables: Mapping[str, Mapping[Hashable, Quantity | GroupSense]]
+    tables: Mapping[str, Mapping[str, Quantity | GroupSense]]
     sides: Mapping[int, int]
     near: tuple[str, ...]
     inputs: int
@@ -301,7 +301,7 @@ def _closure(closure: kinds.Closure, plot: Plot) -> Row:
     for part in closure.parts:
         if isinstance(part, Arm):
             shape, link = plot.facts.shapes[part.link], part.link
-            arrow = (shape[part.head] - shape[part.tail]) * np.exp(1j * plot.theta[link])
+            arrow: Value = (shape[part.head] - shape[part.tail]) * np.exp(1j * plot.theta[link])
         else:
             link = plot.facts.lines[part.slide][0]
             arrow = part.sign * plot.s[part.slide] * plot.guide_direction(part.slide)

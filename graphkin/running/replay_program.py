@@ -6,7 +6,7 @@ positions are replayed plainly.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, MutableMapping, Sequence, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping, MutableMapping, Sequence, Set
 from dataclasses import fields, replace
 from functools import cached_property, partial
 from typing import cast
@@ -82,7 +82,7 @@ class ReplayProgram:
 
     def run(
         self,
-        values: Sequence[Value], sides: Mapping[int, Value] | None = None, near: Mapping[str, Value] | None = None,
+        values: Sequence[Real], sides: Mapping[int, Real] | None = None, near: Mapping[str, Real] | None = None,
         asked: set[Entry] | None = None, compiled: bool | None = None,
     ) -> Plot:  # fmt: skip
         """The plot at driver values, crossings taken on other sides, from positions close by: each scalar or (n,), one
@@ -230,6 +230,8 @@ class PlotTable(Lazy[Value], MutableMapping[str, Value]):
 class LazyPlot(Plot):
     """A finished plot, each table of which is made when it is first read."""
 
+    results: Results
+
     @classmethod
     def of(cls, results: Results) -> LazyPlot:
         plot = cls.__new__(cls)
@@ -290,7 +292,7 @@ class Results:
         part = self.program.part(self.program.entries - self.part.rooms.keys())
         return Results(self.program, part, self.inputs, self.compiled)
 
-    def read(self, table: str, name: Hashable) -> Value:
+    def read(self, table: str, name: str) -> Value:
         """A scalar, or an array (n,) that cannot be written into."""
         value = self.program.recording.tables[table][name]
         if isinstance(value, GroupSense):

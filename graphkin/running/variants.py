@@ -10,11 +10,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import product
+from typing import TypeVar, cast
 
 import numpy as np
 
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Real, Value
 from graphkin.base.value import filled, frozen
 from graphkin.construction import Facts, Meet, Plot, Swing, replay, slide_key
 from graphkin.errors import GraphkinError
@@ -46,7 +48,7 @@ class DrawnVariants:
 
 
 def replay_many(
-    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None = None
+    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Real] | None = None
 ) -> DrawnVariants:
     """Every mechanism of a method's topology, as `api.replay_many` has it; none is held against the analysis."""
     _refuse_others(method, [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms)
@@ -97,7 +99,7 @@ def _accelerated(method: Method, mechanisms: Sequence[Mechanism]) -> Method:
     return plan(replace(method.mechanism, drivers=drivers), structure.coincident, structure.centres)
 
 
-def _shape(count: int, values: Sequence[Value] | None) -> tuple[int, ...]:
+def _shape(count: int, values: Sequence[Real] | None) -> tuple[int, ...]:
     return np.broadcast_shapes((count,), *(np.shape(value) for value in values or ()))
 
 
@@ -108,25 +110,25 @@ class _VariantTables:
     method: Method
     count: int
     shape: tuple[int, ...]
-    tables: dict[str, dict[object, Value]]
+    tables: dict[str, dict[object, np.ndarray]]
 
-    def together(self, mechanism: Mechanism, values: Sequence[Value] | None) -> np.ndarray:
+    def together(self, mechanism: Mechanism, values: Sequence[Real] | None) -> np.ndarray:
         """All mechanisms but those, returned by their numbers, that ask for a plan of their own."""
         sure = _as_planned(self.method, mechanism, self.count)
         facts = facts_of(replace(self.method.structure, mechanism=mechanism), None, {})
         for start in range(0, self.count, PART):
             part = slice(start, min(start + PART, self.count))
-            own = None if values is None else [cut(value, part, self.count) for value in values]
+            own = None if values is None else [_cut(value, part, self.count) for value in values]
             sketch = {point: cut(z, part) for point, z in mechanism.sketch.items()}
             plot, clear = _drawn(self.method, _facts_of_some(facts, part), sketch, own)
             self._keep(plot, part)
             sure[part] &= clear
         return np.flatnonzero(~sure)
 
-    def alone(self, row: int, mechanism: Mechanism, values: Sequence[Value] | None) -> GraphkinError | None:
+    def alone(self, row: int, mechanism: Mechanism, values: Sequence[Real] | None) -> GraphkinError | None:
         """One mechanism by a plan of its own; what is wrong with it, and NaN, where it has none."""
         structure = self.method.structure
-        own = None if values is None else [cut(value, row, self.count) for value in values]
+        own = None if values is None else [_cut(value, row, self.count) for value in values]
         try:
             plot = replay_all(plan(mechanism, structure.coincident, structure.centres), own)
         except GraphkinError as error:
@@ -169,19 +171,28 @@ def _as_planned(method: Method, mechanism: Mechanism, count: int) -> np.ndarray:
 
 
 def _facts_of_some(facts: Facts, part: slice) -> Facts:
+    some = partial(_cut, part=part)
     return replace(
         facts,
-        shapes={link: {point: cut(z, part) for point, z in shape.items()} for link, shape in facts.shapes.items()},
-        lines={slide: (guide, origin, cut(z, part)) for slide, (guide, origin, z) in facts.lines.items()},
-        turns={body: replace(turn, constant=cut(turn.constant, part)) for body, turn in facts.turns.items()},
-        values=tuple(cut(value, part) for value in facts.values),
-        rates=tuple(cut(value, part) for value in facts.rates),
-        accelerations=tuple(cut(value, part) for value in facts.accelerations),
+        shapes={link: {point: _cut(z, part) for point, z in shape.items()} for link, shape in facts.shapes.items()},
+        lines={slide: (guide, origin, _cut(z, part)) for slide, (guide, origin, z) in facts.lines.items()},
+        turns={body: replace(turn, constant=_cut(turn.constant, part)) for body, turn in facts.turns.items()},
+        values=tuple(map(some, facts.values)),
+        rates=tuple(map(some, facts.rates)),
+        accelerations=tuple(map(some, facts.accelerations)),
     )
 
 
+_Number = TypeVar("_Number", bound=Value)
+
+
+def _cut(value: _Number, part: slice | int, count: int = 0) -> _Number:
+    """`cut`, which keeps the kind of what it cuts."""
+    return cast(_Number, cut(value, part, count))
+
+
 def _drawn(
-    method: Method, facts: Facts, sketch: Mapping[str, Value], values: Sequence[Value] | None
+    method: Method, facts: Facts, sketch: Mapping[str, Value], values: Sequence[Real] | None
 ) -> tuple[Plot, np.ndarray]:
     """All constructions of some mechanisms, and whose assembly is beyond doubt (n,); `values` as in `replay_many`."""
     assembled = _assembled(method, facts, sketch)
