@@ -12,10 +12,9 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.analytic.blocks import LoopBlock, blocks_of, moved_by
-from graphkin.analytic.dyads import ways
+from graphkin.analytic.blocks import LoopBlock, blocks_of, dyad_ways, moved_by
+from graphkin.analytic.loops import Complex, Flags, Indices, Reals
 from graphkin.analytic.newton import EquationSystem, close, inverse, search
-from graphkin.analytic.vectors import Complex, Flags, Indices, Real
 from graphkin.base.tolerances import ROUNDED
 from graphkin.base.value import filled, frozen
 
@@ -25,7 +24,7 @@ _STARTS = 24
 """Starts for each unknown of a block, as far as there are as many."""
 _NEAR = 0.05
 """A block this near to the sketch, as part of its condition, has no other assembly as near."""
-Starts = Callable[[], Real]
+Starts = Callable[[], Reals]
 SAME = 1e-4
 """Positions of all unknowns nearer than this are one assembly [rad, size]."""
 
@@ -44,7 +43,7 @@ class BranchJudge:
     forwards: list[int]
 
 
-def branched(closure: EquationSystem, judge: BranchJudge, seen: Real, starts: Starts, c: Real) -> Real:
+def branched(closure: EquationSystem, judge: BranchJudge, seen: Reals, starts: Starts, c: Reals) -> Reals:
     """Positions (a, n) that close every block, the one nearest to the sketch among them; none where none is found.
 
     seen    what the sketch shows of the unknowns (n,), nan elsewhere
@@ -79,9 +78,9 @@ class _BranchWalk:
 
     closure: EquationSystem
     judge: BranchJudge
-    seen: Real
+    seen: Reals
     starts: Starts
-    c: Real
+    c: Reals
     width: int
     limit: float
     sure: bool = True
@@ -93,7 +92,7 @@ class _BranchWalk:
         """Which unknowns left move each sketched point: (k, y)."""
         return moved_by(self.closure, self.judge.rows)
 
-    def through(self, blocks: tuple[LoopBlock, ...]) -> Real:
+    def through(self, blocks: tuple[LoopBlock, ...]) -> Reals:
         known = self.closure.known
         q = known.unknowns(np.zeros((1, len(known.free))), self.c)
         solved = np.zeros(len(known.free), dtype=bool)
@@ -107,11 +106,11 @@ class _BranchWalk:
 
     # --- one block ----------------------------------------------------------------------------
 
-    def _closed(self, block: LoopBlock, q: Real, solved: Flags) -> Real:
+    def _closed(self, block: LoopBlock, q: Reals, solved: Flags) -> Reals:
         """Each branch with every way to close a block."""
         free = self.closure.known.free[block.columns]
         given, told = block.given(q), self.seen[free]
-        both = ways(block, given)
+        both = dyad_ways(block, given)
         if both is not None:
             return self._either(block, q, solved, given, told, both)
         y, met = self._tried(block, np.repeat(np.nan_to_num(told)[None], len(q), axis=0), given)
@@ -132,8 +131,8 @@ class _BranchWalk:
         return self._with(block, q[parent[order]], np.vstack([y[single], more[kept]])[order])
 
     def _either(
-        self, block: LoopBlock, q: Real, solved: Flags, given: Real, told: Real, both: Real
-    ) -> Real:
+        self, block: LoopBlock, q: Reals, solved: Flags, given: Reals, told: Reals, both: Reals
+    ) -> Reals:
         """Each branch with both ways (b, 2, 2) to close a block, or the one that the sketch shows."""
         unknowns = self.closure.loops.unknowns
         angles = [unknowns[column].kind == "theta" for column in self.closure.known.free[block.columns]]
@@ -149,28 +148,28 @@ class _BranchWalk:
         kept = kept[_different(parent[kept], y[kept])]
         return self._with(block, q[parent[kept]], y[kept])
 
-    def _tried(self, block: LoopBlock, y: Real, given: Real) -> tuple[Real, Flags]:
+    def _tried(self, block: LoopBlock, y: Reals, given: Reals) -> tuple[Reals, Flags]:
         """Where the search from y (b, k) ends, and whether the block is closed there."""
         return self._met(block, search(block.part, block.at(y, given), given), given)
 
-    def _met(self, block: LoopBlock, q: Real, given: Real) -> tuple[Real, Flags]:
+    def _met(self, block: LoopBlock, q: Reals, given: Reals) -> tuple[Reals, Flags]:
         """Newton from there: the block's unknowns, and whether it is closed by them."""
         closed = close(block.part, q, given, steps=40)
         return closed.q[:, : len(block.columns)], (closed.gap < ROUNDED) & (closed.step < ROUNDED)
 
-    def _only(self, block: LoopBlock, y: Real, given: Real, told: Real) -> Flags:
+    def _only(self, block: LoopBlock, y: Reals, given: Reals, told: Reals) -> Flags:
         """Whether the sketch shows all of a block, so near that no other way to close it is as near: (b,)."""
         condition = inverse(block.part.matrix(block.at(y, given)))[1]
         return np.asarray(np.max(np.abs(y - told), axis=1, initial=0.0) < _NEAR * condition)
 
-    def _with(self, block: LoopBlock, q: Real, y: Real) -> Real:
+    def _with(self, block: LoopBlock, q: Reals, y: Reals) -> Reals:
         """Branches with a block's unknowns."""
         left = self.closure.known.left[:, block.columns]
         return q + (y - q[:, self.closure.known.free[block.columns]]) @ left.T
 
     # --- what the sketch says -----------------------------------------------------------------
 
-    def _thinned(self, q: Real, solved: Flags) -> Real:
+    def _thinned(self, q: Reals, solved: Flags) -> Reals:
         """The nearest branches: cylinders the right way round, then near the sketch, then displacements positive."""
         away = self.away(q, solved)
         q, away = q[away <= self.limit], away[away <= self.limit]
@@ -182,23 +181,23 @@ class _BranchWalk:
         self._leave(away[order[self.width :]])
         return q[np.sort(order[: self.width])]
 
-    def _leave(self, away: Real) -> None:
+    def _leave(self, away: Reals) -> None:
         self.left = min(self.left, float(away.min()))
 
-    def away(self, q: Real, solved: Flags) -> Real:
+    def away(self, q: Reals, solved: Flags) -> Reals:
         """Squared distance of the sketched points that are found from their places [size²]: (b,)."""
         there = ~(self.moved & ~solved).any(axis=1)
         places = self.closure.loops.vectors.at(q) @ self.judge.rows[there].T
         return np.asarray((np.abs(places - self.judge.places[there]) ** 2).sum(axis=1))
 
-    def _negative(self, q: Real, columns: list[int], solved: Flags) -> Real:
+    def _negative(self, q: Reals, columns: list[int], solved: Flags) -> Reals:
         """How many of some displacements that are found are negative: (b,)."""
         left = np.abs(self.closure.known.left) > 0
         there = [column for column in columns if not (left[column] & ~solved).any()]
         return np.asarray((q[:, there] < 0).sum(axis=1))
 
 
-def _different(parent: Indices, y: Real) -> Indices:
+def _different(parent: Indices, y: Reals) -> Indices:
     """The first of each way to close a block (b, k), of each branch (b,)."""
     left, kept = np.arange(len(parent)), list[int]()
     while left.size:

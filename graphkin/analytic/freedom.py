@@ -9,10 +9,9 @@ from __future__ import annotations
 import numpy as np
 
 from graphkin.analytic.assembly import assemble, held, idle
-from graphkin.analytic.loops import Loops, loops_of
+from graphkin.analytic.loops import Loops, Reals, loops_of
 from graphkin.analytic.newton import EquationSystem, close
 from graphkin.analytic.rules import driven, placing
-from graphkin.analytic.vectors import Real
 from graphkin.base.tolerances import RANK
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import Mechanism
@@ -80,12 +79,12 @@ def mobility(mechanism: Mechanism) -> Mobility:
     )
 
 
-def rank(matrix: Real) -> int:
+def rank(matrix: Reals) -> int:
     """Rank of a matrix that may be empty."""
     return 0 if matrix.size == 0 else int(np.linalg.matrix_rank(matrix, tol=RANK))
 
 
-def null_space(matrix: Real) -> Real:
+def null_space(matrix: Reals) -> Reals:
     """Directions (f, n) in which the equations (k, n) let the unknowns go."""
     if matrix.size == 0:
         return np.eye(matrix.shape[1])
@@ -97,20 +96,20 @@ class _Ranks:
     """Equations at the position q (n,) where they are most independent; driving: the drivers' rows (d, n)."""
 
     loops: Loops
-    driving: Real
-    q: Real
+    driving: Reals
+    q: Reals
 
     @classmethod
-    def at(cls, loops: Loops, driving: Real, positions: list[Real]) -> _Ranks:
+    def at(cls, loops: Loops, driving: Reals, positions: list[Reals]) -> _Ranks:
         """Pick the position of the highest rank, with the drivers and then without."""
 
-        def ranks(q: Real) -> tuple[int, int]:
+        def ranks(q: Reals) -> tuple[int, int]:
             constraints = cls(loops, driving, q).constraints()
             return rank(np.vstack([constraints, driving])), rank(constraints)
 
         return cls(loops, driving / _scale(driving), max(positions, key=ranks))
 
-    def constraints(self) -> Real:
+    def constraints(self) -> Reals:
         """Loops and relations of the pairs: (k, n)."""
         relations = self.loops.weights(self.loops.relations)
         return np.vstack([self.loops.slope(self.q), relations / _scale(relations)])
@@ -126,13 +125,13 @@ class _Ranks:
         return len(self.driving) - len(redundant), tuple(redundant)
 
 
-def _scale(rows: Real) -> Real:
+def _scale(rows: Reals) -> Reals:
     """Largest entry of each row, so that a driven length weighs as much as a driven angle."""
     most = np.max(np.abs(rows), axis=1, initial=0.0, keepdims=True)
     return np.where(most > 0, most, 1.0)
 
 
-def _nearby(loops: Loops, q: Real) -> list[Real]:
+def _nearby(loops: Loops, q: Reals) -> list[Reals]:
     """The position, and some next to it along its freedoms, put together again."""
     closure = EquationSystem.of(loops, (*loops.relations, *held(loops, loops.relations)))
     rng = np.random.default_rng(2)
@@ -144,7 +143,7 @@ def _nearby(loops: Loops, q: Real) -> list[Real]:
     return [q, *(each for each, gap in zip(closed.q, closed.gap, strict=True) if gap < RANK)]
 
 
-def _moving(mechanism: Mechanism, loops: Loops, q: Real, equations: Real) -> tuple[str, ...]:
+def _moving(mechanism: Mechanism, loops: Loops, q: Reals, equations: Reals) -> tuple[str, ...]:
     """Links that turn, or whose origin moves, in some direction the equations leave open."""
     directions = null_space(equations)
     links = {}
@@ -157,7 +156,7 @@ def _moving(mechanism: Mechanism, loops: Loops, q: Real, equations: Real) -> tup
     return tuple(link for link, moves in links.items() if moves > RANK)
 
 
-def _unplaced(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[str, ...]:
+def _unplaced(mechanism: Mechanism, loops: Loops, q: Reals) -> tuple[str, ...]:
     """Links that neither driver values nor poses place at the drawn position; gears and rolling do not place."""
     known = [relation for relation in loops.relations if relation.offset is not None]
     known += [driven(mechanism, each) for each, _ in placing(mechanism)]

@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from graphkin.analytic.assembly import DrawnPosition, drawn, held, idle
-from graphkin.analytic.loops import Loops
-from graphkin.analytic.newton import EquationSystem, inverse
-from graphkin.analytic.rates import Rates, rates, reaching
+from graphkin.analytic.loops import Complex, Flags, Loops, Reals, applied
+from graphkin.analytic.newton import EquationSystem, Rates, inverse, rates, reaching
 from graphkin.analytic.rules import driven
-from graphkin.analytic.vectors import Complex, Flags, Real, applied
 from graphkin.base.value import frozen
 from graphkin.errors import SingularPosition, ValueForEach
 from graphkin.model.kinematic_state import Motions
@@ -45,10 +43,10 @@ class Motion(Motions):
     accelerations are nan at a dead point, too.
     """
 
-    values: tuple[Real, ...]
+    values: tuple[Reals, ...]
     velocity: Mapping[str, Complex]
     acceleration: Mapping[str, Complex]
-    condition: Real
+    condition: Reals
     idle: tuple[str, ...]
 
 
@@ -76,7 +74,7 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     return _motion(mechanism, closure, wanted, q.reshape(*shape, -1), _shaped(found, shape))
 
 
-def _moved(closure: EquationSystem, start: Real, change: Real) -> tuple[Real, list[Limit]]:
+def _moved(closure: EquationSystem, start: Reals, change: Reals) -> tuple[Reals, list[Limit]]:
     """What moves on from the drawn position, if anything does: unknowns (p, n), positions beside change points."""
     if not np.any(change):
         return np.repeat(start[None], len(change), axis=0), []
@@ -91,17 +89,17 @@ def conditioning(mechanism: Mechanism) -> float:
     return _conditioning(driving(mechanism, start.loops, start.closure)[0], start.q)
 
 
-def _conditioning(closure: EquationSystem, q: Real) -> float:
+def _conditioning(closure: EquationSystem, q: Reals) -> float:
     return float(inverse(closure.matrix(q[None]))[1][0])
 
 
-def _definite(mechanism: Mechanism, closure: EquationSystem, q: Real) -> None:
+def _definite(mechanism: Mechanism, closure: EquationSystem, q: Reals) -> None:
     condition = _conditioning(closure, q)
     if not _clear(closure, q[None], np.array([condition])).all():
         raise SingularPosition(mechanism.where("driver"), condition)
 
 
-def _clear(closure: EquationSystem, q: Real, condition: Real) -> Flags:
+def _clear(closure: EquationSystem, q: Reals, condition: Reals) -> Flags:
     """Where velocities are determined, at q (p, n): (p,); also where it is only far displacements that weigh."""
     clear = condition >= SINGULAR
     if (doubtful := np.flatnonzero(~clear)).size:
@@ -120,7 +118,7 @@ def driving(
     return EquationSystem.of(loops, (*pairs, *still, *drivers), drawn), len(pairs) + len(still)
 
 
-def _wanted(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLike] | None) -> tuple[Real, ...]:
+def _wanted(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLike] | None) -> tuple[Reals, ...]:
     """Driver values as arrays of one shape."""
     given = start.values if values is None else values
     if len(given) != len(mechanism.drivers):
@@ -129,7 +127,7 @@ def _wanted(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLi
     return tuple(np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given)))
 
 
-def _rates_of(mechanism: Mechanism, closure: EquationSystem, first: int, q: Real, single: bool) -> Rates:
+def _rates_of(mechanism: Mechanism, closure: EquationSystem, first: int, q: Reals, single: bool) -> Rates:
     """Rates at q (p, n); nan where q is nan and at dead points."""
     speed, push = np.zeros((2, len(closure.weights)))
     speed[first:] = [driver.rate for driver in mechanism.drivers]
@@ -151,7 +149,7 @@ def _shaped(found: Rates, shape: tuple[int, ...]) -> Rates:
     return Rates(first, second, found.condition.reshape(shape))
 
 
-def _motion(mechanism: Mechanism, closure: EquationSystem, values: tuple[Real, ...], q: Real, found: Rates) -> Motion:
+def _motion(mechanism: Mechanism, closure: EquationSystem, values: tuple[Reals, ...], q: Reals, found: Rates) -> Motion:
     """Read everything off the unknowns."""
     loops, vectors = closure.loops, closure.loops.vectors
     three = q, found.first, found.second
@@ -175,7 +173,7 @@ def _by_link(mechanism: Mechanism, values: Mapping[str, Complex]) -> dict[str, d
     return {link: {point: values[point]} for link, point in firsts.items()}
 
 
-def _named(loops: Loops, values: Real, kind: str, names: Collection[str]) -> dict[str, Real]:
+def _named(loops: Loops, values: Reals, kind: str, names: Collection[str]) -> dict[str, Reals]:
     """Unknowns of one kind by name, those of the analysis' own making left out, in SI units."""
     return {
         unknown.name: np.asarray(values[..., at] * loops.unit[at])[()]

@@ -11,10 +11,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphkin.analytic.newton import Closed, EquationSystem, close
+from graphkin.analytic.loops import Flags, Indices, Reals
+from graphkin.analytic.newton import Closed, EquationSystem, close, tangent
 from graphkin.analytic.path import MotionPath, RightSides, path_along
-from graphkin.analytic.rates import tangent
-from graphkin.analytic.vectors import Flags, Indices, Real
 from graphkin.base.value import frozen
 
 _SAME = 1e-12
@@ -58,11 +57,11 @@ class Limit:
     """
 
     rows: Indices
-    q: Real
-    weights: Real
+    q: Reals
+    weights: Reals
 
 
-def moved(closure: EquationSystem, start: Real, c: Real, change: Real) -> tuple[Real, list[Limit]]:
+def moved(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> tuple[Reals, list[Limit]]:
     """Unknowns (p, n) where the right sides are c (k,) + change (p, k), and the positions beside change points.
 
     nan where the way does not lead. `start` are the unknowns (n,) at c.
@@ -79,7 +78,7 @@ def moved(closure: EquationSystem, start: Real, c: Real, change: Real) -> tuple[
     return goals, [Limit(there[limit.rows], limit.q, limit.weights) for limit in found[1]]
 
 
-def _on_line(closure: EquationSystem, start: Real, c: Real, change: Real) -> tuple[Real, list[Limit]] | None:
+def _on_line(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> tuple[Reals, list[Limit]] | None:
     """Positions on one line, which may pass the drawn position by: first straight to it. None where none joins them."""
     base, line = change[0], change[int(np.argmax(np.abs(change - change[0]).sum(axis=1)))] - change[0]
     square = float(line @ line)
@@ -98,7 +97,7 @@ def _on_line(closure: EquationSystem, start: Real, c: Real, change: Real) -> tup
     return _at(RightSides(closure, c, line), start, along)
 
 
-def _at(line: RightSides, start: Real, along: Real) -> tuple[Real, list[Limit]]:
+def _at(line: RightSides, start: Reals, along: Reals) -> tuple[Reals, list[Limit]]:
     """Positions along a path, found all at once from its nodes."""
     beyond = 4 * _ASIDE * line.longest if np.any(line.toward) else 0.0
     ends = min(along.min(), 0.0) - beyond, max(along.max(), 0.0) + beyond
@@ -107,7 +106,7 @@ def _at(line: RightSides, start: Real, along: Real) -> tuple[Real, list[Limit]]:
     return _on(path_along(line, start, *ends), along)
 
 
-def _turn_by_turn(line: RightSides, start: Real, along: Real, beyond: float) -> tuple[Real, list[Limit]] | None:
+def _turn_by_turn(line: RightSides, start: Reals, along: Reals, beyond: float) -> tuple[Reals, list[Limit]] | None:
     """The same by the path of one turn, where that ends as it began; None where it does not."""
     path = path_along(line, start, -beyond, line.turn + beyond)
     begin, end = _closed_at(path, np.array([0.0, line.turn]))
@@ -120,7 +119,7 @@ def _turn_by_turn(line: RightSides, start: Real, along: Real, beyond: float) -> 
     return q + turns[:, None] * gone, limits
 
 
-def _on(path: MotionPath, along: Real) -> tuple[Real, list[Limit]]:
+def _on(path: MotionPath, along: Reals) -> tuple[Reals, list[Limit]]:
     q = _closed_at(path, along)
     limits = [limit for change in path.changes if (limit := _beside(path, along, change)) is not None]
     for limit in limits:
@@ -128,7 +127,7 @@ def _on(path: MotionPath, along: Real) -> tuple[Real, list[Limit]]:
     return q, limits
 
 
-def _closed_at(path: MotionPath, along: Real) -> Real:
+def _closed_at(path: MotionPath, along: Reals) -> Reals:
     line, guess = path.line, path.between(along)
     closed = close(line.closure, guess, line.c + along[:, None] * line.toward, steps=25)
     margin = _MARGIN * line.longest
@@ -136,7 +135,7 @@ def _closed_at(path: MotionPath, along: Real) -> Real:
     return np.where((reached & _good(line.closure, closed, guess))[:, None], closed.q, np.nan)
 
 
-def _beside(path: MotionPath, along: Real, change: float) -> Limit | None:
+def _beside(path: MotionPath, along: Reals, change: float) -> Limit | None:
     """The positions beside a change point; none where its neighbours are not all reached."""
     others = [*(abs(change - other) for other in path.changes if other != change), *np.abs(path.at[[0, -1]] - change)]
     aside = min(_ASIDE * path.line.longest, min(others) / _CLEAR)
@@ -153,7 +152,7 @@ def _beside(path: MotionPath, along: Real, change: float) -> Limit | None:
     return Limit(rows, q, _weights((along[rows] - change) / aside, _PLACES))
 
 
-def _weights(x: Real, places: Real) -> Real:
+def _weights(x: Reals, places: Reals) -> Reals:
     """Lagrange's weights of neighbours at places (k,), for x (m,): (m, k)."""
     weights = np.ones((len(x), len(places)))
     for k, place in enumerate(places):
@@ -166,7 +165,7 @@ _MIDDLE = np.concatenate([[0.0], _weights(np.zeros(1), _PLACES[1:-1])[0], [0.0]]
 """The change point itself by the inner neighbours alone."""
 
 
-def _fanned(closure: EquationSystem, start: Real, c: Real, change: Real) -> Real:
+def _fanned(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> Reals:
     """Every position on its own straight way."""
     q, done = np.broadcast_to(start, (len(change), len(start))), np.zeros(len(change))
     for q, done in _walk(closure, start, c, change):  # noqa: B007 - the last one counts
@@ -176,7 +175,7 @@ def _fanned(closure: EquationSystem, start: Real, c: Real, change: Real) -> Real
     return np.where((reached & _good(closure, closed, q))[:, None], closed.q, np.nan)
 
 
-def _walk(closure: EquationSystem, start: Real, c: Real, change: Real) -> Iterator[tuple[Real, Real]]:
+def _walk(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> Iterator[tuple[Reals, Reals]]:
     """Yield (q (p, n), share of the way done (p,)) after each sub-step, until all arrive or are stuck."""
     q, done = np.repeat(start[None], len(change), axis=0), np.zeros(len(change))
     longest, heard = _longest(closure, change), closure.loops.moves(closure.loops.rows)
@@ -205,7 +204,7 @@ def _walk(closure: EquationSystem, start: Real, c: Real, change: Real) -> Iterat
         yield q.copy(), done.copy()
 
 
-def _longest(closure: EquationSystem, change: Real) -> Real:
+def _longest(closure: EquationSystem, change: Reals) -> Reals:
     """The longest sub-step of each position, as a share of its way: (p,)."""
     lengths = np.max(np.abs(closure.weights), axis=1, initial=0.0) == closure.loops.size
     angle = np.where(lengths, _STRIDE / _LENGTH_STRIDE / closure.loops.size, 1.0)
@@ -213,7 +212,7 @@ def _longest(closure: EquationSystem, change: Real) -> Real:
     return np.asarray(np.minimum(1.0, _STRIDE / np.maximum(way, _STRIDE)))
 
 
-def _good(closure: EquationSystem, closed: Closed, tried: Real) -> Flags:
+def _good(closure: EquationSystem, closed: Closed, tried: Reals) -> Flags:
     """Closed, settled, and not far from where it was expected."""
     away = np.abs(closed.q - tried)[:, closure.loops.moves(closure.loops.rows)]
     near = np.max(away, axis=-1, initial=0.0) < _TRUST

@@ -15,9 +15,8 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.analytic.newton import EquationSystem, close
-from graphkin.analytic.rates import tangent
-from graphkin.analytic.vectors import Flags, Real
+from graphkin.analytic.loops import Flags, Reals
+from graphkin.analytic.newton import EquationSystem, close, tangent
 from graphkin.base.tolerances import TOUCH
 from graphkin.base.value import filled, frozen
 
@@ -42,8 +41,8 @@ class PathNode:
     """Unknowns (n,) and their slopes at a place on the line; the reciprocal condition, with the determinant's sign."""
 
     at: float
-    q: Real
-    slope: Real
+    q: Reals
+    slope: Reals
     measure: float
 
 
@@ -52,8 +51,8 @@ class RightSides:
     """Right sides c + at * toward (k,) of the relations; `longest` is the longest step along it."""
 
     closure: EquationSystem
-    c: Real
-    toward: Real
+    c: Reals
+    toward: Reals
 
     @cached_property
     def lengths(self) -> Flags:
@@ -82,7 +81,7 @@ class RightSides:
         """Which unknowns are displacements: (n,)."""
         return np.array([unknown.kind == "s" for unknown in self.closure.loops.unknowns])
 
-    def node(self, at: float, guess: Real) -> PathNode | None:
+    def node(self, at: float, guess: Reals) -> PathNode | None:
         """The position at a place, from one close by; None where it is not closed."""
         closed = close(self.closure, guess[None], self.c + at * self.toward, steps=9)
         if not (closed.gap[0] < CLOSED and closed.step[0] < SETTLED):
@@ -90,7 +89,7 @@ class RightSides:
         slope, condition, sense = tangent(self.closure, closed.q, self.toward)
         return PathNode(at, closed.q[0], slope[0], float(condition[0] * sense[0]))
 
-    def largest(self, change: Real, q: Real) -> float:
+    def largest(self, change: Reals, q: Reals) -> float:
         """The largest change of an unknown in the loops [rad, size]; of a displacement far off, as part of it."""
         scale = np.where(self.slides, np.maximum(np.abs(q), 1.0), 1.0)
         return float(np.max(np.abs(change / scale)[self.heard], initial=0.0))
@@ -105,10 +104,10 @@ class MotionPath:
     changes: tuple[float, ...]
 
     @cached_property
-    def at(self) -> Real:
+    def at(self) -> Reals:
         return np.array([node.at for node in self.nodes])
 
-    def between(self, at: Real) -> Real:
+    def between(self, at: Reals) -> Reals:
         """Unknowns at places (p,), as far as the nodes tell them: (p, n)."""
         q, slopes = np.array([node.q for node in self.nodes]), np.array([node.slope for node in self.nodes])
         if len(self.nodes) == 1:
@@ -118,7 +117,7 @@ class MotionPath:
         return _cubic(*ends, at)[0]
 
 
-def path_along(line: RightSides, start: Real, low: float, high: float) -> MotionPath:
+def path_along(line: RightSides, start: Reals, low: float, high: float) -> MotionPath:
     """The path from the unknowns `start` (n,) at 0 down to `low` and up to `high`, or as far as it leads."""
     forth = _MotionWalk(line, start)
     back = _MotionWalk(replace(line, toward=-line.toward), start)
@@ -134,7 +133,7 @@ class _MotionWalk:
     """One direction of a path; `missed` is where two motions only came near each other."""
 
     line: RightSides
-    start: Real
+    start: Reals
     nodes: list[PathNode] = field(default_factory=list)
     changes: list[float] = field(default_factory=list)
     missed: float = -np.inf
@@ -181,7 +180,7 @@ class _MotionWalk:
             return None
         return node if self.line.largest(node.slope - slope, q) * (at - self.last.at) < SWERVE else None
 
-    def _extrapolated(self, at: float) -> tuple[Real, Real]:
+    def _extrapolated(self, at: float) -> tuple[Reals, Reals]:
         here = self.last
         if len(self.nodes) == 1:
             return here.q + (at - here.at) * here.slope, here.slope
@@ -261,17 +260,17 @@ def _meeting(left: float, right: float, before: float, after: float) -> float:
     return left + (right - left) * before / max(before + after, 1e-300)
 
 
-def _between(left: PathNode, right: PathNode, at: Real) -> tuple[Real, Real]:
+def _between(left: PathNode, right: PathNode, at: Reals) -> tuple[Reals, Reals]:
     """Unknowns and slopes (p, n) at places (p,) between two nodes, or beyond them."""
     first, last = ((np.full(len(at), node.at), node.q[None], node.slope[None]) for node in (left, right))
     return _cubic(first, last, at)
 
 
-End = tuple[Real, Real, Real]
+End = tuple[Reals, Reals, Reals]
 """Places (p,), unknowns and slopes (p, n)."""
 
 
-def _cubic(left: End, right: End, at: Real) -> tuple[Real, Real]:
+def _cubic(left: End, right: End, at: Reals) -> tuple[Reals, Reals]:
     """Hermite's cubic: values and slopes (p, n)."""
     width = (right[0] - left[0])[:, None]
     t = (at - left[0])[:, None] / width
