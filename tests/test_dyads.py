@@ -5,8 +5,7 @@ import pytest
 from random_mechanisms import dyad
 
 from graphkin.analytic.assembly import drawn
-from graphkin.analytic.blocks import blocks_of
-from graphkin.analytic.blocks import dyad_ways
+from graphkin.analytic.blocks import blocks_of, dyad_ways
 from graphkin.analytic.newton import EquationSystem, close, search
 from graphkin.analytic.rules import driven
 

@@ -9,10 +9,10 @@ space in them (`cam c0`), so no name of a file can clash.
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
-from graphkin.base.geometry import phase
 from graphkin.base.tolerances import ROUNDED
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
@@ -203,4 +203,4 @@ def _turned(link: str, reference: str) -> dict[Unknown, float]:
 
 def _axis_to(mechanism: Mechanism, link: str, vector: tuple[str, str] | None) -> float:
     """Angle from a link's axis to the direction of two of its points [rad]; 0 where none is named."""
-    return 0.0 if vector is None else phase(mechanism.links[link].arm(*vector))
+    return 0.0 if vector is None else cmath.phase(mechanism.links[link].arm(*vector))

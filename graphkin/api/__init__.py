@@ -82,7 +82,7 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
 
 
 def _refuse_wrong_drivers(mechanism: Mechanism) -> None:
-    from graphkin.proof.mobility_errors import wrong_drivers
+    from graphkin.proof.roads import wrong_drivers
 
     if (error := wrong_drivers(mechanism)) is not None:
         raise error

@@ -162,10 +162,10 @@ def read_at(source: str, angles: Sequence[float], displacements: Sequence[float]
     if not angles and not displacements:
         return machine
     from graphkin import api
-    from graphkin.proof.repose import standing
+    from graphkin.proof.readings import mechanism_at
 
     method = api.plan(machine)
-    return standing(method, at_values(method, angles, displacements) or ())
+    return mechanism_at(method, at_values(method, angles, displacements) or ())
 
 
 def drawn(

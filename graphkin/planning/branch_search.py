@@ -180,7 +180,7 @@ class _BranchSearch:
         places = np.empty((len(points), here.count), dtype=complex)
         for row, point in zip(places, points, strict=True):
             row[:] = here.plot.position[point]
-        closed: np.ndarray = np.isfinite(places).all(axis=0)
+        closed = np.asarray(np.isfinite(places).all(axis=0))
         for name in slides:
             if name in self.cylinders:
                 closed = np.asarray(closed & (here.plot.s[name] > 0))
