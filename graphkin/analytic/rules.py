@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from graphkin.base.tolerances import ROUNDED
 from graphkin.base.value import frozen
@@ -125,7 +125,7 @@ def replaced(mechanism: Mechanism, pair: Cam | CircularSlot) -> Share:
     return Share((_beside(mechanism, same, link, _own(pair)),))
 
 
-RULES: dict[type[Any], Callable[[Mechanism, Any], Share]] = {
+RULES: dict[type[object], Callable[..., Share]] = {
     Revolute: hinge,
     Slide: slide,
     CircularSlot: replaced,

@@ -42,7 +42,7 @@ class TurnOf:
     """How a link's angle hangs on another's: theta = theta(base) + constant + sum of sign * driver value."""
 
     base: str
-    constant: Real = 0.0
+    constant: float = 0.0
     drivers: tuple[tuple[int, int], ...] = ()
 
 

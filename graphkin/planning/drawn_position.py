@@ -84,7 +84,7 @@ def as_drawn(
     valued, counted = replace(lower, drivers=drivers, sketch=sketch), dict(drawn)
     for body, turn in replace(structure, mechanism=valued).turns.items():  # count whole turns as the drivers' values do
         values = sum(sign * (drivers[k].value or 0.0) for k, sign in turn.drivers)
-        turns = round((drawn[turn.base] + number(turn.constant) + values - drawn[body]) / (2 * np.pi))
+        turns = round((drawn[turn.base] + turn.constant + values - drawn[body]) / (2 * np.pi))
         counted[body] = drawn[body] + 2 * np.pi * turns
     return counted, valued
 

@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from typing import cast
 
-from graphkin.base.geometry import Real, phase
+from graphkin.base.geometry import phase
 from graphkin.base.value import frozen
 from graphkin.construction import Site, TurnOf
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
@@ -271,7 +272,7 @@ class Topology:
     def _angle_ties(self) -> Iterator[tuple[str, str, TurnOf]]:
         """Two bodies, and the second's angle against the first: as given by a slide or by a driver."""
         for slide in self.joining:
-            turn, block = slide.turn if slide.block is not None else phase(slide.line.direction), self.block(slide)
+            turn, block = slide.turn if slide.block is not None else _angle_of(slide.line.direction), self.block(slide)
             yield slide.guide, block, TurnOf(slide.guide, turn)
             yield block, slide.guide, TurnOf(block, -turn)
         yield from ((FRAME, idle, TurnOf(FRAME)) for idle in self.idle)
@@ -281,14 +282,14 @@ class Topology:
                 yield driver.from_link, driver.link, TurnOf(driver.from_link, offset, ((k, 1),))
                 yield driver.link, driver.from_link, TurnOf(driver.link, -offset, ((k, -1),))
 
-    def driver_offset(self, driver: Driver) -> Real:
+    def driver_offset(self, driver: Driver) -> float:
         """Angle of the driven link against the other where the driver's own value is 0."""
         links = self.mechanism.links
         if driver.vector is None:
             return 0.0
-        offset = -phase(links[driver.link].arm(*driver.vector))
+        offset = -_angle_of(links[driver.link].arm(*driver.vector))
         if driver.from_vector is not None:
-            offset += phase(links[driver.from_link].arm(*driver.from_vector))
+            offset += _angle_of(links[driver.from_link].arm(*driver.from_vector))
         return offset
 
     @property
@@ -303,3 +304,8 @@ class Topology:
         turn = self.turns[body]
         drivers = self.mechanism.drivers
         return turn.base == FRAME and all(drivers[k].acceleration == 0 for k, _ in turn.drivers)
+
+
+def _angle_of(vector: complex) -> float:
+    """The angle of a vector; an array where the dimensions of many mechanisms lie side by side in arrays [rad]."""
+    return cast(float, phase(vector))
