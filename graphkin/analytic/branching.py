@@ -8,7 +8,6 @@ not every block was as sketched, all are searched again for what lies nearer to 
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cached_property
 
 import numpy as np
 
@@ -31,7 +30,7 @@ SAME = 1e-4
 
 @frozen
 class BranchJudge:
-    """What branches are judged by, each with the unknowns left that it hangs on.
+    """The sketch and custom by which branches are judged.
 
     places    rows of the sketched points, and where they are sketched, in units of size
     backwards, forwards   columns of displacements that must be, or are taken, positive
@@ -87,10 +86,9 @@ class _BranchWalk:
     every: bool = True
     left: float = np.inf
 
-    @cached_property
-    def moved(self) -> Flags:
+    def __post_init__(self) -> None:
+        self.moved = moved_by(self.closure, self.judge.rows)
         """Which unknowns left move each sketched point: (k, y)."""
-        return moved_by(self.closure, self.judge.rows)
 
     def through(self, blocks: tuple[LoopBlock, ...]) -> Reals:
         known = self.closure.known
@@ -98,8 +96,7 @@ class _BranchWalk:
         solved = np.zeros(len(known.free), dtype=bool)
         for block in blocks:
             solved[block.columns] = True
-            q = self._closed(block, q, solved)
-            q = self._thinned(q, solved)
+            q = self._thinned(self._closed(block, q, solved), solved)
             if not len(q):
                 break
         return q
@@ -109,12 +106,12 @@ class _BranchWalk:
     def _closed(self, block: LoopBlock, q: Reals, solved: Flags) -> Reals:
         """Each branch with every way to close a block."""
         free = self.closure.known.free[block.columns]
-        given, told = block.given(q), self.seen[free]
+        given, sketched = block.given(q), self.seen[free]
         both = dyad_ways(block, given)
         if both is not None:
-            return self._either(block, q, solved, given, told, both)
-        y, met = self._tried(block, np.repeat(np.nan_to_num(told)[None], len(q), axis=0), given)
-        single = met & self._only(block, y, given, told) & np.isinf(self.limit)
+            return self._either(block, q, solved, given, sketched, both)
+        y, met = self._searched(block, np.repeat(np.nan_to_num(sketched)[None], len(q), axis=0), given)
+        single = met & self._only(block, y, given, sketched) & np.isinf(self.limit)
         self.every &= not single.any()
         if single.all():
             return self._with(block, q, y)
@@ -123,7 +120,7 @@ class _BranchWalk:
         places = starts[:: max(1, len(starts) // max(1, _STARTS * len(free)))][:, free]
         unsure = np.flatnonzero(~single)
         parent = np.repeat(unsure, len(places))
-        more, met = self._tried(block, np.tile(places, (len(unsure), 1)), given[parent])
+        more, met = self._searched(block, np.tile(places, (len(unsure), 1)), given[parent])
         parent, more = parent[met], more[met]
         kept = _different(parent, more)
         parent = np.concatenate([np.flatnonzero(single), parent[kept]])
@@ -131,24 +128,24 @@ class _BranchWalk:
         return self._with(block, q[parent[order]], np.vstack([y[single], more[kept]])[order])
 
     def _either(
-        self, block: LoopBlock, q: Reals, solved: Flags, given: Reals, told: Reals, both: Reals
+        self, block: LoopBlock, q: Reals, solved: Flags, given: Reals, sketched: Reals, both: Reals
     ) -> Reals:
         """Each branch with both ways (b, 2, 2) to close a block, or the one that the sketch shows."""
         unknowns = self.closure.loops.unknowns
         angles = [unknowns[column].kind == "theta" for column in self.closure.known.free[block.columns]]
-        turned = np.round(np.where(angles, both - np.nan_to_num(told), 0.0) / (2 * np.pi))
+        turned = np.round(np.where(angles, both - np.nan_to_num(sketched), 0.0) / (2 * np.pi))
         parent = np.repeat(np.arange(len(q)), 2)
         y, met = self._met(block, block.at((both - 2 * np.pi * turned).reshape(-1, 2), given[parent]), given[parent])
-        single = met & self._only(block, y, given[parent], told) & np.isinf(self.limit)
+        single = met & self._only(block, y, given[parent], sketched) & np.isinf(self.limit)
         alone = single.reshape(-1, 2).any(axis=1)
         self.sure &= bool(alone.all())
         if (others := np.flatnonzero(met & ~single & alone[parent])).size:
-            self._leave(self.away(self._with(block, q[parent[others]], y[others]), solved))
+            self.left = min(self.left, float(self.away(self._with(block, q[parent[others]], y[others]), solved).min()))
         kept = np.flatnonzero(np.where(alone[parent], single, met))
         kept = kept[_different(parent[kept], y[kept])]
         return self._with(block, q[parent[kept]], y[kept])
 
-    def _tried(self, block: LoopBlock, y: Reals, given: Reals) -> tuple[Reals, Flags]:
+    def _searched(self, block: LoopBlock, y: Reals, given: Reals) -> tuple[Reals, Flags]:
         """Where the search from y (b, k) ends, and whether the block is closed there."""
         return self._met(block, search(block.part, block.at(y, given), given), given)
 
@@ -157,10 +154,10 @@ class _BranchWalk:
         closed = close(block.part, q, given, steps=40)
         return closed.q[:, : len(block.columns)], (closed.gap < ROUNDED) & (closed.step < ROUNDED)
 
-    def _only(self, block: LoopBlock, y: Reals, given: Reals, told: Reals) -> Flags:
+    def _only(self, block: LoopBlock, y: Reals, given: Reals, sketched: Reals) -> Flags:
         """Whether the sketch shows all of a block, so near that no other way to close it is as near: (b,)."""
         condition = inverse(block.part.matrix(block.at(y, given)))[1]
-        return np.asarray(np.max(np.abs(y - told), axis=1, initial=0.0) < _NEAR * condition)
+        return np.asarray(np.max(np.abs(y - sketched), axis=1, initial=0.0) < _NEAR * condition)
 
     def _with(self, block: LoopBlock, q: Reals, y: Reals) -> Reals:
         """Branches with a block's unknowns."""
@@ -178,11 +175,8 @@ class _BranchWalk:
         steps = np.round(np.sqrt(away) / SAME)
         ranks = self._negative(q, self.judge.forwards, solved), steps, self._negative(q, self.judge.backwards, solved)
         order = np.lexsort(ranks)
-        self._leave(away[order[self.width :]])
+        self.left = min(self.left, float(away[order[self.width :]].min()))
         return q[np.sort(order[: self.width])]
-
-    def _leave(self, away: Reals) -> None:
-        self.left = min(self.left, float(away.min()))
 
     def away(self, q: Reals, solved: Flags) -> Reals:
         """Squared distance of the sketched points that are found from their places [size²]: (b,)."""

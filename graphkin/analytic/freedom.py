@@ -57,7 +57,6 @@ def mobility(mechanism: Mechanism) -> Mobility:
     loops = loops_of(mechanism)
     whole = assemble(mechanism, loops)
     pairs = whole if whole.q is not None else assemble(mechanism, loops, driving=False)
-    gap_mm = None if whole.q is not None else whole.gap * 1e3
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
     quiet = idle(mechanism, loops)
     if pairs.q is None:
@@ -66,6 +65,10 @@ def mobility(mechanism: Mechanism) -> Mobility:
     independent, redundant = ranks.drivers()
     constraints = ranks.constraints()
     still = loops.weights(held(loops, loops.relations))
+    # at the drawn position driver values and poses place links; gears and rolling do not
+    known = [relation for relation in loops.relations if relation.offset is not None]
+    known += [driven(mechanism, each) for each, _ in placing(mechanism)]
+    placed = loops.weights([*known, *held(loops, known)])
     return Mobility(
         freedoms=len(loops.unknowns) - len(quiet) - rank(constraints),
         drivers=len(drivers),
@@ -74,8 +77,8 @@ def mobility(mechanism: Mechanism) -> Mobility:
         redundant=redundant,
         repeated=len(constraints) - rank(constraints),
         idle=quiet,
-        unplaced=_unplaced(mechanism, loops, ranks.q),
-        gap_mm=gap_mm,
+        unplaced=_moving(mechanism, loops, ranks.q, np.vstack([loops.slope(ranks.q), placed / _scale(placed)])),
+        gap_mm=None if whole.q is not None else whole.gap * 1e3,
     )
 
 
@@ -145,20 +148,10 @@ def _nearby(loops: Loops, q: Reals) -> list[Reals]:
 
 def _moving(mechanism: Mechanism, loops: Loops, q: Reals, equations: Reals) -> tuple[str, ...]:
     """Links that turn, or whose origin moves, in some direction the equations leave open."""
-    directions = null_space(equations)
-    links = {}
+    directions, moving = null_space(equations), []
     for link in mechanism.moving:
         turn = [unknown == ("theta", link) for unknown in loops.unknowns]
-        origin = loops.vectors.slope(loops.origins[link][None], q)[0]
-        links[link] = np.max(np.abs(directions[:, turn]), initial=0.0) + np.max(
-            np.abs(directions @ origin), initial=0.0
-        )
-    return tuple(link for link, moves in links.items() if moves > RANK)
-
-
-def _unplaced(mechanism: Mechanism, loops: Loops, q: Reals) -> tuple[str, ...]:
-    """Links that neither driver values nor poses place at the drawn position; gears and rolling do not place."""
-    known = [relation for relation in loops.relations if relation.offset is not None]
-    known += [driven(mechanism, each) for each, _ in placing(mechanism)]
-    rows = loops.weights([*known, *held(loops, known)])
-    return _moving(mechanism, loops, q, np.vstack([loops.slope(q), rows / _scale(rows)]))
+        shift = directions @ loops.vectors.slope(loops.origins[link][None], q)[0]
+        if np.max(np.abs(directions[:, turn]), initial=0.0) + np.max(np.abs(shift), initial=0.0) > RANK:
+            moving.append(link)
+    return tuple(moving)

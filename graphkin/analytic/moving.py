@@ -14,6 +14,7 @@ import numpy as np
 from graphkin.analytic.loops import Flags, Indices, Reals
 from graphkin.analytic.newton import Closed, EquationSystem, close, tangent
 from graphkin.analytic.path import MotionPath, RightSides, path_along
+from graphkin.base.geometry import weights_of
 from graphkin.base.value import frozen
 
 _SAME = 1e-12
@@ -70,39 +71,35 @@ def moved(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> tup
     there = np.flatnonzero(np.isfinite(change).all(axis=1))
     if not there.size:
         return goals, []
-    change = change[there]
-    if (found := _on_line(closure, start, c, change)) is None:
-        goals[there] = _fanned(closure, start, c, change)
+    if (on_line := _on_line(closure, start, c, change[there])) is None:
+        goals[there] = _fanned(closure, start, c, change[there])
         return goals, []
-    goals[there] = found[0]
-    return goals, [Limit(there[limit.rows], limit.q, limit.weights) for limit in found[1]]
+    goals[there], limits = on_line
+    return goals, [Limit(there[limit.rows], limit.q, limit.weights) for limit in limits]
 
 
 def _on_line(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> tuple[Reals, list[Limit]] | None:
-    """Positions on one line, which may pass the drawn position by: first straight to it. None where none joins them."""
-    base, line = change[0], change[int(np.argmax(np.abs(change - change[0]).sum(axis=1)))] - change[0]
-    square = float(line @ line)
+    """Positions on one line, which may pass the drawn position by: first straight to it, then all at once from the
+    nodes of a path. None where no line joins them."""
+    base, direction = change[0], change[int(np.argmax(np.abs(change - change[0]).sum(axis=1)))] - change[0]
+    square = float(direction @ direction)
     if square < _SAME**2:
-        base, line = np.zeros_like(base), base
+        base, direction = np.zeros_like(base), base
     else:
-        base = base - line * float(base @ line) / square
-    along = (change - base) @ line / max(float(line @ line), np.finfo(float).tiny)
-    if not np.allclose(base + along[:, None] * line, change, rtol=0, atol=_SAME):
+        base = base - direction * float(base @ direction) / square
+    along = (change - base) @ direction / max(float(direction @ direction), np.finfo(float).tiny)
+    if not np.allclose(base + along[:, None] * direction, change, rtol=0, atol=_SAME):
         return None
     if np.max(np.abs(base), initial=0.0) > _SAME:
         aside = path_along(RightSides(closure, c, base), start, 0.0, 1.0)
         if aside.at[-1] < 1.0:
             return None
         start, c = aside.between(np.ones(1))[0], c + base
-    return _at(RightSides(closure, c, line), start, along)
-
-
-def _at(line: RightSides, start: Reals, along: Reals) -> tuple[Reals, list[Limit]]:
-    """Positions along a path, found all at once from its nodes."""
-    beyond = 4 * _ASIDE * line.longest if np.any(line.toward) else 0.0
+    line = RightSides(closure, c, direction)
+    beyond = 4 * _ASIDE * line.longest if np.any(direction) else 0.0
     ends = min(along.min(), 0.0) - beyond, max(along.max(), 0.0) + beyond
-    if ends[1] - ends[0] > 2 * line.turn and (found := _turn_by_turn(line, start, along, beyond)) is not None:
-        return found
+    if ends[1] - ends[0] > 2 * line.turn and (by_turn := _turn_by_turn(line, start, along, beyond)) is not None:
+        return by_turn
     return _on(path_along(line, start, *ends), along)
 
 
@@ -145,23 +142,14 @@ def _beside(path: MotionPath, along: Reals, change: float) -> Limit | None:
         q = _closed_at(path, change + aside * _PLACES)
         if not np.isfinite(q).all():
             return None
-        if np.max(np.abs((_weights(np.zeros(1), _PLACES) - _MIDDLE) @ q)) < _ALIKE:
+        if np.max(np.abs((weights_of(np.zeros(1), _PLACES) - _MIDDLE) @ q)) < _ALIKE:
             break
         aside /= 2
     rows = np.flatnonzero(np.abs(along - change) < aside)
-    return Limit(rows, q, _weights((along[rows] - change) / aside, _PLACES))
+    return Limit(rows, q, weights_of((along[rows] - change) / aside, _PLACES))
 
 
-def _weights(x: Reals, places: Reals) -> Reals:
-    """Lagrange's weights of neighbours at places (k,), for x (m,): (m, k)."""
-    weights = np.ones((len(x), len(places)))
-    for k, place in enumerate(places):
-        for other in np.delete(places, k):
-            weights[:, k] *= (x - other) / (place - other)
-    return weights
-
-
-_MIDDLE = np.concatenate([[0.0], _weights(np.zeros(1), _PLACES[1:-1])[0], [0.0]])
+_MIDDLE = np.concatenate([[0.0], weights_of(np.zeros(1), _PLACES[1:-1])[0], [0.0]])
 """The change point itself by the inner neighbours alone."""
 
 
@@ -208,8 +196,8 @@ def _longest(closure: EquationSystem, change: Reals) -> Reals:
     """The longest sub-step of each position, as a share of its way: (p,)."""
     lengths = np.max(np.abs(closure.weights), axis=1, initial=0.0) == closure.loops.size
     angle = np.where(lengths, _STRIDE / _LENGTH_STRIDE / closure.loops.size, 1.0)
-    way = np.max(np.abs(change) * angle, axis=1, initial=0.0)
-    return np.asarray(np.minimum(1.0, _STRIDE / np.maximum(way, _STRIDE)))
+    far = np.max(np.abs(change) * angle, axis=1, initial=0.0)
+    return np.asarray(np.minimum(1.0, _STRIDE / np.maximum(far, _STRIDE)))
 
 
 def _good(closure: EquationSystem, closed: Closed, tried: Reals) -> Flags:

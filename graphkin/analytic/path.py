@@ -157,35 +157,24 @@ class _MotionWalk:
             step = min(step, self.longest)
             if (place := self._foretold()) is not None and self._through(place):
                 step = self.longest
-            elif self._taken(end if end - self.last.at < 1.001 * step else self.last.at + step):
-                step *= 2
-            else:
-                step /= 2
-
-    def _taken(self, at: float) -> bool:
-        """One step, if it comes to where it was foretold, and to the same side of all change points or through one."""
-        node = self._as_foretold(at)
-        if node is None:
-            return False
-        if node.measure * self.last.measure <= 0:
-            return self._gone_through(node)
-        self.nodes.append(node)
-        return True
+                continue
+            node = self._as_foretold(end if end - self.last.at < 1.001 * step else self.last.at + step)
+            same_side = node is not None and not node.measure * self.last.measure <= 0
+            if node is not None and same_side:
+                self.nodes.append(node)
+            # else it lies beyond a change point, if at all
+            step = step * 2 if node is not None and (same_side or self._gone_through(node)) else step / 2
 
     def _as_foretold(self, at: float) -> PathNode | None:
         """The position that goes on from the nodes so far, smoothly."""
-        q, slope = self._extrapolated(at)
+        here = self.last
+        q, slope = here.q + (at - here.at) * here.slope, here.slope
+        if len(self.nodes) > 1:
+            q, slope = (rows[0] for rows in _between(self.nodes[-2], here, np.array([at])))
         node = self.line.node(at, q)
         if node is None or self.line.largest(node.q - q, q) > AWAY:
             return None
-        return node if self.line.largest(node.slope - slope, q) * (at - self.last.at) < SWERVE else None
-
-    def _extrapolated(self, at: float) -> tuple[Reals, Reals]:
-        here = self.last
-        if len(self.nodes) == 1:
-            return here.q + (at - here.at) * here.slope, here.slope
-        q, slope = _between(self.nodes[-2], here, np.array([at]))
-        return q[0], slope[0]
+        return node if self.line.largest(node.slope - slope, q) * (at - here.at) < SWERVE else None
 
     # --- change points ------------------------------------------------------------------------
 
@@ -211,22 +200,20 @@ class _MotionWalk:
         """Take the change point between here and there, if it is one."""
         here = self.last
         place = _meeting(here.at, beyond.at, abs(here.measure), abs(beyond.measure))
-        half = min(self.longest / 4, place - here.at, beyond.at - place)
-        left, right = (self._inside(here, beyond, place + side * half) for side in (-1, 1))
-        if left is None or right is None or left.measure * here.measure <= 0 or right.measure * beyond.measure <= 0:
-            return False
+        half, inside = min(self.longest / 4, place - here.at, beyond.at - place), list[PathNode]()
+        for at, end in ((place - half, here), (place + half, beyond)):  # where both ends tell it to be
+            q = _between(here, beyond, np.array([at]))[0][0]
+            node = self.line.node(at, q)
+            if node is None or self.line.largest(node.q - q, q) >= AWAY or node.measure * end.measure <= 0:
+                return False
+            inside.append(node)
+        left, right = inside
         place = self._singular(left, right)
         if not self._closes(left, right, place):
             return False
         self.changes.append(place)
-        self.nodes += [*(node for node in (left, right) if here.at < node.at < beyond.at), beyond]
+        self.nodes += [*(node for node in inside if here.at < node.at < beyond.at), beyond]
         return True
-
-    def _inside(self, left: PathNode, right: PathNode, at: float) -> PathNode | None:
-        """A node between two others, where these tell it to be."""
-        q = _between(left, right, np.array([at]))[0][0]
-        node = self.line.node(at, q)
-        return node if node is not None and self.line.largest(node.q - q, q) < AWAY else None
 
     def _singular(self, left: PathNode, right: PathNode) -> float:
         """Where the matrix is singular between two nodes: the condition falls and rises there in straight lines.

@@ -75,17 +75,13 @@ def shares(mechanism: Mechanism) -> Iterable[Share]:
 
 def hinge(mechanism: Mechanism, pair: Revolute) -> Share:
     """n links at one point: n - 1 joints, each with the first of them."""
-    hub, *others = pair.links
-    arm = mechanism.links[hub].points[pair.point]
-    heads = ((link, mechanism.links[link].points[pair.point]) for link in others)
-    return Share(tuple(Joint(hub, arm, link, head) for link, head in heads))
+    arms = [(link, mechanism.links[link].points[pair.point]) for link in pair.links]
+    return Share(tuple(Joint(*arms[0], *arm) for arm in arms[1:]))
 
 
 def slide(mechanism: Mechanism, pair: Slide) -> Share:
     """The point stays on the guide's line at s; a block also keeps its angle to the guide."""
-    carrier = pair.block
-    if carrier is None:
-        carrier = next(link for link in mechanism.owners[pair.point] if link != pair.guide)
+    carrier = pair.block or next(link for link in mechanism.owners[pair.point] if link != pair.guide)
     origin = mechanism.links[pair.guide].points[pair.line.origin]
     point = mechanism.links[carrier].points[pair.point]
     joint = Joint(pair.guide, origin, carrier, point, pair.name, pair.line.direction)
