@@ -23,7 +23,6 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, unknowns_of
 from graphkin.construction.pencil import begin, draw
 from graphkin.model.mechanism import FRAME
-from graphkin.model.pairs import Slide
 from graphkin.planning.fit_starts import Branches, GroupFitter
 from graphkin.planning.structure import Topology
 
@@ -42,26 +41,6 @@ class DeadEnd(Exception):
 
     def __init__(self, plot: Plot) -> None:
         self.plot = plot
-
-
-@frozen
-class SearchBlock:
-    """A step that leaves several possibilities, None before the first of them, and all that follows from it."""
-
-    opening: Meet | Swing | Fit | None
-    rest: tuple[Step, ...]
-
-
-def blocks_of(construction: Construction) -> tuple[SearchBlock, ...]:
-    """The blocks of a position construction in order."""
-    blocks, rest, opening = list[SearchBlock](), list[Step](), None
-    for step in construction.steps:
-        if isinstance(step, Fit) or (isinstance(step, Meet | Swing) and step.choice is not None):
-            blocks.append(SearchBlock(opening, tuple(rest)))
-            opening, rest = step, []
-        else:
-            rest.append(step)
-    return (*blocks, SearchBlock(opening, tuple(rest)))
 
 
 def branches(structure: Topology, construction: Construction, facts: Facts, known: Mapping[str, float]) -> Branches:
@@ -97,11 +76,20 @@ class _BranchSearch:
     ) -> None:
         self.structure, self.facts, self.known = structure, facts, known
         self.sketch = structure.mechanism.sketch
-        self.cylinders = {name for name, slide in structure.slides.items() if _is_cylinder(structure, slide)}
-        self.blocks = list(blocks_of(construction))
-        last = self.blocks[-1]
-        self.late = _late(last)
-        self.blocks[-1] = SearchBlock(last.opening, last.rest[: len(last.rest) - len(self.late)])
+        self.cylinders = cylinders(structure)
+        self.blocks: list[tuple[Meet | Swing | Fit | None, list[Step]]] = [(None, [])]
+        """A step that leaves several possibilities, none before the first of them, and all that follows from it."""
+        for step in construction.steps:
+            if isinstance(step, Fit) or (isinstance(step, Meet | Swing) and step.choice is not None):
+                self.blocks.append((step, []))
+            else:
+                self.blocks[-1][1].append(step)
+        self.late: list[Measure] = []
+        """Displacements that a construction measures at its very end."""
+        rest = self.blocks[-1][1]
+        while rest and isinstance(last := rest[-1], Measure) and last.quantity == "s":
+            rest.pop()
+            self.late.insert(0, last)
         self.fitter = GroupFitter(structure)
         self.left: list[Branches] = []
 
@@ -121,11 +109,11 @@ class _BranchSearch:
         begin(here.plot, "position")
         waiting, before = list(self.late), (0, 0)
         with np.errstate(divide="ignore", invalid="ignore"):
-            for block in self.blocks:
-                if isinstance(block.opening, Fit):
+            for opening, rest in self.blocks:
+                if isinstance(opening, Fit):
                     here = self._thinned(here, min(width, WIDEST_FITTED), None)
-                here = self._opened(here, block, self._spare(here, bound))
-                draw(block.rest, here.plot, "position", {})
+                here = self._opened(here, opening, self._spare(here, bound))
+                draw(rest, here.plot, "position", {})
                 waiting = self._measured(here.plot, waiting)
                 closed = self._closed(here, [*here.plot.position][before[0] :], [*here.plot.s][before[1] :])
                 before = len(here.plot.position), len(here.plot.s)
@@ -139,24 +127,23 @@ class _BranchSearch:
     def alone(self, assemblies: Branches) -> bool:
         """Whether the first assembly is the only one that the sketch may mean: of the branches from which it was chosen
         the others would be left out by its bound, too."""
-        if assemblies.count > 1 or any(isinstance(block.opening, Fit) for block in self.blocks):
+        if assemblies.count > 1 or any(isinstance(opening, Fit) for opening, _ in self.blocks):
             return False
         bound = self.bound(assemblies, 0)
         return all(np.count_nonzero(self._open(here, bound)) == 1 for here in self.left)
 
     # --- one block ----------------------------------------------------------------------------
 
-    def _opened(self, here: Branches, block: SearchBlock, spare: float) -> Branches:
+    def _opened(self, here: Branches, opening: Meet | Swing | Fit | None, spare: float) -> Branches:
         """Both ways on at a crossing; of a group every assembly that fits."""
-        match block.opening:
+        match opening:
             case None:
                 return here
             case Fit():
-                fit, known = [block.opening], all(name in self.known for name in unknowns_of(block.opening))
-                if not known:
-                    fitting = partial(draw, fit, plane="position", sides={})
-                    return self.fitter.fitted(here, block.opening, fitting, spare)
-                draw(fit, here.plot, "position", {})
+                if not all(name in self.known for name in unknowns_of(opening)):
+                    fitting = partial(draw, [opening], plane="position", sides={})
+                    return self.fitter.fitted(here, opening, fitting, spare)
+                draw([opening], here.plot, "position", {})
                 return here
             case step:
                 both = np.array((1, -1) * here.count)
@@ -189,7 +176,8 @@ class _BranchSearch:
     # --- what the sketch says -----------------------------------------------------------------
 
     def _thinned(self, here: Branches, width: int, bound: _Bound | None) -> Branches:
-        """The branches that may still be meant, the nearest to the sketch where they are too many; in order."""
+        """The branches that may still be meant; where they are too many those nearest to the sketch, then those with
+        more positive displacements; in order."""
         if here.count == 1:
             return here
         if bound is not None:
@@ -199,7 +187,9 @@ class _BranchSearch:
         self.left.append(here)
         away = self.away(here)
         steps = np.round(away / max(1e-9 * float(away.max()), np.finfo(float).tiny))
-        return here.taken(np.sort(np.lexsort((-self._forward(here), steps))[:width]))
+        displacements = (here.plot.s.get(name, 0.0) for name in slides_of_file(self.structure))
+        forward = sum(map(np.sign, displacements), np.zeros(here.count))
+        return here.taken(np.sort(np.lexsort((-forward, steps))[:width]))
 
     def away(self, here: Branches) -> np.ndarray:
         """Squared distance of all points drawn so far from their places in the sketch [m²]: (w,)."""
@@ -211,11 +201,6 @@ class _BranchSearch:
             else:
                 alike += abs(place - target) ** 2
         return away + alike
-
-    def _forward(self, here: Branches) -> np.ndarray:
-        """How many displacements are positive rather than negative: (w,)."""
-        displacements = (here.plot.s.get(name, 0.0) for name in slides_of_file(self.structure))
-        return sum(map(np.sign, displacements), np.zeros(here.count))
 
     def bound(self, here: Branches, k: int) -> _Bound:
         """To follow every branch that may come nearer to the sketch than branch k, or lies with it about the sketch."""
@@ -246,21 +231,12 @@ def at(value: Value, k: int) -> complex:
     return complex(value[k] if isinstance(value, np.ndarray) and value.ndim else value)
 
 
-def _is_cylinder(structure: Topology, slide: Slide) -> bool:
-    """Whether a slide's guide is a moving link of one point, which is its own line."""
-    return slide.guide != FRAME and len(structure.bodies[slide.guide]) == 1 and slide.line.on_axis
-
-
-def _late(block: SearchBlock) -> list[Measure]:
-    """Displacements that a construction measures at its very end."""
-    late: list[Measure] = []
-    for step in reversed(block.rest):
-        if not isinstance(step, Measure) or step.quantity != "s":
-            break
-        late.insert(0, step)
-    return late
-
-
 def slides_of_file(structure: Topology) -> list[str]:
     """Slides that the file speaks of, not those of an equivalent."""
     return [name for name, pair in structure.slides.items() if pair.stands_for is None]
+
+
+def cylinders(structure: Topology) -> set[str]:
+    """Slides whose guide is a moving link of one point, which is its own line: they are drawn out, not turned round."""
+    return {name for name, slide in structure.slides.items()
+            if slide.guide != FRAME and len(structure.bodies[slide.guide]) == 1 and slide.line.on_axis}  # fmt: skip

@@ -7,7 +7,7 @@ slides alone (the lower-pair form a textbook gives the half joint).
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 from typing import cast
@@ -87,9 +87,6 @@ class Aside:
         return cls(frozenset(lines), frozenset(angles - lines), frozenset(slips))
 
 
-NOTHING = Aside()
-
-
 # --- bodies and joints ------------------------------------------------------------------------
 
 
@@ -106,8 +103,7 @@ class Topology:
     contacts: tuple[Contact, ...] = ()
     coincident: str = ""
     centres: bool = False
-    aside: Aside = NOTHING
-
+    aside: Aside = Aside()
     @cached_property
     def joining(self) -> tuple[Slide, ...]:
         """The sliding pairs that join bodies: all but those set aside, blocks whose angle is held already as pins."""
@@ -181,11 +177,10 @@ class Topology:
     @cached_property
     def idle(self) -> tuple[str, ...]:
         """Links of one point that may turn without moving anything (局部自由度): rollers."""
-        tied = {name for slide in self.joining for name in (slide.guide, slide.block)}
+        tied = {FRAME} | {name for slide in self.joining for name in (slide.guide, slide.block)}
         tied |= {body for contact in self.contacts for body, _ in contact.angles}
         tied |= {name for driver in self.mechanism.drivers for name in (driver.link, driver.from_link)}
-        links = ((name, link) for name, link in self.mechanism.links.items() if name != FRAME)
-        return tuple(name for name, link in links if len(link.points) == 1 and name not in tied)
+        return tuple(n for n, link in self.mechanism.links.items() if len(link.points) == 1 and n not in tied)
 
     @property
     def tying(self) -> tuple[Contact, ...]:
@@ -212,20 +207,18 @@ class Topology:
         return {Site(point, body): Site(point, first) for point, (first, *others) in hinges for body in others}
 
     def joints(self, body: str) -> Sequence[tuple[Joint, tuple[str, ...]]]:
-        """The joints of a body, each with the other bodies there."""
+        """The joints of a body, each with the other bodies there: hinges first, then slides, in the order of the file."""
         return self._joints[body]
 
     @cached_property
     def _joints(self) -> dict[str, list[tuple[Joint, tuple[str, ...]]]]:
-        """The joints of every body: hinges first, then slides, in the order of the file."""
         joints: dict[str, list[tuple[Joint, tuple[str, ...]]]] = {}
         for body, points in self.bodies.items():
             others = {point: tuple(other for other in self.owners[point] if other != body) for point in points}
             joints[body] = [(Hinge(point), those) for point, those in others.items() if those]
         for slide in self.joining:
-            guide, block = slide.guide, self.block(slide)
-            joints[guide].append((Sliding(slide.name), (block,)))
-            joints[block].append((Sliding(slide.name), (guide,)))
+            for one, other in ((slide.guide, self.block(slide)), (self.block(slide), slide.guide)):
+                joints[one].append((Sliding(slide.name), (other,)))
         return joints
 
     def slide_point(self, slide: str, body: str) -> str:
@@ -252,35 +245,32 @@ class Topology:
     @cached_property
     def turns(self) -> Mapping[str, TurnOf]:
         """Each body's angle by that of the base body of its group; the frame's group is the known one."""
+        ties: dict[str, list[tuple[str, TurnOf]]] = {body: [] for body in self.bodies}
+
+        def tie(body: str, other: str, offset: float, drivers: tuple[int, ...] = ()) -> None:
+            """The other's angle against the body's, as given by a slide or by a driver."""
+            ties[body].append((other, TurnOf(body, offset, tuple((k, 1) for k in drivers))))
+            ties[other].append((body, TurnOf(other, -offset, tuple((k, -1) for k in drivers))))
+
+        for slide in self.joining:
+            turn = slide.turn if slide.block is not None else _angle_of(slide.line.direction)
+            tie(slide.guide, self.block(slide), turn)
+        for idle in self.idle:
+            ties[FRAME].append((idle, TurnOf(FRAME)))
+        for k, driver in enumerate(self.mechanism.drivers):
+            if driver.kind != "slide":
+                tie(driver.from_link, driver.link, self.driver_offset(driver), (k,))
         turns: dict[str, TurnOf] = {}
-        ties: dict[str, list[tuple[str, TurnOf]]] = {}
-        for body, other, more in self._angle_ties():
-            ties.setdefault(body, []).append((other, more))
         for base in self.bodies:
-            if base in turns:
-                continue
-            turns[base] = TurnOf(base)
-            reached = [base]
+            reached = [] if base in turns else [base]
+            turns.setdefault(base, TurnOf(base))
             for body in reached:
-                for other, more in ties.get(body, ()):
+                for other, more in ties[body]:
                     if other not in turns:
                         first = turns[body]
                         turns[other] = TurnOf(first.base, first.constant + more.constant, first.drivers + more.drivers)
                         reached.append(other)
         return turns
-
-    def _angle_ties(self) -> Iterator[tuple[str, str, TurnOf]]:
-        """Two bodies, and the second's angle against the first: as given by a slide or by a driver."""
-        for slide in self.joining:
-            turn, block = slide.turn if slide.block is not None else _angle_of(slide.line.direction), self.block(slide)
-            yield slide.guide, block, TurnOf(slide.guide, turn)
-            yield block, slide.guide, TurnOf(block, -turn)
-        yield from ((FRAME, idle, TurnOf(FRAME)) for idle in self.idle)
-        for k, driver in enumerate(self.mechanism.drivers):
-            if driver.kind != "slide":
-                offset = self.driver_offset(driver)
-                yield driver.from_link, driver.link, TurnOf(driver.from_link, offset, ((k, 1),))
-                yield driver.link, driver.from_link, TurnOf(driver.link, -offset, ((k, -1),))
 
     def driver_offset(self, driver: Driver) -> float:
         """Angle of the driven link against the other where the driver's own value is 0."""
@@ -295,14 +285,12 @@ class Topology:
     @property
     def bases(self) -> list[str]:
         return list(dict.fromkeys(turn.base for turn in self.turns.values()))
-
     def base(self, body: str) -> str:
         return self.turns[body].base
 
     def steady(self, body: str) -> bool:
         """Whether a body of the frame's group has no angular acceleration, whatever the position."""
-        turn = self.turns[body]
-        drivers = self.mechanism.drivers
+        turn, drivers = self.turns[body], self.mechanism.drivers
         return turn.base == FRAME and all(drivers[k].acceleration == 0 for k, _ in turn.drivers)
 
 

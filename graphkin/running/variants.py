@@ -20,11 +20,11 @@ from graphkin.base.geometry import Real, Value
 from graphkin.base.value import filled, frozen
 from graphkin.construction import Facts, Meet, Plot, Swing, replay, slide_key
 from graphkin.errors import GraphkinError
-from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.model.pairs import Slide
 from graphkin.model.variants import coincidences, count_of, cut, single, stacked, topology
 from graphkin.planning import plan
-from graphkin.planning.branch_search import BETWEEN
+from graphkin.planning.branch_search import BETWEEN, cylinders
 from graphkin.planning.method import Method, facts_of
 from graphkin.planning.refusals import DEAD_SINE
 from graphkin.running import replay_all
@@ -51,20 +51,25 @@ def replay_many(
     method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Real] | None = None
 ) -> DrawnVariants:
     """Every mechanism of a method's topology, as `api.replay_many` has it; none is held against the analysis."""
-    _refuse_others(method, [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms)
-    method = _accelerated(method, [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms)
+    each = [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms
+    own_topology = topology(method.mechanism)
+    for mechanism in each:
+        if topology(mechanism) != own_topology:
+            raise ValueError(f"{mechanism.name} is of another topology than {method.mechanism.name}")
+    method = _accelerated(method, each)
     count = count_of(mechanisms) if isinstance(mechanisms, Mechanism) else len(mechanisms)
-    found = _VariantTables(method, count, _shape(count, values), {table: {} for table in TABLES})
+    shape = np.broadcast_shapes((count,), *map(np.shape, values or ()))
+    variants = _VariantTables(method, count, shape, {table: {} for table in TABLES})
     left = np.arange(count)
     if count and is_simple(method):
-        left = found.together(mechanisms if isinstance(mechanisms, Mechanism) else stacked(mechanisms), values)
+        left = variants.together(mechanisms if isinstance(mechanisms, Mechanism) else stacked(mechanisms), values)
     refused = dict[int, GraphkinError]()
     for row in map(int, left):
         own = single(mechanisms, row) if isinstance(mechanisms, Mechanism) else mechanisms[row]
-        if (error := found.alone(row, own, values)) is not None:
+        if (error := variants.alone(row, own, values)) is not None:
             refused[row] = error
     plot = Plot(method.facts(values))
-    for name, table in found.tables.items():
+    for name, table in variants.tables.items():
         setattr(plot, name, table)
     return DrawnVariants(plot, refused)
 
@@ -81,13 +86,6 @@ def _choices(method: Method) -> list[int]:
     return [step.choice for step in steps if isinstance(step, Meet | Swing) and step.choice is not None]
 
 
-def _refuse_others(method: Method, mechanisms: Sequence[Mechanism]) -> None:
-    wanted = topology(method.mechanism)
-    for mechanism in mechanisms:
-        if topology(mechanism) != wanted:
-            raise ValueError(f"{mechanism.name} is of another topology than {method.mechanism.name}")
-
-
 def _accelerated(method: Method, mechanisms: Sequence[Mechanism]) -> Method:
     """The method, with the terms that a uniform rotation has not, where some driver of a mechanism is not uniform."""
     own = method.mechanism.drivers
@@ -97,10 +95,6 @@ def _accelerated(method: Method, mechanisms: Sequence[Mechanism]) -> Method:
     drivers = tuple(replace(driver, acceleration=float(want)) for want, driver in zip(wanted, own))
     structure = method.structure
     return plan(replace(method.mechanism, drivers=drivers), structure.coincident, structure.centres)
-
-
-def _shape(count: int, values: Sequence[Real] | None) -> tuple[int, ...]:
-    return np.broadcast_shapes((count,), *(np.shape(value) for value in values or ()))
 
 
 @filled
@@ -114,15 +108,21 @@ class _VariantTables:
 
     def together(self, mechanism: Mechanism, values: Sequence[Real] | None) -> np.ndarray:
         """All mechanisms but those, returned by their numbers, that ask for a plan of their own."""
-        sure = _as_planned(self.method, mechanism, self.count)
+        planned, own_points = coincidences(self.method.structure.mechanism), coincidences(mechanism)
+        same = (own_points.reshape(len(planned), -1) == planned[:, None]).all(axis=0)
+        sure = np.array(np.broadcast_to(same, (self.count,)))  # points that lie in one place are the method's own
         facts = facts_of(replace(self.method.structure, mechanism=mechanism), None, {})
         for start in range(0, self.count, PART):
             part = slice(start, min(start + PART, self.count))
             own = None if values is None else [_cut(value, part, self.count) for value in values]
             sketch = {point: cut(z, part) for point, z in mechanism.sketch.items()}
-            plot, clear = _drawn(self.method, _facts_of_some(facts, part), sketch, own)
+            own_facts = _facts_of_some(facts, part)
+            assemblies = _assemblies(self.method, own_facts, sketch)
+            plot = Plot(own_facts if own is None else replace(own_facts, values=tuple(own)), assemblies.near)
+            for construction in self.method.constructions:
+                replay(construction, plot, assemblies.sides)
             self._keep(plot, part)
-            sure[part] &= clear
+            sure[part] &= assemblies.sure
         return np.flatnonzero(~sure)
 
     def alone(self, row: int, mechanism: Mechanism, values: Sequence[Real] | None) -> GraphkinError | None:
@@ -132,7 +132,9 @@ class _VariantTables:
         try:
             plot = replay_all(plan(mechanism, structure.coincident, structure.centres), own)
         except GraphkinError as error:
-            self._erase(row)
+            for table in self.tables.values():
+                for value in table.values():
+                    value[..., row] = np.nan
             return error
         self._keep(plot, row)
         return None
@@ -146,12 +148,6 @@ class _VariantTables:
                     table[key] = np.full(self.shape, np.nan, np.result_type(value, np.float64))
                 table[key][..., where] = value
 
-    def _erase(self, row: int) -> None:
-        for table in self.tables.values():
-            for value in table.values():
-                value[..., row] = np.nan
-
-
 def rows_of(many: Plot, rows: np.ndarray | int, plot: Plot) -> Plot:
     """A plot that is given some rows of another's, or one."""
     for name in TABLES:
@@ -161,13 +157,6 @@ def rows_of(many: Plot, rows: np.ndarray | int, plot: Plot) -> Plot:
 
 
 # --- drawn together ---------------------------------------------------------------------------
-
-
-def _as_planned(method: Method, mechanism: Mechanism, count: int) -> np.ndarray:
-    """In which mechanisms the points that lie in one place are those of the method's own: (count,)."""
-    planned, own = coincidences(method.structure.mechanism), coincidences(mechanism)
-    same = (own.reshape(len(planned), -1) == planned[:, None]).all(axis=0)
-    return np.array(np.broadcast_to(same, (count,)))
 
 
 def _facts_of_some(facts: Facts, part: slice) -> Facts:
@@ -191,17 +180,6 @@ def _cut(value: _Number, part: slice | int, count: int = 0) -> _Number:
     return cast(_Number, cut(value, part, count))
 
 
-def _drawn(
-    method: Method, facts: Facts, sketch: Mapping[str, Value], values: Sequence[Real] | None
-) -> tuple[Plot, np.ndarray]:
-    """All constructions of some mechanisms, and whose assembly is beyond doubt (n,); `values` as in `replay_many`."""
-    assembled = _assembled(method, facts, sketch)
-    plot = Plot(facts if values is None else replace(facts, values=tuple(values)), assembled.near)
-    for construction in method.constructions:
-        replay(construction, plot, assembled.sides)
-    return plot, assembled.sure
-
-
 @frozen
 class Assemblies:
     """As `Assembly`, of many mechanisms: sides by choice, angles and displacements, (n,) each; which are sure."""
@@ -211,7 +189,7 @@ class Assemblies:
     sure: np.ndarray
 
 
-def _assembled(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> Assemblies:
+def _assemblies(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> Assemblies:
     """Every combination of crossings drawn, and for each mechanism the nearest to its sketch taken.
 
     Sure is what closes, lies well off its dead points, and has no other assembly that the sketch may mean.
@@ -224,7 +202,9 @@ def _assembled(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> Ass
     points = {point: np.broadcast_to(z, every) for point, z in plot.position.items()}
     shown = [point for point in sketch if point in points]
     far = sum((np.abs(points[point] - sketch[point]) ** 2 for point in shown), np.zeros(every))
-    far = np.where(_closed(method, plot, points), far, np.inf)
+    closed = [np.isfinite(places) for places in points.values()]
+    closed += [np.broadcast_to(plot.s[name] > 0, every) for name in cylinders(method.structure)]
+    far = np.where(np.all(closed, axis=0), far, np.inf)
     best, row = np.argmin(far, axis=0), np.arange(every[1])
     sines = [np.broadcast_to(sine, every)[best, row] for (plane, _), sine in plot.sines.items() if plane == "position"]
     nearest = far[best, row]
@@ -242,12 +222,3 @@ def _assembled(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> Ass
     near = {base: np.broadcast_to(plot.theta[base], every)[best, row] for base in turned}
     near |= {slide_key(slide): np.broadcast_to(s, every)[best, row] for slide, s in plot.s.items()}
     return Assemblies({choice: ways[best, k] for k, choice in enumerate(choices)}, near, sure)
-
-
-def _closed(method: Method, plot: Plot, points: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Where every point has a place, and cylinders are drawn out, not turned round."""
-    closed = np.all([np.isfinite(places) for places in points.values()], axis=0)
-    for name, slide in method.structure.slides.items():
-        if slide.guide != FRAME and len(method.structure.bodies[slide.guide]) == 1 and slide.line.on_axis:
-            closed = closed & (plot.s[name] > 0)
-    return np.asarray(closed)
