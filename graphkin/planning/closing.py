@@ -11,7 +11,7 @@ the natural order are no corners of the polygon then; they are drawn afterwards,
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
 
 from graphkin.base.value import frozen
@@ -43,29 +43,34 @@ class _Signed:
 
 
 def close(
-    of: str, left: tuple[Term, ...], right: tuple[Term, ...], reaches: dict[Term, Span], aside: Aside,
-    choice: Callable[[], int], pole: str = "",
+    of: str, left: tuple[Term, ...], right: tuple[Term, ...], reaches: Mapping[Term, Span], aside: Aside | None = None,
+    choice: Callable[[], int] | None = None, pole: str = "",
 ) -> Equation:  # fmt: skip
     """The equation left = right with the steps that draw it.
 
     reaches  for terms of known length and unknown direction (position plane): their length
-    choice   numbers a crossing that leaves two possibilities
+    aside    names points between the two unknown arrows; a polygon's sides end in these, and have none
+    choice   numbers a crossing that leaves two possibilities; direction lines cross once
     pole     the pole, where nothing is drawn yet: known arrows between the unknown ones are then laid off first,
              from anywhere, and both direction lines meet in the pole (极点后定)
     """
     path, (first, second) = _path(left, right)
     if pole_is_last(left, right, pole):
-        return Equation(of, left, right, tuple(_pole_last(path, pole)))
+        one, *between, other = path if path[1].forward else _back(path)
+        lines = _line(one.term, one.far), _line(other.term, other.near)
+        return Equation(of, left, right, (Given(one.far), *_lay_off(between), *lines, Meet(*lines, pole)))
     steps = [*_lay_off(path[:first]), *_lay_off(_back(path[second + 1 :]))]
     middle, start = path[first + 1 : second], path[first].near
     for signed in middle:
+        assert aside is not None
         tip = aside()
         steps.append(LayOff(signed.term, start, tip, backwards=not signed.forward))
         start = tip
-    loci = [_locus(path[first].term, start, reaches), _locus(path[second].term, path[second].far, reaches)]
-    lines = sorted(loci, key=lambda locus: isinstance(locus, Arc))
-    chosen = choice() if isinstance(lines[1], Arc) else None
-    steps += [*lines, Meet(lines[0], lines[1], path[second].near, choice=chosen)]
+    ends = (path[first].term, start), (path[second].term, path[second].far)
+    loci = [Arc(at, reaches[term]) if term in reaches else _line(term, at) for term, at in ends]
+    one_locus, other_locus = sorted(loci, key=lambda locus: isinstance(locus, Arc))
+    chosen = choice() if choice is not None and isinstance(other_locus, Arc) else None
+    steps += [one_locus, other_locus, Meet(one_locus, other_locus, path[second].near, choice=chosen)]
     steps += _lay_off(_back(middle))
     return Equation(of, left, right, tuple(steps))
 
@@ -80,12 +85,6 @@ def _path(left: tuple[Term, ...], right: tuple[Term, ...]) -> tuple[list[_Signed
     """From the start of the left side to that of the right one, and where on it the unknown arrows stand."""
     path = [_Signed(term, True) for term in left] + [_Signed(term, False) for term in reversed(right)]
     return path, [k for k, signed in enumerate(path) if signed.term.unknowns]
-
-
-def _pole_last(path: list[_Signed], pole: str) -> list[Step]:
-    first, *middle, second = path if path[1].forward else _back(path)
-    lines = _line(first.term, first.far), _line(second.term, second.near)
-    return [Given(first.far), *_lay_off(middle), *lines, Meet(*lines, pole)]
 
 
 def known_sum(of: str, left: Term, right: tuple[Term, ...]) -> Equation:
@@ -104,10 +103,6 @@ def _lay_off(path: Iterable[_Signed]) -> list[Step]:
         for signed in path
         if not isinstance(signed.term.size, Drawn)
     ]
-
-
-def _locus(term: Term, through: str, reaches: dict[Term, Span]) -> Ray | Arc:
-    return Arc(through, reaches[term]) if term in reaches else _line(term, through)
 
 
 def _line(term: Term, through: str) -> Ray:
@@ -142,21 +137,14 @@ def known_first(side: tuple[Term, ...], corner: Corner) -> Ordered:
         moved.append(replace(term, tail=tail, head=corner(term) or term.head))
         tail = moved[-1].head
     last = replace(unknown, tail=tail, head=side[-1].head)
-    return Ordered((*before, *moved, last), tuple(_carried(side[at:], moved, last)), (unknown, last))
-
-
-def _carried(old: tuple[Term, ...], moved: list[Term], last: Term) -> Iterator[LayOff]:
-    """The unknown arrow from where it belongs to the point it leads to; then the points behind, but the last."""
-    unknown, *behind = old
-    start = unknown.head
-    yield LayOff(_copy(unknown, last.tail, last.head), unknown.tail, start)
-    tail = unknown.tail
+    again = [(unknown, last.tail, last.head, unknown.tail, unknown.head)]
+    """Arrows to be drawn again: the unknown one where it belongs, then those behind but the last; where they are, and
+    where they are to be."""
+    tail, start = unknown.tail, unknown.head
     for term, now in zip(behind[:-1], moved, strict=False):
         if now.head != term.head:
-            yield LayOff(_copy(term, tail, now.head), start, term.head)
+            again.append((term, tail, now.head, start, term.head))
             tail, start = now.head, term.head
-
-
-def _copy(term: Term, tail: str, head: str) -> Term:
-    """An arrow that is drawn already, between two points of the polygon, to be drawn again elsewhere."""
-    return replace(term, size=Drawn(tail, head), direction=None)
+    carried = (LayOff(replace(term, size=Drawn(tail, head), direction=None), start, end)
+               for term, tail, head, start, end in again)  # fmt: skip
+    return Ordered((*before, *moved, last), tuple(carried), (unknown, last))

@@ -37,34 +37,30 @@ class KnownMotion:
 
     def __post_init__(self) -> None:
         self.points = set(self.structure.bodies[FRAME])
-
-    @property
-    def unknown(self) -> list[str]:
-        return [body for body in self.structure.bodies if body not in self.bodies]
+        self._by_base = grouped(self.structure.turns)
 
     def joint(self, joint: Joint, others: tuple[str, ...]) -> bool:
         """Whether a joint's far side is known."""
         return joint.point in self.points if isinstance(joint, Hinge) else others[0] in self.bodies
 
     def learn(self, bodies: Iterable[str], angles: Iterable[str], slides: Iterable[str]) -> NewlyKnown:
-        """Add bodies with their points; with both ends of a slide its displacement is known, too."""
+        """Add bodies with their points; a displacement is known, too, with both links of its slide, or with the guide
+        and its point where the slide is set aside."""
+        structure, placed = self.structure, list[str]()
         fresh = [body for body in bodies if body not in self.bodies]
-        reached = {point for body in fresh for point in self.structure.bodies[body]} - self.points
+        reached = {point for body in fresh for point in structure.bodies[body]} - self.points
         self.bodies.update(fresh)
         self.points |= reached
-        placed = (name for body in fresh for name in self._slides_at.get(body, ()) if self._is_placed(name))
-        moved = frozenset([*slides, *placed]) - self.slides
-        turned = frozenset(angles) - self.angles
+        for name in (name for body in fresh for name in self._slides_at.get(body, ())):
+            slide = structure.slides[name]
+            on_line = name in structure.aside.slides and slide.point in self.points
+            if slide.guide in self.bodies and (on_line or structure.block(slide) in self.bodies):
+                placed.append(name)
+        moved, turned = frozenset([*slides, *placed]) - self.slides, frozenset(angles) - self.angles
         self.slides |= moved
         self.angles |= turned
-        owners = (body for point in reached for body in self.structure.owners[point])
+        owners = (body for point in reached for body in structure.owners[point])
         return NewlyKnown(turned, moved, frozenset([*owners, *self._close(fresh, turned, moved)]))
-
-    def _is_placed(self, name: str) -> bool:
-        """Whether both links of a slide are known; of one set aside, its point on the guide."""
-        slide = self.structure.slides[name]
-        aside = name in self.structure.aside.slides and slide.point in self.points
-        return slide.guide in self.bodies and (aside or self.structure.block(slide) in self.bodies)
 
     def _close(self, bodies: Iterable[str], angles: Iterable[str], slides: Iterable[str]) -> Iterator[str]:
         for body in bodies:
@@ -72,13 +68,9 @@ class KnownMotion:
             for joint, others in self.structure.joints(body):
                 yield from () if isinstance(joint, Hinge) else others
         for base in angles:
-            yield from self._bodies_by_base.get(base, ())
+            yield from self._by_base.get(base, ())
         for slide in (self.structure.slides[name] for name in slides if name not in self.structure.aside.slides):
             yield from (slide.guide, self.structure.block(slide))
-
-    @cached_property
-    def _bodies_by_base(self) -> dict[str, list[str]]:
-        return grouped(self.structure.turns)
 
     @cached_property
     def _slides_at(self) -> dict[str, list[str]]:
@@ -112,7 +104,7 @@ class LoopPaths:
         self._ranked: list[_RankedPath] = []
         self._passed: dict[str, set[str]] = {}
         """By body, the bodies from which paths come by."""
-        self._stale = dict.fromkeys(known.unknown)
+        self._stale = dict.fromkeys(body for body in known.structure.bodies if body not in known.bodies)
         self._times: dict[str, int] = {}
         self._bits: dict[tuple[Joint, str], int] = {}
 

@@ -86,7 +86,11 @@ def outward(hops: tuple[Hop, ...]) -> tuple[Hop, ...]:
 def _places(structure: Topology, loop: Loop, lever: str) -> list[str]:
     """The point at which each joint is looked at: the hinge itself; for slides the coincident point."""
     places = [joint.point if isinstance(joint, Hinge) else "" for joint in loop.joints]
-    for first, last in _groups(structure, loop):
+    bases = [structure.base(body) for body in loop.bodies]
+    starts = [k for k in range(len(bases)) if k == 0 or bases[k] != bases[k - 1]]
+    for first, last in ((first, end - 1) for first, end in pairwise([*starts, len(bases)])):
+        if first == last or bases[first] not in loop.angles:
+            continue  # no two bodies that follow one another in one unknown group
         inner, bodies = range(first + 1, last + 1), loop.bodies[first : last + 1]
         if lever in bodies:
             at = loop.bodies.index(lever)
@@ -97,35 +101,20 @@ def _places(structure: Topology, loop: Loop, lever: str) -> list[str]:
         chosen = place in (places[first], places[last + 1]) or any(place in structure.bodies[body] for body in bodies)
         if not chosen:
             slides = (joint for joint in loop.joints[first + 1 : last + 1] if isinstance(joint, Sliding))
-            slide = next(slides, None)
-            place = places[first] if slide is not None and _from_block(structure, loop, slide) else places[last + 1]
+            from_block = (loop.bodies[loop.joints.index(joint) - 1] == structure.block(structure.slides[joint.slide])
+                          for joint in slides)  # fmt: skip
+            place = places[first] if next(from_block, False) else places[last + 1]
         for k in inner:
             places[k] = place
     while waiting := [k for k, joint in enumerate(loop.joints) if isinstance(joint, Sliding) and not places[k]]:
         near = ((k, place) for k in waiting if (place := _near_hinge(structure, loop, places, k)))
-        k, place = next(near, None) or _own_place(structure, loop, waiting)
+        k, place = next(near, (-1, ""))
+        if k < 0:  # no hinge beside any of them: a pin's own point first, as the circle's centre at a flat face
+            own = [(k, structure.slides[joint.slide]) for k in waiting if isinstance(joint := loop.joints[k], Sliding)]
+            k, slide = min(own, key=lambda entry: entry[1].block is not None)
+            place = slide.point
         places[k] = place
     return places
-
-
-def _own_place(structure: Topology, loop: Loop, waiting: list[int]) -> tuple[int, str]:
-    """A joint with no hinge beside it, and its own point: a pin's first, as the circle's centre at a flat face."""
-    slides = [(k, structure.slides[joint.slide]) for k in waiting if isinstance(joint := loop.joints[k], Sliding)]
-    k, slide = min(slides, key=lambda found: found[1].block is not None)
-    return k, slide.point
-
-
-def _groups(structure: Topology, loop: Loop) -> list[tuple[int, int]]:
-    """First and last body of each run of two or more that follow one another in one unknown group."""
-    bases = [structure.base(body) for body in loop.bodies]
-    starts = [k for k in range(len(bases)) if k == 0 or bases[k] != bases[k - 1]]
-    runs = pairwise([*starts, len(bases)])
-    return [(first, end - 1) for first, end in runs if end - first > 1 and bases[first] in loop.angles]
-
-
-def _from_block(structure: Topology, loop: Loop, joint: Sliding) -> bool:
-    """Whether one comes to a slide of a group from its block's side."""
-    return loop.bodies[loop.joints.index(joint) - 1] == structure.block(structure.slides[joint.slide])
 
 
 def _near_hinge(structure: Topology, loop: Loop, places: list[str], k: int) -> str:

@@ -23,7 +23,7 @@ from graphkin.construction.terms import (
 )
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import image_name, primes
-from graphkin.planning.closing import Ordered, close, known_first, pole_is_last
+from graphkin.planning.closing import close, known_first, pole_is_last
 from graphkin.planning.labels import Labels
 from graphkin.planning.loop_terms import Hop, LinkArm, Slip, Twist
 from graphkin.planning.structure import Topology
@@ -183,19 +183,13 @@ class PolygonPlan:
         """Both sides of one vector equation, what is known first, drawn until they meet."""
         sides, carried = (left, right), list[LayOff]()
         if not pole_is_last(left, right, pole):
-            found = [self.known_first(side) for side in sides]
-            sides = found[0].terms, found[1].terms
-            carried = [*found[0].carried, *found[1].carried]
-        drawn = close(self.labels.label(of), *sides, {}, _nothing_between, _no_choice, pole)
+            ordered = [known_first(side, self.corner) for side in sides]
+            sides = ordered[0].terms, ordered[1].terms
+            carried = [*ordered[0].carried, *ordered[1].carried]
+            for before, after in (each.moved for each in ordered if each.moved is not None):
+                self.unknown = {hop: after if term is before else term for hop, term in self.unknown.items()}
+        drawn = close(self.labels.label(of), *sides, {}, pole=pole)
         self.parts.append(replace(drawn, steps=(*drawn.steps, *carried)) if carried else drawn)
-
-    def known_first(self, side: tuple[Term, ...]) -> Ordered:
-        """A side with its unknown term, which its hop remembers, at the end."""
-        found = known_first(side, self.corner)
-        if found.moved is not None:
-            before, after = found.moved
-            self.unknown = {hop: after if term is before else term for hop, term in self.unknown.items()}
-        return found
 
     def corner(self, term: Term) -> str | None:
         """A new corner for a known arrow that has moved and led to a point of a link."""
@@ -242,11 +236,3 @@ class PolygonPlan:
 
     def lies_apart(self, first: Site, second: Site) -> None:
         self.apart.add(frozenset((self.key(first), self.key(second))))
-
-
-def _nothing_between() -> str:
-    raise AssertionError("each side of a polygon's equation ends in its one unknown arrow")
-
-
-def _no_choice() -> int:
-    raise AssertionError("direction lines cross once")

@@ -99,7 +99,7 @@ def stages(structure: Topology) -> tuple[tuple[Stage, ...], tuple[str, ...]]:
         before = len(search.known.bodies)
         search.learn(stage)
         left -= len(search.known.bodies) - before
-    return tuple(order), tuple(search.known.unknown)
+    return tuple(order), tuple(body for body in search.bodies if body not in search.known.bodies)
 
 
 class _StageSearch:
@@ -179,9 +179,8 @@ class _StageSearch:
 
     def _mesh(self, number: int) -> Mesh | None:
         angles, slides = self.open.get(number, ({}, {}))
-        if len(angles) + len(slides) != 1:
-            return None
-        return Mesh(self.contacts[number], next(iter(angles), ""), next(iter(slides), ""))
+        known = len(angles) + len(slides) != 1
+        return None if known else Mesh(self.contacts[number], next(iter(angles), ""), next(iter(slides), ""))
 
     def _open(self, contact: Contact) -> tuple[dict[str, None], dict[str, None]]:
         bases = (self.structure.base(body) for body, _ in contact.angles)
@@ -240,7 +239,12 @@ def fewest_closed(names: list[frozenset[str]], equations: list[int]) -> tuple[in
              if len(frozenset[str]().union(*(names[k] for k in chosen))) == sum(equations[k] for k in chosen)), None,
         )  # fmt: skip
     takers: dict[str, int] = {}
-    kept = [k for k in range(len(names)) if _take(k, names, equations[k], takers)]
+    kept = []
+    for k in range(len(names)):
+        if all(_one_more(k, names, takers) for _ in range(equations[k])):
+            kept.append(k)
+        else:  # it goes without
+            takers = {name: part for name, part in takers.items() if part != k}
     most = 1
     while most < 2 * len(kept):  # sets of a few first: what a part needs may go on through the whole mechanism
         sets = [chosen for k in kept if (chosen := _needed(k, names, takers, most))]
@@ -248,17 +252,6 @@ def fewest_closed(names: list[frozenset[str]], equations: list[int]) -> tuple[in
             return min(sets, key=lambda chosen: (len(chosen), chosen))
         most *= 2
     return None
-
-
-def _take(part: int, names: list[frozenset[str]], count: int, takers: dict[str, int]) -> bool:
-    """Give a part so many unknowns, others changing theirs where they can; nothing if there are not enough."""
-    for _ in range(count):
-        if not _one_more(part, names, takers):
-            for name in names[part]:
-                if takers.get(name) == part:
-                    del takers[name]
-            return False
-    return True
 
 
 def _one_more(part: int, names: list[frozenset[str]], takers: dict[str, int]) -> bool:

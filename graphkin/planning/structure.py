@@ -207,7 +207,7 @@ class Topology:
         return {Site(point, body): Site(point, first) for point, (first, *others) in hinges for body in others}
 
     def joints(self, body: str) -> Sequence[tuple[Joint, tuple[str, ...]]]:
-        """The joints of a body, each with the other bodies there: hinges first, then slides, in the order of the file."""
+        """The joints of a body, each with the other bodies there: hinges first, then slides, as in the file."""
         return self._joints[body]
 
     @cached_property
