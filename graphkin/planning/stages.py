@@ -179,8 +179,9 @@ class _StageSearch:
 
     def _mesh(self, number: int) -> Mesh | None:
         angles, slides = self.open.get(number, ({}, {}))
-        known = len(angles) + len(slides) != 1
-        return None if known else Mesh(self.contacts[number], next(iter(angles), ""), next(iter(slides), ""))
+        if len(angles) + len(slides) != 1:
+            return None
+        return Mesh(self.contacts[number], next(iter(angles), ""), next(iter(slides), ""))
 
     def _open(self, contact: Contact) -> tuple[dict[str, None], dict[str, None]]:
         bases = (self.structure.base(body) for body, _ in contact.angles)

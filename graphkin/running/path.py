@@ -154,7 +154,7 @@ class Nodes:
     def __len__(self) -> int:
         return int(self.t.size)
 
-    def __getitem__(self, which: slice) -> Nodes:
+    def __getitem__(self, which: slice | np.ndarray) -> Nodes:
         return Nodes(self.t[which], self.x[which], self.slope[which], self.sines[which])
 
     def and_then(self, others: Nodes) -> Nodes:
@@ -163,8 +163,7 @@ class Nodes:
 
     def in_order(self) -> Nodes:
         """As they lie on the path."""
-        order = np.argsort(self.t)
-        return Nodes(self.t[order], self.x[order], self.slope[order], self.sines[order])
+        return self[np.argsort(self.t)]
 
     def expected(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Where the last two lead to at t (k,), and how fast: (k, n) each. One alone leads on in a straight line."""
@@ -191,15 +190,10 @@ class Nodes:
 
     def between(self, count: int) -> tuple[np.ndarray, np.ndarray]:
         """So many places from each to the next, t (m,) and x (m, n), and the last one."""
-        parts = np.arange(count) / count
-        t = self.t[:-1, None] + np.diff(self.t)[:, None] * parts
-        left, right = (nodes.repeated(count) for nodes in (self[:-1], self[1:]))
-        x, _ = cubic(left, right, t.ravel())
+        t = self.t[:-1, None] + np.diff(self.t)[:, None] * (np.arange(count) / count)
+        ends = np.repeat(np.arange(len(self)), count)
+        x, _ = cubic(self[ends[:-count]], self[ends[count:]], t.ravel())
         return np.append(t.ravel(), self.t[-1]), np.concatenate([x, self.x[-1:]])
-
-    def repeated(self, count: int) -> Nodes:
-        return Nodes(*(np.repeat(rows, count, axis=0) for rows in (self.t, self.x, self.slope, self.sines)))
-
 
 def cubic(left: Nodes, right: Nodes, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Hermite's cubics through pairs of nodes, one or (k,), and their slopes at t (k,), between or beyond: (k, n)."""

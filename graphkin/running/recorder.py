@@ -229,22 +229,19 @@ def _leg(hypotenuse: Real, other: Real) -> Real:
 
 def _meet_line_circle(p: Value, u: Value, c: Value, r: Real, side: Real) -> tuple[Value, Real, Real]:
     """The same crossing, whose distance from the centre is known."""
-    crossing = meet_line_circle(p, u, c, r, side, _leg)
-    _know_length(crossing[0] - c, r)
-    return crossing
+    return _know_lengths(meet_line_circle(p, u, c, r, side, _leg), (c, r))
 
 
 def _meet_circles(c1: Value, r1: Real, c2: Value, r2: Real, side: Real) -> tuple[Value, Real, Real]:
     """The same crossing, whose distances from both centres are known."""
-    crossing = meet_circles(c1, r1, c2, r2, side, _leg)
-    _know_length(crossing[0] - c1, r1)
-    _know_length(crossing[0] - c2, r2)
+    return _know_lengths(meet_circles(c1, r1, c2, r2, side, _leg), (c1, r1), (c2, r2))
+
+
+def _know_lengths(crossing: tuple[Value, Real, Real], *circles: tuple[Value, Real]) -> tuple[Value, Real, Real]:
+    for centre, radius in circles:
+        if isinstance(arm := crossing[0] - centre, Recorded):
+            arm.tape.know_length(arm.x, arm.y, arm.lifted(radius).x)
     return crossing
-
-
-def _know_length(arm: Value, length: Real) -> None:
-    if isinstance(arm, Recorded):
-        arm.tape.know_length(arm.x, arm.y, arm.lifted(length).x)
 
 
 COMPASS = Compass(_leg, line_circle=_meet_line_circle, circles=_meet_circles)
@@ -267,7 +264,11 @@ def _fitted(step: kinds.Fit, plot: Plot) -> Quantity:
     units = [1.0] * len(step.angles) + [reach(step, plot)] * len(step.slides)  # 1 rad, or the group's size [m]
     for _ in range(STEPS):
         settle_all(step, plot, x)
-        change = solved(_gaps(step, plot), dict(zip(unknowns_of(step), units)))
+        rows = [row for closure in step.closures for row in two(*_closure(closure, plot))]
+        for contact in step.contacts:
+            gap, _ = in_step(contact, plot, "position", set(), set())
+            rows.append((gap, in_step(contact, plot, "position", set(step.angles), set(step.slides))[1]))
+        change = solved(rows, dict(zip(unknowns_of(step), units)))
         x = [value - part * unit for value, part, unit in zip(x, change, units)]
     settle_all(step, plot, x)
     sense, sine = (cast(Real, GroupSense(step, which)) for which in (0, 1))
@@ -283,15 +284,6 @@ def _together(step: kinds.Simultaneous, plot: Plot, plane: Plane) -> None:
     """The unknown rates of a group."""
     rows = [(-known, coefficients) for known, coefficients in chains(step, plot, plane)]
     settle_rates(step, plot, plane, solved(rows, dict.fromkeys(unknowns_of(step), 1.0)))
-
-
-def _gaps(step: kinds.Fit, plot: Plot) -> list[Row]:
-    """The gaps of closures and contacts, with their slope for each unknown."""
-    rows = [row for closure in step.closures for row in two(*_closure(closure, plot))]
-    for contact in step.contacts:
-        gap, _ = in_step(contact, plot, "position", set(), set())
-        rows.append((gap, in_step(contact, plot, "position", set(step.angles), set(step.slides))[1]))
-    return rows
 
 
 def _closure(closure: kinds.Closure, plot: Plot) -> Row:

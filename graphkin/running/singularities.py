@@ -57,6 +57,7 @@ def event_at(method: Method, step: Crossing, at: float, choices: tuple[int, ...]
 
 
 def choice_of(step: Crossing) -> tuple[int, ...]:
+    """The number of its choice, where it has one."""
     return () if isinstance(step, Fit) or step.choice is None else (step.choice,)
 
 
@@ -165,12 +166,10 @@ def _turned_over(method: Method, path: DriverPath, step: Fit, begin: float, end:
 
 def _lowest(sine: np.ndarray) -> int | None:
     """The first dip of the sine; without parting behind it, its least value. None where it falls until loci part."""
-    whole = sine.size == FINE
-    if sine.size > 2:
-        dips = np.flatnonzero((sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:])) + 1
-        if dips.size:
-            return int(dips[np.argmin(sine[dips])])
-    return int(np.argmin(sine)) if whole else None
+    dips = np.flatnonzero((sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:])) + 1 if sine.size > 2 else np.empty(0)
+    if dips.size:
+        return int(dips[np.argmin(sine[dips])])
+    return int(np.argmin(sine)) if sine.size == FINE else None
 
 
 def _centred(method: Method, path: DriverPath, step: Crossing, at: float) -> float:

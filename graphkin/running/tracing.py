@@ -7,13 +7,13 @@ are fitted it is continued from position to position.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from graphkin.base.cache import kept
-from graphkin.base.geometry import number
+from graphkin.base.geometry import Real, number
 from graphkin.construction import Meet, Plot, Swing, replay
 from graphkin.errors import TooFar
 from graphkin.model.quantities import EDGE, driven
@@ -38,41 +38,38 @@ def trace(
     after   a place on another path, to start from there instead of from the drawn position
     """
     ends, pace = (float(low), float(high)), tuple(float(p) for p in pace)
-    return _from_drawn(method, pace, ends) if after is None else _traced(method, pace, ends, after)
+    if after is None:
+        return _from_drawn(method, pace, ends)
+    before, t = after
+    near = {name: number(value) for name, value in before.near(t).items()}
+    sides = {choice: int(number(side)) for choice, side in before.crossings(t).items()}
+    return _traced(method, _setting_out(method, before.values(t), near, sides, pace, ends))
 
 
 @kept(16)
 def _from_drawn(method: Method, pace: tuple[float, ...], ends: tuple[float, float]) -> DriverPath:
     """The same walk serves many sweeps."""
-    return _traced(method, pace, ends, None)
+    steps = (step for step in method.position.steps if isinstance(step, Meet | Swing))
+    sides = {step.choice: step.side for step in steps if step.choice is not None}
+    return _traced(method, _setting_out(method, method.facts(None).values, method.near, sides, pace, ends))
 
 
-def _traced(
-    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[DriverPath, float] | None
-) -> DriverPath:
-    path = _setting_out(method, pace, ends, after)
+def _traced(method: Method, path: DriverPath) -> DriverPath:
+    """A path of which only the start is known, as far as it leads."""
     _refuse_far(method, path)
     if path.low == path.high:
         return path
     if method.fits:
         return continued(method, path)
-    for end in reversed(ends):
+    for end in (path.high, path.low):
         path = _scanned(method, path, end)
     return path
 
 
 def _setting_out(
-    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[DriverPath, float] | None
-) -> DriverPath:
-    """A path of which only its start is known."""
-    if after is None:
-        start, near = method.facts(None).values, dict(method.near)
-        steps = (step for step in method.position.steps if isinstance(step, Meet | Swing))
-        sides = {step.choice: step.side for step in steps if step.choice is not None}
-    else:
-        before, t = after
-        start, near = before.values(t), {name: number(value) for name, value in before.near(t).items()}
-        sides = {choice: int(number(side)) for choice, side in before.crossings(t).items()}
+    method: Method, start: Sequence[Real], near: Mapping[str, float], sides: Mapping[int, int],
+    pace: tuple[float, ...], ends: tuple[float, float],
+) -> DriverPath:  # fmt: skip
     nodes = (np.zeros(1), {name: np.full(1, value) for name, value in near.items()})
     return DriverPath(tuple(map(number, start)), pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)
 
@@ -130,14 +127,11 @@ def _seen(method: Method, path: DriverPath, t: np.ndarray) -> tuple[DriverPath, 
         if not fast.any() or halving == HALVINGS:
             break
         t = np.insert(t, np.flatnonzero(fast) + 1, (t[:-1] + t[1:])[fast] / 2)
-    return with_nodes(path, t, {name: _filled(t, table) for name, table in tables.items()}), t, plot
-
-
-def _filled(t: np.ndarray, table: np.ndarray) -> np.ndarray:
-    """A table with what lies between where a position has no value of its own."""
-    there = np.isfinite(table)
-    order = np.argsort(t[there])
-    return table if there.all() or not there.any() else np.interp(t, t[there][order], table[there][order])
+    for name, table in tables.items():  # with what lies between where a position has no value of its own
+        if (there := np.isfinite(table)).any() and not there.all():
+            order = np.argsort(t[there])
+            tables[name] = np.interp(t, t[there][order], table[there][order])
+    return with_nodes(path, t, tables), t, plot
 
 
 def _as_far_as(path: DriverPath, end: float) -> DriverPath:
