@@ -57,8 +57,13 @@ class LoopBlock:
 def blocks_of(closure: EquationSystem) -> tuple[LoopBlock, ...]:
     """The blocks in order; none where equations and unknowns do not match."""
     uses = moved_by(closure, closure.loops.rows)
-    takers = _matched(uses)
-    if takers is None or not takers.size:
+    loops, unknowns = uses.shape
+    takers = np.full(unknowns, -1)
+    """For each unknown the loop that takes it, two for each loop."""
+    even = 2 * loops == unknowns and all(
+        _taken(loop, uses, takers, np.zeros(unknowns, dtype=bool)) for loop in (*range(loops), *range(loops))
+    )
+    if not even or not takers.size:
         return ()
     return tuple(_block(closure, rows, np.flatnonzero(np.isin(takers, rows))) for rows in _in_order(uses, takers))
 
@@ -68,18 +73,6 @@ def moved_by(closure: EquationSystem, rows: Complex) -> Flags:
     vectors = closure.loops.vectors
     on = (np.abs(rows) > _NOTHING) @ (np.abs(vectors.turning) + np.abs(vectors.stretching)) > 0
     return np.asarray(on.astype(np.float64) @ (np.abs(closure.known.left) > _NOTHING) > 0)
-
-
-def _matched(uses: Flags) -> Indices | None:
-    """For each unknown the loop that takes it, two for each loop; None where it does not come out even."""
-    loops, unknowns = uses.shape
-    if 2 * loops != unknowns:
-        return None
-    takers = np.full(unknowns, -1)
-    for loop in (*range(loops), *range(loops)):
-        if not _taken(loop, uses, takers, np.zeros(unknowns, dtype=bool)):
-            return None
-    return takers
 
 
 def _taken(loop: int, uses: Flags, takers: Indices, seen: Flags) -> bool:
@@ -147,17 +140,20 @@ def dyad_ways(block: LoopBlock, given: Reals) -> Reals | None:
     stretch = np.abs(stretching).max(axis=0) > _NOTHING
     with np.errstate(all="ignore"):
         if not stretch.any():
-            found = _two_angles(*sums)
+            both = _two_angles(*sums)
         elif stretch.sum() == 1 and not angles[int(np.argmax(stretch))].any():
             s = int(np.argmax(stretch))
             growing = arms * stretching[:, s]
-            found = _angle_and_length(sums[1 - s], growing @ angles[1 - s], sums[2], growing @ angles[2])
-            found = found[..., ::-1] if s == 0 else found
+            both = _angle_and_length(sums[1 - s], growing @ angles[1 - s], sums[2], growing @ angles[2])
+            both = both[..., ::-1] if s == 0 else both
         elif stretch.all() and angles[2].all():
-            found = _two_lengths(arms @ stretching[:, 0], arms @ stretching[:, 1], sums[2])
+            p, r, c = arms @ stretching[:, 0], arms @ stretching[:, 1], sums[2]
+            across = (p.conj() * r).imag
+            lengths = np.stack([(r.conj() * c).imag / across, -(p.conj() * c).imag / across], axis=-1)
+            both = np.stack([lengths, lengths], axis=1)  # the same both ways
         else:
             return None
-    return found if np.isfinite(found).all() else None
+    return both if np.isfinite(both).all() else None
 
 
 def _two_angles(a: Complex, b: Complex, c: Complex) -> Reals:
@@ -167,13 +163,6 @@ def _two_angles(a: Complex, b: Complex, c: Complex) -> Reals:
     first = (np.angle(c) - np.angle(a))[:, None] + turn
     rest = -(a[:, None] * np.exp(1j * first) + c[:, None]) / b[:, None]
     return np.stack([first, np.angle(rest / (np.abs(rest) > 0))], axis=-1)
-
-
-def _two_lengths(p: Complex, r: Complex, c: Complex) -> Reals:
-    """P s + R t + C = 0: the same both ways."""
-    across = (p.conj() * r).imag
-    both = np.stack([(r.conj() * c).imag / across, -(p.conj() * c).imag / across], axis=-1)
-    return np.stack([both, both], axis=1)
 
 
 def _angle_and_length(a: Complex, p: Complex, c: Complex, r: Complex) -> Reals:

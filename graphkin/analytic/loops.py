@@ -214,7 +214,14 @@ def loops_of(mechanism: Mechanism) -> Loops:
     }
     unknowns = (*(theta(link) for link in links[1:]), *(Unknown("s", name) for name in slides))
     unit = np.array([1.0] * len(links[1:]) + [size] * len(slides))
-    vectors = _vectors(links, slides)
+    moving = len(links) - 1
+    turning = np.zeros((len(links) + len(slides), moving + len(slides)))
+    stretching = np.zeros_like(turning)
+    for arrow, link in enumerate((*links, *slides.values())):
+        if link != FRAME:  # which does not turn
+            turning[arrow, links.index(link) - 1] = 1.0
+    stretching[len(links) :, moving:] = np.eye(len(slides))
+    vectors = LoopVectors(turning, stretching, np.array([1.0] * len(links) + [0.0] * len(slides)))
     rows = np.array(closing).reshape(-1, len(vectors.base))
     relations = tuple(relation for share in brought for relation in share.relations)
     return Loops(unknowns, unit, size, vectors, rows, points, origins, relations, joints)
@@ -234,20 +241,6 @@ def size_of(mechanism: Mechanism) -> float:
     return max([*arms, *circles], default=0.0) or max(values, default=0.0) or 1.0
 
 
-def _vectors(links: tuple[str, ...], slides: dict[str, str]) -> LoopVectors:
-    """One arrow a link, one a slide, in the order of the names; the frame's does not turn."""
-    moving = links[1:]
-    turning = np.zeros((len(links) + len(slides), len(moving) + len(slides)))
-    stretching = np.zeros_like(turning)
-    for arrow, link in enumerate((*links, *slides.values())):
-        if link != FRAME:
-            turning[arrow, moving.index(link)] = 1.0
-    for number in range(len(slides)):
-        stretching[len(links) + number, len(moving) + number] = 1.0
-    base = np.array([1.0] * len(links) + [0.0] * len(slides))
-    return LoopVectors(turning, stretching, base)
-
-
 @frozen
 class _Sums:
     """Sums of arrows, written as rows of coefficients in units of size."""
@@ -256,21 +249,9 @@ class _Sums:
     slides: tuple[str, ...]
     size: float
 
-    @cached_property
-    def column(self) -> dict[str, int]:
-        """The number of each link."""
-        return {link: at for at, link in enumerate(self.links)}
-
     def arm(self, link: str, arm: complex) -> Complex:
         row = np.zeros(len(self.links) + len(self.slides), dtype=np.complex128)
-        row[self.column[link]] = arm / self.size
-        return row
-
-    def step(self, joint: Joint) -> Complex:
-        """From the tail's origin to the head's."""
-        row = self.arm(joint.tail, joint.tail_arm) - self.arm(joint.head, joint.head_arm)
-        if joint.slide is not None:
-            row[len(self.links) + self.slides.index(joint.slide)] = joint.direction
+        row[self.links.index(link)] = arm / self.size
         return row
 
     def grow(self, joints: Sequence[Joint]) -> tuple[dict[str, Complex], list[Complex]]:
@@ -282,7 +263,10 @@ class _Sums:
             for joint in [joint for joint in left if link in (joint.tail, joint.head)]:
                 left = [other for other in left if other is not joint]
                 far, sign = (joint.head, 1) if joint.tail == link else (joint.tail, -1)
-                end = origins[link] + sign * self.step(joint)
+                step = self.arm(joint.tail, joint.tail_arm) - self.arm(joint.head, joint.head_arm)
+                if joint.slide is not None:
+                    step[len(self.links) + self.slides.index(joint.slide)] = joint.direction
+                end = origins[link] + sign * step
                 if far in origins:
                     rows.append(end - origins[far])
                 else:

@@ -155,21 +155,17 @@ def close(closure: EquationSystem, q: Reals, c: Reals, steps: int = 12) -> Close
         busy = last >= _SETTLED
         if not busy.any():
             break
-        step = _newton_step(closure, q[busy])
+        polar = closure.loops.vectors.polar(q[busy])
+        matrix, gap = closure.matrix(q[busy], polar), closure.loops.gap(q[busy], polar)[..., None]
+        try:
+            square = matrix.shape[-1] == matrix.shape[-2]
+            solution = np.linalg.solve(matrix, gap) if square else pseudo_inverse(matrix) @ gap
+        except np.linalg.LinAlgError:  # one position of all is exactly singular
+            solution = pseudo_inverse(matrix) @ gap
+        step = np.clip(-solution[..., 0], -1, 1)
         q[busy] = closure.move(q[busy], step)
         last[busy] = np.max(np.abs(step), axis=-1, initial=0.0)
     return Closed(q, closure.loops.open_by(q), last)
-
-
-def _newton_step(closure: EquationSystem, q: Reals) -> Reals:
-    polar = closure.loops.vectors.polar(q)
-    matrix, gap = closure.matrix(q, polar), closure.loops.gap(q, polar)[..., None]
-    if matrix.shape[-1] == matrix.shape[-2]:
-        try:
-            return np.asarray(np.clip(-np.linalg.solve(matrix, gap)[..., 0], -1, 1))
-        except np.linalg.LinAlgError:  # one position of all is exactly singular
-            pass
-    return np.asarray(np.clip(-(pseudo_inverse(matrix) @ gap)[..., 0], -1, 1))
 
 
 def pseudo_inverse(matrix: Reals) -> Reals:
@@ -193,17 +189,12 @@ def inverse(matrix: Reals) -> tuple[Reals, Reals]:
         else:
             other = np.linalg.norm(inverted, axis=(-2, -1))
             return inverted, columns / (np.linalg.norm(matrix, axis=(-2, -1)) * other)
-    return pseudo_inverse(matrix), _condition(matrix)
-
-
-def _condition(matrix: Reals) -> Reals:
-    """By singular values, for a pseudo-inverse leaves out those that vanish: (p,)."""
-    rows, columns = matrix.shape[-2:]
     if columns == 0 or rows < columns:
-        return np.full(matrix.shape[:-2], float(columns == 0))
-    values = np.linalg.svd(matrix, compute_uv=False)
-    inverted = np.sqrt((1 / np.maximum(values, 1e-150) ** 2).sum(axis=-1))
-    return np.asarray(columns / np.maximum(np.sqrt((values**2).sum(axis=-1)) * inverted, 1.0))
+        return pseudo_inverse(matrix), np.full(matrix.shape[:-2], float(columns == 0))
+    values = np.linalg.svd(matrix, compute_uv=False)  # a pseudo-inverse leaves out those that vanish
+    other = np.sqrt((1 / np.maximum(values, 1e-150) ** 2).sum(axis=-1))
+    condition = columns / np.maximum(np.sqrt((values**2).sum(axis=-1)) * other, 1.0)
+    return pseudo_inverse(matrix), np.asarray(condition)
 
 
 def search(closure: EquationSystem, q: Reals, c: Reals, steps: int = 60) -> Reals:

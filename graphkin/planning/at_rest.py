@@ -51,18 +51,18 @@ def _resting(method: Method, construction: Construction, rested: set[Fact]) -> s
 
 def held_points(method: Method, plane: Plane, rested: frozenset[Fact]) -> tuple[str, ...]:
     """The points of the mechanism that drivers at rest hold."""
-    nodes = _held(_polygon(method, plane), rested)
-    return tuple(dict.fromkeys(point for point, _ in nodes.values()))
+    return tuple(dict.fromkeys(held_labels(method, plane, rested).values()))
 
 
 def held_labels(method: Method, plane: Plane, rested: frozenset[Fact]) -> dict[str, str]:
     """How those points are written in the polygon, `D7`, and their letters."""
-    return {of: point for point, of in _held(_polygon(method, plane), rested).values()}
+    construction = method.velocity if plane == "velocity" else method.acceleration
+    return {of: point for point, of in _held(construction, rested).values()}
 
 
 def moving_parts(method: Method, plane: Plane, parts: tuple[Part, ...], rested: frozenset[Fact]) -> tuple[Part, ...]:
     """The parts that find something that moves, with the pole for every point that does not."""
-    construction = _polygon(method, plane)
+    construction = method.velocity if plane == "velocity" else method.acceleration
     nodes, reader = _held(construction, rested), PartsReader(method, construction)
     writer = _PartsWriter(plane, construction.pole, nodes, {of: point for point, of in nodes.values()})
     return tuple(writer.part(part) for part in parts if not _rests(reader, part, rested))
@@ -74,10 +74,6 @@ def _rests(reader: PartsReader, part: Part, rested: frozenset[Fact]) -> bool:
     sites = {name for name, node in nodes.items() if node.site is not None}
     facts = [(kind, name) for kind, name in facts if kind != reader.plane or name in sites]
     return bool(facts) and all(fact in rested for fact in facts)
-
-
-def _polygon(method: Method, plane: Plane) -> Construction:
-    return method.velocity if plane == "velocity" else method.acceleration
 
 
 def _held(construction: Construction, rested: frozenset[Fact]) -> dict[str, tuple[str, str]]:

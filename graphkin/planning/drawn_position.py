@@ -8,7 +8,7 @@ what a template would have to: of a cylinder whose stroke is open, or a wheel th
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations, islice
 
@@ -117,7 +117,9 @@ def placement(mechanism: Mechanism, lower: Mechanism, repeats: Sequence[SetAside
     Those must say the same as the position that comes out.
     """
     given, refusal, first = _given(mechanism), None, None
-    for needed in _fewer_and_fewer(given):
+    poses = [each for each in reversed(given) if each.posed]  # left out the last first, then two of them, ..
+    leaving = (left for count in range(len(poses) + 1) for left in combinations(poses, count))
+    for needed in (tuple(each for each in given if each not in left) for left in islice(leaving, TRIES)):
         try:
             placed = _placed(mechanism, lower, needed, repeats)
         except (CannotAssemble, DeadPoint, NotPlaced) as error:
@@ -139,14 +141,6 @@ def _given(mechanism: Mechanism) -> tuple[PlacingValue, ...]:
                if driver.value is not None and driver.kind != "spin")  # fmt: skip
     poses = (Driver(p.kind, p.link, p.vector, p.from_link, p.from_vector, p.value) for p in mechanism.poses)
     return (*drivers, *(PlacingValue(fixes, True, k) for k, fixes in enumerate(poses)))
-
-
-def _fewer_and_fewer(given: tuple[PlacingValue, ...]) -> Iterator[tuple[PlacingValue, ...]]:
-    """All that is given, then without one pose, the last first, then without two, .."""
-    poses = [each for each in reversed(given) if each.posed]
-    leaving = (left for count in range(len(poses) + 1) for left in combinations(poses, count))
-    for left in islice(leaving, TRIES):
-        yield tuple(each for each in given if each not in left)
 
 
 def _refuse_other(

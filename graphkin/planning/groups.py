@@ -171,8 +171,10 @@ def mesh(polygon: PolygonPlan, stage: Mesh) -> None:
     """Pure rolling gives the contact of the one wheel the velocity of the other's; a rack follows its pinion."""
     if stage.contact.slide in polygon.structure.aside.slides and not stage.contact.way:
         measure_slides(polygon, [stage.contact.slide])
-    wheel = _centre_of_turned(polygon, stage)
-    if wheel is None or not polygon.known(wheel):
+    turned = [body for body, _ in stage.contact.angles if polygon.structure.base(body) == stage.angle]
+    centres = zip(stage.contact.wheels, stage.contact.centres, strict=True)
+    wheel = next((Site(centre, link) for link, centre in centres if turned == [link] and centre), None)
+    if wheel is None or not polygon.known(wheel):  # the contact does not give the turning of one wheel alone
         polygon.parts.append(kinds.Roll(in_step(stage.contact), stage.angle, stage.slide))
         return
     letter = contact_letters(polygon.structure)[stage.contact.name]
@@ -184,13 +186,6 @@ def mesh(polygon: PolygonPlan, stage: Mesh) -> None:
     else:
         _roll_acceleration(polygon, stage.contact, wheel, of, at)
     polygon.lies_apart(wheel, of)
-
-
-def _centre_of_turned(polygon: PolygonPlan, stage: Mesh) -> Site | None:
-    """The centre of the wheel whose turning alone the contact gives."""
-    turned = [body for body, _ in stage.contact.angles if polygon.structure.base(body) == stage.angle]
-    centres = zip(stage.contact.wheels, stage.contact.centres, strict=True)
-    return next((Site(centre, wheel) for wheel, centre in centres if turned == [wheel] and centre), None)
 
 
 def _roll_acceleration(polygon: PolygonPlan, contact: Contact, centre: Site, of: Site, at: Site) -> None:

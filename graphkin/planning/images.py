@@ -22,26 +22,21 @@ def fill(polygon: PolygonPlan, body: str) -> None:
 
 
 def reach(polygon: PolygonPlan, site: Site) -> None:
-    """Draw a site of a link whose motion is known: by image on two known points, else from one."""
+    """Draw a site of a link whose motion is known: by image on two known points, else from one.
+
+    A place on a driven link that is no point of its own is drawn from the fixed point about which the link turns.
+    """
     if polygon.known(site):
         return
-    base = base_of(polygon, site.link)
-    if (pivot := _driven_pivot(polygon, base, site)) is not None:
-        _levered(polygon, pivot, site)
-    elif len(base) > 1:
+    base, structure = base_of(polygon, site.link), polygon.structure
+    driven = structure.base(site.link) == FRAME != site.link and site.point not in structure.bodies[site.link]
+    pivot = next((one for one in base if driven and polygon.key(one).link == FRAME), None)
+    if pivot is None and len(base) > 1:
         first, second = base[:2]
         corners = (first.point, second.point, site.point)
-        nodes = (polygon.name(first), polygon.name(second))
-        polygon.parts.append(Image(site.link, corners, nodes, polygon.name(site)))
+        polygon.parts.append(Image(site.link, corners, (polygon.name(first), polygon.name(second)), polygon.name(site)))
     else:
-        _levered(polygon, base[0], site)
-
-
-def _driven_pivot(polygon: PolygonPlan, base: list[Site], site: Site) -> Site | None:
-    """The fixed point about which a driven link turns, for a place on it that is no point of its own."""
-    own = site.point in polygon.structure.bodies[site.link]
-    driven = polygon.structure.base(site.link) == FRAME != site.link and not own
-    return next((one for one in base if polygon.key(one).link == FRAME), None) if driven else None
+        _levered(polygon, pivot or base[0], site)
 
 
 def base_of(polygon: PolygonPlan, body: str) -> list[Site]:

@@ -45,19 +45,15 @@ def needed(method: Method, facts: set[Fact]) -> dict[Plane, tuple[Part, ...]]:
         reader, kept = PartsReader(method, construction), list[Part]()
         for part in reversed(construction.parts):
             if isinstance(part, kinds.Given) or set(reader.gives(part)) & facts:
-                kept.append(_without_useless(part, construction.plane, facts))
-                facts |= set(reader.needs(kept[-1]))
+                if isinstance(part, Equation):  # without arrows that are there already, for points nobody asks for
+                    again = {step for step in part.steps
+                             if isinstance(step, kinds.LayOff) and isinstance(step.term.size, terms.Drawn)
+                             and (construction.plane, step.tip) not in facts}  # fmt: skip
+                    part = replace(part, steps=tuple(step for step in part.steps if step not in again))
+                kept.append(part)
+                facts |= set(reader.needs(part))
         parts[construction.plane] = tuple(reversed(kept))
     return parts
-
-
-def _without_useless(part: Part, plane: Plane, facts: set[Fact]) -> Part:
-    """An equation without the points behind its unknown arrow that nobody asks for: their arrows are there already."""
-    if not isinstance(part, Equation):
-        return part
-    again = {step: (plane, step.tip) for step in part.steps
-             if isinstance(step, kinds.LayOff) and isinstance(step.term.size, terms.Drawn)}  # fmt: skip
-    return replace(part, steps=tuple(step for step in part.steps if step not in again or again[step] in facts))
 
 
 def arms(part: Part) -> Iterator[tuple[str, str]]:
