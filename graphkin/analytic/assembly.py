@@ -63,10 +63,10 @@ class DrawnPosition:
 def drawn(mechanism: Mechanism) -> DrawnPosition:
     """Find the drawn position. Raises NoAssembly."""
     loops = loops_of(mechanism)
-    found = assemble(mechanism, loops)
-    if found.q is None:
-        raise NoAssembly(mechanism.where("driver"), found.gap * 1e3)
-    return DrawnPosition(loops, found.q, driver_values(mechanism, loops, found.q), found.closure)
+    chosen = assemble(mechanism, loops)
+    if chosen.q is None:
+        raise NoAssembly(mechanism.where("driver"), chosen.gap * 1e3)
+    return DrawnPosition(loops, chosen.q, driver_values(mechanism, loops, chosen.q), chosen.closure)
 
 
 def driver_values(mechanism: Mechanism, loops: Loops, q: Reals) -> tuple[float, ...]:
@@ -124,7 +124,7 @@ def _met(closure: EquationSystem, near: Reals, c: Reals, steps: int = 40) -> Rea
 
 
 def _as_sketched(mechanism: Mechanism, loops: Loops, q: Reals) -> bool:
-    """Whether `choose` would choose this assembly from any: at the sketch, and no displacement the wrong way."""
+    """True if `choose` would choose this assembly from any: at the sketch, and no displacement the wrong way."""
     away = _from_sketch(mechanism, loops, q[None])[0]
     if away >= _EXACT * loops.size:
         return False
@@ -145,7 +145,7 @@ def _shown(mechanism: Mechanism, loops: Loops, q: Reals) -> set[str]:
 
 
 def _smallest_gap(closure: EquationSystem, ends: Reals, c: Reals) -> float:
-    """How near the loops come to closing; a mismatch of angles counts at the mechanism's size."""
+    """The smallest gap to which the loops come; a mismatch of angles counts at the mechanism's size."""
     best = np.argsort(closure.loops.open_by(ends))[:4]
     gap = closure.loops.open_by(search(closure, ends[best], c, steps=300))
     return max(float(gap.min()), closure.known.mismatch(c))
@@ -214,7 +214,7 @@ def _sketched(mechanism: Mechanism, loops: Loops) -> tuple[Complex, Complex]:
 
 
 def _negative(loops: Loops, assemblies: Reals, names: set[str]) -> Reals:
-    """How many of the named displacements are negative: (a,)."""
+    """The number of named displacements that are negative: (a,)."""
     return np.asarray((assemblies[:, _columns(loops, names)] < 0).sum(axis=1))
 
 
@@ -342,7 +342,7 @@ class _Seen:
         return ((point - origin) / along).real
 
     def _place(self, name: str, arm: complex) -> complex | None:
-        """Where an arm of a link ends, None if that is not seen."""
+        """The place where an arm of a link ends, None if that is not seen."""
         link = self.mechanism.links.get(name, Link(name, {name: 0}))
         seen = [(abs(arm - base), self.points[point], arm - base) for point, base in link.points.items()
                 if point in self.points]  # fmt: skip

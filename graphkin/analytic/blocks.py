@@ -42,7 +42,7 @@ class LoopBlock:
     whole: EquationSystem
 
     def given(self, q: Reals) -> Reals:
-        """What the other unknowns give the arrows, from all unknowns q (b, n): angles, then lengths (b, 2m + 2r)."""
+        """Angles, then lengths (b, 2m + 2r) that the other unknowns give the arrows, from all unknowns q (b, n)."""
         vectors, left = self.whole.loops.vectors, self.whole.known.left[:, self.columns]
         others = q - q[:, self.whole.known.free[self.columns]] @ left.T
         angles, lengths = others @ vectors.turning[self.moving].T, others @ vectors.stretching[self.moving].T
@@ -69,7 +69,7 @@ def blocks_of(closure: EquationSystem) -> tuple[LoopBlock, ...]:
 
 
 def moved_by(closure: EquationSystem, rows: Complex) -> Flags:
-    """Which of the unknowns left move what rows (r, m) give: (r, y)."""
+    """True for those of the unknowns left that move what rows (r, m) give: (r, y)."""
     vectors = closure.loops.vectors
     on = (np.abs(rows) > _NOTHING) @ (np.abs(vectors.turning) + np.abs(vectors.stretching)) > 0
     return np.asarray(on.astype(np.float64) @ (np.abs(closure.known.left) > _NOTHING) > 0)
@@ -133,7 +133,7 @@ def dyad_ways(block: LoopBlock, given: Reals) -> Reals | None:
     vectors = block.part.loops.vectors
     length, unit = vectors.polar(block.at(np.zeros((len(given), 2)), given))
     turning, stretching, arms = vectors.turning[:, :2], vectors.stretching[:, :2], block.part.loops.rows[0] * unit
-    angles = [np.abs(turning - way).max(axis=1) < _NOTHING for way in ((1, 0), (0, 1), (0, 0))]
+    angles = [np.abs(turning - row).max(axis=1) < _NOTHING for row in ((1, 0), (0, 1), (0, 0))]
     if not np.any(angles, axis=0).all():
         return None
     sums = [(arms * length) @ kind for kind in angles]

@@ -53,17 +53,17 @@ def branched(closure: EquationSystem, judge: BranchJudge, seen: Reals, starts: S
         return np.zeros((0, len(seen)))
     for width in _WIDTHS:
         walk = _BranchWalk(closure, judge, seen, starts, c, width, np.inf)
-        found = walk.through(blocks)
-        if len(found):
+        branches = walk.through(blocks)
+        if len(branches):
             break
-    if not len(found) or walk.sure:
-        return found
-    nearest = float(np.sqrt(walk.away(found, np.ones(len(closure.known.free), dtype=bool)).min()))
+    if not len(branches) or walk.sure:
+        return branches
+    nearest = float(np.sqrt(walk.away(branches, np.ones(len(closure.known.free), dtype=bool)).min()))
     limit = (nearest + SAME) ** 2
     if walk.every and walk.left > limit:
-        return found
+        return branches
     more = _BranchWalk(closure, judge, seen, starts, c, _WIDTHS[-1], limit).through(blocks)
-    return np.vstack([found, more])
+    return np.vstack([branches, more])
 
 
 @filled
@@ -146,7 +146,7 @@ class _BranchWalk:
         return self._with(block, q[parent[kept]], y[kept])
 
     def _searched(self, block: LoopBlock, y: Reals, given: Reals) -> tuple[Reals, Flags]:
-        """Where the search from y (b, k) ends, and whether the block is closed there."""
+        """The end of the search from y (b, k), and whether the block is closed there."""
         return self._met(block, search(block.part, block.at(y, given), given), given)
 
     def _met(self, block: LoopBlock, q: Reals, given: Reals) -> tuple[Reals, Flags]:
@@ -155,7 +155,7 @@ class _BranchWalk:
         return closed.q[:, : len(block.columns)], (closed.gap < ROUNDED) & (closed.step < ROUNDED)
 
     def _only(self, block: LoopBlock, y: Reals, given: Reals, sketched: Reals) -> Flags:
-        """Whether the sketch shows all of a block, so near that no other way to close it is as near: (b,)."""
+        """True where the sketch shows all of a block, so near that no other way to close it is as near: (b,)."""
         condition = inverse(block.part.matrix(block.at(y, given)))[1]
         return np.asarray(np.max(np.abs(y - sketched), axis=1, initial=0.0) < _NEAR * condition)
 
@@ -185,7 +185,7 @@ class _BranchWalk:
         return np.asarray((np.abs(places - self.judge.places[there]) ** 2).sum(axis=1))
 
     def _negative(self, q: Reals, columns: list[int], solved: Flags) -> Reals:
-        """How many of some displacements that are found are negative: (b,)."""
+        """The number of negative ones among those of some displacements that are found: (b,)."""
         left = np.abs(self.closure.known.left) > 0
         there = [column for column in columns if not (left[column] & ~solved).any()]
         return np.asarray((q[:, there] < 0).sum(axis=1))

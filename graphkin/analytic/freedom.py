@@ -1,4 +1,4 @@
-"""How many drivers a mechanism needs, counted by the rank of its equations at assembled positions.
+"""The number of drivers that a mechanism needs, counted by the rank of its equations at assembled positions.
 
 Gruebler's formula counts pairs; the rank also sees constraints that repeat each other. A rank can drop
 at a dead point or a change point, so it is taken at several positions near the drawn one.
@@ -23,7 +23,7 @@ _NUDGE = 0.05
 
 @frozen
 class Mobility:
-    """What may move, and whether the drivers say how.
+    """The freedoms of a mechanism, and whether its drivers determine them.
 
     freedoms    degrees of freedom, idle rotations apart; None where the pairs alone cannot be assembled
     drivers     how many the file has
@@ -118,7 +118,7 @@ class _Ranks:
         return np.vstack([self.loops.slope(self.q), relations / _scale(relations)])
 
     def drivers(self) -> tuple[int, tuple[int, ...]]:
-        """How many drivers add to the rank, and the numbers of those which do not."""
+        """The number of drivers that add to the rank, and the numbers of those which do not."""
         rows, redundant = self.constraints(), []
         for number, row in enumerate(self.driving):
             more = np.vstack([rows, row])

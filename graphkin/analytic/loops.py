@@ -63,10 +63,10 @@ def through(rows: Array, matrix: Array) -> Array:
 def _sparse(rows: Array, count: int, entries: tuple[Array, ...]) -> Array:
     """The same product from the entries alone that are not 0: few, of a large matrix."""
     sources, values, columns, starts = entries
-    found = np.zeros((*rows.shape[:-1], count), np.result_type(rows, values))
+    product = np.zeros((*rows.shape[:-1], count), np.result_type(rows, values))
     if columns.size:
-        found[..., columns] = np.add.reduceat(rows[..., sources] * values, starts, axis=-1)
-    return found
+        product[..., columns] = np.add.reduceat(rows[..., sources] * values, starts, axis=-1)
+    return product
 
 
 @kept(32)
@@ -80,7 +80,7 @@ def _entries(matrix: Array, summed: int) -> tuple[Array, ...]:
 
 @frozen
 class LoopVectors:
-    """How arrows hang on the unknowns q: angle = turning q, length = base + stretching q.
+    """Arrows that hang on the unknowns q: angle = turning q, length = base + stretching q.
 
     What asks for `polar` works that out itself where it is not given.
 
@@ -166,7 +166,7 @@ class Loops:
         return np.stack([*self.points.values()])
 
     def gap(self, q: Reals, polar: Polar | None = None) -> Reals:
-        """How far each loop stays open, x and y: (..., 2r), in units of size."""
+        """The gap of each loop, x and y: (..., 2r), in units of size."""
         return parts(applied(self.rows, self.vectors.at(q, polar)), -1)
 
     def open_by(self, q: Reals) -> Reals:
@@ -178,13 +178,13 @@ class Loops:
         return parts(self.vectors.slope(self.rows, q, polar), -2)
 
     def moves(self, rows: Complex) -> Flags:
-        """Which unknowns move any of these rows: (n,)."""
+        """True for unknowns that move any of these rows: (n,)."""
         arrows = np.abs(np.reshape(rows, (-1, len(self.vectors.base)))).sum(axis=0)
         return np.asarray(arrows @ (np.abs(self.vectors.turning) + np.abs(self.vectors.stretching)) > 0)
 
     @cached_property
     def moving(self) -> Flags:
-        """Which unknowns move any arrow of a loop, or any point: (n,)."""
+        """True for unknowns that move any arrow of a loop, or any point: (n,)."""
         return self.moves(np.vstack([self.rows, self.places]))
 
     def silent(self, relations: Sequence[LinearRelation]) -> tuple[Unknown, ...]:

@@ -91,7 +91,7 @@ def conditioning(mechanism: Mechanism) -> float:
 
 
 def _clear(closure: EquationSystem, q: Reals, condition: Reals) -> Flags:
-    """Where velocities are determined, at q (p, n): (p,); also where it is only far displacements that weigh."""
+    """True where velocities are determined, at q (p, n): (p,); also where it is only far displacements that weigh."""
     clear = condition >= SINGULAR
     if (doubtful := np.flatnonzero(~clear)).size:
         clear[doubtful] = reaching(closure, q[doubtful]) >= SINGULAR
@@ -124,21 +124,21 @@ def _rates_of(mechanism: Mechanism, closure: EquationSystem, first: int, q: Real
     speed[first:] = [driver.rate for driver in mechanism.drivers]
     push[first:] = [driver.acceleration for driver in mechanism.drivers]
     there = np.isfinite(q).all(axis=1)
-    found = rates(closure, q[there], speed, push)
-    clear = _clear(closure, q[there], found.condition)[:, None]
+    result = rates(closure, q[there], speed, push)
+    clear = _clear(closure, q[there], result.condition)[:, None]
     if single and there.all() and not clear.all():
-        raise SingularPosition(mechanism.where("driver"), float(found.condition[0]))
+        raise SingularPosition(mechanism.where("driver"), float(result.condition[0]))
     full = np.full((3, *q.shape), np.nan)
-    full[0, there] = np.where(clear, found.first, np.nan)
-    full[1, there] = np.where(clear, found.second, np.nan)
-    full[2, there] = found.condition[:, None]
+    full[0, there] = np.where(clear, result.first, np.nan)
+    full[1, there] = np.where(clear, result.second, np.nan)
+    full[2, there] = result.condition[:, None]
     return Rates(full[0], full[1], full[2, :, 0])
 
 
-def _motion(mechanism: Mechanism, closure: EquationSystem, values: tuple[Reals, ...], q: Reals, found: Rates) -> Motion:
+def _motion(mechanism: Mechanism, closure: EquationSystem, values: tuple[Reals, ...], q: Reals, rated: Rates) -> Motion:
     """Read everything off the unknowns, points by name in SI units."""
     loops, vectors = closure.loops, closure.loops.vectors
-    three = q, found.first, found.second
+    three = q, rated.first, rated.second
     still = np.zeros(q.shape[:-1])[()]
     along = [pair.name for pair in mechanism.pairs if pair.path is not None]
     theta, omega, alpha = ({FRAME: still, **_by_name(loops, part, "theta", mechanism.moving)} for part in three)
@@ -151,7 +151,7 @@ def _motion(mechanism: Mechanism, closure: EquationSystem, values: tuple[Reals, 
     return Motion(
         mechanism, theta, omega, alpha, s, s_rate, s_acceleration, position,
         _by_link(mechanism, velocity), _by_link(mechanism, acceleration), values, velocity, acceleration,
-        found.condition[()], idle(mechanism, loops),
+        rated.condition[()], idle(mechanism, loops),
     )  # fmt: skip
 
 

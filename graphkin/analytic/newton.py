@@ -51,7 +51,7 @@ class Elimination:
         return np.asarray(applied(self.given, c) + applied(self.left, y))
 
     def mismatch(self, c: Reals) -> float:
-        """How much repeated relations contradict each other; whole turns do not count."""
+        """The contradiction of repeated relations; whole turns do not count."""
         if not self.spare.size:
             return 0.0
         rest = applied(self.spare, c)
@@ -137,7 +137,7 @@ class EquationSystem:
 
 @frozen
 class Closed:
-    """Where Newton ended: unknowns (p, n), loops still open by `gap` (p,), last step (p,)."""
+    """The end of Newton's method: unknowns (p, n), loops still open by `gap` (p,), last step (p,)."""
 
     q: Reals
     gap: Reals

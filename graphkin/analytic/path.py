@@ -56,7 +56,7 @@ class RightSides:
 
     @cached_property
     def lengths(self) -> Flags:
-        """Which of them are of displacements: (k,)."""
+        """True for those of displacements: (k,)."""
         return np.asarray(np.max(np.abs(self.closure.weights), axis=1, initial=0.0) == self.closure.loops.size)
 
     @cached_property
@@ -73,12 +73,12 @@ class RightSides:
 
     @cached_property
     def heard(self) -> Flags:
-        """Which unknowns stand in the loops: (n,)."""
+        """True for unknowns that stand in the loops: (n,)."""
         return self.closure.loops.moves(self.closure.loops.rows)
 
     @cached_property
     def slides(self) -> Flags:
-        """Which unknowns are displacements: (n,)."""
+        """True for unknowns that are displacements: (n,)."""
         return np.array([unknown.kind == "s" for unknown in self.closure.loops.unknowns])
 
     def node(self, at: float, guess: Reals) -> PathNode | None:
@@ -179,7 +179,7 @@ class _MotionWalk:
     # --- change points ------------------------------------------------------------------------
 
     def _foretold(self) -> float | None:
-        """Where the matrix becomes singular, if soon; not again where it just was."""
+        """The place where the matrix becomes singular, if soon; not again where it just was."""
         if len(self.nodes) == 1 or (self.changes and self.nodes[-2].at <= self.changes[-1]):
             return None
         before, here = self.nodes[-2:]
@@ -216,7 +216,7 @@ class _MotionWalk:
         return True
 
     def _singular(self, left: PathNode, right: PathNode) -> float:
-        """Where the matrix is singular between two nodes: the condition falls and rises there in straight lines.
+        """The singular place between two nodes: the condition falls and rises there in straight lines.
 
         So close to each other they tell it well, where nodes further off, one of them beside the place, do not.
         """
@@ -230,7 +230,7 @@ class _MotionWalk:
         return place
 
     def _closes(self, left: PathNode, right: PathNode, place: float) -> bool:
-        """Whether the loops close at the singular place, but for the direction in which the matrix tells nothing."""
+        """True if the loops close at the singular place, but for the direction in which the matrix tells nothing."""
         closure, right_side = self.line.closure, self.line.c + place * self.line.toward
         q = _between(left, right, np.array([place]))[0][0]
         q = closure.known.unknowns(q[closure.known.free], right_side)
@@ -243,7 +243,7 @@ class _MotionWalk:
 
 
 def _meeting(left: float, right: float, before: float, after: float) -> float:
-    """Where a condition that falls from `before` at `left`, and rises to `after` at `right`, is 0."""
+    """The place where a condition that falls from `before` at `left`, and rises to `after` at `right`, is 0."""
     return left + (right - left) * before / max(before + after, 1e-300)
 
 

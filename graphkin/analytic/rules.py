@@ -1,4 +1,4 @@
-"""What each kind of pair asks of the unknowns: one function a kind, found by the pair's class in `RULES`.
+"""The equations of each kind of pair: one function a kind, found by the pair's class in `RULES`.
 
 A kind contributes joints (a place where two links meet; joints make the vector loops) and relations
 (equations linear in angles and displacements). How to add a kind: one function here, and a line in `RULES`.
@@ -61,14 +61,14 @@ class LinearRelation:
 
 
 class Share(NamedTuple):
-    """What one pair brings."""
+    """Joints and relations of one pair."""
 
     joints: tuple[Joint, ...] = ()
     relations: tuple[LinearRelation, ...] = ()
 
 
 def shares(mechanism: Mechanism) -> Iterable[Share]:
-    """What the pairs of a mechanism bring, pair by pair."""
+    """Joints and relations of a mechanism, pair by pair."""
     for pair in (*mechanism.hinges, *mechanism.pairs):
         yield RULES[type(pair)](mechanism, pair)
 
@@ -132,7 +132,7 @@ RULES: dict[type[object], Callable[..., Share]] = {
 
 
 def _own(pair: Pair) -> str:
-    """What a link, or a displacement, of a pair's own making is called."""
+    """The name of a link, or a displacement, of a pair's own making."""
     return f"{pair.table} {pair.name}"
 
 

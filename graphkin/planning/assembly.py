@@ -71,7 +71,7 @@ def _nearest(structure: Topology, assemblies: Branches) -> int:
 
 
 def _same(plot: Plot, best: int, count: int) -> np.ndarray:
-    """Which branches are one and the same assembly as one of them, itself or another (at a dead point): (w,)."""
+    """True for branches that are the same assembly as one of them, itself or another (at a dead point): (w,)."""
     size, same = _size(plot, best), np.ones(count, dtype=bool)
     for value in (*plot.position.values(), *plot.s.values()):
         same &= np.abs(value - at(value, best)) <= 1e-9 * size
@@ -106,7 +106,7 @@ def _ambiguous(structure: Topology, plot: Plot, first: int, second: int) -> Ambi
 
 
 def _millimetres(place: complex, size: float) -> str:
-    """Where to put a point in the sketch: as closely as figures in files go."""
+    """The text of a point in the sketch: as closely as figures in files go."""
     x, y = (1000 * part if abs(part) > ROUNDED * size else 0.0 for part in (place.real, place.imag))
     return f"[{x:.6g}, {y:.6g}]"
 

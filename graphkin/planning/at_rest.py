@@ -1,4 +1,4 @@
-"""What stands still in the polygons because the drivers on which it hangs do (rate and acceleration 0).
+"""Points and links that stand still in the polygons because the drivers on which it hangs do (rate and acceleration 0).
 
 The points that such drivers hold are written as what they are: fixed points, on the pole. The steps of a polygon stay
 as they were planned, for drivers that move.
@@ -55,7 +55,7 @@ def held_points(method: Method, plane: Plane, rested: frozenset[Fact]) -> tuple[
 
 
 def held_labels(method: Method, plane: Plane, rested: frozenset[Fact]) -> dict[str, str]:
-    """How those points are written in the polygon, `D7`, and their letters."""
+    """The letters of those points by how they are written in the polygon, `D7`."""
     construction = method.velocity if plane == "velocity" else method.acceleration
     return {of: point for point, of in _held(construction, rested).values()}
 
@@ -69,7 +69,7 @@ def moving_parts(method: Method, plane: Plane, parts: tuple[Part, ...], rested: 
 
 
 def _rests(reader: PartsReader, part: Part, rested: frozenset[Fact]) -> bool:
-    """Whether a part finds nothing but what stands still; corners between arrows do not count."""
+    """True if a part finds nothing but what stands still; corners between arrows do not count."""
     nodes, facts = reader.construction.nodes, [] if isinstance(part, kinds.Given) else [*reader.gives(part)]
     sites = {name for name, node in nodes.items() if node.site is not None}
     facts = [(kind, name) for kind, name in facts if kind != reader.plane or name in sites]

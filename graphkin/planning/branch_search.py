@@ -63,7 +63,7 @@ def branches(structure: Topology, construction: Construction, facts: Facts, know
 
 @frozen
 class _Bound:
-    """What a branch is measured by: an assembly's points as drawn, and what each may make good while it is not [m²]."""
+    """The measure of branches: an assembly's points as drawn, and what each may make good while it is not [m²]."""
 
     places: Mapping[str, complex]
     spare: Mapping[str, float]
@@ -125,7 +125,7 @@ class _BranchSearch:
         return here
 
     def alone(self, assemblies: Branches) -> bool:
-        """Whether the first assembly is the only one that the sketch may mean: of the branches from which it was chosen
+        """True if the first assembly is the only one that the sketch may mean: of the branches from which it was chosen
         the others would be left out by its bound, too."""
         if assemblies.count > 1 or any(isinstance(opening, Fit) for opening, _ in self.blocks):
             return False
@@ -210,7 +210,7 @@ class _BranchSearch:
         return _Bound(places, spare, (1e-8 * reach) ** 2)
 
     def _open(self, here: Branches, bound: _Bound) -> np.ndarray:
-        """Whether no more distance is lost, by `BETWEEN`, than the points still to be drawn can make good: (w,)."""
+        """True where no more distance is lost, by `BETWEEN`, than the points still to be drawn can make good: (w,)."""
         lost, sketch, drawn = np.zeros(here.count), self.sketch, here.plot.position
         for point, place in bound.places.items():
             if point in drawn and (isinstance(now := drawn[point], np.ndarray) or now != place):
@@ -219,7 +219,7 @@ class _BranchSearch:
         return np.asarray(lost <= self._spare(here, bound))
 
     def _spare(self, here: Branches, bound: _Bound | None) -> float:
-        """What the points still to be drawn can make good at most [m²]."""
+        """The distance that points still to be drawn can make good at most [m²]."""
         if bound is None:
             return 0.0
         drawn = here.plot.position

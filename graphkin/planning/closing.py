@@ -1,4 +1,4 @@
-"""How a vector equation with two unknown scalars is drawn, in any plane.
+"""The drawing of a vector equation with two unknown scalars, in any plane.
 
 The two sides run from known points to the point sought. Going in from both ends, what is known is laid
 off; then the two direction lines (or circles) of the unknown arrows cross. A known arrow that stands
@@ -76,7 +76,7 @@ def close(
 
 
 def pole_is_last(left: tuple[Term, ...], right: tuple[Term, ...], pole: str) -> bool:
-    """Whether both sides begin with their unknown arrows, with known ones between, and the pole is free."""
+    """True if both sides begin with their unknown arrows, with known ones between, and the pole is free."""
     path, unknown = _path(left, right)
     return bool(pole) and unknown == [0, len(path) - 1] and len(path) > 2
 

@@ -62,7 +62,7 @@ class ConstraintRows:
         return np.asarray(np.linalg.svd(self.slopes)[2][self.rank :])
 
     def distance_of(self, labels: Sequence[ConstraintRow]) -> float:
-        """How far some equations are from following from the others, 0 to 1."""
+        """The distance of some equations from following from the others, 0 to 1."""
         others, own = self.without(labels).slopes, self.only(labels)
         back = np.linalg.pinv(others, rcond=RANK) @ others
         return float(np.max(np.linalg.norm(own - own @ back, axis=1) / np.linalg.norm(own, axis=1)))
@@ -197,7 +197,7 @@ class Restraints:
     # --- where the sketch puts the bodies -------------------------------------------------------
 
     def sketched(self, rng: np.random.Generator) -> Array:
-        """Where the sketch, and what is given, put the bodies (3n,); at random where they say nothing."""
+        """The places where the sketch and the given values put the bodies (3n,); at random where they say nothing."""
         mechanism = self.structure.mechanism
         at = {p: z / self.size for p, z in (*mechanism.sketch.items(), *mechanism.links[FRAME].points.items())}
         reach = max((abs(z) for z in at.values()), default=1.0) + 1.0

@@ -43,7 +43,7 @@ class PlacingValue:
     number: int
 
     def off(self, plot: Plot) -> float:
-        """How far a plot is beyond it [rad or m]."""
+        """The difference by which a plot is beyond it [rad or m]."""
         value = self.fixes.value
         assert value is not None
         off = number(value_of(plot, self.fixes)) - value
@@ -136,7 +136,7 @@ def placement(mechanism: Mechanism, lower: Mechanism, repeats: Sequence[SetAside
 
 
 def _given(mechanism: Mechanism) -> tuple[PlacingValue, ...]:
-    """What the drivers' values and the poses fix."""
+    """The drivers' values and the poses as what they fix."""
     drivers = (PlacingValue(driver, False, k) for k, driver in enumerate(mechanism.drivers)
                if driver.value is not None and driver.kind != "spin")  # fmt: skip
     poses = (Driver(p.kind, p.link, p.vector, p.from_link, p.from_vector, p.value) for p in mechanism.poses)
@@ -158,7 +158,7 @@ def _refuse_other(
 def _fixing_same(
     structure: Topology, given: PlacingValue, needed: Sequence[PlacingValue]
 ) -> list[PlacingValue]:
-    """What fixes the same: the values that turn one of the two links against the other, else all that is needed."""
+    """Entries that fix the same: those that turn one of the two links against the other, else all that is needed."""
     fixes, turns = given.fixes, structure.turns
     if fixes.kind == "slide":
         return [other for other in needed if other.fixes.link == fixes.link] or list(needed)
@@ -207,7 +207,7 @@ def _placed_by(
 
 
 def _shows_nothing(mechanism: Mechanism, structure: Topology, body: str) -> bool:
-    """Whether one cannot see how a wheel stands: it hangs on its centre alone, and has no other point."""
+    """True if one cannot see how a wheel stands: it hangs on its centre alone, and has no other point."""
     wheels = {wheel for pair in mechanism.pairs if pair.rolling is not None for wheel in pair.joins}
     wheels |= {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
     hinges = list(structure.joints(body))

@@ -178,7 +178,7 @@ class GroupFitter:
         return max((abs(shapes[a.link][a.head] - shapes[a.link][a.tail]) for a in arms), default=0.0) or self._reach()
 
     def _reach(self) -> float:
-        """How far apart the sketched and the fixed points lie [m]."""
+        """The extent of the sketched and the fixed points [m]."""
         mechanism = self.structure.mechanism
         places = [*mechanism.sketch.values(), *mechanism.links[FRAME].points.values()]
         return max((abs(a - places[0]) for a in places), default=0.0) or 1.0

@@ -1,4 +1,4 @@
-"""How sites are written in equations and polygons, and where they need the number of a link."""
+"""The writing of sites in equations and polygons, with the number of a link where they need it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from graphkin.planning.structure import Sliding, Topology
 
 @filled
 class Labels:
-    """How sites are written: `C`; `B3` where links slide past each other; `B@guide` where that would mislead."""
+    """Labels of sites: `C`; `B3` where links slide past each other; `B@guide` where that would mislead."""
 
     structure: Topology
     coincident: Mapping[str, str]
@@ -49,11 +49,11 @@ class Labels:
         return plain if clear else f"{point}@{called}"
 
     def reserves(self, name: str) -> bool:
-        """Whether a point may need a name in polygons, without the primes: it is free for no corner between."""
+        """True if a point may need a name in polygons, without the primes: it is free for no corner between."""
         return name in self._needed or any(self._is_numbered(name, k) for k in range(1, len(name)))
 
     def _is_numbered(self, name: str, k: int) -> bool:
-        """Whether a name is that of a point at which links slide past each other, with a link after k letters."""
+        """True if a name is that of a point at which links slide past each other, with a link after k letters."""
         point, link = name[0].upper() + name[1:k], name[k:].removeprefix("@")
         link = FRAME if link == self.structure.mechanism.frame else link
         known = point in self.coincident and link in self.structure.mechanism.links

@@ -1,4 +1,4 @@
-"""What is known of a mechanism so far, and the paths from known to known through unknown bodies.
+"""The known part of a mechanism so far, and the paths from known to known through unknown bodies.
 
 Paths are searched for again only close to what has just become known: a link of a long chain costs no more than one of
 a short chain.
@@ -40,7 +40,7 @@ class KnownMotion:
         self._by_base = grouped(self.structure.turns)
 
     def joint(self, joint: Joint, others: tuple[str, ...]) -> bool:
-        """Whether a joint's far side is known."""
+        """True if a joint's far side is known."""
         return joint.point in self.points if isinstance(joint, Hinge) else others[0] in self.bodies
 
     def learn(self, bodies: Iterable[str], angles: Iterable[str], slides: Iterable[str]) -> NewlyKnown:
@@ -82,7 +82,7 @@ class KnownMotion:
         return slides
 
     def floats(self, joints: tuple[Joint, ...]) -> bool:
-        """Whether a path begins at an unknown hinge: it gives angles and displacements, but no place."""
+        """True if a path begins at an unknown hinge: it gives angles and displacements, but no place."""
         return isinstance(joints[0], Hinge) and joints[0].point not in self.points
 
 
@@ -192,7 +192,7 @@ class LoopPaths:
         return (*before, joint.slide)
 
     def _is_lever(self, bodies: tuple[str, ...]) -> bool:
-        """Whether bodies of one unknown group follow one another, so that they count as one lever."""
+        """True if bodies of one unknown group follow one another, so that they count as one lever."""
         bases = [self.known.structure.base(body) for body in bodies]
         runs = [base for k, base in enumerate(bases) if k == 0 or bases[k - 1] != base]
         unknown = [base for base in runs if base not in self.known.angles]

@@ -22,7 +22,7 @@ from graphkin.planning.structure import SetAside, Topology
 
 
 def facts_of(structure: Topology, values: Sequence[Real] | None, drawn: Mapping[str, float]) -> Facts:
-    """What is known before the pencil moves; drivers at the drawn position, or at other values [rad, m]."""
+    """The facts that are known before the pencil moves; drivers at the drawn position, or at other values [rad, m]."""
     drivers = structure.mechanism.drivers
     drawn_values = (0.0 if driver.value is None else driver.value for driver in drivers)
     return Facts(
@@ -40,7 +40,7 @@ def facts_of(structure: Topology, values: Sequence[Real] | None, drawn: Mapping[
 
 @frozen
 class Method:
-    """How a mechanism is solved on paper: three constructions, planned once from its topology.
+    """The solution of a mechanism on paper: three constructions, planned once from its topology.
 
     stages  the order of solution: bodies carried along, and loops with two unknown scalars
     coincident  points at which links move past each other, with the link whose point the hinge there is
@@ -69,12 +69,12 @@ class Method:
 
     @cached_property
     def moves_on(self) -> bool:
-        """Whether positions hang on how they are reached from the drawn one: where links are fitted, or wheels roll."""
+        """True where links are fitted, or wheels roll: positions hang on how they are reached from the drawn one."""
         return any(isinstance(step, kinds.Fit | kinds.Roll) for step in self.position.steps)
 
     @cached_property
     def fits(self) -> bool:
-        """Whether links are fitted: each such position is found from one close by."""
+        """True if links are fitted: each such position is found from one close by."""
         return any(isinstance(step, kinds.Fit) for step in self.position.steps)
 
     @cached_property
@@ -85,26 +85,26 @@ class Method:
 
     @property
     def doubtful(self) -> bool:
-        """Whether constraints and drivers, counted by the formula, do not add up: some repeat others, or clash."""
+        """True if constraints and drivers, counted by the formula, do not add up: some repeat others, or clash."""
         bridged = any(isinstance(stage, Bridge) for stage in self.stages)
         return bridged or bool(self.aside) or self.structure.surplus != 0
 
     @property
     def special(self) -> frozenset[str]:
         """The special points, which no link of the file has."""
-        return frozenset(found.name for found in self.ternaries.values())
+        return frozenset(ternary.name for ternary in self.ternaries.values())
 
     @cached_property
     def nodes_of_links(self) -> Mapping[str, Mapping[str, str]]:
         """By moving link: its points that the polygons show, with the velocity polygon's point."""
-        found: dict[str, dict[str, str]] = {}
+        nodes: dict[str, dict[str, str]] = {}
         owners = self.mechanism.owners
         for node in self.velocity.nodes.values():
             if node.site is not None and node.site.point in owners:
                 links = owners[node.site.point] if node.site.link in owners[node.site.point] else (node.site.link,)
                 for link in links:
-                    found.setdefault(link, {}).setdefault(node.site.point, node.name)
-        return found
+                    nodes.setdefault(link, {}).setdefault(node.site.point, node.name)
+        return nodes
 
     @property
     def constructions(self) -> tuple[Construction, Construction, Construction]:
@@ -131,7 +131,7 @@ class Method:
 
 @frozen
 class Act:
-    """What the pencil does in one go.
+    """Steps that the pencil does in one go.
 
     number  counted from 1 through both polygons; in the mechanism's own plane apart
     page    counted from 1 through all three planes: the drawing of it among those of single steps
@@ -146,18 +146,18 @@ class Act:
 
     @property
     def numbered(self) -> bool:
-        """Whether its number is written: the drawing of the mechanism itself needs none."""
+        """True if its number is written: the drawing of the mechanism itself needs none."""
         return self.plane != "position"
 
 
 def acts(constructions: Iterable[Construction], unnamed: Collection[str]) -> tuple[Act, ...]:
     """All acts in the order in which they are drawn; `unnamed`: points that nobody named."""
-    found: list[Act] = []
+    in_order: list[Act] = []
     for construction in constructions:
-        before = 0 if construction.plane in ("position", "velocity") else sum(act.numbered for act in found)
+        before = 0 if construction.plane in ("position", "velocity") else sum(act.numbered for act in in_order)
         for number, (steps, done) in enumerate(_groups(construction, unnamed), start=before + 1):
-            found.append(Act(construction.plane, number, len(found) + 1, steps, done))
-    return tuple(found)
+            in_order.append(Act(construction.plane, number, len(in_order) + 1, steps, done))
+    return tuple(in_order)
 
 
 def _groups(construction: Construction, unnamed: Collection[str]) -> Iterator[tuple[tuple[Step, ...], Step]]:
@@ -182,7 +182,7 @@ def _groups(construction: Construction, unnamed: Collection[str]) -> Iterator[tu
 
 
 def _finishes(step: Step) -> bool:
-    """Whether a sentence of its own tells of a step."""
+    """True if a sentence of its own tells of a step."""
     match step:
         case kinds.LayOff() | kinds.Meet() | kinds.Image() | kinds.Swing() | kinds.Touch() | kinds.Fit():
             return True

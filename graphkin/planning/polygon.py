@@ -223,7 +223,7 @@ class PolygonPlan:
             self.lies_apart(hop.seen_from, hop.of)
 
     def measure(self, hop: Hop, tail: str, head: str) -> None:
-        """What an arrow tells of the link that turns, or of the slide."""
+        """Read off an arrow the motion of the link that turns, or of the slide."""
         if isinstance(hop, LinkArm):
             lever = (hop.seen_from.point, hop.of.point)
             self.parts.append(Measure(self.turning, hop.of.link, tail, head, lever))

@@ -39,7 +39,7 @@ _RIGID = 0.2
 
 
 def redundant_constraints(mechanism: Mechanism, structure: Topology) -> tuple[SetAside, ...]:
-    """What repeats others, in the order in which it is set aside.
+    """The constraints that repeat others, in the order in which they are set aside.
 
     Raises NotRepeated for a constraint that comes close to repeating others, but contradicts them.
     """
@@ -120,9 +120,9 @@ class PairEquations:
         m = self.mechanism
         needed = {driver.link for driver in m.drivers if driver.kind == "slide"}
         needed |= {pose.link for pose in m.poses if pose.kind == "slide"}
-        asked = {word for question in m.ask for word in question.split()}
+        questions = {word for question in m.ask for word in question.split()}
         ranked = [
-            (pair.name not in asked, m.lines.get(m.path(pair), 0), k)
+            (pair.name not in questions, m.lines.get(m.path(pair), 0), k)
             for k, pair in enumerate(m.pairs)
             if pair.name not in needed
         ]
@@ -178,7 +178,7 @@ class PairEquations:
 
 @frozen
 class Contradictions:
-    """What of some constraints does not agree with the others."""
+    """The search for constraints that do not agree with the others."""
 
     candidates: PairEquations
     restraints: Restraints
@@ -198,7 +198,7 @@ class Contradictions:
         return sorted(links, key=lambda each: len(each.rows))[:1]
 
     def _almost_fits(self, link: SetAside) -> bool:
-        """Whether the other pairs by themselves all but keep the distance of its first two hinges."""
+        """True if the other pairs by themselves all but keep the distance of its first two hinges."""
         gap, q = self._gap(link)
         if gap >= _RIGID:
             return False
@@ -214,7 +214,7 @@ class Contradictions:
         return float(np.linalg.norm(rest)) < _RIGID * float(np.linalg.norm(length))
 
     def _gap(self, link: SetAside) -> tuple[float, Array]:
-        """How much too long or too short a link is for its hinges at the drawn position [size], and all rows there."""
+        """The length by which a link misses its hinges at the drawn position [size], and that position."""
         structure = self.restraints.structure
         first, *rest = dict.fromkeys(row.name for row in link.rows)
         loose = [row for row in link.rows if row.name != first]

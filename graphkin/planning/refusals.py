@@ -129,7 +129,7 @@ def _cannot_assemble(
 
 
 def extent(plot: Plot) -> float:
-    """How far the placed points lie apart [m]."""
+    """The greatest distance of a placed point from the first [m]."""
     places = [z for value in plot.position.values() for z in np.ravel(value).tolist() if cmath.isfinite(z)]
     return max(abs(z - places[0]) for z in places) if places else 1.0
 
@@ -202,5 +202,5 @@ def _radii(mechanism: Mechanism, tie: Contact) -> errors.Where:
 
 
 def _beside(line: Line, point: str, plot: Plot) -> float:
-    """How far a point lies to the left of a line [m]."""
+    """The distance at which a point lies to the left of a line [m]."""
     return number(cross(line.direction * np.exp(1j * plot.theta[line.link]), plot.arm(line.origin, point)))

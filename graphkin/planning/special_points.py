@@ -126,7 +126,7 @@ def _leg(start: Site, hops: tuple[Hop, ...], end: Site) -> Leg | None:
 
 
 def _worth(pair: tuple[Leg, Leg], legs: list[Leg], plot: Plot) -> float:
-    """How well two legs' lines meet; legs on the frame first, and never where the third leg ends."""
+    """The worth of two legs as their lines meet; legs on the frame first, never where the third leg ends."""
     first, second = (place(plot.direction(leg.line)) for leg in pair)
     sine = abs(number(cross(first, second)))
     if sine < 0.01:

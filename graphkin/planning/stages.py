@@ -186,8 +186,8 @@ class _StageSearch:
     def _open(self, contact: Contact) -> tuple[dict[str, None], dict[str, None]]:
         bases = (self.structure.base(body) for body, _ in contact.angles)
         angles = dict.fromkeys(base for base in bases if base not in self.known.angles)
-        ways = contact.way if contact.slide not in self.known.slides else ()
-        needed = [slide for slide, _ in ways] or [contact.slide]
+        shares = contact.way if contact.slide not in self.known.slides else ()
+        needed = [slide for slide, _ in shares] or [contact.slide]
         slides = dict.fromkeys(slide for slide in needed if slide and slide not in self.known.slides)
         return angles, slides
 

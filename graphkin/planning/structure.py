@@ -73,7 +73,7 @@ class SetAside:
 
 @frozen
 class Aside:
-    """What repeats others, by name: slides (those that stand for cams, too); blocks whose angle is held; contacts."""
+    """Names of what repeats others: slides (those that stand for cams, too); blocks whose angle is held; contacts."""
 
     slides: frozenset[str] = frozenset()
     angles: frozenset[str] = frozenset()
@@ -81,7 +81,7 @@ class Aside:
 
     @classmethod
     def of(cls, redundant: Iterable[SetAside]) -> Aside:
-        """What the planner leaves out; links on hinges stay where they are (a `Bridge` is drawn last)."""
+        """Constraints that the planner leaves out; links on hinges stay where they are (a `Bridge` is drawn last)."""
         rows = {row for each in redundant if each.part != "link" for row in each.rows}
         lines, angles, slips = ({row.name for row in rows if row.kind == kind} for kind in ("line", "angle", "slip"))
         return cls(frozenset(lines), frozenset(angles - lines), frozenset(slips))
@@ -150,7 +150,7 @@ class Topology:
         return body not in self.mechanism.links
 
     def is_link(self, body: str) -> bool:
-        """Whether the file has it: no pin, and no rod of the equivalent."""
+        """True of a body of the file: no pin, and no rod of the equivalent."""
         return not self.is_pin(body) and self.mechanism.links[body].stands_for is None
 
     def named(self, body: str) -> tuple[str, ...]:
@@ -222,7 +222,7 @@ class Topology:
         return joints
 
     def slide_point(self, slide: str, body: str) -> str:
-        """Where a slide's line holds on to a body: its origin on the guide, its point on the block."""
+        """The point at which a slide's line holds on to a body: its origin on the guide, its point on the block."""
         pair = self.slides[slide]
         return pair.line.origin if body == pair.guide else pair.point
 
@@ -289,7 +289,7 @@ class Topology:
         return self.turns[body].base
 
     def steady(self, body: str) -> bool:
-        """Whether a body of the frame's group has no angular acceleration, whatever the position."""
+        """True if a body of the frame's group has no angular acceleration, whatever the position."""
         turn, drivers = self.turns[body], self.mechanism.drivers
         return turn.base == FRAME and all(drivers[k].acceleration == 0 for k, _ in turn.drivers)
 

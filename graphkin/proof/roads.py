@@ -97,17 +97,17 @@ def _known(method: Method) -> list[tuple[float, float]]:
 
 
 def hold_rows(
-    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Real] | None, found: DrawnVariants
+    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Real] | None, variants: DrawnVariants
 ) -> None:
     """Of many mechanisms drawn at once some, each by its own analysis. Raises RoadsDiffer."""
     from graphkin.running.variants import rows_of
 
     count = count_of(mechanisms) if isinstance(mechanisms, Mechanism) else len(mechanisms)
-    there = np.delete(np.arange(count), [*found.refused])
+    there = np.delete(np.arange(count), [*variants.refused])
     for row in map(int, there[_spread(there.size)]):
         own = single(mechanisms, row) if isinstance(mechanisms, Mechanism) else mechanisms[row]
         at = None if values is None else np.broadcast_arrays(*(cut(value, row, count) for value in values))
-        _hold(method, own, rows_of(found.plot, row, Plot(found.plot.facts)), at)
+        _hold(method, own, rows_of(variants.plot, row, Plot(variants.plot.facts)), at)
 
 
 def _hold(method: Method, mechanism: Mechanism, plot: Plot, values: Sequence[np.ndarray] | None) -> None:
@@ -215,24 +215,24 @@ def wrong_drivers(mechanism: Mechanism) -> GraphkinError | None:
 
     Freedoms are counted by rank, so a constraint that repeats others and is met is no error.
     """
-    found = mobility(mechanism)
-    if found.freedoms is None:
+    counted = mobility(mechanism)
+    if counted.freedoms is None:
         return None
-    called = tuple(mechanism.called(link) for link in found.free)
+    called = tuple(mechanism.called(link) for link in counted.free)
     count, last = len(mechanism.drivers), len(mechanism.drivers) - 1
-    which = found.redundant[0] if found.redundant else last
-    if count > found.freedoms:
+    which = counted.redundant[0] if counted.redundant else last
+    if count > counted.freedoms:
         name = mechanism.drivers[which].name
-        return TooManyDrivers(mechanism.where("driver", which), found.freedoms, count, name)
-    if count < found.freedoms and found.gap_mm is None:
-        if loose := _loose(mechanism, found.free):
+        return TooManyDrivers(mechanism.where("driver", which), counted.freedoms, count, name)
+    if count < counted.freedoms and counted.gap_mm is None:
+        if loose := _loose(mechanism, counted.free):
             (owner,) = mechanism.owners[loose[0]]
             where = mechanism.where(FRAME, loose[0]) if owner == FRAME else mechanism.where("links", owner)
-            return JoinedToNothing(where, called, found.freedoms, count, loose)
-        return TooFewDrivers(mechanism.where("driver", last), called, found.freedoms, count)
-    if found.redundant:
+            return JoinedToNothing(where, called, counted.freedoms, count, loose)
+        return TooFewDrivers(mechanism.where("driver", last), called, counted.freedoms, count)
+    if counted.redundant:
         name = mechanism.drivers[which].name
-        return RepeatedDriver(mechanism.where("driver", which), called, found.freedoms, name)
+        return RepeatedDriver(mechanism.where("driver", which), called, counted.freedoms, name)
     return None
 
 

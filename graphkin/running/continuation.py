@@ -195,7 +195,7 @@ class _ContinuationWalk:
         return 0.0
 
     def _going_on(self, nodes: Nodes) -> tuple[int, np.ndarray]:
-        """How many positions go on smoothly, each from those before it, to where a crossing is about to become flat.
+        """The number of positions that go on smoothly, each from those before it, until a crossing is about to be flat.
 
         Also how far each is off, as part of what it may be (k,).
         """
@@ -217,7 +217,7 @@ class _ContinuationWalk:
         return count, off
 
     def _off(self, nodes: Nodes, x: np.ndarray, slope: np.ndarray, steps: np.ndarray) -> np.ndarray:
-        """How far links are from where they were expected, or from being as fast, as part of what they may be (k,)."""
+        """The distance of links from where they were expected, or from being as fast, as part of the bounds (k,)."""
         away = self._largest(nodes.x - x, x) / AWAY
         swerve = self._largest(nodes.slope - slope, x) * steps / SWERVE
         finite = np.isfinite(nodes.x).all(axis=1) & np.isfinite(nodes.slope).all(axis=1)
@@ -235,18 +235,18 @@ class _ContinuationWalk:
     # --- change points ------------------------------------------------------------------------
 
     def _foretold(self) -> float | None:
-        """How far the first crossing is that is about to become flat, if it is soon."""
+        """The distance to the first crossing that is about to become flat, if it is soon."""
         if len(self.nodes) == 1 or not self._soon(self.nodes[-2:-1], self.nodes[-1:])[0]:
             return None
         return float(self._flat_in(self.nodes[-2:-1], self.nodes[-1:]).min())
 
     def _soon(self, before: Nodes, here: Nodes) -> np.ndarray:
-        """Whether a crossing is about to become flat, and was not found to miss that (k,)."""
+        """True where a crossing is about to become flat, and was not found to miss that (k,)."""
         ahead, longest = self._flat_in(before, here).min(axis=1, initial=np.inf), self._longest(here)
         return np.asarray((ahead < SOON * longest) & (self.side * here.t + ahead - self.missed > longest))
 
     def _flat_in(self, before: Nodes, here: Nodes) -> np.ndarray:
-        """How far it is to where each crossing becomes flat (k, crossings); infinite where it does not."""
+        """The distance to where each crossing becomes flat (k, crossings); infinite where it does not."""
         falls = (np.abs(before.sines) - np.abs(here.sines)) / np.abs(here.t - before.t)[:, None]
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.where(falls > 0, np.abs(here.sines) / falls, np.inf)

@@ -37,7 +37,7 @@ class PointSide:
     by_distance: bool = False
 
     def holds(self, plot: Plot) -> bool:
-        """Whether it lies there in another drawing, as far as one drawing can say."""
+        """True if it lies there in another drawing, as far as one drawing can say."""
         across = self.to if len(self.line) == 1 else 1j * plot.arm(*self.line) * self.left
         return self.by_distance or number(dot(across, plot.arm(self.line[0], self.point))) > 0
 
@@ -71,7 +71,7 @@ def _rough_places(method: Method, plot: Plot) -> Iterator[tuple[str, complex]]:
 
 
 def _named_places(method: Method, plot: Plot) -> Places:
-    """Where the mechanism's own points are, as far as they are anywhere."""
+    """Places of the mechanism's own points, as far as they are anywhere."""
     places = {name: place(plot.position[name]) for name in method.mechanism.points if name in plot.position}
     return {name: z for name, z in places.items() if math.isfinite(z.real) and math.isfinite(z.imag)}
 
@@ -81,7 +81,7 @@ def _size(places: Places) -> float:
 
 
 def _side(method: Method, plot: Plot, step: Meet | Swing) -> PointSide | None:
-    """What lies elsewhere with the other crossing; None where there is none, or nothing plain."""
+    """The side of a point that lies elsewhere with the other crossing; None where there is none, or nothing plain."""
     assert step.choice is not None
     other = replay(method.position, Plot(plot.facts, method.near), {step.choice: -step.side})
     here, there = _named_places(method, plot), _named_places(method, other)
@@ -113,7 +113,7 @@ def _across(
 
 
 def _sine(places: Places, first: str, second: str, point: str) -> float:
-    """How far a point is off a line, beside the longer of line and distance; positive to the left."""
+    """The distance of a point from a line, beside the longer of line and distance; positive to the left."""
     line, arm = places[second] - places[first], places[point] - places[first]
     size = abs(line) * max(abs(line), abs(arm))
     return number(cross(line, arm)) / size if size else 0.0

@@ -166,7 +166,7 @@ def _library(command: Sequence[str], text: str) -> Path:
 
 
 def _own_folder() -> Path:
-    """Where only the user may write. Raises PermissionError where others may, too."""
+    """The folder in which only the user may write. Raises PermissionError where others may, too."""
     folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "graphkin")
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     state = folder.lstat()

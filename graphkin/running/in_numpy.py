@@ -103,7 +103,7 @@ def lent(size: int) -> np.ndarray:
 
 
 class _Lent:
-    """What an array lies in; it goes back with the last array that lies there."""
+    """The memory in which an array lies; it goes back with the last array that lies there."""
 
     def __init__(self, memory: np.ndarray) -> None:
         self.memory = memory

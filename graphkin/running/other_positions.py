@@ -145,7 +145,7 @@ def program_of(method: Method) -> ReplayProgram | None:
 
 
 def _worth_it(method: Method, count: int) -> bool:
-    """Whether a program is there, or so many positions were replayed by now that it is worth being made."""
+    """True if a program is there, or so many positions were replayed by now that it is worth being made."""
     key = id(method)
     if not method.fits or key in _PROGRAMS:
         return True

@@ -79,7 +79,7 @@ class DriverPath:
         return tuple(start + pace * t if pace else start for start, pace in zip(self.start, self.pace, strict=True))
 
     def leads_to(self, t: Real) -> Flags:
-        """Whether the positions are reached."""
+        """True where the positions are reached."""
         before_stops = [np.less(t, stop.at) if stop.at > 0 else np.greater(t, stop.at) for stop in self.stops]
         reached: Flags = np.all(before_stops, axis=0)
         return reached
@@ -119,7 +119,7 @@ def along(method: Method, path: DriverPath, t: Real) -> Plot:
 
 
 def stride(method: Method, pace: Sequence[float], deg: float, part: float) -> float:
-    """How far t goes while no driver goes farther than an angle, or a part of the mechanism's size."""
+    """The length on which no driver goes farther than an angle, or a part of the mechanism's size."""
     units = [method.size * part if driver.kind == "slide" else float(np.radians(deg)) for driver in method.drivers]
     return min((unit / abs(p) for unit, p in zip(units, pace, strict=True) if p), default=1.0)
 
@@ -166,13 +166,13 @@ class Nodes:
         return self[np.argsort(self.t)]
 
     def expected(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Where the last two lead to at t (k,), and how fast: (k, n) each. One alone leads on in a straight line."""
+        """The places to which the last two lead at t (k,), and how fast: (k, n) each; one alone goes straight on."""
         if len(self) == 1:
             return self.foretold(t), np.broadcast_to(self.slope, (t.size, self.x.shape[1]))
         return cubic(self[-2:-1], self[-1:], t)
 
     def foretold(self, t: np.ndarray) -> np.ndarray:
-        """Where the last three lead to at t (k,): (k, n). By divided differences, each node taken twice."""
+        """The places to which the last three lead at t (k,): (k, n). By divided differences, each node taken twice."""
         last = self[-3:]
         twice, differences = np.repeat(last.t, 2), np.repeat(last.x, 2, axis=0)
         terms = [differences[0]]
@@ -183,10 +183,10 @@ class Nodes:
                 differences[::2], widths[::2] = last.slope, 1.0
             differences = differences / widths
             terms.append(differences[0])
-        found = np.broadcast_to(terms[-1], (t.size, terms[-1].size))
+        values = np.broadcast_to(terms[-1], (t.size, terms[-1].size))
         for place, term in zip(twice[-2::-1], terms[-2::-1]):
-            found = term + (t - place)[:, None] * found
-        return found
+            values = term + (t - place)[:, None] * values
+        return values
 
     def between(self, count: int) -> tuple[np.ndarray, np.ndarray]:
         """So many places from each to the next, t (m,) and x (m, n), and the last one."""

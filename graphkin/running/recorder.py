@@ -344,5 +344,5 @@ def _rotated(upper: list[Value], lower: list[Value], column: int) -> tuple[list[
 
 
 def _is_zero(value: Quantity) -> bool:
-    """Whether a coefficient is 0 at all positions."""
+    """True if a coefficient is 0 at all positions."""
     return bool((value.number if isinstance(value, Recorded) else value) == 0)

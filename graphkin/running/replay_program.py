@@ -75,7 +75,7 @@ class ReplayProgram:
         return frozenset(entry for entry in self.entries if entry[0] in USUAL and entry[1] not in between)
 
     def part(self, entries: Set[Entry]) -> ProgramPart:
-        """What calculates some entries at once."""
+        """The operations that calculate some entries at once."""
         if (key := frozenset(entries)) not in self.parts:
             self.parts[key] = ProgramPart.of(self.recording, sorted(key, key=str))
         return self.parts[key]
@@ -166,8 +166,8 @@ class ProgramPart:
         room = lent(end + min(count, BLOCK))
         vectors = room[: split * count].view(complex).reshape(-1, count)
         numbers = room[split * count : end].reshape(-1, count)
-        asked = compiled or (compiled is None and count >= VERY_MANY)
-        function = self.function(inputs) if asked else None
+        by_compiler = compiled or (compiled is None and count >= VERY_MANY)
+        function = self.function(inputs) if by_compiler else None
         if function is None:
             doubtful = self._by_numpy(inputs, vectors, numbers, room[end:])
         else:
@@ -274,7 +274,7 @@ class Results:
         self.plain = [(here, self.program.plainly(self.facts, self.inputs, here)) for here in doubtful]
 
     def at_hand(self, table: str) -> Mapping[str, Value]:
-        """What is the same at all positions, and what lies in the rooms, where nothing is to be mended."""
+        """Values that are the same at all positions, and those that lie in the rooms, where nothing is to be mended."""
         if self.plain:
             return {}
         still, rooms = self.part.at_hand[table]

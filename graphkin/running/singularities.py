@@ -78,7 +78,7 @@ def _kind(step: Crossing) -> str:
 def first_touching(
     method: Method, path: DriverPath, t: np.ndarray, step: Crossing, plot: Plot
 ) -> tuple[float, bool] | None:
-    """Where the two loci of a crossing first touch or part, and whether the mechanism goes through."""
+    """The place where the two loci of a crossing first touch or part, and whether the mechanism goes through."""
     sine, miss = _angle(method, step, plot, t.shape)
     apart = ~np.isfinite(sine) | (miss > 0)
     low = _lows(sine) & ~apart
@@ -142,7 +142,7 @@ def _closer(method: Method, path: DriverPath, step: Crossing, begin: float, end:
 
 
 def touching(method: Method, path: DriverPath, step: Crossing, begin: float, end: float) -> float | None:
-    """Where the loci of a crossing touch between two places, to go on beyond; None where they do not."""
+    """The place where the loci of a crossing touch between two others, to go on beyond; None where they do not."""
     if isinstance(step, Fit) and (place := _turned_over(method, path, step, begin, end)) is not None:
         return place
     met = _closer(method, path, step, begin, end)
@@ -150,7 +150,7 @@ def touching(method: Method, path: DriverPath, step: Crossing, begin: float, end
 
 
 def _turned_over(method: Method, path: DriverPath, step: Fit, begin: float, end: float) -> float | None:
-    """Where a group that is fitted comes to its other side, its sine through 0 as straight as may be; else None."""
+    """The place where a fitted group comes to its other side, its sine through 0 as straight as may be; else None."""
     for _ in range(2):
         t = np.linspace(begin, end, FEW)
         plot = along(method, path, t)
@@ -173,7 +173,7 @@ def _lowest(sine: np.ndarray) -> int | None:
 
 
 def _centred(method: Method, path: DriverPath, step: Crossing, at: float) -> float:
-    """Where the sine, which falls and rises in straight lines, comes to 0."""
+    """The place where the sine, which falls and rises in straight lines, comes to 0."""
     aside = CENTRING * stride(method, path.pace, LOOK_DEG, LOOK_PART)
     t = at + aside * np.array([-1.0, 1.0])
     (before, after), _ = _angle(method, step, along(method, path, t), t.shape)

@@ -75,7 +75,7 @@ def replay_many(
 
 
 def is_simple(method: Method) -> bool:
-    """Whether crossings of lines and circles are all that a position asks for: then arrays do what numbers do."""
+    """True if crossings of lines and circles are all that a position asks for: then arrays do what numbers do."""
     plain = all(type(pair) is Slide for pair in method.mechanism.pairs) and not method.mechanism.poses
     few = not method.doubtful and len(_choices(method)) <= CHOICES and bool(list(method.position.steps))
     return plain and few and not method.moves_on
@@ -89,10 +89,10 @@ def _choices(method: Method) -> list[int]:
 def _accelerated(method: Method, mechanisms: Sequence[Mechanism]) -> Method:
     """The method, with the terms that a uniform rotation has not, where some driver of a mechanism is not uniform."""
     own = method.mechanism.drivers
-    wanted = [any(np.any(mechanism.drivers[k].acceleration) for mechanism in mechanisms) for k in range(len(own))]
-    if not any(want and not driver.acceleration for want, driver in zip(wanted, own)):
+    needed = [any(np.any(mechanism.drivers[k].acceleration) for mechanism in mechanisms) for k in range(len(own))]
+    if not any(needs and not driver.acceleration for needs, driver in zip(needed, own)):
         return method
-    drivers = tuple(replace(driver, acceleration=float(want)) for want, driver in zip(wanted, own))
+    drivers = tuple(replace(driver, acceleration=float(needs)) for needs, driver in zip(needed, own))
     structure = method.structure
     return plan(replace(method.mechanism, drivers=drivers), structure.coincident, structure.centres)
 
@@ -140,7 +140,7 @@ class _VariantTables:
         return None
 
     def _keep(self, plot: Plot, where: slice | int) -> None:
-        """What some of them, or one, gave."""
+        """Keep the results of some of them, or one."""
         for name in TABLES:
             table = self.tables[name]
             for key, value in getattr(plot, name).items():
@@ -195,10 +195,10 @@ def _assemblies(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> As
     Sure is what closes, lies well off its dead points, and has no other assembly that the sketch may mean.
     """
     choices = _choices(method)
-    ways = np.array([*product((1, -1), repeat=len(choices))], dtype=float).reshape(2 ** len(choices), len(choices))
-    plot = replay(method.position, Plot(facts), {choice: ways[:, [k]] for k, choice in enumerate(choices)})
+    sides = np.array([*product((1, -1), repeat=len(choices))], dtype=float).reshape(2 ** len(choices), len(choices))
+    plot = replay(method.position, Plot(facts), {choice: sides[:, [k]] for k, choice in enumerate(choices)})
     count = np.broadcast_shapes((1,), *map(np.shape, (*sketch.values(), *plot.position.values())))[-1:]
-    every = (len(ways), *count)
+    every = (len(sides), *count)
     points = {point: np.broadcast_to(z, every) for point, z in plot.position.items()}
     shown = [point for point in sketch if point in points]
     far = sum((np.abs(points[point] - sketch[point]) ** 2 for point in shown), np.zeros(every))
@@ -212,7 +212,7 @@ def _assemblies(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> As
     slides = [np.broadcast_to(s, every) for s in plot.s.values()]
     places = np.array([*points.values()])
     size = np.abs(places - places[0])[:, best, row].max(axis=0)
-    for other in range(len(ways)):
+    for other in range(len(sides)):
         with np.errstate(invalid="ignore"):
             same = np.all([np.abs(z[other] - z[best, row]) <= 1e-9 * size for z in (*points.values(), *slides)], axis=0)
             apart = sum((np.abs(points[p][other] - points[p][best, row]) ** 2 for p in shown), np.zeros(every[1]))
@@ -221,4 +221,4 @@ def _assemblies(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> As
     turned = [base for base in method.structure.bases if base in plot.theta]
     near = {base: np.broadcast_to(plot.theta[base], every)[best, row] for base in turned}
     near |= {slide_key(slide): np.broadcast_to(s, every)[best, row] for slide, s in plot.s.items()}
-    return Assemblies({choice: ways[best, k] for k, choice in enumerate(choices)}, near, sure)
+    return Assemblies({choice: sides[best, k] for k, choice in enumerate(choices)}, near, sure)
