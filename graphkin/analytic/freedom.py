@@ -18,7 +18,7 @@ from graphkin.model.mechanism import Mechanism
 
 _NUDGES = 6
 _NUDGE = 0.05
-"""How far the mechanism is moved to see its general rank [rad, size]."""
+"""The mechanism is moved so far to see its general rank [rad, size]."""
 
 
 @frozen

@@ -32,7 +32,7 @@ _MARGIN = 4 * _SHORTEST
 _REACH = 0.2
 """Longest sub-step of any unknown in the loops [rad, size]."""
 _SWERVE, _SLIP = 0.15, 0.005
-"""How much the turning over a sub-step may differ between its ends, and from their mean [rad, size].
+"""The turning over a sub-step may differ so much between its ends, and from their mean [rad, size].
 
 Two assemblies that come close to each other turn in opposite senses there: more than this, and it is another one.
 """
@@ -45,7 +45,7 @@ _AS_BEFORE = 1e-9
 _ASIDE, _PLACES = 0.25, np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
 """Neighbours of a change point: how far apart, in longest steps of a path, and where."""
 _ALIKE, _NEARER = 1e-7, 4
-"""How far all neighbours and the inner six may tell the change point apart [rad, size]; else nearer ones are taken."""
+"""All neighbours and the inner six may tell the change point so far apart [rad, size]; else nearer ones are taken."""
 _CLEAR = 10
 """The outermost neighbour is not so near another change point, or the end, as this many times its distance."""
 

@@ -29,7 +29,7 @@ SHORTEST = 1e-6
 REACH = 0.2
 """Longest step of any unknown in the loops [rad, size]."""
 AWAY, SWERVE = 1e-3, 3e-3
-"""How far a position, and what it turns over a step, may be from what was foretold [rad, size]."""
+"""A position, and its turning over a step, may be so far from what was foretold [rad, size]."""
 CLOSED, SETTLED = 1e-9, 1e-8
 """The gap [size] and the last step of Newton's method [rad, size] at a node."""
 FLAT = 1e-4

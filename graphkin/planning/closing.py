@@ -20,7 +20,7 @@ from graphkin.construction import Arc, Drawn, Equation, Given, LayOff, Meet, Ray
 Aside = Callable[[], str]
 """Names a point that only helps the drawing."""
 Corner = Callable[[Term], str | None]
-"""Where a known arrow ends that has moved: at a new corner where a point of a link was, None where it was a corner."""
+"""The end of a known arrow that has moved: at a new corner where a point of a link was, None where it was a corner."""
 
 
 # --- closed by two lines ----------------------------------------------------------------------

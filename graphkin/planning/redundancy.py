@@ -26,7 +26,7 @@ from graphkin.planning.constraint_jacobian import Array, ConstraintRows, Restrai
 from graphkin.planning.structure import ConstraintRow, SetAside, Topology
 
 _NUDGE = 0.05
-"""How far bodies are moved to see the general rank [size, rad]."""
+"""Bodies are moved as far to see the general rank [size, rad]."""
 _NUDGES = 4
 _MISSED = 1e-8
 """A gap of more than this contradicts [size, rad]."""

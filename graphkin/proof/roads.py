@@ -37,7 +37,7 @@ AGREE = 1e-6
 PLACES = 12
 """Of many positions, or many mechanisms, both ends are held, and ten between."""
 FLAT = float(np.sin(np.radians(0.5)))
-"""Where lines meet under a smaller angle the mechanism stands at a dead point, and digits are lost."""
+"""If lines meet under a smaller angle the mechanism stands at a dead point, and digits are lost."""
 
 _Largest = Callable[[Sequence[Value]], Real]
 

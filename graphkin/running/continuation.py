@@ -28,9 +28,9 @@ each of which leaves half of what was missing."""
 FIRST = 1 / 32
 """The first step, of which nothing is foretold but its direction, as part of the longest."""
 FARTHEST = 0.2
-"""How far a link turns in a step at most [rad], or slides, in lengths of the mechanism."""
+"""A link turns no farther in a step [rad], or slides, in lengths of the mechanism."""
 AWAY, SWERVE = 1e-3, 3e-3
-"""How far links may come from where they were expected, and turn otherwise over a step [rad, lengths]."""
+"""Links may come so far from where they were expected, and turn so much otherwise over a step [rad, lengths]."""
 SHORTEST = 1e-6
 """Steps are not halved below this part of the longest."""
 SOON = 1.25
@@ -40,9 +40,9 @@ STRETCH, HALVINGS = 20, 6
 FELT = 0.001
 """Steps below this part of the longest are felt for one by one, and tried longer: the way may be about to end."""
 GROWTH, STEADY = 1.5, 0.9
-"""How much longer each step may be than the one before, and what part of the longest that would do is taken."""
+"""Each step may be so much longer than the one before, and this part of the longest that would do is taken."""
 LEAST = 0.05
-"""What part of the first step of a stretch the others are at the least."""
+"""The others are at least this part of the first step of a stretch."""
 BETWEEN = 8
 """From one position found to the next so many are foretold, from which others are found."""
 

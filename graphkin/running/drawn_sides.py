@@ -16,7 +16,7 @@ from graphkin.construction import Arc, Fit, Meet, Plot, Swing, replay
 from graphkin.planning import Method
 
 _PLAIN = 0.02
-"""What lies by a smaller part of its distance to one side is not seen to lie there."""
+"""A point that lies by a smaller part of its distance to one side is not seen to lie there."""
 _SAME = 1e-6
 Places = dict[str, complex]
 

@@ -109,7 +109,7 @@ FLAGS = (
 )  # fmt: skip
 """Roots and choices that can be done on vectors; results are those of the same operations one by one."""
 LONGEST_S = 60
-"""What a compiler may take at most [s]."""
+"""The time that a compiler may take at most [s]."""
 
 
 @cache

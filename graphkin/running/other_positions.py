@@ -23,7 +23,7 @@ from graphkin.running.tape import CannotRecord
 from graphkin.running.tracing import trace
 
 SURPRISE = 0.02
-"""How far a link may turn beside what its turning so far foretold [rad]; more, and the step is halved."""
+"""A link may turn so far beside what its turning so far foretold [rad]; more, and the step is halved."""
 SHORTEST = 1 / 256
 """Steps are not halved below this part of the longest, for many positions at once."""
 MANY = 64
@@ -36,7 +36,7 @@ PART = 4096
 _PROGRAMS: dict[int, ReplayProgram | None] = {}
 """By the identity of their methods, as long as these live: methods are alike by value, and too large to be hashed."""
 _COUNTS: dict[int, int] = {}
-"""How many positions were replayed without a program, by method, the same."""
+"""Numbers of positions that were replayed without a program, by method, the same."""
 
 
 # --- single positions -------------------------------------------------------------------------

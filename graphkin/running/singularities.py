@@ -20,7 +20,7 @@ from graphkin.planning.refusals import links_of
 from graphkin.running.path import DriverPath, Event, along, stride
 
 LOOK_DEG, LOOK_PART = 0.5, 0.002
-"""How closely the path is looked at [deg, of the mechanism's size]."""
+"""The steps in which the path is looked at [deg, of the mechanism's size]."""
 TOUCHING_SINE = 3e-6
 """The sine to which two loci come down, as closely as it is looked at, where they touch."""
 LOW_SINE = 0.3
@@ -32,7 +32,7 @@ ROUNDS, FINE = 3, 201
 FEW, CLOSE = 5, 0.01
 """Positions where a sine goes through 0, and how far from there others are looked at, as part of how far these are."""
 CENTRING = 1e-3
-"""How far to both sides of a touching it is weighed, as part of how closely the path is looked at."""
+"""A touching is weighed so far to both sides, as part of the steps in which the path is looked at."""
 
 Crossing = Meet | Swing | Fit
 

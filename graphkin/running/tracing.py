@@ -23,11 +23,11 @@ from graphkin.running.path import DriverPath, Event, along, stride, turned, with
 from graphkin.running.singularities import LOOK_DEG, LOOK_PART, Crossing, choice_of, crossings, event_at, first_touching
 
 FAST, HALVINGS = 0.5, 6
-"""Where a link turns more between two positions [rad], those between are looked at, too; so often."""
+"""If a link turns more between two positions [rad], those between are looked at, too; so often."""
 MOST = 1e7
 """Points looked at on a path, at most: some 0.3 GB."""
 FITTING = 30
-"""How much more a position costs where links are fitted."""
+"""The cost of a position where links are fitted, beside another."""
 
 
 def trace(
