@@ -127,9 +127,7 @@ class _BranchWalk:
         order = np.argsort(parent, kind="stable")
         return self._with(block, q[parent[order]], np.vstack([y[single], more[kept]])[order])
 
-    def _either(
-        self, block: LoopBlock, q: Reals, solved: Flags, given: Reals, sketched: Reals, both: Reals
-    ) -> Reals:
+    def _either(self, block: LoopBlock, q: Reals, solved: Flags, given: Reals, sketched: Reals, both: Reals) -> Reals:
         """Each branch with both ways (b, 2, 2) to close a block, or the one that the sketch shows."""
         unknowns = self.closure.loops.unknowns
         angles = [unknowns[column].kind == "theta" for column in self.closure.known.free[block.columns]]

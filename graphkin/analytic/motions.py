@@ -98,9 +98,7 @@ def _clear(closure: EquationSystem, q: Reals, condition: Reals) -> Flags:
     return clear
 
 
-def driving(
-    mechanism: Mechanism, loops: Loops, drawn: EquationSystem | None = None
-) -> tuple[EquationSystem, int]:
+def driving(mechanism: Mechanism, loops: Loops, drawn: EquationSystem | None = None) -> tuple[EquationSystem, int]:
     """Loops closed with the drivers, and the first driver's row among the relations; the system that gave the drawn
     position may be the same."""
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)

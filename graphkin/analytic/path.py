@@ -155,9 +155,12 @@ class _MotionWalk:
         step = self.longest / 8
         while end - self.last.at > 1e-12 * self.line.longest and step > SHORTEST * self.line.longest:
             step = min(step, self.longest)
-            if (place := self._foretold()) is not None and self._through(place):
-                step = self.longest
-                continue
+            if (place := self._foretold()) is not None:
+                beyond = self._as_foretold(place + max(place - self.last.at, self.longest / 2))
+                if beyond is not None and self._gone_through(beyond):  # one step over where the matrix is singular
+                    step = self.longest
+                    continue
+                self.missed = place
             node = self._as_foretold(end if end - self.last.at < 1.001 * step else self.last.at + step)
             same_side = node is not None and not node.measure * self.last.measure <= 0
             if node is not None and same_side:
@@ -187,14 +190,6 @@ class _MotionWalk:
         ahead = abs(here.measure) / falls if falls > 0 else np.inf
         place = here.at + ahead
         return place if ahead < 1.25 * self.longest and place - self.missed > self.longest else None
-
-    def _through(self, place: float) -> bool:
-        """One step over the place where the matrix is singular."""
-        node = self._as_foretold(place + max(place - self.last.at, self.longest / 2))
-        if node is not None and self._gone_through(node):
-            return True
-        self.missed = place
-        return False
 
     def _gone_through(self, beyond: PathNode) -> bool:
         """Take the change point between here and there, if it is one."""

@@ -136,9 +136,7 @@ def _own(pair: Pair) -> str:
     return f"{pair.table} {pair.name}"
 
 
-def _line_of_centres(
-    mechanism: Mechanism, pair: Pair, rod: Rod, length: float | None
-) -> tuple[str, tuple[Joint, ...]]:
+def _line_of_centres(mechanism: Mechanism, pair: Pair, rod: Rod, length: float | None) -> tuple[str, tuple[Joint, ...]]:
     """The link that carries both centres (at this `length` [m], if one is given), or a new one and its joints.
 
     A new link of open length is a rod from the first centre that slides through the second.

@@ -54,7 +54,7 @@ class ConstraintRows:
 
     @property
     def rank(self) -> int:
-        return rank(self.slopes)
+        return int(np.linalg.matrix_rank(self.slopes, tol=RANK)) if self.slopes.size else 0
 
     @property
     def freedom(self) -> Array:
@@ -66,10 +66,6 @@ class ConstraintRows:
         others, own = self.without(labels).slopes, self.only(labels)
         back = np.linalg.pinv(others, rcond=RANK) @ others
         return float(np.max(np.linalg.norm(own - own @ back, axis=1) / np.linalg.norm(own, axis=1)))
-
-
-def rank(slopes: Array) -> int:
-    return int(np.linalg.matrix_rank(slopes, tol=RANK)) if slopes.size else 0
 
 
 def over(rows: ConstraintRows, candidates: Iterable[SetAside]) -> tuple[SetAside, ...]:
@@ -127,18 +123,15 @@ class Restraints:
             hub, *others = [body for body in owners if not self.structure.is_pin(body)]
             for body in others:
                 (one, slope), (other, more) = self.place(hub, point, q), self.place(body, point, q)
-                gap, slopes = one - other, slope - more
+                gap, slopes, row = one - other, slope - more, ConstraintRow("hinge", point, body)
                 if body in self.structure.followers and point != next(iter(self.structure.bodies[body])):
-                    yield ConstraintRow("hinge", point, body), *self._towards(body, gap, slopes, q)
+                    # a line of centres points at its second centre, however far that is
+                    angle, turn = self._angle(body, q)
+                    back = cmath.rect(1.0, -angle)
+                    yield row, (gap * back).imag, (slopes * back - 1j * gap * back * turn).imag
                     continue
-                for part in (np.real, np.imag):
-                    yield ConstraintRow("hinge", point, body), float(part(gap)), part(slopes)
-
-    def _towards(self, body: str, gap: complex, slopes: Gradient, q: Array) -> tuple[float, Array]:
-        """A line of centres points at its second centre, however far that is."""
-        angle, turn = self._angle(body, q)
-        back = cmath.rect(1.0, -angle)
-        return (gap * back).imag, (slopes * back - 1j * gap * back * turn).imag
+                yield row, gap.real, slopes.real
+                yield row, gap.imag, slopes.imag
 
     def place(self, body: str, point: str, q: Array) -> tuple[complex, Gradient]:
         """A point of a body, in units of size, and how it follows q."""

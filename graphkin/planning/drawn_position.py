@@ -155,9 +155,7 @@ def _refuse_other(
             raise PosesDiffer(each.where(mechanism), each.fixes.name, *values, others)
 
 
-def _fixing_same(
-    structure: Topology, given: PlacingValue, needed: Sequence[PlacingValue]
-) -> list[PlacingValue]:
+def _fixing_same(structure: Topology, given: PlacingValue, needed: Sequence[PlacingValue]) -> list[PlacingValue]:
     """Entries that fix the same: those that turn one of the two links against the other, else all that is needed."""
     fixes, turns = given.fixes, structure.turns
     if fixes.kind == "slide":

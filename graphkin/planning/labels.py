@@ -49,15 +49,17 @@ class Labels:
         return plain if clear else f"{point}@{called}"
 
     def reserves(self, name: str) -> bool:
-        """True if a point may need a name in polygons, without the primes: it is free for no corner between."""
-        return name in self._needed or any(self._is_numbered(name, k) for k in range(1, len(name)))
+        """True if a point may need a name in polygons, without the primes: it is free for no corner between.
 
-    def _is_numbered(self, name: str, k: int) -> bool:
-        """True if a name is that of a point at which links slide past each other, with a link after k letters."""
-        point, link = name[0].upper() + name[1:k], name[k:].removeprefix("@")
-        link = FRAME if link == self.structure.mechanism.frame else link
-        known = point in self.coincident and link in self.structure.mechanism.links
-        return known and _as_begun(self.numbered(point, link)) == name
+        Such are the points, and those at which links slide past each other, with a link after k letters.
+        """
+        mechanism = self.structure.mechanism
+        for k in range(1, len(name)):
+            point, link = name[0].upper() + name[1:k], name[k:].removeprefix("@")
+            link = FRAME if link == mechanism.frame else link
+            if point in self.coincident and link in mechanism.links and _as_begun(self.numbered(point, link)) == name:
+                return True
+        return name in self._needed
 
     @cached_property
     def _needed(self) -> frozenset[str]:

@@ -14,7 +14,7 @@ from graphkin.base.tolerances import CLOSED, ROUNDED
 from graphkin.construction import Arc, Arm, Construction, Fit, Meet, Plot, Ray, Swing
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import spelled
-from graphkin.model.pairs import Gear, Line
+from graphkin.model.pairs import Gear
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Topology
 
@@ -56,9 +56,7 @@ def _crossings(construction: Construction) -> Iterator[tuple[Meet | Swing | Fit,
             yield step, step.name
 
 
-def dead_end(
-    structure: Topology, construction: Construction, plot: Plot
-) -> errors.CannotAssemble | errors.DeadPoint:
+def dead_end(structure: Topology, construction: Construction, plot: Plot) -> errors.CannotAssemble | errors.DeadPoint:
     """Of the crossing at which no branch is left; before all of them, of a cylinder driven back too far."""
     last = None
     for step, key in _crossings(construction):
@@ -190,17 +188,14 @@ def refuse_contacts_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot:
             if abs(distance - radii) > ROUNDED * max(distance, radii):
                 raise errors.GearsApart(_radii(mechanism, tie), tie.centres, distance * 1000, radii * 1000)
         elif mechanism.slides and (path := tie.pair.path) is not None:
-            distance, offset = _beside(path.line, path.point, plot), path.offset
+            line, offset = path.line, path.offset  # the point lies so far to the left of its line
+            along = line.direction * np.exp(1j * plot.theta[line.link])
+            distance = number(cross(along, plot.arm(line.origin, path.point)))
             if abs(distance - offset) > ROUNDED * abs(offset):
-                track = mechanism.called(path.line.link)
+                track = mechanism.called(line.link)
                 raise errors.OffTrack(_radii(mechanism, tie), path.point, track, distance * 1000, offset * 1000)
 
 
 def _radii(mechanism: Mechanism, tie: Contact) -> errors.Where:
     """The place where the file gives the radii of a contact."""
     return mechanism.where(*mechanism.path(tie.pair), "radii" if isinstance(tie.pair, Gear) else "radius")
-
-
-def _beside(line: Line, point: str, plot: Plot) -> float:
-    """The distance at which a point lies to the left of a line [m]."""
-    return number(cross(line.direction * np.exp(1j * plot.theta[line.link]), plot.arm(line.origin, point)))

@@ -104,6 +104,7 @@ class Topology:
     coincident: str = ""
     centres: bool = False
     aside: Aside = Aside()
+
     @cached_property
     def joining(self) -> tuple[Slide, ...]:
         """The sliding pairs that join bodies: all but those set aside, blocks whose angle is held already as pins."""
@@ -285,6 +286,7 @@ class Topology:
     @property
     def bases(self) -> list[str]:
         return list(dict.fromkeys(turn.base for turn in self.turns.values()))
+
     def base(self, body: str) -> str:
         return self.turns[body].base
 

@@ -100,9 +100,7 @@ def _side(method: Method, plot: Plot, step: Meet | Swing) -> PointSide | None:
     return None if best is None else best[1]
 
 
-def _across(
-    here: Places, there: Places, moved: list[str], still: list[str]
-) -> Iterator[tuple[float, PointSide]]:
+def _across(here: Places, there: Places, moved: list[str], still: list[str]) -> Iterator[tuple[float, PointSide]]:
     """Points on the other side of a line that stays."""
     for (first, second), point in product(combinations(still, 2), moved):
         sides = [_sine(places, first, second, point) for places in (here, there)]
@@ -119,9 +117,7 @@ def _sine(places: Places, first: str, second: str, point: str) -> float:
     return number(cross(line, arm)) / size if size else 0.0
 
 
-def _beyond(
-    here: Places, there: Places, moved: list[str], still: list[str]
-) -> Iterator[tuple[float, PointSide]]:
+def _beyond(here: Places, there: Places, moved: list[str], still: list[str]) -> Iterator[tuple[float, PointSide]]:
     """Points on the other side of a point that stays, along x or y."""
     for other, point, unit in product(still, moved, (1 + 0j, 1j)):
         arms = [places[point] - places[other] for places in (here, there)]
@@ -130,9 +126,7 @@ def _beyond(
             yield plain, PointSide(point, (other,), unit * math.copysign(1.0, parts[0]))
 
 
-def _farther(
-    here: Places, there: Places, moved: list[str], still: list[str]
-) -> Iterator[tuple[float, PointSide]]:
+def _farther(here: Places, there: Places, moved: list[str], still: list[str]) -> Iterator[tuple[float, PointSide]]:
     """Points at another distance from a point that stays."""
     for other, point in product(still, moved):
         one, two = (abs(places[point] - places[other]) for places in (here, there))

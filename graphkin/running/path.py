@@ -195,6 +195,7 @@ class Nodes:
         x, _ = cubic(self[ends[:-count]], self[ends[count:]], t.ravel())
         return np.append(t.ravel(), self.t[-1]), np.concatenate([x, self.x[-1:]])
 
+
 def cubic(left: Nodes, right: Nodes, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Hermite's cubics through pairs of nodes, one or (k,), and their slopes at t (k,), between or beyond: (k, n)."""
     width = (right.t - left.t)[:, None]

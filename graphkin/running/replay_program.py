@@ -15,7 +15,7 @@ import numpy as np
 
 from graphkin.base.geometry import Real, Value
 from graphkin.base.value import Lazy, filled, frozen
-from graphkin.construction import Construction, Facts, Fit, Plot, replay
+from graphkin.construction import Construction, Facts, Plot, replay
 from graphkin.construction.fitting import sense_and_sine
 from graphkin.running.in_numpy import Calls, in_numpy, lent
 from graphkin.running.recorder import TABLES, Entry, GroupSense, Recorded, Recording, record
@@ -69,7 +69,7 @@ class ReplayProgram:
         return frozenset((table, name) for table, name, value in of if isinstance(value, Recorded))
 
     @cached_property
-    def usual(self) -> frozenset[Entry]:
+    def _usual(self) -> frozenset[Entry]:
         """Those of `USUAL`, but for points of polygons that belong to none of the mechanism."""
         between = {name for each in self.constructions for name, node in each.nodes.items() if node.site is None}
         return frozenset(entry for entry in self.entries if entry[0] in USUAL and entry[1] not in between)
@@ -96,7 +96,7 @@ class ReplayProgram:
         inputs = tuple(np.array(value, dtype=float) for value in everything)
         for value in inputs:
             value.flags.writeable = False  # what is read late is calculated from it
-        part = self.part(self.usual if asked is None else self.entries & asked)
+        part = self.part(self._usual if asked is None else self.entries & asked)
         return LazyPlot.of(Results(self, part, inputs, compiled, asked))
 
     def plainly(self, facts: Facts, inputs: Sequence[np.ndarray], here: np.ndarray) -> Plot:
@@ -270,6 +270,8 @@ class Results:
     asked: set[Entry] | None = None
 
     def __post_init__(self) -> None:
+        self.judged: dict[str, tuple[Value, Value]] = {}
+        """Senses and sines of groups that are fitted."""
         self.rows, doubtful = self.part.run(self.inputs, self.compiled)
         self.plain = [(here, self.program.plainly(self.facts, self.inputs, here)) for here in doubtful]
 
@@ -296,7 +298,9 @@ class Results:
         """A scalar, or an array (n,) that cannot be written into."""
         value = self.program.recording.tables[table][name]
         if isinstance(value, GroupSense):
-            value = self._judged[value.step.name][value.which]
+            if value.step.name not in self.judged:
+                self.judged[value.step.name] = sense_and_sine(value.step, LazyPlot.of(self))
+            value = self.judged[value.step.name][value.which]
         elif isinstance(value, Recorded):
             room = self.part.rooms.get((table, name))
             if room is None:
@@ -305,12 +309,6 @@ class Results:
                 return self.late.read(table, name)
             value = self.rows[room]
         return self._mended(value, [getattr(plot, table)[name] for _, plot in self.plain]) if self.plain else value
-
-    @cached_property
-    def _judged(self) -> Mapping[str, tuple[Value, Value]]:
-        """Senses and sines of groups that are fitted."""
-        fits = (step for step in self.program.constructions[0].steps if isinstance(step, Fit))
-        return {step.name: sense_and_sine(step, LazyPlot.of(self)) for step in fits}
 
     def _mended(self, value: Value, plain: Sequence[Value]) -> Value:
         """A quantity with the values of plain replay where there are any; a scalar remains one if they are no other."""

@@ -148,6 +148,7 @@ class _VariantTables:
                     table[key] = np.full(self.shape, np.nan, np.result_type(value, np.float64))
                 table[key][..., where] = value
 
+
 def rows_of(many: Plot, rows: np.ndarray | int, plot: Plot) -> Plot:
     """A plot that is given some rows of another's, or one."""
     for name in TABLES:
