@@ -13,7 +13,7 @@ than `WIDEST` remain are the farthest given up.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from functools import partial
 
 import numpy as np
@@ -114,8 +114,16 @@ class _BranchSearch:
                     here = self._thinned(here, min(width, WIDEST_FITTED), None)
                 here = self._opened(here, opening, self._spare(here, bound))
                 draw(rest, here.plot, "position", {})
-                waiting = self._measured(here.plot, waiting)
-                closed = self._closed(here, [*here.plot.position][before[0] :], [*here.plot.s][before[1] :])
+                seen, lines = here.plot.position.keys(), here.plot.facts.lines
+                ready = [step for step in waiting  # measured as soon as both ends are drawn
+                         if {step.tail, step.head} <= seen and lines[step.of][0] in here.plot.theta]  # fmt: skip
+                waiting = [step for step in waiting if step not in ready]
+                draw(ready, here.plot, "position", {})
+                closed = np.ones(here.count, dtype=bool)
+                for point in [*here.plot.position][before[0] :]:
+                    closed &= np.isfinite(here.plot.position[point])
+                for name in [*here.plot.s][before[1] :]:  # cylinders keep the positive displacement of the drawing
+                    closed &= np.logical_or(name not in self.cylinders, here.plot.s[name] > 0)
                 before = len(here.plot.position), len(here.plot.s)
                 if not closed.any():
                     raise DeadEnd(here.plot)
@@ -152,26 +160,6 @@ class _BranchSearch:
                 assert step.choice is not None
                 draw([step], here.plot, "position", {step.choice: both})
                 return here
-
-    def _measured(self, plot: Plot, waiting: list[Measure]) -> list[Measure]:
-        """Displacements are measured as soon as both ends are drawn; those that are not yet."""
-        lines, ready, left = plot.facts.lines, list[Step](), list[Measure]()
-        for step in waiting:
-            drawn = {step.tail, step.head} <= plot.position.keys() and lines[step.of][0] in plot.theta
-            (ready if drawn else left).append(step)
-        draw(ready, plot, "position", {})
-        return left
-
-    def _closed(self, here: Branches, points: Sequence[str], slides: Sequence[str]) -> np.ndarray:
-        """Branches whose new points have places, with cylinders at the positive displacement they were drawn with."""
-        places = np.empty((len(points), here.count), dtype=complex)
-        for row, point in zip(places, points, strict=True):
-            row[:] = here.plot.position[point]
-        closed = np.asarray(np.isfinite(places).all(axis=0))
-        for name in slides:
-            if name in self.cylinders:
-                closed = np.asarray(closed & (here.plot.s[name] > 0))
-        return closed
 
     # --- what the sketch says -----------------------------------------------------------------
 

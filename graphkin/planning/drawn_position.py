@@ -8,7 +8,7 @@ what a template would have to: of a cylinder whose stroke is open, or a wheel th
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import combinations, islice
 
@@ -80,23 +80,20 @@ def as_drawn(
     drawn = {link: number(plot.theta[link]) if link in plot.theta else 0.0 for link in structure.bodies}
     drawn |= {slide_key(slide): number(value) for slide, value in plot.s.items()}
     sketch = {**lower.sketch, **{p: place(z) for p, z in plot.position.items() if p in mechanism.points}}
-    drivers = tuple(_with_value(driver, plot, drawn) for driver in mechanism.drivers)
-    valued, counted = replace(lower, drivers=drivers, sketch=sketch), dict(drawn)
+    drivers = []
+    for driver in mechanism.drivers:  # one whose value a pose has fixed gets that value
+        if driver.kind == "spin":
+            driver = replace(driver, value=drawn[driver.link])
+        elif driver.value is None:
+            slides = driver.kind == "slide"
+            driver = replace(driver, value=drawn[slide_key(driver.link)] if slides else number(value_of(plot, driver)))
+        drivers.append(driver)
+    valued, counted = replace(lower, drivers=tuple(drivers), sketch=sketch), dict(drawn)
     for body, turn in replace(structure, mechanism=valued).turns.items():  # count whole turns as the drivers' values do
         values = sum(sign * (drivers[k].value or 0.0) for k, sign in turn.drivers)
         turns = round((drawn[turn.base] + turn.constant + values - drawn[body]) / (2 * np.pi))
         counted[body] = drawn[body] + 2 * np.pi * turns
     return counted, valued
-
-
-def _with_value(driver: Driver, plot: Plot, drawn: Mapping[str, float]) -> Driver:
-    """A driver whose value a pose has fixed, with that value."""
-    if driver.kind == "spin":
-        return replace(driver, value=drawn[driver.link])
-    if driver.value is not None:
-        return driver
-    slides = driver.kind == "slide"
-    return replace(driver, value=drawn[slide_key(driver.link)] if slides else number(value_of(plot, driver)))
 
 
 def value_of(plot: Plot, fixes: Driver | Pose) -> Real:

@@ -21,7 +21,6 @@ from graphkin.base.value import frozen
 from graphkin.errors import NotRepeated
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.model.naming import PairName, named
-from graphkin.model.pairs import Pair
 from graphkin.planning.constraint_jacobian import Array, ConstraintRows, Restraints, over
 from graphkin.planning.structure import ConstraintRow, SetAside, Topology
 
@@ -97,13 +96,22 @@ class PairEquations:
     labels: frozenset[ConstraintRow]
 
     def all(self) -> list[SetAside]:
-        """Links on hinges, whole pairs, parts of pairs; the last in the file first, what is asked for at the end."""
+        """Links on hinges, whole pairs, parts of pairs; the last in the file first, what is asked for at the end.
+
+        Those that drivers and poses need may not go.
+        """
         wholes, lines, slips, angles = (list[SetAside]() for _ in range(4))
-        for pair in self._pairs():
+        m = self.mechanism
+        needed = {driver.link for driver in m.drivers if driver.kind == "slide"}
+        needed |= {pose.link for pose in m.poses if pose.kind == "slide"}
+        questions = {word for question in m.ask for word in question.split()}
+        ranked = sorted((pair.name not in questions, m.lines.get(m.path(pair), 0), k)
+                        for k, pair in enumerate(m.pairs) if pair.name not in needed)  # fmt: skip
+        for pair in (m.pairs[k] for *_, k in reversed(ranked)):
             rows = tuple(
                 row for kind in ("line", "angle", "slip") if (row := ConstraintRow(kind, pair.name)) in self.labels
             )
-            name = self.mechanism.path(pair)
+            name = m.path(pair)
             wholes += [SetAside(name, "whole", rows)] if rows else []
             match [row.kind for row in rows]:
                 case ["line", "slip"]:
@@ -114,19 +122,6 @@ class PairEquations:
                 case _:
                     pass  # it goes whole, or not at all
         return [*self.links(), *wholes, *lines, *slips, *angles]
-
-    def _pairs(self) -> list[Pair]:
-        """The pairs that may go, the last in the file first; drivers and poses need theirs."""
-        m = self.mechanism
-        needed = {driver.link for driver in m.drivers if driver.kind == "slide"}
-        needed |= {pose.link for pose in m.poses if pose.kind == "slide"}
-        questions = {word for question in m.ask for word in question.split()}
-        ranked = [
-            (pair.name not in questions, m.lines.get(m.path(pair), 0), k)
-            for k, pair in enumerate(m.pairs)
-            if pair.name not in needed
-        ]
-        return [m.pairs[k] for *_, k in sorted(ranked, reverse=True)]
 
     def links(self) -> Iterator[SetAside]:
         """Links that only hang on hinges, undriven, the last first."""
@@ -142,9 +137,14 @@ class PairEquations:
             carried = any(p in pinned and len(m.owners.get(p, ())) < 2 for p in link.points)
             hub = any(len(structure.owners[p]) > 2 and structure.owners[p][0] == link.name for p in joints)
             if link.name not in busy and len(joints) > 1 and not carried and not hub:
-                yield SetAside(self._meant(link.name), "link", self._hinges(link.name, joints), (), link.name)
+                rows = []
+                for point in joints:
+                    hinged = [body for body in structure.owners[point] if not structure.is_pin(body)]
+                    others = hinged[1:2] if hinged[0] == link.name else [link.name]
+                    rows += [ConstraintRow("hinge", point, body) for body in others]
+                yield SetAside(self._name_in_file(link.name), "link", tuple(rows), (), link.name)
 
-    def _meant(self, link: str) -> PairName:
+    def _name_in_file(self, link: str) -> PairName:
         """A link of the file; one of the equivalent stands for its pair."""
         if link in self.mechanism.links:
             return "links", link
@@ -152,17 +152,10 @@ class PairEquations:
         assert pair is not None
         return self.mechanism.path(pair)
 
-    def _hinges(self, link: str, joints: Sequence[str]) -> tuple[ConstraintRow, ...]:
-        rows = []
-        for point in joints:
-            hub, *others = [body for body in self.structure.owners[point] if not self.structure.is_pin(body)]
-            rows += [ConstraintRow("hinge", point, body) for body in (others[:1] if hub == link else [link])]
-        return tuple(rows)
-
     def pair_of(self, row: ConstraintRow) -> PairName:
         m = self.mechanism
         if row.kind == "hinge":
-            return ("hinge", row.name) if row.body in m.links else self._meant(row.body)
+            return ("hinge", row.name) if row.body in m.links else self._name_in_file(row.body)
         return m.path(m.pair(row.name))
 
     def holding(self, each: SetAside, whole: ConstraintRows, kept: ConstraintRows) -> list[PairName]:

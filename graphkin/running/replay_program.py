@@ -69,7 +69,7 @@ class ReplayProgram:
         return frozenset((table, name) for table, name, value in of if isinstance(value, Recorded))
 
     @cached_property
-    def _usual(self) -> frozenset[Entry]:
+    def usual(self) -> frozenset[Entry]:
         """Those of `USUAL`, but for points of polygons that belong to none of the mechanism."""
         between = {name for each in self.constructions for name, node in each.nodes.items() if node.site is None}
         return frozenset(entry for entry in self.entries if entry[0] in USUAL and entry[1] not in between)
@@ -96,7 +96,7 @@ class ReplayProgram:
         inputs = tuple(np.array(value, dtype=float) for value in everything)
         for value in inputs:
             value.flags.writeable = False  # what is read late is calculated from it
-        part = self.part(self._usual if asked is None else self.entries & asked)
+        part = self.part(self.usual if asked is None else self.entries & asked)
         return LazyPlot.of(Results(self, part, inputs, compiled, asked))
 
     def plainly(self, facts: Facts, inputs: Sequence[np.ndarray], here: np.ndarray) -> Plot:
