@@ -18,7 +18,7 @@ from graphkin.construction import Arm, Fit, Plot, unknowns_of
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.structure import Topology
 
-TABLES = ("near", "position", "theta", "s", "sines", "misses", "senses")
+_TABLES = ("near", "position", "theta", "s", "sines", "misses", "senses")
 STARTS = 96
 """Places where fitting starts, for each branch."""
 AT_ONCE = 64
@@ -49,12 +49,12 @@ class Branches:
     def taken(self, which: np.ndarray) -> Branches:
         """Some of the branches, in any order and any number of times each: (v,)."""
         branches = Branches(Plot(self.plot.facts), self.sides[which], self.alike)
-        for name in TABLES:
+        for name in _TABLES:
             setattr(branches.plot, name, self._table(name, which))
         if branches.count == 1:  # with one branch left all is alike that has been drawn
-            for name in TABLES:
+            for name in _TABLES:
                 setattr(branches.plot, name, branches._table(name, 0))
-            branches.alike = {name: len(getattr(branches.plot, name)) for name in TABLES if name != "near"}
+            branches.alike = {name: len(getattr(branches.plot, name)) for name in _TABLES if name != "near"}
         return branches
 
     def _table(self, name: str, which: np.ndarray | int) -> dict[object, Value]:
