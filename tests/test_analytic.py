@@ -12,8 +12,7 @@ import numpy as np
 import pytest
 
 from graphkin.analytic import NoAssembly, NotJoined, SingularPosition, conditioning, mobility, motion
-from graphkin.analytic.elimination import eliminate
-from graphkin.analytic.newton import inverse
+from graphkin.analytic.newton import eliminate, inverse
 from graphkin.analytic.rules import RULES
 from graphkin.model.mechanism import FRAME, Driver, Link, Mechanism, Pose
 from graphkin.model.pairs import PAIRS, Line, Slide

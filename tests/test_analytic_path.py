@@ -10,9 +10,9 @@ from folding import folding
 
 from graphkin import analytic
 from graphkin.analytic.assembly import drawn
+from graphkin.analytic.loops import applied, through
 from graphkin.analytic.motions import driving
 from graphkin.analytic.path import RightSides, path_along
-from graphkin.analytic.vectors import applied, through
 from graphkin.files import library
 
 

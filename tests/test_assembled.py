@@ -12,7 +12,7 @@ from graphkin import api
 from graphkin.construction import Meet, Plot, Swing, replay
 from graphkin.files import library
 from graphkin.planning import Method
-from graphkin.running.assembled import assembled
+from graphkin.running.drawn_sides import drawn_sides
 from graphkin.say.problems import assembly_sentence
 
 
@@ -22,7 +22,7 @@ def choices(method: Method) -> list[Meet | Swing]:
 
 def told_apart(method: Method) -> int:
     """How many choices are told, each of which is true here and not with its other crossing."""
-    plot, found = api.replay(method), assembled(method, api.replay(method)).lies
+    plot, found = api.replay(method), drawn_sides(method, api.replay(method)).lies
     others = [replay(method.position, Plot(plot.facts, method.near), {s.choice: -s.side}) for s in choices(method)]
     for lies in found:
         assert lies.holds(plot)
@@ -55,7 +55,7 @@ def test_random_mechanisms(kind: str):
 )  # fmt: skip
 def test_in_words(name: str, en: str, zh: str | None):
     method = api.plan(library.load(name))
-    found = assembled(method, api.replay(method))
+    found = drawn_sides(method, api.replay(method))
     assert assembly_sentence(found, "en") == en
     assert zh is None or assembly_sentence(found, "zh") == zh
 
@@ -64,5 +64,5 @@ def test_the_other_assembly_is_told_otherwise():
     mechanism = library.load("ex3-5")
     corner = mechanism.sketch["C"]
     mirrored = replace(mechanism, sketch={**mechanism.sketch, "C": np.conj(corner)})
-    words = [assembly_sentence(assembled(m, api.replay(m)), "en") for m in map(api.plan, (mechanism, mirrored))]
+    words = [assembly_sentence(drawn_sides(m, api.replay(m)), "en") for m in map(api.plan, (mechanism, mirrored))]
     assert words == ["Assembly: C above DB.", "Assembly: C below DB."]

@@ -16,7 +16,7 @@ from graphkin import api
 from graphkin.cli import main, spelled_out, watching
 from graphkin.cli.drawing import draw
 from graphkin.files import library
-from graphkin.proof.repose import standing
+from graphkin.proof.readings import mechanism_at
 
 FILE = library.text("ex3-5")
 
@@ -95,7 +95,7 @@ def test_solve_at_another_angle() -> None:
 def test_another_angle_is_another_drawn_position() -> None:
     """As a file that is drawn there: on the branch on which the drawn one stands, past where a sketch would mislead."""
     method = api.plan(library.load("ex3-5"))
-    there = standing(method, [math.radians(250)])
+    there = mechanism_at(method, [math.radians(250)])
     Path("there.toml").write_text(there.text, encoding="utf-8")
     for command in ("equations", "structure", "linkage"):
         turned, told = run(command, "ex3-5", "--angle", "250"), run(command, "there.toml")
@@ -114,7 +114,7 @@ def test_a_mechanism_stands_elsewhere(name: str, aside: float) -> None:
     """Poses, displacements, several drivers: its file has them of there, and moves on as it did."""
     method = api.plan(library.load(name))
     values = [float(value) + aside for value in method.facts(None).values]
-    there = standing(method, values)
+    there = mechanism_at(method, values)
     drawn, again = api.replay(method, values), api.replay(api.plan(there))
     for link in there.moving:
         assert again.omega[link] == pytest.approx(drawn.omega[link], rel=1e-7, abs=1e-9)

@@ -33,13 +33,12 @@ from graphkin.files import library
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
-from graphkin.running.many_positions import FITTED_MANY, MANY, by_program, program_of, replay_along
+from graphkin.running.in_numpy import in_numpy
+from graphkin.running.other_positions import FITTED_MANY, MANY, by_program, on_one_path, program_of, replay_along
 from graphkin.running.path import DriverPath, along
-from graphkin.running.program.in_numpy import in_numpy
-from graphkin.running.program.program import BLOCK, LazyPlot, ReplayProgram, recorded_program
-from graphkin.running.program.recorder import TABLES, Recorded
-from graphkin.running.program.tape import CannotRecord, Tape
-from graphkin.running.reaching import on_one_way
+from graphkin.running.recorder import TABLES, Recorded
+from graphkin.running.replay_program import BLOCK, LazyPlot, ReplayProgram, recorded_program
+from graphkin.running.tape import CannotRecord, Tape
 from graphkin.running.tracing import trace
 
 COUNT = 721
@@ -289,7 +288,7 @@ def test_where_links_are_fitted_a_program_is_made_for_many():
     values = around(method)
     turns = [replay_all(method, values) for _ in range(-(-FITTED_MANY // COUNT))]
     assert [by_a_program(plot) for plot in turns] == [False] * (len(turns) - 1) + [True]
-    assert (way := on_one_way(method, values)) is not None
+    assert (way := on_one_path(method, values)) is not None
     assert hold_alike(method, turns[-1], turns[0], COUNT, lambda change: nudged(method, *way, 10 * change))
 
 
@@ -299,7 +298,7 @@ def test_what_can_not_be_recorded_is_replayed(monkeypatch: pytest.MonkeyPatch):
 
     method = plan(library.load("ex3-1"))
     values = around(method)
-    monkeypatch.setattr("graphkin.running.program.program.record", refuse)
+    monkeypatch.setattr("graphkin.running.replay_program.record", refuse)
     found, plain = replay_all(method, values), plainly(method, values)
     assert program_of(method) is None
     assert np.array_equal(found.acceleration["b3'"], plain.acceleration["b3'"])

@@ -17,8 +17,8 @@ from graphkin.errors import Lang, NothingToMeasure
 from graphkin.files import library
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
-from graphkin.planning.acts import Act, made
-from graphkin.planning.by_pose import shown
+from graphkin.planning.drawn_position import shown
+from graphkin.planning.method import Act, made
 from graphkin.running import replay_all
 from graphkin.say import derivation, vector_equations
 from graphkin.say.entry import Sentence

@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from random_mechanisms import dyad
 
-from graphkin.analytic.assembly import drawn, driven
-from graphkin.analytic.blocks import blocks_of
-from graphkin.analytic.dyads import ways
+from graphkin.analytic.assembly import drawn
+from graphkin.analytic.blocks import blocks_of, dyad_ways
 from graphkin.analytic.newton import EquationSystem, close, search
+from graphkin.analytic.rules import driven
 
 
 @pytest.mark.parametrize("kind", ["RRR", "RRP", "PRR", "RPR"])
@@ -19,7 +19,7 @@ def test_both_ways_are_all_that_a_search_finds(kind: str, seed: int):
     closure = EquationSystem.of(start.loops, (*start.loops.relations, *drivers))
     (block,) = blocks_of(closure)
     given = block.given(start.q[None])
-    both = ways(block, given)
+    both = dyad_ways(block, given)
     assert both is not None
     there = np.repeat(given, 60, axis=0)
     places = np.random.default_rng(seed).uniform(-3, 3, (60, 2))

@@ -20,7 +20,7 @@ from graphkin.cli.shared import json_line
 from graphkin.errors import AlongOwnAxis, JoinedToNothing
 from graphkin.files import library, loads
 from graphkin.model.mechanism import FRAME
-from graphkin.proof.mobility_errors import wrong_drivers
+from graphkin.proof.roads import wrong_drivers
 
 COLLAR = """
 [frame]

@@ -22,9 +22,9 @@ from graphkin.errors import GraphkinError
 from graphkin.files import library
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
-from graphkin.running import replay_all
-from graphkin.running.program import in_c, program
-from graphkin.running.program.in_c import compiled, compiler
+from graphkin.running import in_c, replay_all
+from graphkin.running import replay_program as program
+from graphkin.running.in_c import compiled, compiler
 
 ONE = "long long run(long long n, long long begin, long long end, const double *const *in, double *out) { return n; }"
 
@@ -174,7 +174,7 @@ def test_compiled_once_in_a_private_folder(cache: Path, tmp_path: Path) -> None:
     script = tmp_path / "compiler"
     script.write_text(f'#!/bin/sh\necho x >> {counted}\nexec cc "$@"\n')
     script.chmod(0o700)
-    work = f"import ctypes; from graphkin.running.program.in_c import compiled; print(compiled({ONE!r}, {str(script)!r}).run(7, 0, 0, None, None))"
+    work = f"import ctypes; from graphkin.running.in_c import compiled; print(compiled({ONE!r}, {str(script)!r}).run(7, 0, 0, None, None))"
     for _ in range(2):
         done = subprocess.run([sys.executable, "-c", work], capture_output=True, text=True, check=True)
         assert done.stdout.strip() == "7"
@@ -186,7 +186,7 @@ def test_compiled_once_in_a_private_folder(cache: Path, tmp_path: Path) -> None:
 def test_processes_at_once(cache: Path) -> None:
     """None of them sees half a file."""
     text = ONE.replace("return n", "return n + 1")
-    work = f"from graphkin.running.program.in_c import compiled; print(compiled({text!r}, 'cc').run(7, 0, 0, None, None))"
+    work = f"from graphkin.running.in_c import compiled; print(compiled({text!r}, 'cc').run(7, 0, 0, None, None))"
     at_once = [subprocess.Popen([sys.executable, "-c", work], stdout=subprocess.PIPE, text=True) for _ in range(3)]
     assert [each.communicate()[0].strip() for each in at_once] == ["8"] * 3
     assert {file.suffix for file in cache.iterdir()} == {".so"}

@@ -22,9 +22,9 @@ from graphkin.construction import Plot, replay
 from graphkin.errors import AmbiguousSketch, CannotAssemble, GraphkinError
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import plan
+from graphkin.planning.method import facts_of
 from graphkin.planning.position import position
 from graphkin.planning.stages import stages
-from graphkin.planning.starting_facts import facts_of
 from graphkin.planning.structure import Topology
 from graphkin.proof.roads import compare
 from graphkin.running import replay_all

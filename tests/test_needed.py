@@ -13,8 +13,8 @@ from graphkin.errors import GraphkinError
 from graphkin.files import library, loads
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method, plan
-from graphkin.planning.held_still import standing
-from graphkin.planning.needed import Fact, _PartsReader, at_rest, needed, turning
+from graphkin.planning.at_rest import at_rest, moving_parts
+from graphkin.planning.needed import Fact, PartsReader, needed, turning
 from graphkin.running import replay_all
 from graphkin.say import explain
 
@@ -36,7 +36,7 @@ def unfounded(method: Method, parts: dict[Plane, tuple]) -> set[Fact]:
     known: set[Fact] = {(c.plane, c.pole) for c in method.constructions[1:]}
     known |= {(rate, slide) for rate in ("s_rate", "s_acceleration") for slide in method.structure.slides_driven}
     for plane, construction in zip(PLANES, method.constructions[1:], strict=True):
-        reader = _PartsReader(method, construction)
+        reader = PartsReader(method, construction)
         for part in parts[plane]:
             needs = {fact for fact in reader.needs(part) if fact[0] not in ("position", "theta", "s")}
             missing |= {fact for fact in needs - known if not fact[0].startswith("driven")}
@@ -87,7 +87,7 @@ def test_a_driver_at_rest_holds_a_fixed_point() -> None:
     rested = at_rest(method, method.facts())
     assert {turning(method, "omega", link) for link in ("6", "7", "8")} <= rested
     assert not {turning(method, "omega", link) for link in ("1", "2", "3", "4")} & rested
-    parts = standing(method, "velocity", method.velocity.parts, rested)
+    parts = moving_parts(method, "velocity", method.velocity.parts, rested)
     measured = [step.of for step in parts if isinstance(step, Measure) and step.quantity == "omega"]
     assert measured == ["2", "3", "4"]
     first = next(part for part in parts if isinstance(part, Equation))

@@ -18,8 +18,9 @@ from graphkin.api import Drawing
 from graphkin.construction import LayOff, Measure, Plot, Simultaneous, replay
 from graphkin.files import loads
 from graphkin.planning import Method, plan
-from graphkin.planning.by_pose import by_pose
-from graphkin.planning.needed import at_rest, turnings
+from graphkin.planning.at_rest import at_rest
+from graphkin.planning.drawn_position import by_pose
+from graphkin.planning.needed import turnings
 from graphkin.proof.roads import compare
 from graphkin.running import replay_all
 

@@ -17,7 +17,7 @@ from graphkin.files import loads
 from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.planning.equivalent import contacts, lower_pairs
-from graphkin.planning.repeated import repeated
+from graphkin.planning.redundancy import redundant_constraints
 from graphkin.planning.structure import Topology
 from graphkin.proof.roads import compare
 from graphkin.results import results
@@ -180,7 +180,7 @@ def test_wheel_between_two_plates_as_a_textbook_solves_it() -> None:
 
 def aside_of(mechanism: Mechanism) -> list[tuple[object, str]]:
     lower = lower_pairs(mechanism)
-    found = repeated(mechanism, Topology(lower, tuple(contacts(mechanism, lower))))
+    found = redundant_constraints(mechanism, Topology(lower, tuple(contacts(mechanism, lower))))
     return [(each.pair, each.part) for each in found]
 
 

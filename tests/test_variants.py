@@ -17,7 +17,7 @@ from graphkin.errors import GraphkinError
 from graphkin.files import library
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.variants import stacked
-from graphkin.running.program import TABLES
+from graphkin.running.recorder import TABLES
 from graphkin.running.variants import DrawnVariants, is_simple, replay_many
 
 COUNT = max(4, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 40)

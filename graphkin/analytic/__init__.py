@@ -16,13 +16,4 @@ from graphkin.analytic.freedom import Mobility, mobility
 from graphkin.analytic.motions import Motion, conditioning, motion
 from graphkin.errors import NoAssembly, NotJoined, SingularPosition
 
-__all__ = [
-    "Mobility",
-    "Motion",
-    "NoAssembly",
-    "NotJoined",
-    "SingularPosition",
-    "conditioning",
-    "mobility",
-    "motion",
-]
+__all__ = ["Mobility", "Motion", "NoAssembly", "NotJoined", "SingularPosition", "conditioning", "mobility", "motion"]

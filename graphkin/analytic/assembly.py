@@ -1,36 +1,37 @@
 """The drawn position: of all ways to put the mechanism together, the one nearest to the sketch.
 
-The search starts from the sketch and from many other positions, so that every assembly within reach
-is seen and the sketch only has to choose. The random starts are the same every time. A sketch that is
-exact needs no choice.
+The search starts from what the sketch and the drivers show of the unknowns, and from many other positions, so that
+every assembly within reach is seen and the sketch only has to choose. The random starts are the same every time. A
+sketch that is exact needs no choice.
 """
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Sequence
+from dataclasses import field
 from functools import cache, partial
+from itertools import pairwise
 
 import numpy as np
 
 from graphkin.analytic.branching import SAME, BranchJudge, branched
-from graphkin.analytic.loops import Loops, loops_of
+from graphkin.analytic.loops import Complex, Loops, Reals, applied, loops_of
 from graphkin.analytic.newton import EquationSystem, close, search
-from graphkin.analytic.rules import LinearRelation, driven, placing
-from graphkin.analytic.sketch import guess
-from graphkin.analytic.vectors import Complex, Real, applied
+from graphkin.analytic.rules import Joint, LinearRelation, Unknown, driven, placing, theta
 from graphkin.base.cache import kept
-from graphkin.base.geometry import wrapped
+from graphkin.base.geometry import number, wrapped
 from graphkin.base.tolerances import ROUNDED
-from graphkin.base.value import frozen
+from graphkin.base.value import filled, frozen
 from graphkin.errors import NoAssembly
-from graphkin.model.mechanism import FRAME, Link, Mechanism
+from graphkin.model.mechanism import FRAME, Driver, Link, Mechanism, Pose
+from graphkin.model.pairs import Slide
 
 _STARTS = 128
 _MANY = 32
 """Unknowns with which fewer starts are tried, all loops at once; an assembly is rarely found so, only the gap."""
 _EXACT = 1e-6
 """An assembly this near its sketch has none nearer [size]."""
-
 _APART, _OFF = 0.05, 0.02
 """Points of a guide that show where it lies; a displacement that is not 0 by rounding, or by the sketch's [size]."""
 _FEW = 10
@@ -43,7 +44,7 @@ _AJAR = 1e-2
 class ChosenAssembly:
     """The chosen position q (n,), or None; then the smallest gap found [m]. The system that was closed."""
 
-    q: Real | None
+    q: Reals | None
     gap: float
     closure: EquationSystem
 
@@ -53,7 +54,7 @@ class DrawnPosition:
     """The drawn position: unknowns q (n,), and each driver's value there [rad or m]; the system that gave it."""
 
     loops: Loops
-    q: Real
+    q: Reals
     values: tuple[float, ...]
     closure: EquationSystem
 
@@ -62,23 +63,20 @@ class DrawnPosition:
 def drawn(mechanism: Mechanism) -> DrawnPosition:
     """Find the drawn position. Raises NoAssembly."""
     loops = loops_of(mechanism)
-    found = assemble(mechanism, loops)
-    if found.q is None:
-        raise NoAssembly(mechanism.where("driver"), found.gap * 1e3)
-    return DrawnPosition(loops, found.q, driver_values(mechanism, loops, found.q), found.closure)
+    chosen = assemble(mechanism, loops)
+    if chosen.q is None:
+        raise NoAssembly(mechanism.where("driver"), chosen.gap * 1e3)
+    return DrawnPosition(loops, chosen.q, driver_values(mechanism, loops, chosen.q), chosen.closure)
 
 
-def driver_values(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[float, ...]:
+def driver_values(mechanism: Mechanism, loops: Loops, q: Reals) -> tuple[float, ...]:
     """Each driver's value: as the file gives it, else as found [rad or m]."""
     values = []
     for driver in mechanism.drivers:
-        if driver.value is not None:
-            values.append(driver.value)
-            continue
-        relation = driven(mechanism, driver)
-        value = applied(loops.weights([relation]), q)[..., 0] + relation.constant
-        if driver.kind != "slide":
-            value = wrapped(value)
+        if (value := driver.value) is None:
+            relation = driven(mechanism, driver)
+            value = float(applied(loops.weights([relation]), q)[..., 0] + relation.constant)
+            value = value if driver.kind == "slide" else number(wrapped(value))
         values.append(float(value))
     return tuple(values)
 
@@ -96,46 +94,37 @@ def idle(mechanism: Mechanism, loops: Loops) -> tuple[str, ...]:
 
 def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> ChosenAssembly:
     """Put the mechanism together, its drivers and poses at their values unless not `driving`."""
-    relations, c = _standing(mechanism, loops, driving)
+    relations, c = _relations(mechanism, loops, driving)
     closure = EquationSystem.of(loops, relations)
     seen = guess(mechanism, loops)
     ajar = loops.open_by(seen)
     if not ajar >= _AJAR:
         near = np.nan_to_num(seen)[None]
-        first = _closed(closure, near, c)[0] if np.isnan(ajar) else _met(closure, near, c, _FEW)
+        first = _met(closure, search(closure, near, c), c) if np.isnan(ajar) else _met(closure, near, c, _FEW)
         if len(first) and _as_sketched(mechanism, loops, first[0]):
             return ChosenAssembly(first[0], 0.0, closure)
     starts = cache(partial(_starts, seen, mechanism, loops))
-    found = _met(closure, branched(closure, _judge(mechanism, loops), seen, starts, c), c)
-    if not len(found):
-        found, ends = _closed(closure, starts()[:: 1 + len(closure.known.free) // _MANY], c)
-    if not len(found):
-        return ChosenAssembly(None, _smallest_gap(closure, ends, c) * loops.size, closure)
-    return ChosenAssembly(choose(mechanism, loops, _distinct(found)), 0.0, closure)
-
-
-def _judge(mechanism: Mechanism, loops: Loops) -> BranchJudge:
-    """What the sketch and custom say of positions that are found in part."""
     rows, places = _sketched(mechanism, loops)
-    lengths, forwards = _drawn_lengths(mechanism, loops), _taken_forwards(mechanism)
-    return BranchJudge(rows, places / loops.size, _columns(loops, lengths), _columns(loops, forwards))
+    columns = (_columns(loops, names) for names in (_drawn_lengths(mechanism, loops), _taken_forwards(mechanism)))
+    judge = BranchJudge(rows, places / loops.size, *columns)
+    assemblies = _met(closure, branched(closure, judge, seen, starts, c), c)
+    if not len(assemblies):
+        ends = search(closure, starts()[:: 1 + len(closure.known.free) // _MANY], c)
+        assemblies = _met(closure, ends, c)
+    if not len(assemblies):
+        return ChosenAssembly(None, _smallest_gap(closure, ends, c) * loops.size, closure)
+    return ChosenAssembly(choose(mechanism, loops, _distinct(assemblies)), 0.0, closure)
 
 
-def _closed(closure: EquationSystem, starts: Real, c: Real) -> tuple[Real, Real]:
-    """The assemblies found from starts (b, n), one for each that led to one; and where the search ended (b, n)."""
-    ends = search(closure, starts, c)
-    return _met(closure, ends, c), ends
-
-
-def _met(closure: EquationSystem, near: Real, c: Real, steps: int = 40) -> Real:
+def _met(closure: EquationSystem, near: Reals, c: Reals, steps: int = 40) -> Reals:
     """The assemblies to which Newton leads from positions (b, n), one for each that led to one."""
     closed = close(closure, near, c, steps)
     met = (closed.gap < ROUNDED) & (closed.step < ROUNDED) & (closure.known.mismatch(c) < ROUNDED)
     return closed.q[met]
 
 
-def _as_sketched(mechanism: Mechanism, loops: Loops, q: Real) -> bool:
-    """Whether `choose` would choose this assembly from any: at the sketch, and no displacement the wrong way."""
+def _as_sketched(mechanism: Mechanism, loops: Loops, q: Reals) -> bool:
+    """True if `choose` would choose this assembly from any: at the sketch, and no displacement the wrong way."""
     away = _from_sketch(mechanism, loops, q[None])[0]
     if away >= _EXACT * loops.size:
         return False
@@ -143,43 +132,36 @@ def _as_sketched(mechanism: Mechanism, loops: Loops, q: Real) -> bool:
     return not _negative(loops, q[None], _drawn_lengths(mechanism, loops) | open_to_doubt)[0]
 
 
-def _shown(mechanism: Mechanism, loops: Loops, q: Real) -> set[str]:
+def _shown(mechanism: Mechanism, loops: Loops, q: Reals) -> set[str]:
     """Displacements of which an exact sketch leaves no sign open: well off 0, of a point that it shows, along a guide
     of which it shows two points well apart."""
-    fixed, apart = mechanism.links[FRAME].points, _APART * loops.size
-    guides = {FRAME} | {name for name, link in mechanism.links.items() if _spread(mechanism, link) > apart}
+    seen, guides = {*mechanism.links[FRAME].points, *mechanism.sketch}, {FRAME}
+    for name, link in mechanism.links.items():
+        arms = [arm for point, arm in link.points.items() if point in seen]
+        if max((abs(arm - arms[0]) for arm in arms), default=0.0) > _APART * loops.size:
+            guides.add(name)
     far = {unknown.name for unknown, value in zip(loops.unknowns, q) if unknown.kind == "s" and abs(value) > _OFF}
-    shown = {pair.name for pair in mechanism.slides
-             if pair.guide in guides and (pair.point in mechanism.sketch or pair.point in fixed)}  # fmt: skip
-    return shown & far
+    return far & {pair.name for pair in mechanism.slides if pair.guide in guides and pair.point in seen}
 
 
-def _spread(mechanism: Mechanism, link: Link) -> float:
-    """How far apart those points of a link lie that the sketch shows, or the frame [m]."""
-    fixed = mechanism.links[FRAME].points
-    arms = [arm for point, arm in link.points.items() if point in mechanism.sketch or point in fixed]
-    return max((abs(arm - arms[0]) for arm in arms), default=0.0)
-
-
-def _smallest_gap(closure: EquationSystem, ends: Real, c: Real) -> float:
-    """How near the loops come to closing; a mismatch of angles counts at the mechanism's size."""
+def _smallest_gap(closure: EquationSystem, ends: Reals, c: Reals) -> float:
+    """The smallest gap to which the loops come; a mismatch of angles counts at the mechanism's size."""
     best = np.argsort(closure.loops.open_by(ends))[:4]
     gap = closure.loops.open_by(search(closure, ends[best], c, steps=300))
     return max(float(gap.min()), closure.known.mismatch(c))
 
 
-def _standing(mechanism: Mechanism, loops: Loops, driving: bool = True) -> tuple[tuple[LinearRelation, ...], Real]:
+def _relations(mechanism: Mechanism, loops: Loops, driving: bool) -> tuple[tuple[LinearRelation, ...], Reals]:
     """The relations that hold at the drawn position, with their right sides (k,)."""
-    given = placing(mechanism) if driving else []
     known = [(relation, 0.0) for relation in loops.relations if relation.offset is not None]
-    placed = [(driven(mechanism, each), value) for each, value in given]
+    placed = [(driven(mechanism, each), value) for each, value in (placing(mechanism) if driving else [])]
     known += [(relation, 0.0) for relation in held(loops, [relation for relation, _ in known + placed])]
     known += placed
     sides = [value - relation.constant for relation, value in known]
     return tuple(relation for relation, _ in known), np.array(sides, dtype=np.float64)
 
 
-def _starts(seen: Real, mechanism: Mechanism, loops: Loops) -> Real:
+def _starts(seen: Reals, mechanism: Mechanism, loops: Loops) -> Reals:
     """The sketch first (with angles not seen at 0), then the sketch shaken more and more, then anything: (b, n)."""
     rng = np.random.default_rng(1)
     reach = np.array([np.pi if unknown.kind == "theta" else 1.5 for unknown in loops.unknowns])
@@ -192,34 +174,35 @@ def _starts(seen: Real, mechanism: Mechanism, loops: Loops) -> Real:
     return np.where(sketched, shaken, anywhere)
 
 
-def _distinct(found: Real) -> Real:
+def _distinct(assemblies: Reals) -> Reals:
     """One of each assembly, in the order found: (a, n).
 
     Angles count modulo 2 pi; read as an angle too, a small difference of displacements stays what it is.
     """
-    kept: list[Real] = []
-    while len(found):
-        kept.append(found[0])
-        found = found[np.max(np.abs(np.exp(1j * (found - found[0])) - 1), axis=1, initial=0.0) >= SAME]
+    kept: list[Reals] = []
+    while len(assemblies):
+        kept.append(assemblies[0])
+        apart = np.max(np.abs(np.exp(1j * (assemblies - assemblies[0])) - 1), axis=1, initial=0.0)
+        assemblies = assemblies[apart >= SAME]
     return np.array(kept)
 
 
-def choose(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
+def choose(mechanism: Mechanism, loops: Loops, assemblies: Reals) -> Reals:
     """The assembly people drew: cylinders the right way round, then nearest to the sketch.
 
     Where the sketch does not tell two apart, displacements are taken positive.
     """
-    backwards = _negative(loops, found, _drawn_lengths(mechanism, loops))
-    found = found[backwards == backwards.min()]
-    distance = _from_sketch(mechanism, loops, found)
-    found = found[distance <= distance.min() + SAME * loops.size]
-    return np.asarray(found[int(np.argmin(_negative(loops, found, _taken_forwards(mechanism))))])
+    backwards = _negative(loops, assemblies, _drawn_lengths(mechanism, loops))
+    assemblies = assemblies[backwards == backwards.min()]
+    distance = _from_sketch(mechanism, loops, assemblies)
+    assemblies = assemblies[distance <= distance.min() + SAME * loops.size]
+    return np.asarray(assemblies[int(np.argmin(_negative(loops, assemblies, _taken_forwards(mechanism))))])
 
 
-def _from_sketch(mechanism: Mechanism, loops: Loops, found: Real) -> Real:
-    """Distance of all sketched points together from their places in the sketch [m]: (a,); found (a, n)."""
+def _from_sketch(mechanism: Mechanism, loops: Loops, assemblies: Reals) -> Reals:
+    """Distance of all sketched points together from their places in the sketch [m]: (a,), of assemblies (a, n)."""
     rows, places = _sketched(mechanism, loops)
-    away = applied(rows, loops.vectors.at(found)) * loops.size - places
+    away = applied(rows, loops.vectors.at(assemblies)) * loops.size - places
     return np.asarray(np.sqrt((np.abs(away) ** 2).sum(axis=-1)))
 
 
@@ -230,9 +213,9 @@ def _sketched(mechanism: Mechanism, loops: Loops) -> tuple[Complex, Complex]:
     return rows, np.array([mechanism.sketch[name] for name in names], dtype=np.complex128)
 
 
-def _negative(loops: Loops, found: Real, names: set[str]) -> Real:
-    """How many of the named displacements are negative: (a,)."""
-    return np.asarray((found[:, _columns(loops, names)] < 0).sum(axis=1))
+def _negative(loops: Loops, assemblies: Reals, names: set[str]) -> Reals:
+    """The number of named displacements that are negative: (a,)."""
+    return np.asarray((assemblies[:, _columns(loops, names)] < 0).sum(axis=1))
 
 
 def _columns(loops: Loops, names: set[str]) -> list[int]:
@@ -255,3 +238,117 @@ def _drawn_lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
 def _taken_forwards(mechanism: Mechanism) -> set[str]:
     """Displacements taken positive where the sketch leaves them open: all."""
     return {pair.name for pair in mechanism.slides}
+
+
+# --- what the sketch shows --------------------------------------------------------------------
+
+
+def guess(mechanism: Mechanism, loops: Loops) -> Reals:
+    """The unknowns (n,) as far as the sketch and the drivers show them, in internal units; nan elsewhere."""
+    seen = _Seen(mechanism, loops.joints)
+    while seen.look():
+        pass
+    seen.join_centres()
+    values = {theta(link): angle for link, angle in seen.angles.items()}
+    for joint in loops.joints:
+        if joint.slide is not None:
+            values[Unknown("s", joint.slide)] = seen.displacement(joint)
+    table = [values.get(unknown, np.nan) for unknown in loops.unknowns]
+    return np.asarray(np.array(table, dtype=np.float64) / loops.unit)
+
+
+@filled
+class _Seen:
+    """Located points [m] and angles of links [rad]; `look` adds what follows from them."""
+
+    mechanism: Mechanism
+    joints: tuple[Joint, ...]
+    points: dict[str, complex] = field(default_factory=dict)
+    angles: dict[str, float] = field(default_factory=lambda: {FRAME: 0.0})
+
+    def __post_init__(self) -> None:
+        self.points = {**self.mechanism.sketch, **self.mechanism.links[FRAME].points}
+
+    def look(self) -> bool:
+        """Add what follows from what is seen; whether anything did."""
+        before = len(self.points), len(self.angles)
+        for given, value in placing(self.mechanism):
+            if given.kind == "angle":
+                self._driven(given, value)
+            elif given.kind == "slide":
+                self._pushed(next(joint for joint in self.joints if joint.slide == given.link), value)
+        for link in self.mechanism.links.values():
+            self._fitted(link)
+        for pair in self.mechanism.slides:
+            self._aligned(pair)
+        return before != (len(self.points), len(self.angles))
+
+    def _driven(self, given: Driver | Pose, value: float) -> None:
+        if given.from_link in self.angles and given.vector is not None:
+            links, back = self.mechanism.links, given.from_vector
+            start = 0.0 if back is None else cmath.phase(links[given.from_link].arm(*back))
+            angle = self.angles[given.from_link] + start + value
+            self.angles.setdefault(given.link, angle - cmath.phase(links[given.link].arm(*given.vector)))
+
+    def _pushed(self, joint: Joint, value: float) -> None:
+        origin = self._place(joint.tail, joint.tail_arm)
+        if joint.tail in self.angles and origin is not None:
+            place = origin + value * joint.direction * cmath.rect(1, self.angles[joint.tail])
+            for name, arm in self.mechanism.links[joint.head].points.items():
+                if arm == joint.head_arm:
+                    self.points.setdefault(name, place)
+
+    def _aligned(self, pair: Slide) -> None:
+        """A block turns with its guide; two located points on a line give its direction."""
+        if pair.block is not None and pair.guide in self.angles:
+            self.angles.setdefault(pair.block, self.angles[pair.guide] + pair.turn)
+        if pair.block is not None and pair.block in self.angles:
+            self.angles.setdefault(pair.guide, self.angles[pair.block] - pair.turn)
+        ends = self.points.get(pair.line.origin), self.points.get(pair.point)
+        if ends[0] is not None and ends[1] is not None:
+            self.angles.setdefault(pair.guide, cmath.phase((ends[1] - ends[0]) / pair.line.direction))
+
+    def _fitted(self, link: Link) -> None:
+        """Two located points give the link's angle; the angle and one point give all its points."""
+        if link.name in self.angles and all(name in self.points for name in link.points):
+            return
+        at = [(self.points[name], arm) for name, arm in link.points.items() if name in self.points]
+        if not at:
+            return
+        place, arm = (sum(column) / len(at) for column in zip(*at, strict=True))
+        turn = sum((here - place) * (there - arm).conjugate() for here, there in at)
+        if abs(turn) > 0:
+            self.angles.setdefault(link.name, cmath.phase(turn))
+        if link.name in self.angles:
+            unit = cmath.rect(1, self.angles[link.name])
+            for name, there in link.points.items():
+                self.points.setdefault(name, place + (there - arm) * unit)
+
+    def join_centres(self) -> None:
+        """Lines of centres, links of a pair's own making: from one centre to the other."""
+        for near, far in pairwise(self.joints):
+            if near.head == far.tail and near.head not in self.mechanism.links:
+                start, end = self._place(near.tail, near.tail_arm), self._place(far.head, far.head_arm)
+                if start is not None and end is not None:
+                    self.points[near.head] = start
+                    self.angles[near.head] = cmath.phase(end - start)
+
+    def displacement(self, joint: Joint) -> float:
+        """s as seen, nan where it is not [m]."""
+        origin, point = self._place(joint.tail, joint.tail_arm), self._place(joint.head, joint.head_arm)
+        if origin is None or point is None or joint.tail not in self.angles:
+            return float("nan")
+        along = joint.direction * cmath.rect(1, self.angles[joint.tail])
+        return ((point - origin) / along).real
+
+    def _place(self, name: str, arm: complex) -> complex | None:
+        """The place where an arm of a link ends, None if that is not seen."""
+        link = self.mechanism.links.get(name, Link(name, {name: 0}))
+        seen = [(abs(arm - base), self.points[point], arm - base) for point, base in link.points.items()
+                if point in self.points]  # fmt: skip
+        if name == FRAME:
+            return arm
+        away, base, rest = min(seen, key=lambda each: each[0], default=(np.inf, 0j, 0j))
+        if name in self.angles and seen:
+            return base + rest * cmath.rect(1, self.angles[name])
+        return base if away == 0 else None

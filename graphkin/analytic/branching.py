@@ -8,14 +8,12 @@ not every block was as sketched, all are searched again for what lies nearer to 
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import cached_property
 
 import numpy as np
 
-from graphkin.analytic.blocks import LoopBlock, blocks_of, moved_by
-from graphkin.analytic.dyads import ways
+from graphkin.analytic.blocks import LoopBlock, blocks_of, dyad_ways, moved_by
+from graphkin.analytic.loops import Complex, Flags, Indices, Reals
 from graphkin.analytic.newton import EquationSystem, close, inverse, search
-from graphkin.analytic.vectors import Complex, Flags, Indices, Real
 from graphkin.base.tolerances import ROUNDED
 from graphkin.base.value import filled, frozen
 
@@ -25,14 +23,14 @@ _STARTS = 24
 """Starts for each unknown of a block, as far as there are as many."""
 _NEAR = 0.05
 """A block this near to the sketch, as part of its condition, has no other assembly as near."""
-Starts = Callable[[], Real]
+Starts = Callable[[], Reals]
 SAME = 1e-4
 """Positions of all unknowns nearer than this are one assembly [rad, size]."""
 
 
 @frozen
 class BranchJudge:
-    """What branches are judged by, each with the unknowns left that it hangs on.
+    """The sketch and custom by which branches are judged.
 
     places    rows of the sketched points, and where they are sketched, in units of size
     backwards, forwards   columns of displacements that must be, or are taken, positive
@@ -44,7 +42,7 @@ class BranchJudge:
     forwards: list[int]
 
 
-def branched(closure: EquationSystem, judge: BranchJudge, seen: Real, starts: Starts, c: Real) -> Real:
+def branched(closure: EquationSystem, judge: BranchJudge, seen: Reals, starts: Starts, c: Reals) -> Reals:
     """Positions (a, n) that close every block, the one nearest to the sketch among them; none where none is found.
 
     seen    what the sketch shows of the unknowns (n,), nan elsewhere
@@ -55,17 +53,17 @@ def branched(closure: EquationSystem, judge: BranchJudge, seen: Real, starts: St
         return np.zeros((0, len(seen)))
     for width in _WIDTHS:
         walk = _BranchWalk(closure, judge, seen, starts, c, width, np.inf)
-        found = walk.through(blocks)
-        if len(found):
+        branches = walk.through(blocks)
+        if len(branches):
             break
-    if not len(found) or walk.sure:
-        return found
-    nearest = float(np.sqrt(walk.away(found, np.ones(len(closure.known.free), dtype=bool)).min()))
+    if not len(branches) or walk.sure:
+        return branches
+    nearest = float(np.sqrt(walk.away(branches, np.ones(len(closure.known.free), dtype=bool)).min()))
     limit = (nearest + SAME) ** 2
     if walk.every and walk.left > limit:
-        return found
+        return branches
     more = _BranchWalk(closure, judge, seen, starts, c, _WIDTHS[-1], limit).through(blocks)
-    return np.vstack([found, more])
+    return np.vstack([branches, more])
 
 
 @filled
@@ -79,43 +77,41 @@ class _BranchWalk:
 
     closure: EquationSystem
     judge: BranchJudge
-    seen: Real
+    seen: Reals
     starts: Starts
-    c: Real
+    c: Reals
     width: int
     limit: float
     sure: bool = True
     every: bool = True
     left: float = np.inf
 
-    @cached_property
-    def moved(self) -> Flags:
+    def __post_init__(self) -> None:
+        self.moved = moved_by(self.closure, self.judge.rows)
         """Which unknowns left move each sketched point: (k, y)."""
-        return moved_by(self.closure, self.judge.rows)
 
-    def through(self, blocks: tuple[LoopBlock, ...]) -> Real:
+    def through(self, blocks: tuple[LoopBlock, ...]) -> Reals:
         known = self.closure.known
         q = known.unknowns(np.zeros((1, len(known.free))), self.c)
         solved = np.zeros(len(known.free), dtype=bool)
         for block in blocks:
             solved[block.columns] = True
-            q = self._closed(block, q, solved)
-            q = self._thinned(q, solved)
+            q = self._thinned(self._closed(block, q, solved), solved)
             if not len(q):
                 break
         return q
 
     # --- one block ----------------------------------------------------------------------------
 
-    def _closed(self, block: LoopBlock, q: Real, solved: Flags) -> Real:
+    def _closed(self, block: LoopBlock, q: Reals, solved: Flags) -> Reals:
         """Each branch with every way to close a block."""
         free = self.closure.known.free[block.columns]
-        given, told = block.given(q), self.seen[free]
-        both = ways(block, given)
+        given, sketched = block.given(q), self.seen[free]
+        both = dyad_ways(block, given)
         if both is not None:
-            return self._either(block, q, solved, given, told, both)
-        y, met = self._tried(block, np.repeat(np.nan_to_num(told)[None], len(q), axis=0), given)
-        single = met & self._only(block, y, given, told) & np.isinf(self.limit)
+            return self._either(block, q, solved, given, sketched, both)
+        y, met = self._searched(block, np.repeat(np.nan_to_num(sketched)[None], len(q), axis=0), given)
+        single = met & self._only(block, y, given, sketched) & np.isinf(self.limit)
         self.every &= not single.any()
         if single.all():
             return self._with(block, q, y)
@@ -124,53 +120,51 @@ class _BranchWalk:
         places = starts[:: max(1, len(starts) // max(1, _STARTS * len(free)))][:, free]
         unsure = np.flatnonzero(~single)
         parent = np.repeat(unsure, len(places))
-        more, met = self._tried(block, np.tile(places, (len(unsure), 1)), given[parent])
+        more, met = self._searched(block, np.tile(places, (len(unsure), 1)), given[parent])
         parent, more = parent[met], more[met]
         kept = _different(parent, more)
         parent = np.concatenate([np.flatnonzero(single), parent[kept]])
         order = np.argsort(parent, kind="stable")
         return self._with(block, q[parent[order]], np.vstack([y[single], more[kept]])[order])
 
-    def _either(
-        self, block: LoopBlock, q: Real, solved: Flags, given: Real, told: Real, both: Real
-    ) -> Real:
+    def _either(self, block: LoopBlock, q: Reals, solved: Flags, given: Reals, sketched: Reals, both: Reals) -> Reals:
         """Each branch with both ways (b, 2, 2) to close a block, or the one that the sketch shows."""
         unknowns = self.closure.loops.unknowns
         angles = [unknowns[column].kind == "theta" for column in self.closure.known.free[block.columns]]
-        turned = np.round(np.where(angles, both - np.nan_to_num(told), 0.0) / (2 * np.pi))
+        turned = np.round(np.where(angles, both - np.nan_to_num(sketched), 0.0) / (2 * np.pi))
         parent = np.repeat(np.arange(len(q)), 2)
         y, met = self._met(block, block.at((both - 2 * np.pi * turned).reshape(-1, 2), given[parent]), given[parent])
-        single = met & self._only(block, y, given[parent], told) & np.isinf(self.limit)
+        single = met & self._only(block, y, given[parent], sketched) & np.isinf(self.limit)
         alone = single.reshape(-1, 2).any(axis=1)
         self.sure &= bool(alone.all())
         if (others := np.flatnonzero(met & ~single & alone[parent])).size:
-            self._leave(self.away(self._with(block, q[parent[others]], y[others]), solved))
+            self.left = min(self.left, float(self.away(self._with(block, q[parent[others]], y[others]), solved).min()))
         kept = np.flatnonzero(np.where(alone[parent], single, met))
         kept = kept[_different(parent[kept], y[kept])]
         return self._with(block, q[parent[kept]], y[kept])
 
-    def _tried(self, block: LoopBlock, y: Real, given: Real) -> tuple[Real, Flags]:
-        """Where the search from y (b, k) ends, and whether the block is closed there."""
+    def _searched(self, block: LoopBlock, y: Reals, given: Reals) -> tuple[Reals, Flags]:
+        """The end of the search from y (b, k), and whether the block is closed there."""
         return self._met(block, search(block.part, block.at(y, given), given), given)
 
-    def _met(self, block: LoopBlock, q: Real, given: Real) -> tuple[Real, Flags]:
+    def _met(self, block: LoopBlock, q: Reals, given: Reals) -> tuple[Reals, Flags]:
         """Newton from there: the block's unknowns, and whether it is closed by them."""
         closed = close(block.part, q, given, steps=40)
         return closed.q[:, : len(block.columns)], (closed.gap < ROUNDED) & (closed.step < ROUNDED)
 
-    def _only(self, block: LoopBlock, y: Real, given: Real, told: Real) -> Flags:
-        """Whether the sketch shows all of a block, so near that no other way to close it is as near: (b,)."""
+    def _only(self, block: LoopBlock, y: Reals, given: Reals, sketched: Reals) -> Flags:
+        """True where the sketch shows all of a block, so near that no other way to close it is as near: (b,)."""
         condition = inverse(block.part.matrix(block.at(y, given)))[1]
-        return np.asarray(np.max(np.abs(y - told), axis=1, initial=0.0) < _NEAR * condition)
+        return np.asarray(np.max(np.abs(y - sketched), axis=1, initial=0.0) < _NEAR * condition)
 
-    def _with(self, block: LoopBlock, q: Real, y: Real) -> Real:
+    def _with(self, block: LoopBlock, q: Reals, y: Reals) -> Reals:
         """Branches with a block's unknowns."""
         left = self.closure.known.left[:, block.columns]
         return q + (y - q[:, self.closure.known.free[block.columns]]) @ left.T
 
     # --- what the sketch says -----------------------------------------------------------------
 
-    def _thinned(self, q: Real, solved: Flags) -> Real:
+    def _thinned(self, q: Reals, solved: Flags) -> Reals:
         """The nearest branches: cylinders the right way round, then near the sketch, then displacements positive."""
         away = self.away(q, solved)
         q, away = q[away <= self.limit], away[away <= self.limit]
@@ -179,26 +173,23 @@ class _BranchWalk:
         steps = np.round(np.sqrt(away) / SAME)
         ranks = self._negative(q, self.judge.forwards, solved), steps, self._negative(q, self.judge.backwards, solved)
         order = np.lexsort(ranks)
-        self._leave(away[order[self.width :]])
+        self.left = min(self.left, float(away[order[self.width :]].min()))
         return q[np.sort(order[: self.width])]
 
-    def _leave(self, away: Real) -> None:
-        self.left = min(self.left, float(away.min()))
-
-    def away(self, q: Real, solved: Flags) -> Real:
+    def away(self, q: Reals, solved: Flags) -> Reals:
         """Squared distance of the sketched points that are found from their places [size²]: (b,)."""
         there = ~(self.moved & ~solved).any(axis=1)
         places = self.closure.loops.vectors.at(q) @ self.judge.rows[there].T
         return np.asarray((np.abs(places - self.judge.places[there]) ** 2).sum(axis=1))
 
-    def _negative(self, q: Real, columns: list[int], solved: Flags) -> Real:
-        """How many of some displacements that are found are negative: (b,)."""
+    def _negative(self, q: Reals, columns: list[int], solved: Flags) -> Reals:
+        """The number of negative ones among those of some displacements that are found: (b,)."""
         left = np.abs(self.closure.known.left) > 0
         there = [column for column in columns if not (left[column] & ~solved).any()]
         return np.asarray((q[:, there] < 0).sum(axis=1))
 
 
-def _different(parent: Indices, y: Real) -> Indices:
+def _different(parent: Indices, y: Reals) -> Indices:
     """The first of each way to close a block (b, k), of each branch (b,)."""
     left, kept = np.arange(len(parent)), list[int]()
     while left.size:

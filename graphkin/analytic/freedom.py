@@ -1,4 +1,4 @@
-"""How many drivers a mechanism needs, counted by the rank of its equations at assembled positions.
+"""The number of drivers that a mechanism needs, counted by the rank of its equations at assembled positions.
 
 Gruebler's formula counts pairs; the rank also sees constraints that repeat each other. A rank can drop
 at a dead point or a change point, so it is taken at several positions near the drawn one.
@@ -9,22 +9,21 @@ from __future__ import annotations
 import numpy as np
 
 from graphkin.analytic.assembly import assemble, held, idle
-from graphkin.analytic.loops import Loops, loops_of
+from graphkin.analytic.loops import Loops, Reals, loops_of
 from graphkin.analytic.newton import EquationSystem, close
 from graphkin.analytic.rules import driven, placing
-from graphkin.analytic.vectors import Real
 from graphkin.base.tolerances import RANK
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import Mechanism
 
 _NUDGES = 6
 _NUDGE = 0.05
-"""How far the mechanism is moved to see its general rank [rad, size]."""
+"""The mechanism is moved so far to see its general rank [rad, size]."""
 
 
 @frozen
 class Mobility:
-    """What may move, and whether the drivers say how.
+    """The freedoms of a mechanism, and whether its drivers determine them.
 
     freedoms    degrees of freedom, idle rotations apart; None where the pairs alone cannot be assembled
     drivers     how many the file has
@@ -58,7 +57,6 @@ def mobility(mechanism: Mechanism) -> Mobility:
     loops = loops_of(mechanism)
     whole = assemble(mechanism, loops)
     pairs = whole if whole.q is not None else assemble(mechanism, loops, driving=False)
-    gap_mm = None if whole.q is not None else whole.gap * 1e3
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
     quiet = idle(mechanism, loops)
     if pairs.q is None:
@@ -67,6 +65,10 @@ def mobility(mechanism: Mechanism) -> Mobility:
     independent, redundant = ranks.drivers()
     constraints = ranks.constraints()
     still = loops.weights(held(loops, loops.relations))
+    # at the drawn position driver values and poses place links; gears and rolling do not
+    known = [relation for relation in loops.relations if relation.offset is not None]
+    known += [driven(mechanism, each) for each, _ in placing(mechanism)]
+    placed = loops.weights([*known, *held(loops, known)])
     return Mobility(
         freedoms=len(loops.unknowns) - len(quiet) - rank(constraints),
         drivers=len(drivers),
@@ -75,17 +77,17 @@ def mobility(mechanism: Mechanism) -> Mobility:
         redundant=redundant,
         repeated=len(constraints) - rank(constraints),
         idle=quiet,
-        unplaced=_unplaced(mechanism, loops, ranks.q),
-        gap_mm=gap_mm,
+        unplaced=_moving(mechanism, loops, ranks.q, np.vstack([loops.slope(ranks.q), placed / _scale(placed)])),
+        gap_mm=None if whole.q is not None else whole.gap * 1e3,
     )
 
 
-def rank(matrix: Real) -> int:
+def rank(matrix: Reals) -> int:
     """Rank of a matrix that may be empty."""
     return 0 if matrix.size == 0 else int(np.linalg.matrix_rank(matrix, tol=RANK))
 
 
-def null_space(matrix: Real) -> Real:
+def null_space(matrix: Reals) -> Reals:
     """Directions (f, n) in which the equations (k, n) let the unknowns go."""
     if matrix.size == 0:
         return np.eye(matrix.shape[1])
@@ -97,26 +99,26 @@ class _Ranks:
     """Equations at the position q (n,) where they are most independent; driving: the drivers' rows (d, n)."""
 
     loops: Loops
-    driving: Real
-    q: Real
+    driving: Reals
+    q: Reals
 
     @classmethod
-    def at(cls, loops: Loops, driving: Real, positions: list[Real]) -> _Ranks:
+    def at(cls, loops: Loops, driving: Reals, positions: list[Reals]) -> _Ranks:
         """Pick the position of the highest rank, with the drivers and then without."""
 
-        def ranks(q: Real) -> tuple[int, int]:
+        def ranks(q: Reals) -> tuple[int, int]:
             constraints = cls(loops, driving, q).constraints()
             return rank(np.vstack([constraints, driving])), rank(constraints)
 
         return cls(loops, driving / _scale(driving), max(positions, key=ranks))
 
-    def constraints(self) -> Real:
+    def constraints(self) -> Reals:
         """Loops and relations of the pairs: (k, n)."""
         relations = self.loops.weights(self.loops.relations)
         return np.vstack([self.loops.slope(self.q), relations / _scale(relations)])
 
     def drivers(self) -> tuple[int, tuple[int, ...]]:
-        """How many drivers add to the rank, and the numbers of those which do not."""
+        """The number of drivers that add to the rank, and the numbers of those which do not."""
         rows, redundant = self.constraints(), []
         for number, row in enumerate(self.driving):
             more = np.vstack([rows, row])
@@ -126,13 +128,13 @@ class _Ranks:
         return len(self.driving) - len(redundant), tuple(redundant)
 
 
-def _scale(rows: Real) -> Real:
+def _scale(rows: Reals) -> Reals:
     """Largest entry of each row, so that a driven length weighs as much as a driven angle."""
     most = np.max(np.abs(rows), axis=1, initial=0.0, keepdims=True)
     return np.where(most > 0, most, 1.0)
 
 
-def _nearby(loops: Loops, q: Real) -> list[Real]:
+def _nearby(loops: Loops, q: Reals) -> list[Reals]:
     """The position, and some next to it along its freedoms, put together again."""
     closure = EquationSystem.of(loops, (*loops.relations, *held(loops, loops.relations)))
     rng = np.random.default_rng(2)
@@ -144,22 +146,12 @@ def _nearby(loops: Loops, q: Real) -> list[Real]:
     return [q, *(each for each, gap in zip(closed.q, closed.gap, strict=True) if gap < RANK)]
 
 
-def _moving(mechanism: Mechanism, loops: Loops, q: Real, equations: Real) -> tuple[str, ...]:
+def _moving(mechanism: Mechanism, loops: Loops, q: Reals, equations: Reals) -> tuple[str, ...]:
     """Links that turn, or whose origin moves, in some direction the equations leave open."""
-    directions = null_space(equations)
-    links = {}
+    directions, moving = null_space(equations), []
     for link in mechanism.moving:
         turn = [unknown == ("theta", link) for unknown in loops.unknowns]
-        origin = loops.vectors.slope(loops.origins[link][None], q)[0]
-        links[link] = np.max(np.abs(directions[:, turn]), initial=0.0) + np.max(
-            np.abs(directions @ origin), initial=0.0
-        )
-    return tuple(link for link, moves in links.items() if moves > RANK)
-
-
-def _unplaced(mechanism: Mechanism, loops: Loops, q: Real) -> tuple[str, ...]:
-    """Links that neither driver values nor poses place at the drawn position; gears and rolling do not place."""
-    known = [relation for relation in loops.relations if relation.offset is not None]
-    known += [driven(mechanism, each) for each, _ in placing(mechanism)]
-    rows = loops.weights([*known, *held(loops, known)])
-    return _moving(mechanism, loops, q, np.vstack([loops.slope(q), rows / _scale(rows)]))
+        shift = directions @ loops.vectors.slope(loops.origins[link][None], q)[0]
+        if np.max(np.abs(directions[:, turn]), initial=0.0) + np.max(np.abs(shift), initial=0.0) > RANK:
+            moving.append(link)
+    return tuple(moving)

@@ -8,11 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from graphkin.analytic.assembly import DrawnPosition, drawn, held, idle
-from graphkin.analytic.loops import Loops
-from graphkin.analytic.newton import EquationSystem, inverse
-from graphkin.analytic.rates import Rates, rates, reaching
+from graphkin.analytic.loops import Complex, Flags, Loops, Reals, applied
+from graphkin.analytic.newton import EquationSystem, Rates, inverse, rates, reaching
 from graphkin.analytic.rules import driven
-from graphkin.analytic.vectors import Complex, Flags, Real, applied
 from graphkin.base.value import frozen
 from graphkin.errors import SingularPosition, ValueForEach
 from graphkin.model.kinematic_state import Motions
@@ -45,10 +43,10 @@ class Motion(Motions):
     accelerations are nan at a dead point, too.
     """
 
-    values: tuple[Real, ...]
+    values: tuple[Reals, ...]
     velocity: Mapping[str, Complex]
     acceleration: Mapping[str, Complex]
-    condition: Real
+    condition: Reals
     idle: tuple[str, ...]
 
 
@@ -61,57 +59,46 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     """
     start = drawn(mechanism)
     closure, first = driving(mechanism, start.loops, start.closure)
-    wanted = _wanted(mechanism, start, values)
-    shape = wanted[0].shape if wanted else ()
-    flat = np.stack([value.ravel() for value in wanted], axis=-1) if wanted else np.zeros((1, 0))
+    goals = _goals(mechanism, start, values)
+    shape = goals[0].shape if goals else ()
+    flat = np.stack([value.ravel() for value in goals], axis=-1) if goals else np.zeros((1, 0))
     change = np.zeros((len(flat), len(closure.weights)))
     change[:, first:] = flat - np.array(start.values).reshape(-1)
     if shape or change.any():  # else its rates tell
-        _definite(mechanism, closure, start.q)
-    q, limits = _moved(closure, start.q, change)
-    found = _rates_of(mechanism, closure, first, q, single=shape == ())
+        condition = inverse(closure.matrix(start.q[None]))[1]
+        if not _clear(closure, start.q[None], condition).all():
+            raise SingularPosition(mechanism.where("driver"), float(condition[0]))
+    limits: list[Limit] = []
+    q = np.repeat(start.q[None], len(change), axis=0)
+    if np.any(change):
+        from graphkin.analytic.moving import moved
+
+        q, limits = moved(closure, start.q, closure.weights @ start.q, change)
+    result = _rates_of(mechanism, closure, first, q, single=shape == ())
     for limit in limits:
         beside = _rates_of(mechanism, closure, first, limit.q, single=False)
-        found.first[limit.rows], found.second[limit.rows] = limit.weights @ beside.first, limit.weights @ beside.second
-    return _motion(mechanism, closure, wanted, q.reshape(*shape, -1), _shaped(found, shape))
-
-
-def _moved(closure: EquationSystem, start: Real, change: Real) -> tuple[Real, list[Limit]]:
-    """What moves on from the drawn position, if anything does: unknowns (p, n), positions beside change points."""
-    if not np.any(change):
-        return np.repeat(start[None], len(change), axis=0), []
-    from graphkin.analytic.moving import moved
-
-    return moved(closure, start, closure.weights @ start, change)
+        result.first[limit.rows] = limit.weights @ beside.first
+        result.second[limit.rows] = limit.weights @ beside.second
+    dq, ddq = (part.reshape(*shape, -1) for part in (result.first, result.second))
+    return _motion(mechanism, closure, goals, q.reshape(*shape, -1), Rates(dq, ddq, result.condition.reshape(shape)))
 
 
 def conditioning(mechanism: Mechanism) -> float:
     """Reciprocal condition number at the drawn position: 1 is best, 0 a dead point. Raises NoAssembly."""
     start = drawn(mechanism)
-    return _conditioning(driving(mechanism, start.loops, start.closure)[0], start.q)
+    closure, _ = driving(mechanism, start.loops, start.closure)
+    return float(inverse(closure.matrix(start.q[None]))[1][0])
 
 
-def _conditioning(closure: EquationSystem, q: Real) -> float:
-    return float(inverse(closure.matrix(q[None]))[1][0])
-
-
-def _definite(mechanism: Mechanism, closure: EquationSystem, q: Real) -> None:
-    condition = _conditioning(closure, q)
-    if not _clear(closure, q[None], np.array([condition])).all():
-        raise SingularPosition(mechanism.where("driver"), condition)
-
-
-def _clear(closure: EquationSystem, q: Real, condition: Real) -> Flags:
-    """Where velocities are determined, at q (p, n): (p,); also where it is only far displacements that weigh."""
+def _clear(closure: EquationSystem, q: Reals, condition: Reals) -> Flags:
+    """True where velocities are determined, at q (p, n): (p,); also where it is only far displacements that weigh."""
     clear = condition >= SINGULAR
     if (doubtful := np.flatnonzero(~clear)).size:
         clear[doubtful] = reaching(closure, q[doubtful]) >= SINGULAR
     return clear
 
 
-def driving(
-    mechanism: Mechanism, loops: Loops, drawn: EquationSystem | None = None
-) -> tuple[EquationSystem, int]:
+def driving(mechanism: Mechanism, loops: Loops, drawn: EquationSystem | None = None) -> tuple[EquationSystem, int]:
     """Loops closed with the drivers, and the first driver's row among the relations; the system that gave the drawn
     position may be the same."""
     drivers = tuple(driven(mechanism, driver) for driver in mechanism.drivers)
@@ -120,7 +107,7 @@ def driving(
     return EquationSystem.of(loops, (*pairs, *still, *drivers), drawn), len(pairs) + len(still)
 
 
-def _wanted(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLike] | None) -> tuple[Real, ...]:
+def _goals(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLike] | None) -> tuple[Reals, ...]:
     """Driver values as arrays of one shape."""
     given = start.values if values is None else values
     if len(given) != len(mechanism.drivers):
@@ -129,43 +116,40 @@ def _wanted(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLi
     return tuple(np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given)))
 
 
-def _rates_of(mechanism: Mechanism, closure: EquationSystem, first: int, q: Real, single: bool) -> Rates:
+def _rates_of(mechanism: Mechanism, closure: EquationSystem, first: int, q: Reals, single: bool) -> Rates:
     """Rates at q (p, n); nan where q is nan and at dead points."""
     speed, push = np.zeros((2, len(closure.weights)))
     speed[first:] = [driver.rate for driver in mechanism.drivers]
     push[first:] = [driver.acceleration for driver in mechanism.drivers]
     there = np.isfinite(q).all(axis=1)
-    found = rates(closure, q[there], speed, push)
-    clear = _clear(closure, q[there], found.condition)[:, None]
+    result = rates(closure, q[there], speed, push)
+    clear = _clear(closure, q[there], result.condition)[:, None]
     if single and there.all() and not clear.all():
-        raise SingularPosition(mechanism.where("driver"), float(found.condition[0]))
+        raise SingularPosition(mechanism.where("driver"), float(result.condition[0]))
     full = np.full((3, *q.shape), np.nan)
-    full[0, there] = np.where(clear, found.first, np.nan)
-    full[1, there] = np.where(clear, found.second, np.nan)
-    full[2, there] = found.condition[:, None]
+    full[0, there] = np.where(clear, result.first, np.nan)
+    full[1, there] = np.where(clear, result.second, np.nan)
+    full[2, there] = result.condition[:, None]
     return Rates(full[0], full[1], full[2, :, 0])
 
 
-def _shaped(found: Rates, shape: tuple[int, ...]) -> Rates:
-    first, second = (part.reshape(*shape, part.shape[-1]) for part in (found.first, found.second))
-    return Rates(first, second, found.condition.reshape(shape))
-
-
-def _motion(mechanism: Mechanism, closure: EquationSystem, values: tuple[Real, ...], q: Real, found: Rates) -> Motion:
-    """Read everything off the unknowns."""
+def _motion(mechanism: Mechanism, closure: EquationSystem, values: tuple[Reals, ...], q: Reals, rated: Rates) -> Motion:
+    """Read everything off the unknowns, points by name in SI units."""
     loops, vectors = closure.loops, closure.loops.vectors
-    three = q, found.first, found.second
+    three = q, rated.first, rated.second
     still = np.zeros(q.shape[:-1])[()]
     along = [pair.name for pair in mechanism.pairs if pair.path is not None]
-    theta, omega, alpha = ({FRAME: still, **_named(loops, part, "theta", mechanism.moving)} for part in three)
-    s, s_rate, s_acceleration = (_named(loops, part, "s", along) for part in three)
-    polar = vectors.polar(q)
-    arrows = vectors.at(q, polar), vectors.rate(*three[:2], polar), vectors.acceleration(*three, polar)
-    position, velocity, acceleration = (_places(loops, part) for part in arrows)
+    theta, omega, alpha = ({FRAME: still, **_by_name(loops, part, "theta", mechanism.moving)} for part in three)
+    s, s_rate, s_acceleration = (_by_name(loops, part, "s", along) for part in three)
+    polar, points = vectors.polar(q), []
+    for arrows in (vectors.at(q, polar), vectors.rate(*three[:2], polar), vectors.acceleration(*three, polar)):
+        places = np.ascontiguousarray(np.moveaxis(applied(loops.places, arrows), -1, 0)) * loops.size
+        points.append({point: place[()] for point, place in zip(loops.points, places, strict=True)})
+    position, velocity, acceleration = points
     return Motion(
         mechanism, theta, omega, alpha, s, s_rate, s_acceleration, position,
         _by_link(mechanism, velocity), _by_link(mechanism, acceleration), values, velocity, acceleration,
-        found.condition[()], idle(mechanism, loops),
+        rated.condition[()], idle(mechanism, loops),
     )  # fmt: skip
 
 
@@ -175,16 +159,10 @@ def _by_link(mechanism: Mechanism, values: Mapping[str, Complex]) -> dict[str, d
     return {link: {point: values[point]} for link, point in firsts.items()}
 
 
-def _named(loops: Loops, values: Real, kind: str, names: Collection[str]) -> dict[str, Real]:
+def _by_name(loops: Loops, values: Reals, kind: str, names: Collection[str]) -> dict[str, Reals]:
     """Unknowns of one kind by name, those of the analysis' own making left out, in SI units."""
     return {
         unknown.name: np.asarray(values[..., at] * loops.unit[at])[()]
         for at, unknown in enumerate(loops.unknowns)
         if unknown.kind == kind and unknown.name in names
     }
-
-
-def _places(loops: Loops, arrows: Complex) -> dict[str, Complex]:
-    """Points by name, in SI units."""
-    places = np.ascontiguousarray(np.moveaxis(applied(loops.places, arrows), -1, 0)) * loops.size
-    return {point: place[()] for point, place in zip(loops.points, places, strict=True)}

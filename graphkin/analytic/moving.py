@@ -11,10 +11,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphkin.analytic.newton import Closed, EquationSystem, close
+from graphkin.analytic.loops import Flags, Indices, Reals
+from graphkin.analytic.newton import Closed, EquationSystem, close, tangent
 from graphkin.analytic.path import MotionPath, RightSides, path_along
-from graphkin.analytic.rates import tangent
-from graphkin.analytic.vectors import Flags, Indices, Real
+from graphkin.base.geometry import weights_of
 from graphkin.base.value import frozen
 
 _SAME = 1e-12
@@ -32,7 +32,7 @@ _MARGIN = 4 * _SHORTEST
 _REACH = 0.2
 """Longest sub-step of any unknown in the loops [rad, size]."""
 _SWERVE, _SLIP = 0.15, 0.005
-"""How much the turning over a sub-step may differ between its ends, and from their mean [rad, size].
+"""The turning over a sub-step may differ so much between its ends, and from their mean [rad, size].
 
 Two assemblies that come close to each other turn in opposite senses there: more than this, and it is another one.
 """
@@ -45,7 +45,7 @@ _AS_BEFORE = 1e-9
 _ASIDE, _PLACES = 0.25, np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
 """Neighbours of a change point: how far apart, in longest steps of a path, and where."""
 _ALIKE, _NEARER = 1e-7, 4
-"""How far all neighbours and the inner six may tell the change point apart [rad, size]; else nearer ones are taken."""
+"""All neighbours and the inner six may tell the change point so far apart [rad, size]; else nearer ones are taken."""
 _CLEAR = 10
 """The outermost neighbour is not so near another change point, or the end, as this many times its distance."""
 
@@ -58,11 +58,11 @@ class Limit:
     """
 
     rows: Indices
-    q: Real
-    weights: Real
+    q: Reals
+    weights: Reals
 
 
-def moved(closure: EquationSystem, start: Real, c: Real, change: Real) -> tuple[Real, list[Limit]]:
+def moved(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> tuple[Reals, list[Limit]]:
     """Unknowns (p, n) where the right sides are c (k,) + change (p, k), and the positions beside change points.
 
     nan where the way does not lead. `start` are the unknowns (n,) at c.
@@ -71,43 +71,39 @@ def moved(closure: EquationSystem, start: Real, c: Real, change: Real) -> tuple[
     there = np.flatnonzero(np.isfinite(change).all(axis=1))
     if not there.size:
         return goals, []
-    change = change[there]
-    if (found := _on_line(closure, start, c, change)) is None:
-        goals[there] = _fanned(closure, start, c, change)
+    if (on_line := _on_line(closure, start, c, change[there])) is None:
+        goals[there] = _fanned(closure, start, c, change[there])
         return goals, []
-    goals[there] = found[0]
-    return goals, [Limit(there[limit.rows], limit.q, limit.weights) for limit in found[1]]
+    goals[there], limits = on_line
+    return goals, [Limit(there[limit.rows], limit.q, limit.weights) for limit in limits]
 
 
-def _on_line(closure: EquationSystem, start: Real, c: Real, change: Real) -> tuple[Real, list[Limit]] | None:
-    """Positions on one line, which may pass the drawn position by: first straight to it. None where none joins them."""
-    base, line = change[0], change[int(np.argmax(np.abs(change - change[0]).sum(axis=1)))] - change[0]
-    square = float(line @ line)
+def _on_line(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> tuple[Reals, list[Limit]] | None:
+    """Positions on one line, which may pass the drawn position by: first straight to it, then all at once from the
+    nodes of a path. None where no line joins them."""
+    base, direction = change[0], change[int(np.argmax(np.abs(change - change[0]).sum(axis=1)))] - change[0]
+    square = float(direction @ direction)
     if square < _SAME**2:
-        base, line = np.zeros_like(base), base
+        base, direction = np.zeros_like(base), base
     else:
-        base = base - line * float(base @ line) / square
-    along = (change - base) @ line / max(float(line @ line), np.finfo(float).tiny)
-    if not np.allclose(base + along[:, None] * line, change, rtol=0, atol=_SAME):
+        base = base - direction * float(base @ direction) / square
+    along = (change - base) @ direction / max(float(direction @ direction), np.finfo(float).tiny)
+    if not np.allclose(base + along[:, None] * direction, change, rtol=0, atol=_SAME):
         return None
     if np.max(np.abs(base), initial=0.0) > _SAME:
         aside = path_along(RightSides(closure, c, base), start, 0.0, 1.0)
         if aside.at[-1] < 1.0:
             return None
         start, c = aside.between(np.ones(1))[0], c + base
-    return _at(RightSides(closure, c, line), start, along)
-
-
-def _at(line: RightSides, start: Real, along: Real) -> tuple[Real, list[Limit]]:
-    """Positions along a path, found all at once from its nodes."""
-    beyond = 4 * _ASIDE * line.longest if np.any(line.toward) else 0.0
+    line = RightSides(closure, c, direction)
+    beyond = 4 * _ASIDE * line.longest if np.any(direction) else 0.0
     ends = min(along.min(), 0.0) - beyond, max(along.max(), 0.0) + beyond
-    if ends[1] - ends[0] > 2 * line.turn and (found := _turn_by_turn(line, start, along, beyond)) is not None:
-        return found
+    if ends[1] - ends[0] > 2 * line.turn and (by_turn := _turn_by_turn(line, start, along, beyond)) is not None:
+        return by_turn
     return _on(path_along(line, start, *ends), along)
 
 
-def _turn_by_turn(line: RightSides, start: Real, along: Real, beyond: float) -> tuple[Real, list[Limit]] | None:
+def _turn_by_turn(line: RightSides, start: Reals, along: Reals, beyond: float) -> tuple[Reals, list[Limit]] | None:
     """The same by the path of one turn, where that ends as it began; None where it does not."""
     path = path_along(line, start, -beyond, line.turn + beyond)
     begin, end = _closed_at(path, np.array([0.0, line.turn]))
@@ -120,7 +116,7 @@ def _turn_by_turn(line: RightSides, start: Real, along: Real, beyond: float) -> 
     return q + turns[:, None] * gone, limits
 
 
-def _on(path: MotionPath, along: Real) -> tuple[Real, list[Limit]]:
+def _on(path: MotionPath, along: Reals) -> tuple[Reals, list[Limit]]:
     q = _closed_at(path, along)
     limits = [limit for change in path.changes if (limit := _beside(path, along, change)) is not None]
     for limit in limits:
@@ -128,7 +124,7 @@ def _on(path: MotionPath, along: Real) -> tuple[Real, list[Limit]]:
     return q, limits
 
 
-def _closed_at(path: MotionPath, along: Real) -> Real:
+def _closed_at(path: MotionPath, along: Reals) -> Reals:
     line, guess = path.line, path.between(along)
     closed = close(line.closure, guess, line.c + along[:, None] * line.toward, steps=25)
     margin = _MARGIN * line.longest
@@ -136,7 +132,7 @@ def _closed_at(path: MotionPath, along: Real) -> Real:
     return np.where((reached & _good(line.closure, closed, guess))[:, None], closed.q, np.nan)
 
 
-def _beside(path: MotionPath, along: Real, change: float) -> Limit | None:
+def _beside(path: MotionPath, along: Reals, change: float) -> Limit | None:
     """The positions beside a change point; none where its neighbours are not all reached."""
     others = [*(abs(change - other) for other in path.changes if other != change), *np.abs(path.at[[0, -1]] - change)]
     aside = min(_ASIDE * path.line.longest, min(others) / _CLEAR)
@@ -146,27 +142,18 @@ def _beside(path: MotionPath, along: Real, change: float) -> Limit | None:
         q = _closed_at(path, change + aside * _PLACES)
         if not np.isfinite(q).all():
             return None
-        if np.max(np.abs((_weights(np.zeros(1), _PLACES) - _MIDDLE) @ q)) < _ALIKE:
+        if np.max(np.abs((weights_of(np.zeros(1), _PLACES) - _MIDDLE) @ q)) < _ALIKE:
             break
         aside /= 2
     rows = np.flatnonzero(np.abs(along - change) < aside)
-    return Limit(rows, q, _weights((along[rows] - change) / aside, _PLACES))
+    return Limit(rows, q, weights_of((along[rows] - change) / aside, _PLACES))
 
 
-def _weights(x: Real, places: Real) -> Real:
-    """Lagrange's weights of neighbours at places (k,), for x (m,): (m, k)."""
-    weights = np.ones((len(x), len(places)))
-    for k, place in enumerate(places):
-        for other in np.delete(places, k):
-            weights[:, k] *= (x - other) / (place - other)
-    return weights
-
-
-_MIDDLE = np.concatenate([[0.0], _weights(np.zeros(1), _PLACES[1:-1])[0], [0.0]])
+_MIDDLE = np.concatenate([[0.0], weights_of(np.zeros(1), _PLACES[1:-1])[0], [0.0]])
 """The change point itself by the inner neighbours alone."""
 
 
-def _fanned(closure: EquationSystem, start: Real, c: Real, change: Real) -> Real:
+def _fanned(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> Reals:
     """Every position on its own straight way."""
     q, done = np.broadcast_to(start, (len(change), len(start))), np.zeros(len(change))
     for q, done in _walk(closure, start, c, change):  # noqa: B007 - the last one counts
@@ -176,7 +163,7 @@ def _fanned(closure: EquationSystem, start: Real, c: Real, change: Real) -> Real
     return np.where((reached & _good(closure, closed, q))[:, None], closed.q, np.nan)
 
 
-def _walk(closure: EquationSystem, start: Real, c: Real, change: Real) -> Iterator[tuple[Real, Real]]:
+def _walk(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> Iterator[tuple[Reals, Reals]]:
     """Yield (q (p, n), share of the way done (p,)) after each sub-step, until all arrive or are stuck."""
     q, done = np.repeat(start[None], len(change), axis=0), np.zeros(len(change))
     longest, heard = _longest(closure, change), closure.loops.moves(closure.loops.rows)
@@ -205,15 +192,15 @@ def _walk(closure: EquationSystem, start: Real, c: Real, change: Real) -> Iterat
         yield q.copy(), done.copy()
 
 
-def _longest(closure: EquationSystem, change: Real) -> Real:
+def _longest(closure: EquationSystem, change: Reals) -> Reals:
     """The longest sub-step of each position, as a share of its way: (p,)."""
     lengths = np.max(np.abs(closure.weights), axis=1, initial=0.0) == closure.loops.size
     angle = np.where(lengths, _STRIDE / _LENGTH_STRIDE / closure.loops.size, 1.0)
-    way = np.max(np.abs(change) * angle, axis=1, initial=0.0)
-    return np.asarray(np.minimum(1.0, _STRIDE / np.maximum(way, _STRIDE)))
+    far = np.max(np.abs(change) * angle, axis=1, initial=0.0)
+    return np.asarray(np.minimum(1.0, _STRIDE / np.maximum(far, _STRIDE)))
 
 
-def _good(closure: EquationSystem, closed: Closed, tried: Real) -> Flags:
+def _good(closure: EquationSystem, closed: Closed, tried: Reals) -> Flags:
     """Closed, settled, and not far from where it was expected."""
     away = np.abs(closed.q - tried)[:, closure.loops.moves(closure.loops.rows)]
     near = np.max(away, axis=-1, initial=0.0) < _TRUST

@@ -15,9 +15,8 @@ from functools import cached_property
 
 import numpy as np
 
-from graphkin.analytic.newton import EquationSystem, close
-from graphkin.analytic.rates import tangent
-from graphkin.analytic.vectors import Flags, Real
+from graphkin.analytic.loops import Flags, Reals
+from graphkin.analytic.newton import EquationSystem, close, tangent
 from graphkin.base.tolerances import TOUCH
 from graphkin.base.value import filled, frozen
 
@@ -30,7 +29,7 @@ SHORTEST = 1e-6
 REACH = 0.2
 """Longest step of any unknown in the loops [rad, size]."""
 AWAY, SWERVE = 1e-3, 3e-3
-"""How far a position, and what it turns over a step, may be from what was foretold [rad, size]."""
+"""A position, and its turning over a step, may be so far from what was foretold [rad, size]."""
 CLOSED, SETTLED = 1e-9, 1e-8
 """The gap [size] and the last step of Newton's method [rad, size] at a node."""
 FLAT = 1e-4
@@ -42,8 +41,8 @@ class PathNode:
     """Unknowns (n,) and their slopes at a place on the line; the reciprocal condition, with the determinant's sign."""
 
     at: float
-    q: Real
-    slope: Real
+    q: Reals
+    slope: Reals
     measure: float
 
 
@@ -52,12 +51,12 @@ class RightSides:
     """Right sides c + at * toward (k,) of the relations; `longest` is the longest step along it."""
 
     closure: EquationSystem
-    c: Real
-    toward: Real
+    c: Reals
+    toward: Reals
 
     @cached_property
     def lengths(self) -> Flags:
-        """Which of them are of displacements: (k,)."""
+        """True for those of displacements: (k,)."""
         return np.asarray(np.max(np.abs(self.closure.weights), axis=1, initial=0.0) == self.closure.loops.size)
 
     @cached_property
@@ -74,15 +73,15 @@ class RightSides:
 
     @cached_property
     def heard(self) -> Flags:
-        """Which unknowns stand in the loops: (n,)."""
+        """True for unknowns that stand in the loops: (n,)."""
         return self.closure.loops.moves(self.closure.loops.rows)
 
     @cached_property
     def slides(self) -> Flags:
-        """Which unknowns are displacements: (n,)."""
+        """True for unknowns that are displacements: (n,)."""
         return np.array([unknown.kind == "s" for unknown in self.closure.loops.unknowns])
 
-    def node(self, at: float, guess: Real) -> PathNode | None:
+    def node(self, at: float, guess: Reals) -> PathNode | None:
         """The position at a place, from one close by; None where it is not closed."""
         closed = close(self.closure, guess[None], self.c + at * self.toward, steps=9)
         if not (closed.gap[0] < CLOSED and closed.step[0] < SETTLED):
@@ -90,7 +89,7 @@ class RightSides:
         slope, condition, sense = tangent(self.closure, closed.q, self.toward)
         return PathNode(at, closed.q[0], slope[0], float(condition[0] * sense[0]))
 
-    def largest(self, change: Real, q: Real) -> float:
+    def largest(self, change: Reals, q: Reals) -> float:
         """The largest change of an unknown in the loops [rad, size]; of a displacement far off, as part of it."""
         scale = np.where(self.slides, np.maximum(np.abs(q), 1.0), 1.0)
         return float(np.max(np.abs(change / scale)[self.heard], initial=0.0))
@@ -105,10 +104,10 @@ class MotionPath:
     changes: tuple[float, ...]
 
     @cached_property
-    def at(self) -> Real:
+    def at(self) -> Reals:
         return np.array([node.at for node in self.nodes])
 
-    def between(self, at: Real) -> Real:
+    def between(self, at: Reals) -> Reals:
         """Unknowns at places (p,), as far as the nodes tell them: (p, n)."""
         q, slopes = np.array([node.q for node in self.nodes]), np.array([node.slope for node in self.nodes])
         if len(self.nodes) == 1:
@@ -118,7 +117,7 @@ class MotionPath:
         return _cubic(*ends, at)[0]
 
 
-def path_along(line: RightSides, start: Real, low: float, high: float) -> MotionPath:
+def path_along(line: RightSides, start: Reals, low: float, high: float) -> MotionPath:
     """The path from the unknowns `start` (n,) at 0 down to `low` and up to `high`, or as far as it leads."""
     forth = _MotionWalk(line, start)
     back = _MotionWalk(replace(line, toward=-line.toward), start)
@@ -134,7 +133,7 @@ class _MotionWalk:
     """One direction of a path; `missed` is where two motions only came near each other."""
 
     line: RightSides
-    start: Real
+    start: Reals
     nodes: list[PathNode] = field(default_factory=list)
     changes: list[float] = field(default_factory=list)
     missed: float = -np.inf
@@ -156,42 +155,34 @@ class _MotionWalk:
         step = self.longest / 8
         while end - self.last.at > 1e-12 * self.line.longest and step > SHORTEST * self.line.longest:
             step = min(step, self.longest)
-            if (place := self._foretold()) is not None and self._through(place):
-                step = self.longest
-            elif self._taken(end if end - self.last.at < 1.001 * step else self.last.at + step):
-                step *= 2
-            else:
-                step /= 2
-
-    def _taken(self, at: float) -> bool:
-        """One step, if it comes to where it was foretold, and to the same side of all change points or through one."""
-        node = self._as_foretold(at)
-        if node is None:
-            return False
-        if node.measure * self.last.measure <= 0:
-            return self._gone_through(node)
-        self.nodes.append(node)
-        return True
+            if (place := self._foretold()) is not None:
+                beyond = self._as_foretold(place + max(place - self.last.at, self.longest / 2))
+                if beyond is not None and self._gone_through(beyond):  # one step over where the matrix is singular
+                    step = self.longest
+                    continue
+                self.missed = place
+            node = self._as_foretold(end if end - self.last.at < 1.001 * step else self.last.at + step)
+            same_side = node is not None and not node.measure * self.last.measure <= 0
+            if node is not None and same_side:
+                self.nodes.append(node)
+            # else it lies beyond a change point, if at all
+            step = step * 2 if node is not None and (same_side or self._gone_through(node)) else step / 2
 
     def _as_foretold(self, at: float) -> PathNode | None:
         """The position that goes on from the nodes so far, smoothly."""
-        q, slope = self._extrapolated(at)
+        here = self.last
+        q, slope = here.q + (at - here.at) * here.slope, here.slope
+        if len(self.nodes) > 1:
+            q, slope = (rows[0] for rows in _between(self.nodes[-2], here, np.array([at])))
         node = self.line.node(at, q)
         if node is None or self.line.largest(node.q - q, q) > AWAY:
             return None
-        return node if self.line.largest(node.slope - slope, q) * (at - self.last.at) < SWERVE else None
-
-    def _extrapolated(self, at: float) -> tuple[Real, Real]:
-        here = self.last
-        if len(self.nodes) == 1:
-            return here.q + (at - here.at) * here.slope, here.slope
-        q, slope = _between(self.nodes[-2], here, np.array([at]))
-        return q[0], slope[0]
+        return node if self.line.largest(node.slope - slope, q) * (at - here.at) < SWERVE else None
 
     # --- change points ------------------------------------------------------------------------
 
     def _foretold(self) -> float | None:
-        """Where the matrix becomes singular, if soon; not again where it just was."""
+        """The place where the matrix becomes singular, if soon; not again where it just was."""
         if len(self.nodes) == 1 or (self.changes and self.nodes[-2].at <= self.changes[-1]):
             return None
         before, here = self.nodes[-2:]
@@ -200,37 +191,27 @@ class _MotionWalk:
         place = here.at + ahead
         return place if ahead < 1.25 * self.longest and place - self.missed > self.longest else None
 
-    def _through(self, place: float) -> bool:
-        """One step over the place where the matrix is singular."""
-        node = self._as_foretold(place + max(place - self.last.at, self.longest / 2))
-        if node is not None and self._gone_through(node):
-            return True
-        self.missed = place
-        return False
-
     def _gone_through(self, beyond: PathNode) -> bool:
         """Take the change point between here and there, if it is one."""
         here = self.last
         place = _meeting(here.at, beyond.at, abs(here.measure), abs(beyond.measure))
-        half = min(self.longest / 4, place - here.at, beyond.at - place)
-        left, right = (self._inside(here, beyond, place + side * half) for side in (-1, 1))
-        if left is None or right is None or left.measure * here.measure <= 0 or right.measure * beyond.measure <= 0:
-            return False
+        half, inside = min(self.longest / 4, place - here.at, beyond.at - place), list[PathNode]()
+        for at, end in ((place - half, here), (place + half, beyond)):  # where both ends tell it to be
+            q = _between(here, beyond, np.array([at]))[0][0]
+            node = self.line.node(at, q)
+            if node is None or self.line.largest(node.q - q, q) >= AWAY or node.measure * end.measure <= 0:
+                return False
+            inside.append(node)
+        left, right = inside
         place = self._singular(left, right)
         if not self._closes(left, right, place):
             return False
         self.changes.append(place)
-        self.nodes += [*(node for node in (left, right) if here.at < node.at < beyond.at), beyond]
+        self.nodes += [*(node for node in inside if here.at < node.at < beyond.at), beyond]
         return True
 
-    def _inside(self, left: PathNode, right: PathNode, at: float) -> PathNode | None:
-        """A node between two others, where these tell it to be."""
-        q = _between(left, right, np.array([at]))[0][0]
-        node = self.line.node(at, q)
-        return node if node is not None and self.line.largest(node.q - q, q) < AWAY else None
-
     def _singular(self, left: PathNode, right: PathNode) -> float:
-        """Where the matrix is singular between two nodes: the condition falls and rises there in straight lines.
+        """The singular place between two nodes: the condition falls and rises there in straight lines.
 
         So close to each other they tell it well, where nodes further off, one of them beside the place, do not.
         """
@@ -244,7 +225,7 @@ class _MotionWalk:
         return place
 
     def _closes(self, left: PathNode, right: PathNode, place: float) -> bool:
-        """Whether the loops close at the singular place, but for the direction in which the matrix tells nothing."""
+        """True if the loops close at the singular place, but for the direction in which the matrix tells nothing."""
         closure, right_side = self.line.closure, self.line.c + place * self.line.toward
         q = _between(left, right, np.array([place]))[0][0]
         q = closure.known.unknowns(q[closure.known.free], right_side)
@@ -257,21 +238,21 @@ class _MotionWalk:
 
 
 def _meeting(left: float, right: float, before: float, after: float) -> float:
-    """Where a condition that falls from `before` at `left`, and rises to `after` at `right`, is 0."""
+    """The place where a condition that falls from `before` at `left`, and rises to `after` at `right`, is 0."""
     return left + (right - left) * before / max(before + after, 1e-300)
 
 
-def _between(left: PathNode, right: PathNode, at: Real) -> tuple[Real, Real]:
+def _between(left: PathNode, right: PathNode, at: Reals) -> tuple[Reals, Reals]:
     """Unknowns and slopes (p, n) at places (p,) between two nodes, or beyond them."""
     first, last = ((np.full(len(at), node.at), node.q[None], node.slope[None]) for node in (left, right))
     return _cubic(first, last, at)
 
 
-End = tuple[Real, Real, Real]
+End = tuple[Reals, Reals, Reals]
 """Places (p,), unknowns and slopes (p, n)."""
 
 
-def _cubic(left: End, right: End, at: Real) -> tuple[Real, Real]:
+def _cubic(left: End, right: End, at: Reals) -> tuple[Reals, Reals]:
     """Hermite's cubic: values and slopes (p, n)."""
     width = (right[0] - left[0])[:, None]
     t = (at - left[0])[:, None] / width

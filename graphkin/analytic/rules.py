@@ -1,4 +1,4 @@
-"""What each kind of pair asks of the unknowns: one function a kind, found by the pair's class in `RULES`.
+"""The equations of each kind of pair: one function a kind, found by the pair's class in `RULES`.
 
 A kind contributes joints (a place where two links meet; joints make the vector loops) and relations
 (equations linear in angles and displacements). How to add a kind: one function here, and a line in `RULES`.
@@ -9,10 +9,10 @@ space in them (`cam c0`), so no name of a file can clash.
 
 from __future__ import annotations
 
+import cmath
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from graphkin.base.geometry import phase
 from graphkin.base.tolerances import ROUNDED
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
@@ -61,31 +61,27 @@ class LinearRelation:
 
 
 class Share(NamedTuple):
-    """What one pair brings."""
+    """Joints and relations of one pair."""
 
     joints: tuple[Joint, ...] = ()
     relations: tuple[LinearRelation, ...] = ()
 
 
 def shares(mechanism: Mechanism) -> Iterable[Share]:
-    """What the pairs of a mechanism bring, pair by pair."""
+    """Joints and relations of a mechanism, pair by pair."""
     for pair in (*mechanism.hinges, *mechanism.pairs):
         yield RULES[type(pair)](mechanism, pair)
 
 
 def hinge(mechanism: Mechanism, pair: Revolute) -> Share:
     """n links at one point: n - 1 joints, each with the first of them."""
-    hub, *others = pair.links
-    arm = mechanism.links[hub].points[pair.point]
-    heads = ((link, mechanism.links[link].points[pair.point]) for link in others)
-    return Share(tuple(Joint(hub, arm, link, head) for link, head in heads))
+    arms = [(link, mechanism.links[link].points[pair.point]) for link in pair.links]
+    return Share(tuple(Joint(*arms[0], *arm) for arm in arms[1:]))
 
 
 def slide(mechanism: Mechanism, pair: Slide) -> Share:
     """The point stays on the guide's line at s; a block also keeps its angle to the guide."""
-    carrier = pair.block
-    if carrier is None:
-        carrier = next(link for link in mechanism.owners[pair.point] if link != pair.guide)
+    carrier = pair.block or next(link for link in mechanism.owners[pair.point] if link != pair.guide)
     origin = mechanism.links[pair.guide].points[pair.line.origin]
     point = mechanism.links[carrier].points[pair.point]
     joint = Joint(pair.guide, origin, carrier, point, pair.name, pair.line.direction)
@@ -125,7 +121,7 @@ def replaced(mechanism: Mechanism, pair: Cam | CircularSlot) -> Share:
     return Share((_beside(mechanism, same, link, _own(pair)),))
 
 
-RULES: dict[type[Any], Callable[[Mechanism, Any], Share]] = {
+RULES: dict[type[object], Callable[..., Share]] = {
     Revolute: hinge,
     Slide: slide,
     CircularSlot: replaced,
@@ -136,13 +132,11 @@ RULES: dict[type[Any], Callable[[Mechanism, Any], Share]] = {
 
 
 def _own(pair: Pair) -> str:
-    """What a link, or a displacement, of a pair's own making is called."""
+    """The name of a link, or a displacement, of a pair's own making."""
     return f"{pair.table} {pair.name}"
 
 
-def _line_of_centres(
-    mechanism: Mechanism, pair: Pair, rod: Rod, length: float | None
-) -> tuple[str, tuple[Joint, ...]]:
+def _line_of_centres(mechanism: Mechanism, pair: Pair, rod: Rod, length: float | None) -> tuple[str, tuple[Joint, ...]]:
     """The link that carries both centres (at this `length` [m], if one is given), or a new one and its joints.
 
     A new link of open length is a rod from the first centre that slides through the second.
@@ -203,4 +197,4 @@ def _turned(link: str, reference: str) -> dict[Unknown, float]:
 
 def _axis_to(mechanism: Mechanism, link: str, vector: tuple[str, str] | None) -> float:
     """Angle from a link's axis to the direction of two of its points [rad]; 0 where none is named."""
-    return 0.0 if vector is None else phase(mechanism.links[link].arm(*vector))
+    return 0.0 if vector is None else cmath.phase(mechanism.links[link].arm(*vector))

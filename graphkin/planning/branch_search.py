@@ -13,7 +13,8 @@ than `WIDEST` remain are the farthest given up.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+from functools import partial
 
 import numpy as np
 
@@ -22,9 +23,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Facts, Fit, Measure, Meet, Plot, Step, Swing, unknowns_of
 from graphkin.construction.pencil import begin, draw
 from graphkin.model.mechanism import FRAME
-from graphkin.model.pairs import Slide
-from graphkin.planning.branches import Branches
-from graphkin.planning.starts import Starts
+from graphkin.planning.fit_starts import Branches, GroupFitter
 from graphkin.planning.structure import Topology
 
 WIDTHS = (1, 8, 64)
@@ -36,31 +35,12 @@ BETWEEN = 0.04
 """A sketch lies between two assemblies if their squared distances from it differ by less than this part of the square
 of the distance between them."""
 
+
 class DeadEnd(Exception):
     """No branch closes: the plot so far, with every branch of the block at which the last of them ended."""
 
     def __init__(self, plot: Plot) -> None:
         self.plot = plot
-
-
-@frozen
-class SearchBlock:
-    """A step that leaves several possibilities, None before the first of them, and all that follows from it."""
-
-    opening: Meet | Swing | Fit | None
-    rest: tuple[Step, ...]
-
-
-def blocks_of(construction: Construction) -> tuple[SearchBlock, ...]:
-    """The blocks of a position construction in order."""
-    blocks, rest, opening = list[SearchBlock](), list[Step](), None
-    for step in construction.steps:
-        if isinstance(step, Fit) or (isinstance(step, Meet | Swing) and step.choice is not None):
-            blocks.append(SearchBlock(opening, tuple(rest)))
-            opening, rest = step, []
-        else:
-            rest.append(step)
-    return (*blocks, SearchBlock(opening, tuple(rest)))
 
 
 def branches(structure: Topology, construction: Construction, facts: Facts, known: Mapping[str, float]) -> Branches:
@@ -69,21 +49,21 @@ def branches(structure: Topology, construction: Construction, facts: Facts, know
     known  angles and displacements where the drawn position has them already
     """
     search = _BranchSearch(structure, construction, facts, known)
-    found, nearest = search.first(), np.inf
-    if search.alone(found):
-        return found
-    while (away := search.away(found)).min() < nearest:
+    assemblies, nearest = search.first(), np.inf
+    if search.alone(assemblies):
+        return assemblies
+    while (away := search.away(assemblies)).min() < nearest:
         nearest = float(away.min())
         try:
-            found = search.run(WIDEST, search.bound(found, int(np.argmin(away))))
+            assemblies = search.run(WIDEST, search.bound(assemblies, int(np.argmin(away))))
         except DeadEnd:  # too many branches lay nearer to the sketch for a while, and none of them closed
             break
-    return found
+    return assemblies
 
 
 @frozen
 class _Bound:
-    """What a branch is measured by: an assembly's points as drawn, and what each may make good while it is not [m²]."""
+    """The measure of branches: an assembly's points as drawn, and what each may make good while it is not [m²]."""
 
     places: Mapping[str, complex]
     spare: Mapping[str, float]
@@ -96,12 +76,21 @@ class _BranchSearch:
     ) -> None:
         self.structure, self.facts, self.known = structure, facts, known
         self.sketch = structure.mechanism.sketch
-        self.cylinders = {name for name, slide in structure.slides.items() if _is_cylinder(structure, slide)}
-        self.blocks = list(blocks_of(construction))
-        last = self.blocks[-1]
-        self.late = _late(last)
-        self.blocks[-1] = SearchBlock(last.opening, last.rest[: len(last.rest) - len(self.late)])
-        self.starts = Starts(structure)
+        self.cylinders = cylinders(structure)
+        self.blocks: list[tuple[Meet | Swing | Fit | None, list[Step]]] = [(None, [])]
+        """A step that leaves several possibilities, none before the first of them, and all that follows from it."""
+        for step in construction.steps:
+            if isinstance(step, Fit) or (isinstance(step, Meet | Swing) and step.choice is not None):
+                self.blocks.append((step, []))
+            else:
+                self.blocks[-1][1].append(step)
+        self.late: list[Measure] = []
+        """Displacements that a construction measures at its very end."""
+        rest = self.blocks[-1][1]
+        while rest and isinstance(last := rest[-1], Measure) and last.quantity == "s":
+            rest.pop()
+            self.late.insert(0, last)
+        self.fitter = GroupFitter(structure)
         self.left: list[Branches] = []
 
     def first(self) -> Branches:
@@ -116,45 +105,54 @@ class _BranchSearch:
 
     def run(self, width: int, bound: _Bound | None) -> Branches:
         """All blocks, with so many branches kept at most."""
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return self._run(width, bound)
-
-    def _run(self, width: int, bound: _Bound | None) -> Branches:
         here = Branches(Plot(self.facts, dict(self.known)), np.zeros((1, 0), dtype=int))
         begin(here.plot, "position")
         waiting, before = list(self.late), (0, 0)
-        for block in self.blocks:
-            if isinstance(block.opening, Fit):
-                here = self._thinned(here, min(width, WIDEST_FITTED), None)
-            here = self._opened(here, block, self._spare(here, bound))
-            draw(block.rest, here.plot, "position", {})
-            waiting = self._measured(here.plot, waiting)
-            closed = self._closed(here, [*here.plot.position][before[0] :], [*here.plot.s][before[1] :])
-            before = len(here.plot.position), len(here.plot.s)
-            if not closed.any():
-                raise DeadEnd(here.plot)
-            if not closed.all():
-                here = here.taken(np.flatnonzero(closed))
-            here = self._thinned(here, width, bound)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            for opening, rest in self.blocks:
+                if isinstance(opening, Fit):
+                    here = self._thinned(here, min(width, WIDEST_FITTED), None)
+                here = self._opened(here, opening, self._spare(here, bound))
+                draw(rest, here.plot, "position", {})
+                seen, lines = here.plot.position.keys(), here.plot.facts.lines
+                ready = [step for step in waiting  # measured as soon as both ends are drawn
+                         if {step.tail, step.head} <= seen and lines[step.of][0] in here.plot.theta]  # fmt: skip
+                waiting = [step for step in waiting if step not in ready]
+                draw(ready, here.plot, "position", {})
+                closed = np.ones(here.count, dtype=bool)
+                for point in [*here.plot.position][before[0] :]:
+                    closed &= np.isfinite(here.plot.position[point])
+                for name in [*here.plot.s][before[1] :]:  # cylinders keep the positive displacement of the drawing
+                    closed &= np.logical_or(name not in self.cylinders, here.plot.s[name] > 0)
+                before = len(here.plot.position), len(here.plot.s)
+                if not closed.any():
+                    raise DeadEnd(here.plot)
+                if not closed.all():
+                    here = here.taken(np.flatnonzero(closed))
+                here = self._thinned(here, width, bound)
         return here
 
-    def alone(self, found: Branches) -> bool:
-        """Whether the first assembly is the only one that the sketch may mean: of the branches from which it was chosen
+    def alone(self, assemblies: Branches) -> bool:
+        """True if the first assembly is the only one that the sketch may mean: of the branches from which it was chosen
         the others would be left out by its bound, too."""
-        if found.count > 1 or any(isinstance(block.opening, Fit) for block in self.blocks):
+        if assemblies.count > 1 or any(isinstance(opening, Fit) for opening, _ in self.blocks):
             return False
-        bound = self.bound(found, 0)
+        bound = self.bound(assemblies, 0)
         return all(np.count_nonzero(self._open(here, bound)) == 1 for here in self.left)
 
     # --- one block ----------------------------------------------------------------------------
 
-    def _opened(self, here: Branches, block: SearchBlock, spare: float) -> Branches:
+    def _opened(self, here: Branches, opening: Meet | Swing | Fit | None, spare: float) -> Branches:
         """Both ways on at a crossing; of a group every assembly that fits."""
-        match block.opening:
+        match opening:
             case None:
                 return here
             case Fit():
-                return self._fitted(here, block.opening, spare)
+                if not all(name in self.known for name in unknowns_of(opening)):
+                    fitting = partial(draw, [opening], plane="position", sides={})
+                    return self.fitter.fitted(here, opening, fitting, spare)
+                draw([opening], here.plot, "position", {})
+                return here
             case step:
                 both = np.array((1, -1) * here.count)
                 here = here.taken(np.arange(2 * here.count) // 2)
@@ -163,33 +161,11 @@ class _BranchSearch:
                 draw([step], here.plot, "position", {step.choice: both})
                 return here
 
-    def _fitted(self, here: Branches, step: Fit, spare: float) -> Branches:
-        if all(name in self.known for name in unknowns_of(step)):
-            draw([step], here.plot, "position", {})
-            return here
-        return self.starts.fitted(here, step, lambda plot: draw([step], plot, "position", {}), spare)
-
-    def _measured(self, plot: Plot, waiting: list[Measure]) -> list[Measure]:
-        """Displacements are measured as soon as both ends are drawn; those that are not yet."""
-        lines, ready, left = plot.facts.lines, list[Step](), list[Measure]()
-        for step in waiting:
-            drawn = {step.tail, step.head} <= plot.position.keys() and lines[step.of][0] in plot.theta
-            (ready if drawn else left).append(step)
-        draw(ready, plot, "position", {})
-        return left
-
-    def _closed(self, here: Branches, points: Sequence[str], slides: Sequence[str]) -> np.ndarray:
-        """Branches whose new points have places, with cylinders at the positive displacement they were drawn with."""
-        closed: np.ndarray = np.isfinite(_places(here, points)).all(axis=0)
-        for name in slides:
-            if name in self.cylinders:
-                closed &= here.plot.s[name] > 0
-        return closed
-
     # --- what the sketch says -----------------------------------------------------------------
 
     def _thinned(self, here: Branches, width: int, bound: _Bound | None) -> Branches:
-        """The branches that may still be meant, the nearest to the sketch where they are too many; in order."""
+        """The branches that may still be meant; where they are too many those nearest to the sketch, then those with
+        more positive displacements; in order."""
         if here.count == 1:
             return here
         if bound is not None:
@@ -199,7 +175,9 @@ class _BranchSearch:
         self.left.append(here)
         away = self.away(here)
         steps = np.round(away / max(1e-9 * float(away.max()), np.finfo(float).tiny))
-        return here.taken(np.sort(np.lexsort((-self._forward(here), steps))[:width]))
+        displacements = (here.plot.s.get(name, 0.0) for name in slides_of_file(self.structure))
+        forward = sum(map(np.sign, displacements), np.zeros(here.count))
+        return here.taken(np.sort(np.lexsort((-forward, steps))[:width]))
 
     def away(self, here: Branches) -> np.ndarray:
         """Squared distance of all points drawn so far from their places in the sketch [m²]: (w,)."""
@@ -212,22 +190,15 @@ class _BranchSearch:
                 alike += abs(place - target) ** 2
         return away + alike
 
-    def _forward(self, here: Branches) -> np.ndarray:
-        """How many displacements are positive rather than negative: (w,)."""
-        forward = np.zeros(here.count)
-        for name in told_slides(self.structure):
-            forward += np.sign(here.plot.s.get(name, 0.0))
-        return forward
-
     def bound(self, here: Branches, k: int) -> _Bound:
         """To follow every branch that may come nearer to the sketch than branch k, or lies with it about the sketch."""
-        places = {p: _at(here.plot.position[p], k) for p in self.sketch if p in here.plot.position}
+        places = {p: at(here.plot.position[p], k) for p in self.sketch if p in here.plot.position}
         spare = {p: abs(self.sketch[p] - place) ** 2 / (1 - BETWEEN) for p, place in places.items()}
         reach = max((abs(z) for z in places.values()), default=1.0)
         return _Bound(places, spare, (1e-8 * reach) ** 2)
 
     def _open(self, here: Branches, bound: _Bound) -> np.ndarray:
-        """Whether no more distance is lost, by `BETWEEN`, than the points still to be drawn can make good: (w,)."""
+        """True where no more distance is lost, by `BETWEEN`, than the points still to be drawn can make good: (w,)."""
         lost, sketch, drawn = np.zeros(here.count), self.sketch, here.plot.position
         for point, place in bound.places.items():
             if point in drawn and (isinstance(now := drawn[point], np.ndarray) or now != place):
@@ -236,40 +207,24 @@ class _BranchSearch:
         return np.asarray(lost <= self._spare(here, bound))
 
     def _spare(self, here: Branches, bound: _Bound | None) -> float:
-        """What the points still to be drawn can make good at most [m²]."""
+        """The distance that points still to be drawn can make good at most [m²]."""
         if bound is None:
             return 0.0
         drawn = here.plot.position
         return bound.rounding + sum(spare for point, spare in bound.spare.items() if point not in drawn)
 
 
-def _at(value: Value, k: int) -> complex:
+def at(value: Value, k: int) -> complex:
+    """A value on one of the branches."""
     return complex(value[k] if isinstance(value, np.ndarray) and value.ndim else value)
 
 
-def _places(here: Branches, points: Sequence[str]) -> np.ndarray:
-    """Where points lie on each branch: (k, w)."""
-    table = np.empty((len(points), here.count), dtype=complex)
-    for row, point in zip(table, points, strict=True):
-        row[:] = here.plot.position[point]
-    return table
-
-
-def _is_cylinder(structure: Topology, slide: Slide) -> bool:
-    """Whether a slide's guide is a moving link of one point, which is its own line."""
-    return slide.guide != FRAME and len(structure.bodies[slide.guide]) == 1 and slide.line.on_axis
-
-
-def _late(block: SearchBlock) -> list[Measure]:
-    """Displacements that a construction measures at its very end."""
-    late: list[Measure] = []
-    for step in reversed(block.rest):
-        if not isinstance(step, Measure) or step.quantity != "s":
-            break
-        late.insert(0, step)
-    return late
-
-
-def told_slides(structure: Topology) -> list[str]:
+def slides_of_file(structure: Topology) -> list[str]:
     """Slides that the file speaks of, not those of an equivalent."""
     return [name for name, pair in structure.slides.items() if pair.stands_for is None]
+
+
+def cylinders(structure: Topology) -> set[str]:
+    """Slides whose guide is a moving link of one point, which is its own line: they are drawn out, not turned round."""
+    return {name for name, slide in structure.slides.items()
+            if slide.guide != FRAME and len(structure.bodies[slide.guide]) == 1 and slide.line.on_axis}  # fmt: skip

@@ -1,4 +1,4 @@
-"""What pairs, drivers and poses ask of bodies that may lie anywhere: one row an equation.
+"""The equations of pairs, drivers and poses for bodies that may lie anywhere, one row each, and the rank of such rows.
 
 Each body has three coordinates, the place of its origin (in units of the mechanism's size) and its angle. Nothing
 is drawn from these rows: they only tell which constraints repeat others, and by how much one contradicts them.
@@ -7,35 +7,25 @@ is drawn from these rows: they only tell which constraints repeat others, and by
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
-from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from graphkin.base.geometry import wrapped
+from graphkin.base.geometry import number, wrapped
+from graphkin.base.tolerances import CLOSED, RANK
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Slide
 from graphkin.planning.equivalent import Contact
-from graphkin.planning.structure import Topology
+from graphkin.planning.structure import ConstraintRow, SetAside, Topology
 
-Array = np.ndarray[Any, np.dtype[np.float64]]
-Gradient = np.ndarray[Any, np.dtype[np.complex128]]
+Array = NDArray[np.float64]
+Gradient = NDArray[np.complex128]
 _DAMPED = 1e-12
 _ROUNDS = 80
-
-
-@frozen
-class ConstraintRow:
-    """Whose equation a row is.
-
-    kind  "hinge" of a point and a body, "line" or "angle" of a slide, "slip" of a contact, "given" of a driver or pose
-    """
-
-    kind: str
-    name: str
-    body: str = ""
+_STARTS = 12
 
 
 @frozen
@@ -50,9 +40,44 @@ class ConstraintRows:
         """The slopes of some of them."""
         return self.slopes[[k for k, label in enumerate(self.labels) if label in labels]]
 
+    def of_kind(self, kind: str) -> list[ConstraintRow]:
+        return [label for label in self.labels if label.kind == kind]
+
     def without(self, labels: Sequence[ConstraintRow]) -> ConstraintRows:
         kept = [k for k, label in enumerate(self.labels) if label not in labels]
         return ConstraintRows(tuple(self.labels[k] for k in kept), self.open[kept], self.slopes[kept])
+
+    @property
+    def gap(self) -> float:
+        """The widest gap."""
+        return float(np.max(np.abs(self.open), initial=0.0))
+
+    @property
+    def rank(self) -> int:
+        return int(np.linalg.matrix_rank(self.slopes, tol=RANK)) if self.slopes.size else 0
+
+    @property
+    def freedom(self) -> Array:
+        """Directions (f, 3n) in which the equations let the bodies go."""
+        return np.asarray(np.linalg.svd(self.slopes)[2][self.rank :])
+
+    def distance_of(self, labels: Sequence[ConstraintRow]) -> float:
+        """The distance of some equations from following from the others, 0 to 1."""
+        others, own = self.without(labels).slopes, self.only(labels)
+        back = np.linalg.pinv(others, rcond=RANK) @ others
+        return float(np.max(np.linalg.norm(own - own @ back, axis=1) / np.linalg.norm(own, axis=1)))
+
+
+def over(rows: ConstraintRows, candidates: Iterable[SetAside]) -> tuple[SetAside, ...]:
+    """Those of which some equations are left that say nothing more than the other rows do; one after another."""
+    left: list[SetAside] = []
+    for each in candidates:
+        inside = [row for row in each.rows if row in rows.labels]
+        fewer = rows.without(inside)
+        if each.part != "link" and inside and fewer.rank == rows.rank:
+            rows = fewer
+            left.append(each)
+    return tuple(left)
 
 
 @frozen
@@ -75,12 +100,9 @@ class Restraints:
 
     def rows(self, q: Array, start: Array | None = None) -> ConstraintRows:
         """All equations at q (3n,); rolling counts from `start`, which is q itself where it is left out."""
-        found = list(self._rows(q, q if start is None else start))
-        labels = tuple(label for label, _, _ in found)
-        width = len(self.bodies) * 3
-        return ConstraintRows(
-            labels, np.array([gap for _, gap, _ in found]), np.array([g for *_, g in found]).reshape(-1, width)
-        )
+        rows = [*self._rows(q, q if start is None else start)]
+        slopes = np.array([slope for *_, slope in rows]).reshape(-1, len(self.bodies) * 3)
+        return ConstraintRows(tuple(label for label, *_ in rows), np.array([gap for _, gap, _ in rows]), slopes)
 
     def _rows(self, q: Array, start: Array) -> Iterator[tuple[ConstraintRow, float, Array]]:
         yield from self._hinges(q)
@@ -90,7 +112,7 @@ class Restraints:
             if slide.block is not None:
                 gap, turn = self._angle(slide.block, q)
                 back, turned = self._angle(slide.guide, q)
-                yield ConstraintRow("angle", slide.name), wrapped(gap - back - slide.turn), turn - turned
+                yield ConstraintRow("angle", slide.name), number(wrapped(gap - back - slide.turn)), turn - turned
         for contact in self.structure.contacts:
             yield ConstraintRow("slip", contact.name), *self._slip(contact, q, start)
         for k, driver in enumerate(self.given):
@@ -101,18 +123,15 @@ class Restraints:
             hub, *others = [body for body in owners if not self.structure.is_pin(body)]
             for body in others:
                 (one, slope), (other, more) = self.place(hub, point, q), self.place(body, point, q)
-                gap, slopes = one - other, slope - more
+                gap, slopes, row = one - other, slope - more, ConstraintRow("hinge", point, body)
                 if body in self.structure.followers and point != next(iter(self.structure.bodies[body])):
-                    yield ConstraintRow("hinge", point, body), *self._towards(body, gap, slopes, q)
+                    # a line of centres points at its second centre, however far that is
+                    angle, turn = self._angle(body, q)
+                    back = cmath.rect(1.0, -angle)
+                    yield row, (gap * back).imag, (slopes * back - 1j * gap * back * turn).imag
                     continue
-                for part in (np.real, np.imag):
-                    yield ConstraintRow("hinge", point, body), float(part(gap)), part(slopes)
-
-    def _towards(self, body: str, gap: complex, slopes: Gradient, q: Array) -> tuple[float, Array]:
-        """A line of centres points at its second centre, however far that is."""
-        angle, turn = self._angle(body, q)
-        back = cmath.rect(1.0, -angle)
-        return (gap * back).imag, (slopes * back - 1j * gap * back * turn).imag
+                yield row, gap.real, slopes.real
+                yield row, gap.imag, slopes.imag
 
     def place(self, body: str, point: str, q: Array) -> tuple[complex, Gradient]:
         """A point of a body, in units of size, and how it follows q."""
@@ -154,9 +173,9 @@ class Restraints:
             slope += coefficient / self.size * turn
         if contact.slide:
             slide = self.structure.slides[contact.slide]
-            (now, way), (before, _) = self.along(slide, q), self.along(slide, start)
+            (now, change), (before, _) = self.along(slide, q), self.along(slide, start)
             gap += contact.on_slide * (now - before).real
-            slope += contact.on_slide * way.real
+            slope += contact.on_slide * change.real
         return gap, slope
 
     def _given(self, driver: Driver, q: Array) -> tuple[float, Array]:
@@ -165,12 +184,13 @@ class Restraints:
             now, slope = self.along(self.structure.slides[driver.link], q)
             return now.real - value / self.size, slope.real
         (angle, turn), (back, turned) = self._angle(driver.link, q), self._angle(driver.from_link, q)
-        return wrapped(angle - back - self.structure.driver_offset(driver) - value), turn - turned
+        gap = wrapped(angle - back - self.structure.driver_offset(driver) - value)
+        return number(gap), turn - turned
 
     # --- where the sketch puts the bodies -------------------------------------------------------
 
     def sketched(self, rng: np.random.Generator) -> Array:
-        """Where the sketch, and what is given, put the bodies (3n,); at random where they say nothing."""
+        """The places where the sketch and the given values put the bodies (3n,); at random where they say nothing."""
         mechanism = self.structure.mechanism
         at = {p: z / self.size for p, z in (*mechanism.sketch.items(), *mechanism.links[FRAME].points.items())}
         reach = max((abs(z) for z in at.values()), default=1.0) + 1.0
@@ -194,7 +214,7 @@ class Restraints:
         """The angle of a body: as given, as its sliding pair with the frame has it, or as its known points show."""
         for driver in self.given:
             if driver.kind == "angle" and driver.link == body and driver.from_link == FRAME:
-                return (driver.value or 0.0) + self.structure.driver_offset(driver)
+                return number((driver.value or 0.0) + self.structure.driver_offset(driver))
         for slide in self.structure.mechanism.slides:
             if slide.block == body and slide.guide == FRAME:
                 return slide.turn
@@ -202,25 +222,35 @@ class Restraints:
         turn = sum(((at[p] - middle) * (shape[p] - centre).conjugate() for p in known), 0j)
         return cmath.phase(turn) if abs(turn) > _DAMPED else float(rng.uniform(-np.pi, np.pi))
 
-
-def settled(
-    restraints: Restraints, q: Array, aside: Sequence[ConstraintRow], start: Array | None = None
-) -> tuple[Array, ConstraintRows]:
-    """The place close to q where the equations hold but for those set aside, or hold best: Levenberg-Marquardt.
-
-    start  from where rolling counts; left out, nothing counts as having rolled
-    """
-    damping, rows = 1e-3, restraints.rows(q, start).without(aside)
-    for _ in range(_ROUNDS):
-        if np.max(np.abs(rows.open), initial=0.0) < 1e-14:
-            break
-        normal = rows.slopes.T @ rows.slopes + damping * np.eye(len(q))
-        change = -np.linalg.solve(normal, rows.slopes.T @ rows.open)
-        tried = restraints.rows(q + change, start).without(aside)
-        if np.sum(tried.open**2) < np.sum(rows.open**2):
-            q, rows, damping = q + change, tried, max(damping / 10, 1e-13)
-        else:
-            damping *= 10
-            if damping > 1e3:
+    def drawn_place(self, aside: Sequence[ConstraintRow] = ()) -> tuple[Array, ConstraintRows]:
+        """The drawn position, as near to the sketch as it can be closed; nothing has rolled yet."""
+        rng, places = np.random.default_rng(7), list[tuple[Array, ConstraintRows]]()
+        for _ in range(_STARTS):
+            q = self.sketched(rng)
+            places.append(self.settled(q, [*self.rows(q).of_kind("slip"), *aside]))
+            best = min(places, key=lambda place: float(np.sum(place[1].open ** 2)))
+            if best[1].gap < CLOSED:
                 break
-    return q, rows
+        return best
+
+    def settled(
+        self, q: Array, aside: Sequence[ConstraintRow], start: Array | None = None
+    ) -> tuple[Array, ConstraintRows]:
+        """The place close to q where the equations hold but for those set aside, or hold best: Levenberg-Marquardt.
+
+        start  from where rolling counts; left out, nothing counts as having rolled
+        """
+        damping, rows = 1e-3, self.rows(q, start).without(aside)
+        for _ in range(_ROUNDS):
+            if rows.gap < 1e-14:
+                break
+            normal = rows.slopes.T @ rows.slopes + damping * np.eye(len(q))
+            change = -np.linalg.solve(normal, rows.slopes.T @ rows.open)
+            moved = self.rows(q + change, start).without(aside)
+            if np.sum(moved.open**2) < np.sum(rows.open**2):
+                q, rows, damping = q + change, moved, max(damping / 10, 1e-13)
+            else:
+                damping *= 10
+                if damping > 1e3:
+                    break
+        return q, rows

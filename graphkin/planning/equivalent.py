@@ -12,13 +12,17 @@ from dataclasses import replace
 
 from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Link, Mechanism
-from graphkin.model.pairs import Line, Pair, Rod, Rolling, Slide, Slot, rod_name, start_name
+from graphkin.model.pairs import Line, Pair, Rod, Slide, Slot, rod_name, start_name
 
 
 def lower_pairs(mechanism: Mechanism) -> Mechanism:
-    """The mechanism with hinges and slides alone. Points and slides that stand for contacts have small letters."""
+    """The mechanism with hinges and slides alone. Points and slides that stand for contacts have small letters.
+
+    Rods that a link with both points makes needless come after those that may be that link, at last what follows.
+    """
     links, slides = dict(mechanism.links), [*mechanism.slides]
-    for pair in sorted(mechanism.pairs, key=_turn):
+    rods = {pair: rod.carried + rod.follows for pair in mechanism.pairs if isinstance(rod := pair.equivalent, Rod)}
+    for pair in sorted(mechanism.pairs, key=lambda pair: rods.get(pair, 0)):
         match pair.equivalent:
             case Rod() as rod if not (rod.carried and arm_of(links, *rod.points)):
                 name, (first, second) = rod_name(pair), rod.points
@@ -29,20 +33,14 @@ def lower_pairs(mechanism: Mechanism) -> Mechanism:
     return replace(mechanism, links=links, pairs=tuple(slides), replaced=higher)
 
 
-def _turn(pair: Pair) -> int:
-    """Rods that a link with both points makes needless come after those that may be that link, at last what follows."""
-    rod = pair.equivalent
-    return rod.carried + rod.follows if isinstance(rod, Rod) else 0
-
-
 def _parallel(links: dict[str, Link], pair: Pair, slot: Slot) -> Slide:
     """A slot of the equivalent: the line moved sideways by the radius, from a point of its own; of an edge the line."""
-    if not slot.offset:
-        return Slide(pair.name, bool(pair.given), slot.line, slot.point, None, 0.0, pair)
-    link, start = links[slot.line.link], start_name(pair)
-    origin = link.points[slot.line.origin] + 1j * slot.offset * slot.line.direction
-    links[link.name] = replace(link, points={**link.points, start: origin})
-    path = Line(link.name, start, slot.line.direction, named=False)
+    path = slot.line
+    if slot.offset:
+        link, start = links[path.link], start_name(pair)
+        origin = link.points[path.origin] + 1j * slot.offset * path.direction
+        links[link.name] = replace(link, points={**link.points, start: origin})
+        path = Line(link.name, start, path.direction, named=False)
     return Slide(pair.name, bool(pair.given), path, slot.point, None, 0.0, pair)
 
 
@@ -82,24 +80,30 @@ class Contact:
 
 
 def contacts(mechanism: Mechanism, lower: Mechanism) -> Iterator[Contact]:
-    """Every gear pair and every rolling wheel."""
+    """Every gear pair and every rolling wheel.
+
+    On a line s + r (wheel - track) counts where the centre lies left of it, s - r (..) where right; of an internal pair
+    of pitch circles the larger is the ring, whose radius counts against the other's.
+    """
     for pair in mechanism.pairs:
-        if (rolling := pair.rolling) is not None:
-            yield (_circles if rolling.line is None else _on_line)(mechanism, lower, pair, rolling)
+        if (rolling := pair.rolling) is None:
+            continue
+        first, second = rolling.radii
+        if rolling.line is not None:
+            (track, wheel), side = rolling.wheels, 1.0 if rolling.left else -1.0
+            slide, share, along = _guided(mechanism.links, mechanism.slides, pair) or (pair.name, 1.0, 1.0)
+            angles: tuple[tuple[str, float], ...] = ((wheel, second), (track, -second))
+            radii = (0.0, along * side * second)
+            yield Contact(pair, rolling.wheels, rolling.centres, radii, "", angles, slide, share * side)
+            continue
+        if rolling.internal:
+            first, second = (first, -second) if first > second else (-first, second)
+        arm = arm_of(lower.links, *rolling.centres) or rod_name(pair)
+        angles = ((rolling.wheels[0], first), (rolling.wheels[1], second), (arm, -(first + second)))
+        yield Contact(pair, rolling.wheels, rolling.centres, (first, second), arm, angles)
 
 
-def _on_line(mechanism: Mechanism, lower: Mechanism, pair: Pair, rolling: Rolling) -> Contact:
-    """s + r (wheel - track) where the centre lies left of the line, s - r (..) where right."""
-    (track, wheel), (_, radius) = rolling.wheels, rolling.radii
-    side, angles = 1.0 if rolling.left else -1.0, ((wheel, radius), (track, -radius))
-    slide, way, along = _guided(mechanism.links, mechanism.slides, pair) or (pair.name, 1.0, 1.0)
-    beside = (0.0, along * side * radius)
-    return Contact(pair, rolling.wheels, rolling.centres, beside, "", angles, slide, way * side)
-
-
-def _guided(
-    links: Mapping[str, Link], slides: Iterable[Slide], pair: Pair
-) -> tuple[str, float, float] | None:
+def _guided(links: Mapping[str, Link], slides: Iterable[Slide], pair: Pair) -> tuple[str, float, float] | None:
     """A sliding pair that moves the wheel's centre along its track already: a rack in a guide, a wheel on a crosshead.
 
     Its name, what its displacement counts along the track (+1 or -1), and whether its line runs as the track's does.
@@ -110,9 +114,9 @@ def _guided(
     track, centre = rolling.wheels[0], rolling.centres[1]
     carriers = {name for name, link in links.items() if centre in link.points}
     for slide in slides:
-        on_track, on_centre = slide.guide == track, slide.block == track
+        on_track = slide.guide == track
         other = slide.block if on_track else slide.guide
-        if slide.block is None or not (on_track or on_centre) or other not in carriers:
+        if slide.block is None or track not in (slide.guide, slide.block) or other not in carriers:
             continue
         turn = cmath.rect(1.0, 0.0 if on_track else slide.turn)
         relation = rolling.line.direction * turn * slide.line.direction.conjugate()
@@ -120,13 +124,3 @@ def _guided(
             along = 1.0 if relation.real > 0 else -1.0
             return slide.name, along if on_track else -along, along
     return None
-
-
-def _circles(mechanism: Mechanism, lower: Mechanism, pair: Pair, rolling: Rolling) -> Contact:
-    """Two pitch circles; of an internal pair the larger is the ring, whose radius counts against the other's."""
-    first, second = rolling.radii
-    if rolling.internal:
-        first, second = (first, -second) if first > second else (-first, second)
-    arm = arm_of(lower.links, *rolling.centres) or rod_name(pair)
-    angles = ((rolling.wheels[0], first), (rolling.wheels[1], second), (arm, -(first + second)))
-    return Contact(pair, rolling.wheels, rolling.centres, (first, second), arm, angles)

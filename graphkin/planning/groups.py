@@ -1,51 +1,42 @@
-"""Groups of more than two unknowns: by way of a special point, as a planetary train, or all at once."""
+"""Groups of more than two unknowns, and rolling contacts, in the polygons.
+
+A group is solved by way of a special point, as a planetary train between wheels of known motion, or all at once.
+"""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
-from graphkin.construction import (
-    Chain,
-    Direction,
-    Drawn,
-    LayOff,
-    Normal,
-    Relative,
-    Simultaneous,
-    Site,
-    Size,
-    Term,
-    UnknownScalar,
-)
+from graphkin.construction import Site, kinds, terms
 from graphkin.model.mechanism import FRAME
-from graphkin.planning.images import add_up, base_of, drive, fill, reach
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.images import add_up, base_of, drive, fill, measure_slides, reach
 from graphkin.planning.loop_terms import Hop, LinkArm, Slip, outward, way_round
 from graphkin.planning.polygon import PolygonPlan
 from graphkin.planning.position import contact_letters, in_step
-from graphkin.planning.repeating import measure_slide
-from graphkin.planning.rolling import train
-from graphkin.planning.special import Leg, Ternary
-from graphkin.planning.stages import Group, Loop
+from graphkin.planning.special_points import Leg, Ternary
+from graphkin.planning.stages import Group, Loop, Mesh
 
-Known = tuple[tuple[Site, ...], str, Size, Direction | None]
-"""A known arrow: the sites it lies between, its part, its size, its direction."""
+KnownArrow = tuple[tuple[Site, ...], str, terms.Size, terms.Direction | None]
+"""The sites it lies between, its part, its size, its direction."""
 
 
-def group(polygon: PolygonPlan, stage: Group, found: Ternary | None) -> None:
+def group(polygon: PolygonPlan, stage: Group, special: Ternary | None) -> None:
     """All unknowns of a group, then the points of its links, each from what is drawn by then."""
-    if found is None:
-        if not train(polygon, stage) and not _by_contact(polygon, stage):
-            _together(polygon, stage)
-    else:
-        _special(polygon, found)
+    if special is not None:
+        _by_special_point(polygon, special)
+    elif not _train(polygon, stage) and not _by_contact(polygon, stage):
+        chains = tuple(chain(polygon, loop) for loop in stage.loops)
+        contacts = tuple(in_step(contact) for contact in stage.contacts)
+        polygon.parts.append(kinds.Simultaneous(stage.angles, stage.slides, chains, contacts))
     waiting = list(stage.bodies)
     while waiting:
-        body = next(b for b in waiting if base_of(polygon, b) or _slid_from(polygon, b))
+        body = next(b for b in waiting if base_of(polygon, b) or _slide_from_drawn(polygon, b))
         waiting.remove(body)
         if not base_of(polygon, body):
-            drive(polygon, _slid_from(polygon, body), body)
+            drive(polygon, _slide_from_drawn(polygon, body), body)
         fill(polygon, body)
-    if found is None:
+    if special is None:
         for loop in stage.loops:
             if loop not in stage.floating:
                 coincide(polygon, loop)
@@ -59,7 +50,7 @@ def coincide(polygon: PolygonPlan, loop: Loop) -> None:
             reach(polygon, hop.of)
 
 
-def _slid_from(polygon: PolygonPlan, body: str) -> str:
+def _slide_from_drawn(polygon: PolygonPlan, body: str) -> str:
     """A slide whose other link is drawn."""
     for name, pair in polygon.structure.slides.items():
         ends = pair.guide, polygon.structure.block(pair)
@@ -70,11 +61,45 @@ def _slid_from(polygon: PolygonPlan, body: str) -> str:
     return ""
 
 
-def _special(polygon: PolygonPlan, found: Ternary) -> None:
+def chain(polygon: PolygonPlan, loop: Loop) -> kinds.Chain:
+    """A loop as arrows of known size and unknown scalars."""
+    start, hops, end = way_round(polygon.structure, loop)
+    known: list[tuple[terms.Size, int]] = []
+    unknown: list[kinds.UnknownScalar] = []
+    if loop.joints[0] != loop.joints[-1]:
+        reach(polygon, start)
+        reach(polygon, end)
+        known.append((terms.Drawn(polygon.name(end), polygon.name(start)), 1))
+    for hop in hops:
+        for _, size, _ in polygon.pieces(hop):
+            if size is not None:
+                known.append((size, 1))
+            elif isinstance(hop, Slip):
+                unknown.append(kinds.UnknownScalar("", hop.slide, "", "", polygon.sense(hop)))
+            else:
+                unknown.append(kinds.UnknownScalar(hop.of.link, "", hop.seen_from.point, hop.of.point, 1))
+    return kinds.Chain(tuple(known), tuple(unknown))
+
+
+def walk(polygon: PolygonPlan, stage: Loop) -> None:
+    """Draw every site of a loop whose unknowns have been found, hop by hop."""
+    for hop in way_round(polygon.structure, stage)[1]:
+        if isinstance(hop, LinkArm):
+            reach(polygon, hop.of)
+        elif not polygon.known(hop.of):
+            add_up(polygon, hop.of, polygon.side(hop.seen_from, (replace(hop, known=True),)))
+    for body in stage.bodies:
+        fill(polygon, body)
+
+
+# --- by way of a special point ----------------------------------------------------------------
+
+
+def _by_special_point(polygon: PolygonPlan, special: Ternary) -> None:
     """Two equations by way of the special point, then what each leg turns or slides."""
-    first, second, third = found.legs
-    point = Site(found.name, found.link)
-    for leg in found.legs:
+    first, second, third = special.legs
+    point = Site(special.name, special.link)
+    for leg in special.legs:
         reach(polygon, leg.start)
     grounded = first.start.link == second.start.link == FRAME
     if polygon.structure.centres and grounded and polygon.plane == "velocity":
@@ -91,47 +116,40 @@ def _special(polygon: PolygonPlan, found: Ternary) -> None:
         _measure_leg(polygon, leg)
 
 
-def _leg(polygon: PolygonPlan, leg: Leg, point: Site) -> tuple[Term, ...]:
+def _leg(polygon: PolygonPlan, leg: Leg, point: Site) -> tuple[terms.Term, ...]:
     """Known arrows first, then the two unknown ones that lie on one line."""
-    terms = list(polygon.absolute(leg.start))
-    tail = terms[-1].head if terms else polygon.name(leg.start)
-    link = polygon.structure.home(leg.end.link)
-    label = polygon.labels.label
-    for sites, part, size, way in _known_of(polygon, leg, point):
+    arrows = list(polygon.absolute(leg.start))
+    tail = arrows[-1].head if arrows else polygon.name(leg.start)
+    link, label = polygon.structure.home(leg.end.link), polygon.labels.label
+    for sites, part, size, direction in _known_of(polygon, leg, point):
         of, seen_from = map(label, sites)
-        turning = polygon.structure.home(size.link) if isinstance(size, Normal | Relative) else link
+        turning = polygon.structure.home(size.link) if isinstance(size, terms.Normal | terms.Relative) else link
         head = polygon.between("k" if part == "k" else "n", turning, f"a^{part}_{of}{seen_from}")
-        terms.append(Term(of, seen_from, part, size, way, tail, head, sites=sites))
+        arrows.append(terms.Term(of, seen_from, part, size, direction, tail, head, sites=sites))
         tail = head
-    seen_from, part = _unknown_of(polygon, leg.unknown)
-    sites = (point, leg.unknown.seen_from, leg.unknown.of, leg.end)
-    over, onto = label(leg.unknown.of), label(leg.end)
-    onto = "" if onto == over else onto
-    terms.append(Term(label(point), seen_from, part, None, leg.way, tail, polygon.name(point), over, onto, sites))
-    return tuple(terms)
-
-
-def _known_of(polygon: PolygonPlan, leg: Leg, point: Site) -> list[Known]:
-    """Each known arrow of a leg, and the normal one from its end to the point."""
-    known: list[Known] = [
-        ((hop.of, hop.seen_from), part, size, way)
-        for hop in leg.hops
-        for part, size, way in polygon.pieces(hop)
-        if size is not None
-    ]
-    if polygon.plane == "acceleration":
-        part, size, way = polygon.pieces(LinkArm(leg.end, point, True))[0]
-        assert size is not None
-        known.append(((point, leg.end), part, size, way))
-    return known
-
-
-def _unknown_of(polygon: PolygonPlan, hop: Hop) -> tuple[str, str]:
-    """What the unknown arrow of a leg is seen from, and its part."""
+    hop = leg.unknown
     in_velocity, sliding = polygon.plane == "velocity", isinstance(hop, Slip)
     absolute = hop.seen_from.link == FRAME and (in_velocity or sliding)
     part = "" if in_velocity or absolute else ("r" if sliding else "t")
-    return "" if absolute else polygon.labels.label(hop.seen_from), part
+    seen_from = "" if absolute else label(hop.seen_from)
+    over, onto = label(hop.of), label(leg.end)
+    ends, sites = (tail, polygon.name(point)), (point, hop.seen_from, hop.of, leg.end)
+    onto = "" if onto == over else onto
+    arrows.append(terms.Term(label(point), seen_from, part, None, leg.way, *ends, over, onto, sites))
+    return tuple(arrows)
+
+
+def _known_of(polygon: PolygonPlan, leg: Leg, point: Site) -> list[KnownArrow]:
+    """Each known arrow of a leg, and the normal one from its end to the point."""
+    hops: list[tuple[Hop, slice]] = [(hop, slice(None)) for hop in leg.hops]
+    if polygon.plane == "acceleration":
+        hops.append((LinkArm(leg.end, point, True), slice(1)))
+    return [
+        ((hop.of, hop.seen_from), part, size, direction)
+        for hop, some in hops
+        for part, size, direction in polygon.pieces(hop)[some]
+        if size is not None
+    ]
 
 
 def _measure_leg(polygon: PolygonPlan, leg: Leg) -> None:
@@ -142,8 +160,90 @@ def _measure_leg(polygon: PolygonPlan, leg: Leg) -> None:
             add_up(polygon, earlier.of, polygon.side(earlier.seen_from, (earlier,)))
     for later in reversed(leg.hops[leg.hops.index(hop) + 1 :]):
         for term in reversed(polygon.terms(later)):
-            polygon.parts.append(LayOff(term, term.head, term.tail, backwards=True))
+            polygon.parts.append(kinds.LayOff(term, term.head, term.tail, backwards=True))
     polygon.measure(hop, polygon.name(hop.seen_from), polygon.name(hop.of))
+
+
+# --- rolling contacts -------------------------------------------------------------------------
+
+
+def mesh(polygon: PolygonPlan, stage: Mesh) -> None:
+    """Pure rolling gives the contact of the one wheel the velocity of the other's; a rack follows its pinion."""
+    if stage.contact.slide in polygon.structure.aside.slides and not stage.contact.way:
+        measure_slides(polygon, [stage.contact.slide])
+    turned = [body for body, _ in stage.contact.angles if polygon.structure.base(body) == stage.angle]
+    centres = zip(stage.contact.wheels, stage.contact.centres, strict=True)
+    wheel = next((Site(centre, link) for link, centre in centres if turned == [link] and centre), None)
+    if wheel is None or not polygon.known(wheel):  # the contact does not give the turning of one wheel alone
+        polygon.parts.append(kinds.Roll(in_step(stage.contact), stage.angle, stage.slide))
+        return
+    letter = contact_letters(polygon.structure)[stage.contact.name]
+    of, at = Site(letter, wheel.link), Site(letter, next(w for w in stage.contact.wheels if w != wheel.link))
+    reach(polygon, at)
+    if polygon.plane == "velocity":
+        polygon.put(polygon.key(of), polygon.name(at))
+        _read_omega(polygon, wheel.link, wheel, of)
+    else:
+        _roll_acceleration(polygon, stage.contact, wheel, of, at)
+    polygon.lies_apart(wheel, of)
+
+
+def _roll_acceleration(polygon: PolygonPlan, contact: Contact, centre: Site, of: Site, at: Site) -> None:
+    """The contacts of two wheels differ in acceleration along their common normal only."""
+    lever = LinkArm(centre, of, False)
+    left = polygon.side(centre, (lever,))
+    normal: terms.Direction = terms.AcrossGuide(contact.slide) if contact.slide else terms.Along(*contact.centres)
+    label, other = polygon.labels.label(of), polygon.labels.label(at)
+    start = polygon.absolute(at)
+    tail = start[-1].head if start else polygon.pole
+    sliding = terms.Term(label, other, "", None, normal, tail, polygon.name(of), sites=(of, at))
+    polygon.equate(of, left, (*start, sliding))
+    polygon.measure_unknown(lever)
+
+
+def _train(polygon: PolygonPlan, stage: Group) -> bool:
+    """A planet between two wheels of known motion, or a wheel between two plates: both contacts are known, so is it."""
+    if polygon.plane != "velocity" or stage.loops or len(stage.contacts) != 2:
+        return False
+    planets = set(stage.contacts[0].wheels) & set(stage.contacts[1].wheels)
+    if len(planets) != 1:
+        return False
+    planet = planets.pop()
+    sites = _contacts_with_known(polygon, stage, planet)
+    if not sites:
+        return False
+    for of, at in sites:
+        reach(polygon, at)
+        polygon.put(polygon.key(of), polygon.name(at))
+    (first, _), (second, _) = sites
+    _read_omega(polygon, planet, first, second)
+    polygon.lies_apart(first, second)
+    if arm := stage.contacts[0].arm:
+        centre = stage.contacts[0].centres[stage.contacts[0].wheels.index(planet)]
+        reach(polygon, Site(centre, planet))
+        pivot = next(site for site in base_of(polygon, arm) if site.point != centre)
+        _read_omega(polygon, arm, pivot, Site(centre, arm))
+    measure_slides(polygon, stage.slides)
+    return True
+
+
+def _contacts_with_known(polygon: PolygonPlan, stage: Group, planet: str) -> list[tuple[Site, Site]]:
+    """Each contact as a point of the planet and of the other wheel; none unless both others move as known."""
+    letters = contact_letters(polygon.structure)
+    sites = []
+    for contact in stage.contacts:
+        other = next(wheel for wheel in contact.wheels if wheel != planet)
+        known = polygon.structure.base(other) not in stage.angles and (other == FRAME or base_of(polygon, other))
+        if not known or contact.arm != stage.contacts[0].arm:
+            return []
+        sites.append((Site(letters[contact.name], planet), Site(letters[contact.name], other)))
+    return sites
+
+
+def _read_omega(polygon: PolygonPlan, link: str, tail: Site, head: Site) -> None:
+    """The turning of a link from two of its points."""
+    nodes = polygon.name(tail), polygon.name(head)
+    polygon.parts.append(kinds.Measure("omega", link, *nodes, (tail.point, head.point)))
 
 
 def _by_contact(polygon: PolygonPlan, stage: Group) -> bool:
@@ -169,43 +269,5 @@ def _by_contact(polygon: PolygonPlan, stage: Group) -> bool:
     polygon.equate(left[-1].of, *polygon.in_order(polygon.side(of, left), polygon.side(end, right)))
     for hop in (swing, right[-1]):
         polygon.measure_unknown(hop)
-    measure_slide(polygon, contact.slide)
+    measure_slides(polygon, [contact.slide])
     return True
-
-
-def _together(polygon: PolygonPlan, stage: Group) -> None:
-    """All chains at once, by calculation."""
-    chains = tuple(chain(polygon, loop) for loop in stage.loops)
-    contacts = tuple(in_step(contact) for contact in stage.contacts)
-    polygon.parts.append(Simultaneous(stage.angles, stage.slides, chains, contacts))
-
-
-def chain(polygon: PolygonPlan, loop: Loop) -> Chain:
-    """A loop as arrows of known size and unknown scalars."""
-    start, hops, end = way_round(polygon.structure, loop)
-    known: list[tuple[Size, int]] = []
-    unknown: list[UnknownScalar] = []
-    if loop.joints[0] != loop.joints[-1]:
-        reach(polygon, start)
-        reach(polygon, end)
-        known.append((Drawn(polygon.name(end), polygon.name(start)), 1))
-    for hop in hops:
-        for _, size, _ in polygon.pieces(hop):
-            if size is not None:
-                known.append((size, 1))
-            elif isinstance(hop, Slip):
-                unknown.append(UnknownScalar("", hop.slide, "", "", polygon.sense(hop)))
-            else:
-                unknown.append(UnknownScalar(hop.of.link, "", hop.seen_from.point, hop.of.point, 1))
-    return Chain(tuple(known), tuple(unknown))
-
-
-def walk(polygon: PolygonPlan, stage: Loop) -> None:
-    """Draw every site of a loop whose unknowns have been found, hop by hop."""
-    for hop in way_round(polygon.structure, stage)[1]:
-        if isinstance(hop, LinkArm):
-            reach(polygon, hop.of)
-        elif not polygon.known(hop.of):
-            add_up(polygon, hop.of, polygon.side(hop.seen_from, (replace(hop, known=True),)))
-    for body in stage.bodies:
-        fill(polygon, body)

@@ -1,10 +1,14 @@
-"""Further points of a link whose motion is known: by image on two points, from one by its rotation."""
+"""Further points of a link whose motion is known: by image on two points, from one by its rotation.
+
+Displacements of sliding pairs that join nothing, as they repeat what other pairs hold, are measured like any other.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import combinations
 
-from graphkin.construction import Image, LayOff, Site, Term
+from graphkin.construction import Image, LayOff, Measure, Roll, Simultaneous, Site, Term
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.closing import known_sum
 from graphkin.planning.loop_terms import LinkArm, Slip
@@ -18,26 +22,21 @@ def fill(polygon: PolygonPlan, body: str) -> None:
 
 
 def reach(polygon: PolygonPlan, site: Site) -> None:
-    """Draw a site of a link whose motion is known: by image on two known points, else from one."""
+    """Draw a site of a link whose motion is known: by image on two known points, else from one.
+
+    A place on a driven link that is no point of its own is drawn from the fixed point about which the link turns.
+    """
     if polygon.known(site):
         return
-    base = base_of(polygon, site.link)
-    if (pivot := _driven_pivot(polygon, base, site)) is not None:
-        _levered(polygon, pivot, site)
-    elif len(base) > 1:
+    base, structure = base_of(polygon, site.link), polygon.structure
+    driven = structure.base(site.link) == FRAME != site.link and site.point not in structure.bodies[site.link]
+    pivot = next((one for one in base if driven and polygon.key(one).link == FRAME), None)
+    if pivot is None and len(base) > 1:
         first, second = base[:2]
         corners = (first.point, second.point, site.point)
-        nodes = (polygon.name(first), polygon.name(second))
-        polygon.parts.append(Image(site.link, corners, nodes, polygon.name(site)))
+        polygon.parts.append(Image(site.link, corners, (polygon.name(first), polygon.name(second)), polygon.name(site)))
     else:
-        _levered(polygon, base[0], site)
-
-
-def _driven_pivot(polygon: PolygonPlan, base: list[Site], site: Site) -> Site | None:
-    """The fixed point about which a driven link turns, for a place on it that is no point of its own."""
-    own = site.point in polygon.structure.bodies[site.link]
-    driven = polygon.structure.base(site.link) == FRAME != site.link and not own
-    return next((one for one in base if polygon.key(one).link == FRAME), None) if driven else None
+        _levered(polygon, pivot or base[0], site)
 
 
 def base_of(polygon: PolygonPlan, body: str) -> list[Site]:
@@ -63,30 +62,15 @@ def _apart(polygon: PolygonPlan, body: str, first: Site, second: Site) -> bool:
 
 
 def _levered(polygon: PolygonPlan, start: Site, site: Site) -> None:
-    """From one known point by the link's known rotation."""
-    hop = LinkArm(Site(start.point, site.link), site, True)
-    right = polygon.absolute(start) + tuple(polygon.terms(hop))
+    """From one known point by the link's known rotation; of one that turns steadily only the normal arrow is left."""
+    right = polygon.absolute(start) + tuple(polygon.terms(LinkArm(Site(start.point, site.link), site, True)))
     if polygon.plane == "acceleration" and polygon.structure.steady(site.link):
-        right = _without_tangential(polygon, right)
+        normal, tangential = right[-2:]
+        polygon.nodes.pop(normal.head)
+        seen_from, part = ("", "") if normal.tail == polygon.pole else (normal.seen_from, "n")
+        size, direction, ends = normal.size, normal.direction, (normal.tail, tangential.head)
+        right = (*right[:-2], Term(normal.of, seen_from, part, size, direction, *ends, sites=normal.sites))
     add_up(polygon, site, right)
-
-
-def _without_tangential(polygon: PolygonPlan, right: tuple[Term, ...]) -> tuple[Term, ...]:
-    """Where a link turns steadily, only the normal arrow is left of its two."""
-    normal, tangential = right[-2:]
-    polygon.nodes.pop(normal.head)
-    absolute = normal.tail == polygon.pole
-    only = Term(
-        normal.of,
-        "" if absolute else normal.seen_from,
-        "" if absolute else "n",
-        normal.size,
-        normal.direction,
-        normal.tail,
-        tangential.head,
-        sites=normal.sites,
-    )
-    return (*right[:-2], only)
 
 
 def drive(polygon: PolygonPlan, slide: str, body: str) -> None:
@@ -108,3 +92,42 @@ def add_up(polygon: PolygonPlan, of: Site, right: tuple[Term, ...]) -> None:
         polygon.parts.append(LayOff(right[0], right[0].tail, right[0].head))
     else:
         polygon.parts.append(known_sum(label, Term(label, "", "", None, None, polygon.pole, node, sites=(of,)), right))
+
+
+# --- displacements that repeat others ---------------------------------------------------------
+
+
+def measure_slides(polygon: PolygonPlan, names: Iterable[str]) -> None:
+    """Those of some sliding pairs and wheels on lines whose motion along their line no step has given yet."""
+    given = _slides_given(polygon)
+    for name in names:
+        if name not in given:
+            _measure_slide(polygon, name)
+
+
+def _measure_slide(polygon: PolygonPlan, name: str) -> None:
+    """The point seen from the guide under it; of the acceleration what the Coriolis term leaves."""
+    pair, owners = polygon.structure.slides[name], polygon.structure.owners
+    of = Site(pair.point, next(body for body in owners[pair.point] if body != pair.guide))
+    seen_from = Site(pair.point, pair.guide)
+    reach(polygon, of)
+    if pair.guide == FRAME:
+        polygon.parts.append(Measure(polygon.sliding, name, polygon.pole, polygon.name(of)))
+        return
+    reach(polygon, seen_from)
+    *known, along = polygon.terms(Slip(seen_from, of, False, name))
+    polygon.parts += [LayOff(term, term.tail, term.head) for term in known]
+    polygon.parts.append(Measure(polygon.sliding, name, along.tail, along.head))
+
+
+def _slides_given(polygon: PolygonPlan) -> set[str]:
+    """The slides whose motion is known: driven, measured or calculated."""
+    given = set(polygon.structure.slides_driven)
+    for part in polygon.parts:
+        if isinstance(part, Measure) and part.quantity == polygon.sliding:
+            given.add(part.of)
+        elif isinstance(part, Roll):
+            given |= {part.slide} - {""}
+        elif isinstance(part, Simultaneous):
+            given.update(part.slides)
+    return given

@@ -1,4 +1,4 @@
-"""How sites are written in equations and polygons, and where they need the number of a link."""
+"""The writing of sites in equations and polygons, with the number of a link where they need it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from graphkin.planning.structure import Sliding, Topology
 
 @filled
 class Labels:
-    """How sites are written: `C`; `B3` where links slide past each other; `B@guide` where that would mislead."""
+    """Labels of sites: `C`; `B3` where links slide past each other; `B@guide` where that would mislead."""
 
     structure: Topology
     coincident: Mapping[str, str]
@@ -25,9 +25,9 @@ class Labels:
     _known: dict[Site, str] = field(default_factory=dict)
 
     def label(self, site: Site) -> str:
-        if (found := self._known.get(site)) is None:
-            found = self._known[site] = self._label(site)
-        return found
+        if (label := self._known.get(site)) is None:
+            label = self._known[site] = self._label(site)
+        return label
 
     def _label(self, site: Site) -> str:
         point = site.point
@@ -49,15 +49,17 @@ class Labels:
         return plain if clear else f"{point}@{called}"
 
     def reserves(self, name: str) -> bool:
-        """Whether a point may need a name in polygons, without the primes: it is free for no corner between."""
-        return name in self._needed or any(self._is_numbered(name, k) for k in range(1, len(name)))
+        """True if a point may need a name in polygons, without the primes: it is free for no corner between.
 
-    def _is_numbered(self, name: str, k: int) -> bool:
-        """Whether a name is that of a point at which links slide past each other, with a link after k letters."""
-        point, link = name[0].upper() + name[1:k], name[k:].removeprefix("@")
-        link = FRAME if link == self.structure.mechanism.frame else link
-        known = point in self.coincident and link in self.structure.mechanism.links
-        return known and _as_begun(self.numbered(point, link)) == name
+        Such are the points, and those at which links slide past each other, with a link after k letters.
+        """
+        mechanism = self.structure.mechanism
+        for k in range(1, len(name)):
+            point, link = name[0].upper() + name[1:k], name[k:].removeprefix("@")
+            link = FRAME if link == mechanism.frame else link
+            if point in self.coincident and link in mechanism.links and _as_begun(self.numbered(point, link)) == name:
+                return True
+        return name in self._needed
 
     @cached_property
     def _needed(self) -> frozenset[str]:
@@ -79,26 +81,22 @@ def _as_begun(label: str) -> str:
 
 def coincident_points(structure: Topology, order: tuple[Stage, ...]) -> dict[str, str]:
     """Points at which links move past a moving link, with the link of which the hinge there is a point."""
-    found: dict[str, str] = {}
+    points: dict[str, str] = {}
     for stage in order:
-        for hop in _jumps(structure, stage):
+        for hop in _relative_hops(structure, stage):
             if FRAME not in (hop.seen_from.link, hop.of.link) or isinstance(hop, Twist):
                 owners = structure.owners[hop.of.point]
                 homes = [site.link for site in (hop.of, hop.seen_from) if site.link in owners]
                 if homes:
-                    found.setdefault(hop.of.point, structure.home(homes[0]))
-    return found
+                    points.setdefault(hop.of.point, structure.home(homes[0]))
+    return points
 
 
-def _jumps(structure: Topology, stage: Stage) -> list[Slip | Twist]:
-    """The coincident points of one stage."""
-    if isinstance(stage, Loop):
-        return [hop for hop in way_round(structure, stage)[1] if isinstance(hop, Slip | Twist)]
-    if isinstance(stage, Group):
-        ways = [way_round(structure, loop)[1] for loop in stage.loops]
-        return [hop for way in ways for hop in way if isinstance(hop, Slip | Twist)]
+def _relative_hops(structure: Topology, stage: Stage) -> list[Slip | Twist]:
+    """The hops of one stage between coincident points."""
     if isinstance(stage, Carry) and isinstance(stage.by, Sliding):
         pair = structure.slides[stage.by.slide]
-        ends = (Site(pair.point, pair.guide), Site(pair.point, structure.block(pair)))
-        return [Slip(ends[0], ends[1], True, pair.name)]
-    return []
+        return [Slip(Site(pair.point, pair.guide), Site(pair.point, structure.block(pair)), True, pair.name)]
+    loops = (stage,) if isinstance(stage, Loop) else stage.loops if isinstance(stage, Group) else ()
+    hops = (hop for loop in loops for hop in way_round(structure, loop)[1])
+    return [hop for hop in hops if isinstance(hop, Slip | Twist)]

@@ -7,6 +7,7 @@ differ from that link there by a relative motion.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from itertools import pairwise
 
 from graphkin.base.cache import kept
@@ -14,7 +15,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Site
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.stages import Loop
-from graphkin.planning.structure import Hinge, Sliding, Topology
+from graphkin.planning.structure import Hinge, Joint, Sliding, Topology
 
 
 @frozen
@@ -50,10 +51,18 @@ Hop = LinkArm | Slip | Twist
 
 
 def halves(structure: Topology, loop: Loop) -> tuple[Site, tuple[Hop, ...], Site, tuple[Hop, ...]]:
-    """Both sides of the loop's equation: each a known site and the hops from it outward to the site sought."""
+    """Both sides of the loop's equation: each a known site and the hops from it outward to the site sought.
+
+    They meet between the unknown hops, so that each side ends in one; a driven sliding between them stands on the side
+    from which the block is seen from its guide.
+    """
     start, hops, end = way_round(structure, loop)
-    unknown = [k for k, hop in enumerate(hops) if not hop.known]
-    middle = _meeting(structure, hops, unknown)
+    first, middle = (k for k, hop in enumerate(hops) if not hop.known)
+    for k, hop in enumerate(hops[first:middle], first):
+        if isinstance(hop, Slip) and hop.known and FRAME not in (hop.seen_from.link, hop.of.link):
+            seen_from_guide = hop.of.link == structure.block(structure.slides[hop.slide])
+            middle = middle if seen_from_guide else k
+            break
     return start, hops[:middle], end, outward(hops[middle:])
 
 
@@ -64,62 +73,48 @@ def way_round(structure: Topology, loop: Loop, lever: str = "") -> tuple[Site, t
     lever  the body of its group that shall carry the lever, where this is to be chosen
     """
     places = _places(structure, loop, lever)
-    start, end = (_edge(structure, loop, places, k) for k in (0, len(loop.joints) - 1))
+    start = Site(places[0], _beyond(structure, loop.joints[0], loop.bodies[0]))
+    end = Site(places[-1], _beyond(structure, loop.joints[-1], loop.bodies[-1]))
     return start, tuple(_hops(structure, loop, places)), end
 
 
 def outward(hops: tuple[Hop, ...]) -> tuple[Hop, ...]:
     """The same hops walked from the other end."""
-    return tuple(_turned(hop) for hop in reversed(hops))
+    return tuple(replace(hop, seen_from=hop.of, of=hop.seen_from) for hop in reversed(hops))
 
 
-def _places(structure: Topology, loop: Loop, lever: str = "") -> list[str]:
+def _places(structure: Topology, loop: Loop, lever: str) -> list[str]:
     """The point at which each joint is looked at: the hinge itself; for slides the coincident point."""
     places = [joint.point if isinstance(joint, Hinge) else "" for joint in loop.joints]
-    for first, last in _groups(structure, loop):
-        if lever in loop.bodies[first : last + 1]:
+    bases = [structure.base(body) for body in loop.bodies]
+    starts = [k for k in range(len(bases)) if k == 0 or bases[k] != bases[k - 1]]
+    for first, last in ((first, end - 1) for first, end in pairwise([*starts, len(bases)])):
+        if first == last or bases[first] not in loop.angles:
+            continue  # no two bodies that follow one another in one unknown group
+        inner, bodies = range(first + 1, last + 1), loop.bodies[first : last + 1]
+        if lever in bodies:
             at = loop.bodies.index(lever)
-            for k in range(first + 1, last + 1):
+            for k in inner:
                 places[k] = places[first] if k <= at else places[last + 1]
             continue
-        wanted = structure.coincident
-        if wanted in (places[first], places[last + 1]) or any(
-            wanted in structure.bodies[body] for body in loop.bodies[first : last + 1]
-        ):
-            places[first + 1 : last + 1] = [wanted] * (last - first)
-            continue
-        inner = [loop.joints[k] for k in range(first + 1, last + 1)]
-        slide = next((joint.slide for joint in inner if isinstance(joint, Sliding)), None)
-        at_entry = slide is not None and _block_side(structure, loop, slide) == "entry"
-        place = places[first] if at_entry else places[last + 1]
-        for k in range(first + 1, last + 1):
+        place = structure.coincident
+        chosen = place in (places[first], places[last + 1]) or any(place in structure.bodies[body] for body in bodies)
+        if not chosen:
+            slides = (joint for joint in loop.joints[first + 1 : last + 1] if isinstance(joint, Sliding))
+            from_block = (loop.bodies[loop.joints.index(joint) - 1] == structure.block(structure.slides[joint.slide])
+                          for joint in slides)  # fmt: skip
+            place = places[first] if next(from_block, False) else places[last + 1]
+        for k in inner:
             places[k] = place
     while waiting := [k for k, joint in enumerate(loop.joints) if isinstance(joint, Sliding) and not places[k]]:
         near = ((k, place) for k in waiting if (place := _near_hinge(structure, loop, places, k)))
-        k, place = next(near, None) or _own_place(structure, loop, waiting)
+        k, place = next(near, (-1, ""))
+        if k < 0:  # no hinge beside any of them: a pin's own point first, as the circle's centre at a flat face
+            own = [(k, structure.slides[joint.slide]) for k in waiting if isinstance(joint := loop.joints[k], Sliding)]
+            k, slide = min(own, key=lambda entry: entry[1].block is not None)
+            place = slide.point
         places[k] = place
     return places
-
-
-def _own_place(structure: Topology, loop: Loop, waiting: list[int]) -> tuple[int, str]:
-    """A joint with no hinge beside it, and its own point: a pin's first, as the circle's centre at a flat face."""
-    slides = [(k, structure.slides[joint.slide]) for k in waiting if isinstance(joint := loop.joints[k], Sliding)]
-    k, slide = min(slides, key=lambda found: found[1].block is not None)
-    return k, slide.point
-
-
-def _groups(structure: Topology, loop: Loop) -> list[tuple[int, int]]:
-    """First and last body of each run of two or more that follow one another in one unknown group."""
-    bases = [structure.base(body) for body in loop.bodies]
-    starts = [k for k in range(len(bases)) if k == 0 or bases[k] != bases[k - 1]]
-    runs = pairwise([*starts, len(bases)])
-    return [(first, end - 1) for first, end in runs if end - first > 1 and bases[first] in loop.angles]
-
-
-def _block_side(structure: Topology, loop: Loop, slide: str) -> str:
-    """Whether one comes to a slide of a group from its block's side (`entry`) or leaves to it (`exit`)."""
-    at = loop.joints.index(Sliding(slide))
-    return "entry" if loop.bodies[at - 1] == structure.block(structure.slides[slide]) else "exit"
 
 
 def _near_hinge(structure: Topology, loop: Loop, places: list[str], k: int) -> str:
@@ -135,63 +130,23 @@ def _near_hinge(structure: Topology, loop: Loop, places: list[str], k: int) -> s
 
 def _hops(structure: Topology, loop: Loop, places: list[str]) -> list[Hop]:
     hops: list[Hop] = []
-    lever_bodies = _lever_bodies(structure, loop, places)
     for k, joint in enumerate(loop.joints):
         before = loop.bodies[k - 1] if k > 0 else _beyond(structure, joint, loop.bodies[0])
         after = loop.bodies[k] if k < len(loop.bodies) else _beyond(structure, joint, loop.bodies[-1])
-        place = places[k]
+        place, bases = places[k], (structure.base(before), structure.base(after))
         if isinstance(joint, Sliding):
             driven = joint.slide not in loop.slides
             hops.append(Slip(Site(place, before), Site(place, after), driven, joint.slide))
-        elif 0 < k < len(loop.bodies) and _same_group(structure, loop, before, after):
+        elif 0 < k < len(loop.bodies) and bases[0] == bases[1] and bases[0] in loop.angles:
             hops.append(Twist(Site(place, before), Site(place, after), True, joint.point))
         if k < len(loop.bodies) and places[k + 1] != place:
-            known = structure.base(after) not in loop.angles
-            assert known or after in lever_bodies
-            hops.append(LinkArm(Site(place, after), Site(places[k + 1], after), known))
+            hops.append(LinkArm(Site(place, after), Site(places[k + 1], after), bases[1] not in loop.angles))
     return hops
 
 
-def _lever_bodies(structure: Topology, loop: Loop, places: list[str]) -> set[str]:
-    return {body for k, body in enumerate(loop.bodies) if places[k] != places[k + 1]}
-
-
-def _same_group(structure: Topology, loop: Loop, first: str, second: str) -> bool:
-    return structure.base(first) == structure.base(second) and structure.base(first) in loop.angles
-
-
-def _beyond(structure: Topology, joint: Hinge | Sliding, body: str) -> str:
+def _beyond(structure: Topology, joint: Joint, body: str) -> str:
     """The known body on the far side of the loop's end joint."""
     if isinstance(joint, Hinge):
         return next(other for other in structure.owners[joint.point] if other != body)
     pair = structure.slides[joint.slide]
     return pair.guide if body != pair.guide else structure.block(pair)
-
-
-def _edge(structure: Topology, loop: Loop, places: list[str], k: int) -> Site:
-    body = loop.bodies[0] if k == 0 else loop.bodies[-1]
-    joint = loop.joints[k]
-    beyond = _beyond(structure, joint, body)
-    return Site(places[k], beyond)
-
-
-def _meeting(structure: Topology, hops: tuple[Hop, ...], unknown: list[int]) -> int:
-    """Where the two sides meet: between the unknown hops, so that each side ends in one; a driven sliding between
-    them stands on the side from which the block is seen from its guide.
-    """
-    first, second = unknown
-    for k, hop in enumerate(hops[first:second], first):
-        if isinstance(hop, Slip) and hop.known and FRAME not in (hop.seen_from.link, hop.of.link):
-            seen_from_guide = hop.of.link == structure.block(structure.slides[hop.slide])
-            return second if seen_from_guide else k
-    return second
-
-
-def _turned(hop: Hop) -> Hop:
-    match hop:
-        case LinkArm(seen_from, of, known):
-            return LinkArm(of, seen_from, known)
-        case Slip(seen_from, of, known, slide):
-            return Slip(of, seen_from, known, slide)
-        case Twist(seen_from, of, known, pivot):
-            return Twist(of, seen_from, known, pivot)

@@ -1,4 +1,4 @@
-"""What each part of a construction needs and what it gives: how far one has to go for what is asked, and what rests.
+"""Parts of a method that are needed for what is asked.
 
 A `Fact` is a point of a plane, ("velocity", "b3"), the turning of a group of links by its base, ("omega", "3"), the
 turning of one driven against the frame, ("driven omega", "1"), or that of a slide, ("s_rate", "ram").
@@ -11,52 +11,18 @@ from dataclasses import replace
 from typing import assert_never
 
 from graphkin.base.value import frozen
-from graphkin.construction import (
-    Across,
-    AcrossGuide,
-    Along,
-    AlongGuide,
-    Arc,
-    Arm,
-    Construction,
-    Coriolis,
-    Direction,
-    Drawn,
-    Driven,
-    Equation,
-    Facts,
-    Fit,
-    Given,
-    Image,
-    InStep,
-    LayOff,
-    Measure,
-    Meet,
-    Normal,
-    Plane,
-    Quarter,
-    Ray,
-    Relative,
-    Roll,
-    Simultaneous,
-    Size,
-    Slid,
-    Span,
-    Step,
-    Swing,
-    Tangential,
-    Term,
-    Touch,
-    Turning,
-)
+from graphkin.construction import Construction, Direction, Equation, Plane, Size, Step, kinds, terms
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.method import Method
 
 Fact = tuple[str, str]
 Part = Step | Equation
 
-_TURNING: dict[Plane, str] = {"position": "theta", "velocity": "omega", "acceleration": "alpha"}
-_SLIDING: dict[Plane, str] = {"position": "s", "velocity": "s_rate", "acceleration": "s_acceleration"}
+
+QUANTITIES: dict[Plane, tuple[str, str]] = {
+    "position": ("theta", "s"), "velocity": ("omega", "s_rate"), "acceleration": ("alpha", "s_acceleration"),
+}  # fmt: skip
+"""The turning of a link and the displacement of a slide, or its rate, that each plane gives."""
 
 
 def turning(method: Method, quantity: str, link: str) -> Fact:
@@ -72,30 +38,22 @@ def turnings(method: Method, quantity: str, link: str) -> tuple[Fact, ...]:
     return turning(method, quantity, link), *against
 
 
-def needed(method: Method, wanted: set[Fact]) -> dict[Plane, tuple[Part, ...]]:
-    """The parts of both polygons that lead to what is wanted, in their order."""
-    found: dict[Plane, tuple[Part, ...]] = {}
+def needed(method: Method, facts: set[Fact]) -> dict[Plane, tuple[Part, ...]]:
+    """The parts of both polygons that lead to these facts, in their order; what they need besides is added to them."""
+    parts: dict[Plane, tuple[Part, ...]] = {}
     for construction in (method.acceleration, method.velocity):
-        reader, kept = _PartsReader(method, construction), list[Part]()
+        reader, kept = PartsReader(method, construction), list[Part]()
         for part in reversed(construction.parts):
-            if isinstance(part, Given) or set(reader.gives(part)) & wanted:
-                kept.append(_without_unwanted(part, construction.plane, wanted))
-                wanted |= set(reader.needs(kept[-1]))
-        found[construction.plane] = tuple(reversed(kept))
-    return found
-
-
-def _without_unwanted(part: Part, plane: Plane, wanted: set[Fact]) -> Part:
-    """An equation without the points behind its unknown arrow that nobody wants."""
-    if not isinstance(part, Equation):
-        return part
-    carried = {step: (plane, step.tip) for step in part.steps if isinstance(step, LayOff) and _carried(step)}
-    return replace(part, steps=tuple(step for step in part.steps if step not in carried or carried[step] in wanted))
-
-
-def _carried(step: LayOff) -> bool:
-    """Whether an arrow is drawn that is there already, for the point at its end."""
-    return isinstance(step.term.size, Drawn)
+            if isinstance(part, kinds.Given) or set(reader.gives(part)) & facts:
+                if isinstance(part, Equation):  # without arrows that are there already, for points nobody asks for
+                    again = {step for step in part.steps
+                             if isinstance(step, kinds.LayOff) and isinstance(step.term.size, terms.Drawn)
+                             and (construction.plane, step.tip) not in facts}  # fmt: skip
+                    part = replace(part, steps=tuple(step for step in part.steps if step not in again))
+                kept.append(part)
+                facts |= set(reader.needs(part))
+        parts[construction.plane] = tuple(reversed(kept))
+    return parts
 
 
 def arms(part: Part) -> Iterator[tuple[str, str]]:
@@ -103,69 +61,18 @@ def arms(part: Part) -> Iterator[tuple[str, str]]:
     if isinstance(part, Equation):
         for step in part.steps:
             yield from arms(step)
-    elif isinstance(part, Measure) and part.lever[0]:
+    elif isinstance(part, kinds.Measure) and part.lever[0]:
         yield min(part.lever), max(part.lever)
-    elif isinstance(part, LayOff) and isinstance(part.term.size, Turning | Normal | Tangential | Relative):
-        size = part.term.size
-        yield min(size.tail, size.head), max(size.tail, size.head)
-
-
-def at_rest(method: Method, facts: Facts) -> frozenset[Fact]:
-    """What stands still in both polygons because the drivers on which it hangs do (rate and acceleration 0)."""
-    rested = _still(facts)
-    found = [_resting(method, method.velocity, rested)]
-    found.append(_resting(method, method.acceleration, rested | found[0]))
-    links = [link for link in method.structure.bodies if link != FRAME]
-    turns = [(turnings(method, "omega", link), turnings(method, "alpha", link)) for link in links]
-    both = {fact for omega, alpha in turns if {*omega} <= found[0] and {*alpha} <= found[1] for fact in omega + alpha}
-    sites = [{c.nodes[name].site: (c.plane, name) for plane, name in one if plane == c.plane}
-             for c, one in zip((method.velocity, method.acceleration), found, strict=True)]  # fmt: skip
-    return frozenset(both | {one[site] for site in {*sites[0]} & {*sites[1]} if site is not None for one in sites})
-
-
-def rests(method: Method, plane: Plane, part: Part, rested: frozenset[Fact]) -> bool:
-    """Whether a part finds nothing but what stands still; corners between arrows do not count."""
-    construction = method.velocity if plane == "velocity" else method.acceleration
-    facts = [] if isinstance(part, Given) else [*_PartsReader(method, construction).gives(part)]
-    found = [fact for fact in facts if not _corner(construction, fact)]
-    return bool(found) and all(fact in rested for fact in found)
-
-
-def _corner(construction: Construction, fact: Fact) -> bool:
-    node = construction.nodes.get(fact[1])
-    return fact[0] == construction.plane and (node is None or node.site is None)
-
-
-def _still(facts: Facts) -> frozenset[Fact]:
-    """What drivers at rest, and the frame, hold."""
-    rates = zip(facts.rates, facts.accelerations, strict=True)
-    still = {k for k, (rate, more) in enumerate(rates) if rate == more == 0}
-    turns = facts.turns.items()
-    held = [link if turn.base == FRAME else f"{link}/{turn.base}"
-            for link, turn in turns if all(k in still for k, _ in turn.drivers)]  # fmt: skip
-    slides = [slide for slide, k in facts.slides_driven.items() if k in still]
-    return frozenset(
-        {(f"driven {quantity}", link) for quantity in ("omega", "alpha") for link in held}
-        | {(quantity, slide) for quantity in ("s_rate", "s_acceleration") for slide in slides}
-    )
-
-
-def _resting(method: Method, construction: Construction, rested: frozenset[Fact]) -> frozenset[Fact]:
-    """The same with all that is found from nothing else by the parts of a polygon, its pole among them."""
-    reader, found = _PartsReader(method, construction), set(rested)
-    for step in construction.steps:
-        if isinstance(step, Given) and step.also:
-            found |= set(reader.gives(step))
-    found.add((construction.plane, construction.pole))
-    for part in construction.parts:
-        needs = {fact for fact in reader.needs(part) if fact[0] not in ("position", "theta", "driven theta", "s")}
-        if not isinstance(part, Given) and needs <= found:
-            found |= set(reader.gives(part))
-    return frozenset(found)
+    elif isinstance(part, kinds.LayOff):
+        match part.term.size:
+            case terms.Turning() | terms.Normal() | terms.Tangential() | terms.Relative() as size:
+                yield min(size.tail, size.head), max(size.tail, size.head)
+            case _:
+                pass  # as long as what is drawn already
 
 
 @frozen
-class _PartsReader:
+class PartsReader:
     """Reads the parts of one construction."""
 
     method: Method
@@ -175,9 +82,6 @@ class _PartsReader:
     def plane(self) -> Plane:
         return self.construction.plane
 
-    def _turning(self, quantity: str, link: str) -> Fact:
-        return turning(self.method, quantity, link)
-
     # --- what a part gives ------------------------------------------------------------------------
 
     def gives(self, part: Part) -> Iterator[Fact]:
@@ -186,97 +90,98 @@ class _PartsReader:
                 yield from self.gives(step)
             return
         match part:
-            case Given(point, also):
+            case kinds.Given(point, also):
                 yield from ((self.plane, name) for name in (point, *also))
-            case LayOff(tip=point) | Meet(point=point) | Image(point=point) | Touch(point=point):
+            case kinds.LayOff(tip=point):
                 yield self.plane, point
-            case Measure(quantity, of):
-                yield self._turning(quantity, of) if quantity in _TURNING.values() else (quantity, of)
-            case Swing(link=link, slide=slide):
-                yield self._turning("theta", link)
-                yield "s", slide
-            case Roll(_, angle, slide):
-                yield from self._found((angle,) if angle else (), (slide,) if slide else ())
-            case Fit(_, angles, slides) | Simultaneous(angles, slides):
-                yield from self._found(angles, slides)
-            case Ray() | Arc():
+            case kinds.Meet(point=point) | kinds.Image(point=point) | kinds.Touch(point=point):
+                yield self.plane, point
+            case kinds.Measure(quantity, of):
+                turns = any(quantity == turning for turning, _ in QUANTITIES.values())
+                yield turning(self.method, quantity, of) if turns else (quantity, of)
+            case kinds.Swing(link=link, slide=slide):
+                yield from self._solved((link,), (slide,))
+            case kinds.Roll(_, angle, slide):
+                yield from self._solved((angle,) if angle else (), (slide,) if slide else ())
+            case kinds.Fit(_, angles, slides) | kinds.Simultaneous(angles, slides):
+                yield from self._solved(angles, slides)
+            case kinds.Ray() | kinds.Arc():
                 pass
             case _:
                 assert_never(part)
 
-    def _found(self, angles: tuple[str, ...], slides: tuple[str, ...]) -> Iterator[Fact]:
-        yield from (self._turning(_TURNING[self.plane], link) for link in angles)
-        yield from ((_SLIDING[self.plane], slide) for slide in slides)
+    def _solved(self, angles: tuple[str, ...], slides: tuple[str, ...]) -> Iterator[Fact]:
+        turns, slips = QUANTITIES[self.plane]
+        yield from (turning(self.method, turns, link) for link in angles)
+        yield from ((slips, slide) for slide in slides)
 
     # --- what it needs ----------------------------------------------------------------------------
 
-    def _equation(self, equation: Equation) -> Iterator[Fact]:
-        """What its steps and its terms need, and it does not give itself."""
-        given = set(self.gives(equation))
-        needs = [fact for step in equation.steps for fact in self.needs(step)]
-        needs += [fact for term in (*equation.left, *equation.right) for fact in self._term(term)]
-        yield from (fact for fact in needs if fact not in given)
-
     def needs(self, part: Part) -> Iterator[Fact]:
+        """The facts that a part starts from, and does not give itself."""
         match part:
             case Equation():
-                yield from self._equation(part)
-            case Given():
-                pass
-            case LayOff(term, start):
+                facts = [fact for step in part.steps for fact in self.needs(step)]
+                facts += [fact for term in (*part.left, *part.right) for fact in self._term(term)]
+            case kinds.Roll() | kinds.Fit() | kinds.Simultaneous():
+                facts = [*self._calculated(part)]
+            case _:
+                yield from self._drawn(part)
+                return
+        given = set(self.gives(part))
+        yield from (fact for fact in facts if fact not in given)
+
+    def _drawn(self, step: Step) -> Iterator[Fact]:
+        match step:
+            case kinds.LayOff(term, start):
                 yield self.plane, start
                 yield from self._term(term)
-            case Ray(through, direction):
+            case kinds.Ray(through, direction):
                 yield self.plane, through
                 yield from self._direction(direction)
-            case Arc(about, reach):
+            case kinds.Arc(about, reach):
                 yield self.plane, about
                 yield from self._size(reach)
-            case Meet(first, second):
-                yield from self.needs(first)
-                yield from self.needs(second)
-            case Swing(pivot=pivot, through=through, span=span):
+            case kinds.Meet(first, second):
+                yield from self._drawn(first)
+                yield from self._drawn(second)
+            case kinds.Swing(pivot=pivot, through=through, span=span):
                 yield from (("position", pivot), ("position", through))
                 yield from self._size(span)
-            case Image(link, corners, base):
+            case kinds.Image(link, corners, base):
                 yield from ((self.plane, node) for node in base)
                 if any(corner not in self.method.mechanism.owners for corner in corners):
                     yield from self._turnings(link)  # a contact is told with the turning it gives
                 yield from (("position", corner) for corner in corners if self.plane != "position")
-            case Measure(tail=tail, head=head, lever=lever):
+            case kinds.Measure(tail=tail, head=head, lever=lever):
                 yield from ((self.plane, node) for node in (tail, head))
                 yield from (("position", point) for point in lever if point)
-            case Roll(contact):
-                yield from self._contact(contact, {*self.gives(part)})
-            case Fit(closures=closures, contacts=contacts):
-                hung = (closure for closure in closures if not closure.floats)
-                yield from (("position", point) for closure in hung for point in (closure.start, closure.end))
-                yield from (fact for contact in contacts for fact in self._contact(contact, {*self.gives(part)}))
-            case Touch(_, centre, other):
+            case kinds.Touch(_, centre, other):
                 yield from (("position", point) for point in (centre, other) if point)
-            case Simultaneous():
-                found = {*self.gives(part)}
-                yield from (fact for fact in self._together(part, found) if fact not in found)
+            case kinds.Given() | kinds.Roll() | kinds.Fit() | kinds.Simultaneous():
+                pass
             case _:
-                assert_never(part)
+                assert_never(step)
 
-    def _together(self, part: Simultaneous, given: set[Fact]) -> Iterator[Fact]:
-        for chain in part.chains:
-            yield from (fact for size, _ in chain.known for fact in self._size(size))
-            yield from (("position", p) for one in chain.unknown for p in (one.tail, one.head) if p)
-            yield from (fact for one in chain.unknown if one.link for fact in self._turnings(one.link))
-        yield from (fact for contact in part.contacts for fact in self._contact(contact, given))
+    def _calculated(self, step: kinds.Roll | kinds.Fit | kinds.Simultaneous) -> Iterator[Fact]:
+        """The facts that enter a step done by calculation, its own results among them."""
+        if isinstance(step, kinds.Fit):
+            hung = (closure for closure in step.closures if not closure.floats)
+            yield from (("position", point) for closure in hung for point in (closure.start, closure.end))
+        elif isinstance(step, kinds.Simultaneous):
+            for chain in step.chains:
+                yield from (fact for size, _ in chain.known for fact in self._size(size))
+                yield from (("position", p) for one in chain.unknown for p in (one.tail, one.head) if p)
+                yield from (fact for one in chain.unknown if one.link for fact in self._turnings(one.link))
+        for contact in (step.contact,) if isinstance(step, kinds.Roll) else step.contacts:
+            yield from (fact for link, _ in contact.angles if link != FRAME for fact in self._turnings(link))
+            slides = [slide for slide, _ in contact.way] or ([contact.slide] if contact.slide else [])
+            yield from ((QUANTITIES[self.plane][1], slide) for slide in slides)
 
     def _turnings(self, link: str, quantity: str = "") -> tuple[Fact, ...]:
-        return turnings(self.method, quantity or _TURNING[self.plane], link)
+        return turnings(self.method, quantity or QUANTITIES[self.plane][0], link)
 
-    def _contact(self, contact: InStep, given: set[Fact]) -> Iterator[Fact]:
-        slides = [slide for slide, _ in contact.way] or ([contact.slide] if contact.slide else [])
-        found = [fact for link, _ in contact.angles if link != FRAME for fact in self._turnings(link)]
-        found += [(_SLIDING[self.plane], slide) for slide in slides]
-        yield from (fact for fact in found if fact not in given)
-
-    def _term(self, term: Term) -> Iterator[Fact]:
+    def _term(self, term: terms.Term) -> Iterator[Fact]:
         if term.size is not None:
             yield from self._size(term.size)
         if term.direction is not None:
@@ -284,41 +189,34 @@ class _PartsReader:
 
     def _size(self, size: Size) -> Iterator[Fact]:
         match size:
-            case Drawn(tail, head):
+            case terms.Drawn(tail, head):
                 yield from ((self.plane, node) for node in (tail, head) if node)
-            case Turning(link, tail, head) | Normal(link, tail, head):
+            case terms.Turning(link, tail, head) | terms.Normal(link, tail, head):
                 yield from self._turnings(link, "omega")
                 yield from (("position", tail), ("position", head))
-            case Tangential(link, tail, head):
+            case terms.Tangential(link, tail, head):
                 yield from self._turnings(link, "alpha")
                 yield from (("position", tail), ("position", head))
-            case Coriolis(link, tail, head):
+            case terms.Coriolis(link, tail, head):
                 yield from self._turnings(link, "omega")
                 yield from (("velocity", tail), ("velocity", head))
-            case Driven(slide):
-                yield _SLIDING[self.plane], slide
-            case Relative(link, seen_from, tail, head):
-                yield from (self._driven(quantity, link, seen_from) for quantity in ("omega", "alpha"))
+            case terms.Driven(slide):
+                yield QUANTITIES[self.plane][1], slide
+            case terms.Relative(link, seen_from, tail, head):  # a driven rotation is known, and moves
+                yield from ((f"driven {quantity}", f"{link}/{seen_from}") for quantity in ("omega", "alpha"))
                 yield from (("position", tail), ("position", head))
-            case Span(parts):
-                yield from self._span(parts)
+            case terms.Span(parts):
+                yield from (("s", part.slide) for part in parts if isinstance(part, terms.Slid))
             case _:
                 assert_never(size)
 
-    def _driven(self, quantity: str, link: str, seen_from: str) -> Fact:
-        """A driven rotation of one link against another is known, and moves."""
-        return f"driven {quantity}", f"{link}/{seen_from}"
-
-    def _span(self, parts: tuple[Arm | Slid, ...]) -> Iterator[Fact]:
-        yield from (("s", part.slide) for part in parts if isinstance(part, Slid))
-
     def _direction(self, direction: Direction) -> Iterator[Fact]:
         match direction:
-            case Along(tail, head) | Across(tail, head):
+            case terms.Along(tail, head) | terms.Across(tail, head):
                 yield from (("position", tail), ("position", head))
-            case AlongGuide(slide) | AcrossGuide(slide):
+            case terms.AlongGuide(slide) | terms.AcrossGuide(slide):
                 yield from self._turnings(self.method.structure.slides[slide].guide, "theta")
-            case Quarter(link, tail, head):
+            case terms.Quarter(link, tail, head):
                 yield from self._turnings(link, "omega")
                 yield from (("velocity", tail), ("velocity", head))
             case _:

@@ -2,29 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import cmath
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from graphkin.base.cache import kept
 from graphkin.construction import Construction, Meet, Plot, Swing, replay
-from graphkin.errors import HigherClass
+from graphkin.errors import GraphkinError, HigherClass, OtherSide
 from graphkin.model.mechanism import Mechanism
-from graphkin.planning.assembly import assemble
-from graphkin.planning.equivalent import contacts, lower_pairs
-from graphkin.planning.guided_rolling import with_ways
+from graphkin.model.pairs import Cam, Pair, RollingContact, Slide
+from graphkin.planning.assembly import assemble, with_sides
+from graphkin.planning.equivalent import Contact, contacts, lower_pairs
 from graphkin.planning.labels import Labels, coincident_points
-from graphkin.planning.method import Method
+from graphkin.planning.method import Method, facts_of
 from graphkin.planning.motion import motion
 from graphkin.planning.position import position
-from graphkin.planning.repeated import as_aside, repeated
-from graphkin.planning.special import Ternary, special_points, with_special_points
+from graphkin.planning.refusals import refuse_contacts_apart
+from graphkin.planning.special_points import Ternary, special_points, with_special_points
 from graphkin.planning.stages import Group, Loop, Mesh, Stage, stages
-from graphkin.planning.starting_facts import facts_of, refuse_contacts_apart, with_sides
-from graphkin.planning.structure import Topology
-
-if TYPE_CHECKING:
-    from graphkin.planning.redundancy import SetAside
+from graphkin.planning.structure import Aside, SetAside, Topology
 
 
 @kept(8)
@@ -40,60 +36,55 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     lower = lower_pairs(mechanism)
     ties = tuple(contacts(mechanism, lower))
     structure = Topology(lower, ties, coincident, centres)
-    aside = repeated(mechanism, structure)
-    drawn: dict[str, float] = {}
+    aside, drawn = tuple[SetAside, ...](), dict[str, float]()
+    if structure.surplus > 0:
+        from graphkin.planning.redundancy import redundant_constraints  # few mechanisms have any
+
+        aside = redundant_constraints(mechanism, structure)
     if ties or mechanism.poses:
         from graphkin.planning.drawn_position import as_drawn
 
         drawn, lower = as_drawn(mechanism, lower, aside)
     if aside or ties or mechanism.poses:
-        structure = replace(structure, mechanism=lower, aside=as_aside(aside))
+        structure = replace(structure, mechanism=lower, aside=Aside.of(aside))
     if aside and ties:
-        structure = replace(structure, contacts=with_ways(structure))
+        structure = replace(structure, contacts=_guided_contacts(structure))
     order = _order(structure)
     construction, choices = position(structure, order)
     facts = facts_of(structure, None, drawn)
-    found = assemble(structure, construction, choices, facts, drawn)
-    construction = with_sides(construction, found.sides)
+    assembly = assemble(structure, construction, choices, facts, drawn)
+    construction = with_sides(construction, assembly.sides)
     ternaries: Mapping[Group, Ternary] = {}
     if ties or any(isinstance(stage, Group) for stage in order):  # nothing else hangs on places
-        plot = replay(construction, Plot(facts, found.near))
+        plot = replay(construction, Plot(facts, assembly.near))
         refuse_contacts_apart(mechanism, ties, plot)
         ternaries = special_points(structure, order, plot)
-    return _method(mechanism, structure, order, construction, ternaries, found.near, drawn, aside)
+    polygons = _polygons(structure, order, construction, ternaries)
+    return Method(mechanism, structure, order, *polygons, assembly.near, drawn, ternaries, aside)
 
 
 def with_other_points(method: Method, plot: Plot) -> Method:
     """The same mechanism with the special points of its groups chosen anew, for the position of a plot."""
-    construction, _ = position(method.structure, method.stages)
+    structure, order = method.structure, method.stages
+    construction, _ = position(structure, order)
     sides = {step.choice: step.side for step in method.position.steps if isinstance(step, Meet | Swing)}
     construction = with_sides(construction, tuple(sides[k] for k in sorted(k for k in sides if k is not None)))
-    ternaries = special_points(method.structure, method.stages, plot)
-    return _method(
-        method.mechanism, method.structure, method.stages, construction, ternaries, method.near, method.drawn,
-        method.aside,
-    )  # fmt: skip
+    ternaries = special_points(structure, order, plot)
+    polygons = _polygons(structure, order, construction, ternaries)
+    return Method(method.mechanism, structure, order, *polygons, method.near, method.drawn, ternaries, method.aside)
 
 
-def _method(
-    mechanism: Mechanism,
-    structure: Topology,
-    order: tuple[Stage, ...],
-    construction: Construction,
-    ternaries: Mapping[Group, Ternary],
-    near: Mapping[str, float],
-    drawn: Mapping[str, float],
-    aside: tuple[SetAside, ...],
-) -> Method:
-    """The polygons to a position's construction, by way of these special points."""
+def _polygons(
+    structure: Topology, order: tuple[Stage, ...], construction: Construction, ternaries: Mapping[Group, Ternary]
+) -> tuple[Construction, Construction, Construction, dict[str, str]]:
+    """Position, velocity and acceleration by way of these special points; the coincident points."""
     meeting = coincident_points(structure, order)
-    labels, pole = Labels(structure, meeting), _pole(mechanism)
+    owners = structure.mechanism.owners
+    pole = next(letter for letter in ("p", "o", "q", "z", "pole") if letter.upper() not in owners)
+    labels = Labels(structure, meeting)
     velocity, at = motion(structure, order, labels, "velocity", pole, lambda site: "", ternaries)
     acceleration, _ = motion(structure, order, labels, "acceleration", pole, at, ternaries)
-    construction = with_special_points(construction, ternaries)
-    return Method(
-        mechanism, structure, order, construction, velocity, acceleration, meeting, near, drawn, ternaries, aside
-    )
+    return with_special_points(construction, ternaries), velocity, acceleration, meeting
 
 
 def _order(structure: Topology) -> tuple[Stage, ...]:
@@ -120,6 +111,77 @@ def _refuse_held_twice(structure: Topology, order: tuple[Stage, ...]) -> None:
                 raise HigherClass(structure.mechanism.where("links", contact.wheels[1]), links)
 
 
-def _pole(mechanism: Mechanism) -> str:
-    """p, or the next letter that no point of the mechanism takes."""
-    return next(letter for letter in ("p", "o", "q", "z", "pole") if letter.upper() not in mechanism.owners)
+# --- wheels on guides -------------------------------------------------------------------------
+
+SlideShares = tuple[tuple[str, float], ...]
+"""Slides whose displacements add up to another one, each with what it counts."""
+
+
+def _guided_contacts(structure: Topology) -> tuple[Contact, ...]:
+    """The contacts; those whose own slide is set aside with the slides that add up to its displacement, if any do.
+
+    A plate on a guide, a wheel that rolls on it, a second plate on top: how far the wheel goes along the second plate
+    is made up of the displacements of plates and wheel along their own lines, which are all parallel.
+    """
+    return tuple(
+        replace(contact, way=_shares(structure, structure.slides[contact.slide], contact.centres[1]))
+        if contact.slide in structure.aside.slides
+        else contact
+        for contact in structure.contacts
+    )
+
+
+def _shares(structure: Topology, track: Slide, centre: str) -> SlideShares:
+    """From the track over parallel slides to a link that carries the centre; nothing where none lead there."""
+    reached: dict[str, tuple[complex, SlideShares]] = {track.guide: (track.line.direction, ())}
+    queue = [track.guide]
+    for link in queue:
+        along, shares = reached[link]
+        if centre in structure.bodies[link]:
+            return shares
+        for name, share, other, turned in _parallel_slides(structure, link, along):
+            if other not in reached:
+                reached[other] = (turned, (*shares, (name, share)))
+                queue.append(other)
+    return ()
+
+
+def _parallel_slides(structure: Topology, link: str, along: complex) -> Iterator[tuple[str, float, str, complex]]:
+    """The slides of a link that run as the track does: name, what it counts, the other body, the track's line there."""
+    for slide in structure.joining:
+        block, turn = structure.block(slide), cmath.rect(1.0, slide.turn)
+        if link == slide.guide:
+            share, other, turned = slide.line.direction / along, block, along / turn
+        elif link == block:
+            share, other, turned = -slide.line.direction / (along * turn), slide.guide, along * turn
+        else:
+            continue
+        if abs(share.imag) < 1e-9 * abs(share):
+            yield slide.name, 1.0 if share.real > 0 else -1.0, other, turned
+
+
+# --- sides ------------------------------------------------------------------------------------
+
+
+def wrong_side(mechanism: Mechanism) -> OtherSide | None:
+    """The error that names the first `side` of a wheel or a profile whose opposite closes the mechanism."""
+    for k, pair in enumerate(mechanism.pairs):
+        for turned, path, left in _other_sides(pair):
+            pairs = (*mechanism.pairs[:k], turned, *mechanism.pairs[k + 1 :])
+            try:
+                plan(replace(mechanism, pairs=pairs))
+            except GraphkinError:
+                continue
+            return OtherSide(mechanism.where(*mechanism.path(pair), *path, "side"), "left" if left else "right")
+    return None
+
+
+def _other_sides(pair: Pair) -> Iterator[tuple[Pair, tuple[str | int, ...], bool]]:
+    """The pair with one side changed, where in its table that side stands, and what it is then."""
+    if isinstance(pair, RollingContact) and pair.line is not None:
+        yield replace(pair, left=not pair.left), (), not pair.left
+    if isinstance(pair, Cam):
+        for n, face in enumerate(pair.profiles):
+            if face.line is not None:
+                faces = [replace(each, left=not each.left) if each is face else each for each in pair.profiles]
+                yield replace(pair, profiles=(faces[0], faces[1])), ("profiles", n), not face.left

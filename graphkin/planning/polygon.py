@@ -4,40 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import field, replace
-from functools import cached_property
 from itertools import chain, count
 
 from graphkin.base.value import filled
-from graphkin.construction import (
+from graphkin.construction import Direction, Equation, LayOff, Measure, Node, Plane, Site, Size, Step, Term
+from graphkin.construction.terms import (
     Across,
     Along,
     AlongGuide,
     Coriolis,
-    Direction,
     Drawn,
     Driven,
-    Equation,
-    LayOff,
-    Measure,
-    Node,
     Normal,
-    Plane,
     Quarter,
     Relative,
-    Site,
-    Size,
-    Step,
     Tangential,
-    Term,
     Turning,
 )
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import image_name, primes
-from graphkin.planning.closing import close, pole_is_last
+from graphkin.planning.closing import close, known_first, pole_is_last
 from graphkin.planning.labels import Labels
 from graphkin.planning.loop_terms import Hop, LinkArm, Slip, Twist
 from graphkin.planning.structure import Topology
-from graphkin.planning.term_order import Ordered, known_first
 
 Piece = tuple[str, Size | None, Direction | None]
 """The part (`n`, `t`, `k`, `r`), size and direction of one arrow of a hop."""
@@ -73,13 +62,6 @@ class PolygonPlan:
 
     # --- names --------------------------------------------------------------------------------
 
-    @cached_property
-    def prime(self) -> str:
-        return primes(self.structure.mechanism, self.plane)
-
-    def image(self, label: str) -> str:
-        return image_name(self.structure.mechanism, self.plane, label)
-
     def key(self, site: Site) -> Site:
         """A hinge moves as one point, whichever of its links it is seen as part of."""
         return self.structure.seen_as.get(site, site)
@@ -90,8 +72,7 @@ class PolygonPlan:
         if key.link == FRAME:
             return self.pole
         if (name := self.at.get(key)) is None:
-            label = self.labels.label(key)
-            name = self.put(key, self.new(self.image(label), label, key))
+            name = self.put(key, self._image(key))
         return name
 
     def put(self, key: Site, name: str) -> str:
@@ -107,26 +88,23 @@ class PolygonPlan:
 
     def fixed(self, point: str) -> str:
         """A fixed point has a name of its own on the pole."""
-        site = Site(point, FRAME)
+        return self._image(Site(point, FRAME))
+
+    def _image(self, site: Site) -> str:
         label = self.labels.label(site)
-        return self.new(self.image(label), label, site)
+        return self.new(image_name(self.structure.mechanism, self.plane, label), label, site)
 
     def between(self, letter: str, link: str, of: str) -> str:
         """A corner of the polygon that is no point of the mechanism: n3', n_arm', k'; by a letter that no point has."""
-        own = self.own_letter(letter)
+        if letter not in self.letters:
+            initials = self.labels.initials | {self.pole[0]}
+            self.letters[letter] = next((other for other in TIPS[letter] if other not in initials), letter)
         called = self.structure.mechanism.called(link)
         worded = self.structure.is_link(link) and not called[0].isdigit()
-        stem = own if letter == "k" else own + ("_" if worded else "") + called
-        dot, prime, reserves = "" if letter == "k" else "_", self.prime, self.labels.reserves
-        stems = chain([stem], (f"{stem}{dot}{k}" for k in count(1)))
+        stem = self.letters[letter] + ("" if letter == "k" else ("_" if worded else "") + called)
+        prime, reserves = primes(self.structure.mechanism, self.plane), self.labels.reserves
+        stems = chain([stem], (f"{stem}{'' if letter == 'k' else '_'}{k}" for k in count(1)))
         return self.new(next(s + prime for s in stems if s + prime not in self.nodes and not reserves(s)), of)
-
-    def own_letter(self, letter: str) -> str:
-        """The letter for a tip that no point has."""
-        if letter not in self.letters:
-            taken = self.labels.initials | {self.pole[0]}
-            self.letters[letter] = next((other for other in TIPS[letter] if other not in taken), letter)
-        return self.letters[letter]
 
     def known(self, site: Site) -> bool:
         key = self.key(site)
@@ -137,14 +115,10 @@ class PolygonPlan:
     def absolute(self, site: Site) -> tuple[Term, ...]:
         """The known end of a side; nothing where it is at rest."""
         node = self.name(site)
-        if node == self.pole:
-            return ()
-        return (Term(self.labels.label(site), "", "", Drawn(self.pole, node), None, self.pole, node, sites=(site,)),)
+        return () if node == self.pole else (self._from_pole(site, node),)
 
-    def rest(self, site: Site) -> Term:
-        """A point at rest where a side has nothing else."""
-        size = Drawn(self.pole, self.pole)
-        return Term(self.labels.label(site), "", "", size, None, self.pole, self.pole, sites=(site,))
+    def _from_pole(self, site: Site, node: str) -> Term:
+        return Term(self.labels.label(site), "", "", Drawn(self.pole, node), None, self.pole, node, sites=(site,))
 
     def terms(self, hop: Hop) -> list[Term]:
         """The arrows of one hop from `seen_from` outward to `of`, an unknown one last."""
@@ -169,69 +143,53 @@ class PolygonPlan:
         return "" if sliding_on_frame or about_fixed else self.labels.label(hop.seen_from)
 
     def pieces(self, hop: Hop) -> list[Piece]:
+        """The arrows of one hop, an unknown one last."""
+        link, tail, head, in_velocity = hop.of.link, hop.seen_from.point, hop.of.point, self.plane == "velocity"
         match hop:
-            case LinkArm():
-                return self.lever(hop)
-            case Slip():
-                return self.slip(hop)
-            case Twist():
-                return self.twist(hop)
+            case LinkArm(known=known):
+                across = Across(tail, head)
+                if in_velocity:
+                    return [("", Turning(link, tail, head) if known else None, across)]
+                swing = Tangential(link, tail, head) if known else None
+                return [("n", Normal(link, tail, head), Along(head, tail)), ("t", swing, across)]
+            case Slip(seen_from, slide=slide):
+                size, line = Driven(slide, self.sense(hop)) if hop.known else None, AlongGuide(slide)
+                if in_velocity or seen_from.link == FRAME:
+                    return [("", size, line)]
+                pin = self.structure.is_pin(seen_from.link)  # it turns with its slot
+                turning = self.structure.slides[slide].guide if pin else seen_from.link
+                return [self._coriolis(hop, turning), ("r", size, line)]
+            case Twist(seen_from, pivot=pivot):
+                other, across = seen_from.link, Across(pivot, head)
+                if in_velocity:
+                    return [("", Relative(link, other, pivot, head), across)]
+                normal, tangential = (Relative(link, other, pivot, head, part) for part in ("n", "t"))
+                return [self._coriolis(hop, other), ("rn", normal, Along(head, pivot)), ("rt", tangential, across)]
 
-    def lever(self, hop: LinkArm) -> list[Piece]:
-        link, tail, head = hop.of.link, hop.seen_from.point, hop.of.point
-        across = Across(tail, head)
-        if self.plane == "velocity":
-            return [("", Turning(link, tail, head) if hop.known else None, across)]
-        swing = Tangential(link, tail, head) if hop.known else None
-        return [("n", Normal(link, tail, head), Along(head, tail)), ("t", swing, across)]
-
-    def slip(self, hop: Slip) -> list[Piece]:
-        line = AlongGuide(hop.slide)
-        size = Driven(hop.slide, self.sense(hop)) if hop.known else None
-        if self.plane == "velocity" or hop.seen_from.link == FRAME:
-            return [("", size, line)]
+    def _coriolis(self, hop: Hop, link: str) -> Piece:
+        """By the turning of a link, and the arrow between the hop's sites in the velocity polygon."""
         tail, head = self.velocity(hop.seen_from), self.velocity(hop.of)
-        pin = self.structure.is_pin(hop.seen_from.link)  # it turns with its slot
-        link = self.structure.slides[hop.slide].guide if pin else hop.seen_from.link
-        return [("k", Coriolis(link, tail, head), Quarter(link, tail, head)), ("r", size, line)]
-
-    def twist(self, hop: Twist) -> list[Piece]:
-        link, other, pivot, point = hop.of.link, hop.seen_from.link, hop.pivot, hop.of.point
-        across = Across(pivot, point)
-        if self.plane == "velocity":
-            return [("", Relative(link, other, pivot, point), across)]
-        tail, head = self.velocity(hop.seen_from), self.velocity(hop.of)
-        return [
-            ("k", Coriolis(other, tail, head), Quarter(other, tail, head)),
-            ("rn", Relative(link, other, pivot, point, "n"), Along(point, pivot)),
-            ("rt", Relative(link, other, pivot, point, "t"), across),
-        ]
+        return "k", Coriolis(link, tail, head), Quarter(link, tail, head)
 
     def side(self, start: Site, hops: tuple[Hop, ...]) -> tuple[Term, ...]:
         terms = list(self.absolute(start))
         if not terms and hops and isinstance(hops[0], Slip) and hops[0].seen_from.link != FRAME:
-            terms = [self.rest(start)]
+            terms = [self._from_pole(start, self.pole)]
         for hop in hops:
             terms += self.terms(hop)
-        return tuple(terms) or (self.rest(start),)
+        return tuple(terms) or (self._from_pole(start, self.pole),)  # at rest
 
     def equate(self, of: Site, left: tuple[Term, ...], right: tuple[Term, ...], pole: str = "") -> None:
         """Both sides of one vector equation, what is known first, drawn until they meet."""
         sides, carried = (left, right), list[LayOff]()
         if not pole_is_last(left, right, pole):
-            found = [self.known_first(side) for side in sides]
-            sides = found[0].terms, found[1].terms
-            carried = [*found[0].carried, *found[1].carried]
-        drawn = close(self.labels.label(of), *sides, {}, _nothing_between, _no_choice, pole)
+            ordered = [known_first(side, self.corner) for side in sides]
+            sides = ordered[0].terms, ordered[1].terms
+            carried = [*ordered[0].carried, *ordered[1].carried]
+            for before, after in (each.moved for each in ordered if each.moved is not None):
+                self.unknown = {hop: after if term is before else term for hop, term in self.unknown.items()}
+        drawn = close(self.labels.label(of), *sides, {}, pole=pole)
         self.parts.append(replace(drawn, steps=(*drawn.steps, *carried)) if carried else drawn)
-
-    def known_first(self, side: tuple[Term, ...]) -> Ordered:
-        """A side with its unknown term, which its hop remembers, at the end."""
-        found = known_first(side, self.corner)
-        if found.moved is not None:
-            before, after = found.moved
-            self.unknown = {hop: after if term is before else term for hop, term in self.unknown.items()}
-        return found
 
     def corner(self, term: Term) -> str | None:
         """A new corner for a known arrow that has moved and led to a point of a link."""
@@ -265,7 +223,7 @@ class PolygonPlan:
             self.lies_apart(hop.seen_from, hop.of)
 
     def measure(self, hop: Hop, tail: str, head: str) -> None:
-        """What an arrow tells of the link that turns, or of the slide."""
+        """Read off an arrow the motion of the link that turns, or of the slide."""
         if isinstance(hop, LinkArm):
             lever = (hop.seen_from.point, hop.of.point)
             self.parts.append(Measure(self.turning, hop.of.link, tail, head, lever))
@@ -278,11 +236,3 @@ class PolygonPlan:
 
     def lies_apart(self, first: Site, second: Site) -> None:
         self.apart.add(frozenset((self.key(first), self.key(second))))
-
-
-def _nothing_between() -> str:
-    raise AssertionError("each side of a polygon's equation ends in its one unknown arrow")
-
-
-def _no_choice() -> int:
-    raise AssertionError("direction lines cross once")

@@ -1,51 +1,148 @@
-"""The position construction: the mechanism drawn from its dimensions and its drivers, with ruler and compass."""
+"""The position construction: the mechanism drawn from its dimensions and its drivers, with ruler and compass.
+
+The stretches of a loop, arms of bodies and displacements of slides, are the terms of its equation.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import field
 from itertools import count
 
 from graphkin.base.cache import kept
-from graphkin.base.value import filled
-from graphkin.construction import (
-    Along,
-    AlongGuide,
-    Arm,
-    Construction,
-    Equation,
-    Fit,
-    Given,
-    Image,
-    InStep,
-    LayOff,
-    Measure,
-    Node,
-    Roll,
-    Site,
-    Slid,
-    Span,
-    Step,
-    Swing,
-    Term,
-    Touch,
-)
+from graphkin.base.value import filled, frozen
+from graphkin.construction import Construction, Equation, Node, Site, Step, kinds, terms
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.closing import close
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.stages import Bridge, Carry, Group, Loop, Mesh, Stage
-from graphkin.planning.stretches import (
-    LoopPiece,
-    closure,
-    drawn_from,
-    link_of,
-    pieces_of,
-    reverse,
-    runs_of,
-    term_of,
-    turned_round,
-)
-from graphkin.planning.structure import Sliding, Topology
+from graphkin.planning.structure import Hinge, Joint, Sliding, Topology
+
+# --- stretches of a loop ----------------------------------------------------------------------
+
+
+@frozen
+class Stretch:
+    """One stretch of a loop: an arm of a body, or the displacement of a slide, turned by its base link."""
+
+    part: terms.Arm | terms.Slid
+    tail: str
+    head: str
+    base: str
+
+    @property
+    def reversed(self) -> Stretch:
+        return Stretch(_reversed(self.part), self.head, self.tail, self.base)
+
+
+def _reversed(part: terms.Arm | terms.Slid) -> terms.Arm | terms.Slid:
+    if isinstance(part, terms.Arm):
+        return terms.Arm(part.link, part.head, part.tail)
+    return terms.Slid(part.slide, -part.sign)
+
+
+def _stretches(structure: Topology, loop: Loop) -> list[Stretch]:
+    """The loop as arms and displacements, from a known point to a known point."""
+    stretches: list[Stretch] = []
+    for k, joint in enumerate(loop.joints):
+        if not isinstance(joint, Hinge):
+            pair = structure.slides[joint.slide]
+            forward = (loop.bodies[k] if k < len(loop.bodies) else "") == structure.block(pair) or (
+                k > 0 and loop.bodies[k - 1] == pair.guide
+            )
+            ends = (pair.line.origin, pair.point)
+            tail, head = ends if forward else ends[::-1]
+            displacement = terms.Slid(joint.slide, 1 if forward else -1)
+            stretches.append(Stretch(displacement, tail, head, structure.base(pair.guide)))
+        if k < len(loop.bodies):
+            body = loop.bodies[k]
+            tail, head = _end(structure, joint, body), _end(structure, loop.joints[k + 1], body)
+            if tail != head:
+                stretches.append(Stretch(terms.Arm(body, tail, head), tail, head, structure.base(body)))
+    return stretches
+
+
+def _end(structure: Topology, joint: Joint, body: str) -> str:
+    """The point at which a joint holds a body."""
+    return joint.point if isinstance(joint, Hinge) else structure.slide_point(joint.slide, body)
+
+
+def _runs(stretches: list[Stretch], known: set[str]) -> list[list[Stretch]]:
+    """Stretches of one unknown group together; those whose direction is known one by one."""
+    runs: list[list[Stretch]] = []
+    for stretch in stretches:
+        if runs and stretch.base not in known and runs[-1][0].base == stretch.base:
+            runs[-1].append(stretch)
+        else:
+            runs.append([stretch])
+    return runs
+
+
+def _span(stretches: Sequence[Stretch]) -> terms.Span:
+    return terms.Span(tuple(stretch.part for stretch in stretches))
+
+
+def _term(stage: Loop, run: list[Stretch], known: set[str]) -> terms.Term:
+    tail, head, part = run[0].tail, run[-1].head, run[0].part
+    if run[0].base not in known:
+        return terms.Term(head, tail, "", _span(run), None, tail, head)
+    if isinstance(part, terms.Slid):
+        size = None if part.slide in stage.slides else _span(run)
+        return terms.Term(head, tail, "", size, terms.AlongGuide(part.slide), tail, head)
+    return terms.Term(head, tail, "", _span(run), terms.Along(tail, head), tail, head)
+
+
+def _seen_back(term: terms.Term, reaches: dict[terms.Term, terms.Span]) -> terms.Term:
+    """The same arrow seen from its other end."""
+    size, direction = term.size, term.direction
+    if isinstance(size, terms.Span):
+        size = terms.Span(tuple(map(_reversed, reversed(size.parts))))
+    if isinstance(direction, terms.Along):
+        direction = terms.Along(direction.head, direction.tail)
+    back = terms.Term(term.seen_from, term.of, "", size, direction, term.head, term.tail)
+    if term in reaches:
+        reaches[back] = reaches.pop(term)
+    return back
+
+
+def _drawn_from(start: str) -> terms.Term:
+    """The known end of a side, measured from the drawing's origin."""
+    return terms.Term(start, "", "", terms.Drawn("", start), None, "", start)
+
+
+# --- the construction -------------------------------------------------------------------------
+
+
+def position(structure: Topology, order: tuple[Stage, ...]) -> tuple[Construction, int]:
+    """The position construction, and how many crossings in it leave two possibilities."""
+    drawing, fitted = _PositionDrawing(structure), set[str]()
+    for point in structure.bodies[FRAME]:
+        drawing.parts.append(kinds.Given(point))
+        drawing.points.add(point)
+    for stage in order:
+        match stage:
+            case Carry(body):
+                drawing.fill(body)
+            case Bridge():
+                drawing.bridge(stage)
+            case Mesh():
+                drawing.mesh(stage)
+                fitted.add(stage.slide)
+            case Loop():
+                drawing.loop(stage)
+            case Group():
+                drawing.group(stage)
+                fitted.update(stage.slides)
+    for letter, contact in touching(structure):
+        drawing.touch(letter, contact)
+    measured = fitted | {part.of for part in drawing.parts if isinstance(part, kinds.Measure) and part.quantity == "s"}
+    for slide in structure.measured:
+        if slide not in measured and slide not in structure.slides_driven and slide not in drawing.swung:
+            drawing.measure_slide(slide)
+    nodes = {point: Node(point, point, Site(point, structure.owners[point][0])) for point in drawing.points}
+    nodes |= {name: Node(name, "") for name in drawing.asides}
+    nodes |= {name: Node(name, name) for name in drawing.contacts}
+    return Construction("position", tuple(drawing.parts), nodes), drawing.choices
 
 
 @filled
@@ -70,190 +167,129 @@ class _PositionDrawing:
 
     # --- stages -------------------------------------------------------------------------------
 
-    def slid(self, slide: str, body: str) -> str:
-        """The end of a known displacement that lies on `body`."""
-        pair = self.structure.slides[slide]
-        forward = body != pair.guide
-        tail, head = (pair.line.origin, pair.point) if forward else (pair.point, pair.line.origin)
-        if head not in self.points:
-            term = Term(
-                head, tail, "", Span((Slid(slide, 1 if forward else -1),)), AlongGuide(slide), tail, head
-            )
-            self.parts.append(LayOff(term, tail, head))
-            self.points.add(head)
-        return head
-
     def bridge(self, stage: Bridge) -> None:
         tail, head = stage.points
-        self.parts.append(
-            Measure("theta", stage.body, tail, head, span=Span((Arm(stage.body, tail, head),)))
-        )
+        span = terms.Span((terms.Arm(stage.body, tail, head),))
+        self.parts.append(kinds.Measure("theta", stage.body, tail, head, span=span))
         self.angles.add(self.structure.base(stage.body))
         self.fill(stage.body)
 
     def loop(self, stage: Loop) -> None:
-        pieces = pieces_of(self.structure, stage)
-        runs = runs_of(pieces, self.angles)
-        if any(isinstance(p.part, Slid) and p.part.slide in stage.slides and p.base in stage.angles for p in pieces):
-            self.swing(stage, pieces)
+        stretches = _stretches(self.structure, stage)
+        runs = _runs(stretches, self.angles)
+        if any(
+            isinstance(one.part, terms.Slid) and one.part.slide in stage.slides and one.base in stage.angles
+            for one in stretches
+        ):
+            self.swing(stage, stretches)
         else:
             self.meet(stage, runs)
         for run in runs:
-            if run[0].base not in self.angles:
-                link = link_of(self.structure, run[0])
-                self.measure_angle(link, run)
+            part = run[0].part
+            swung = isinstance(self.parts[-1], kinds.Swing)  # which gives its angle itself
+            if run[0].base not in self.angles and not swung:
+                link = part.link if isinstance(part, terms.Arm) else self.structure.slides[part.slide].guide
+                self.parts.append(kinds.Measure("theta", link, run[0].tail, run[-1].head, span=_span(run)))
         for slide in stage.slides:
             self.measure_slide(slide)
         self.angles.update(stage.angles)
         for body in stage.bodies:
             self.fill(body)
 
-    def meet(self, stage: Loop, runs: list[list[LoopPiece]]) -> None:
-        terms, reaches = [], {}
-        for run in runs:
-            term = term_of(self.structure, stage, run, self.angles)
+    def meet(self, stage: Loop, runs: list[list[Stretch]]) -> None:
+        arrows, reaches = [_term(stage, run, self.angles) for run in runs], dict[terms.Term, terms.Span]()
+        for run, term in zip(runs, arrows, strict=True):
             if term.direction is None:
-                reaches[term] = Span(tuple(piece.part for piece in run))
-            terms.append(term)
-        unknown = [k for k, term in enumerate(terms) if term.unknowns]
-        left = drawn_from(terms[0].tail) + tuple(terms[: unknown[1]])
-        right = drawn_from(terms[-1].head) + tuple(reverse(t, reaches) for t in reversed(terms[unknown[1] :]))
-        equation = close(left[-1].head, left, right, reaches, self.aside, self.choice)
-        self.parts.append(equation)
-        self.points.update(node for term in terms for node in (term.tail, term.head))
+                reaches[term] = _span(run)
+        _, second = (k for k, term in enumerate(arrows) if term.unknowns)
+        left = (_drawn_from(arrows[0].tail), *arrows[:second])
+        back = (_seen_back(term, reaches) for term in reversed(arrows[second:]))
+        right = (_drawn_from(arrows[-1].head), *back)
+        self.parts.append(close(left[-1].head, left, right, reaches, self.aside, self.choice))
+        self.points.update(node for term in arrows for node in (term.tail, term.head))
 
-    def swing(self, stage: Loop, pieces: list[LoopPiece]) -> None:
-        guide = self.structure.slides[stage.slides[0]].guide
+    def swing(self, stage: Loop, stretches: list[Stretch]) -> None:
+        slide = stage.slides[0]
+        guide = self.structure.slides[slide].guide
         if guide != stage.bodies[0]:
-            pieces = [turned_round(piece) for piece in reversed(pieces)]
-        pivot, through = pieces[0].tail, pieces[-1].head
-        span = Span(tuple(piece.part for piece in pieces))
-        self.swung.add(stage.slides[0])
-        self.parts.append(
-            Swing(guide, pivot, through, stage.slides[0], span, choice=self.choice())
-        )
+            stretches = [stretch.reversed for stretch in reversed(stretches)]
+        self.swung.add(slide)
+        ends = stretches[0].tail, stretches[-1].head
+        self.parts.append(kinds.Swing(guide, *ends, slide, _span(stretches), choice=self.choice()))
 
     def mesh(self, stage: Mesh) -> None:
         """A rolling contact; its own point is drawn where both wheels have their places."""
         if stage.contact.slide in self.structure.aside.slides and not stage.contact.way:
             self.measure_slide(stage.contact.slide)
-        self.parts.append(Roll(in_step(stage.contact), stage.angle, stage.slide))
+        self.parts.append(kinds.Roll(in_step(stage.contact), stage.angle, stage.slide))
         self.angles |= {stage.angle} - {""}
 
     def touch(self, letter: str, contact: Contact) -> None:
         """The contact itself, where both wheels have their places."""
         first, second = contact.centres
         if contact.slide:
-            self.parts.append(Touch(letter, second, slide=contact.slide, offset=-contact.radii[1]))
+            self.parts.append(kinds.Touch(letter, second, slide=contact.slide, offset=-contact.radii[1]))
         else:
-            self.parts.append(Touch(letter, first, second, contact.radii[0] / sum(contact.radii)))
+            self.parts.append(kinds.Touch(letter, first, second, contact.radii[0] / sum(contact.radii)))
         self.contacts.append(letter)
 
     def group(self, stage: Group) -> None:
-        closures = tuple(closure(self.structure, loop) for loop in stage.loops)
+        closures = []
+        for loop in stage.loops:
+            stretches = _stretches(self.structure, loop)
+            parts = tuple(stretch.part for stretch in stretches)
+            closures.append(kinds.Closure(stretches[0].tail, parts, stretches[-1].head))
         contacts = tuple(in_step(contact) for contact in stage.contacts)
         self.fits += 1
-        self.parts.append(Fit(f"fit {self.fits}", stage.angles, stage.slides, closures, contacts))
+        self.parts.append(kinds.Fit(f"fit {self.fits}", stage.angles, stage.slides, tuple(closures), contacts))
         self.angles.update(stage.angles)
         waiting = list(stage.bodies)
         while waiting:
-            body = next(b for b in waiting if self._startable(b))
+            body = next(b for b in waiting if {*self.structure.bodies[b]} & self.points or self._half_drawn(b))
             waiting.remove(body)
             self.fill(body)
 
-    def _startable(self, body: str) -> bool:
-        """Whether some point of a body is drawn, or the other end of one of its slides."""
-        ends = set(self.structure.bodies[body])
-        for joint, _ in self.structure.joints(body):
-            if isinstance(joint, Sliding):
-                slide = self.structure.slides[joint.slide]
-                ends |= {slide.line.origin, slide.point}
-        return bool(ends & self.points)
-
     # --- further points -----------------------------------------------------------------------
-
-    def measure_angle(self, link: str, run: list[LoopPiece]) -> None:
-        """A swing has found its angle itself; any other group's is read off."""
-        if isinstance(self.parts[-1], Swing):
-            return
-        span = Span(tuple(piece.part for piece in run))
-        self.parts.append(Measure("theta", link, run[0].tail, run[-1].head, span=span))
 
     def measure_slide(self, slide: str) -> None:
         pair = self.structure.slides[slide]
         if pair.line.origin in self.points and pair.point in self.points and slide not in self.swung:
-            self.parts.append(Measure("s", slide, pair.line.origin, pair.point))
+            self.parts.append(kinds.Measure("s", slide, pair.line.origin, pair.point))
 
     def fill(self, body: str) -> None:
         """All further points of a body whose angle is known, from one that is, or from the end of a slide."""
-        start = next((p for p in self.structure.bodies[body] if p in self.points), "") or self._start(body)
-        for point in self.structure.bodies[body]:
+        points, shape = self.structure.bodies[body], self.structure.shapes[body]
+        start = next((point for point in points if point in self.points), "") or self._slid_end(body)
+        for point in points:
             if point in self.points:
                 continue
-            known = [p for p in self.structure.named(body) if p in self.points and self._apart(body, p, start)]
+            named = () if self.structure.is_pin(body) else self.structure.named(body)
+            known = [p for p in named if p in self.points and abs(shape[start] - shape[p]) > 0]
             if known:
-                self.parts.append(Image(body, (start, known[0], point), (start, known[0]), point))
+                self.parts.append(kinds.Image(body, (start, known[0], point), (start, known[0]), point))
             else:
-                arm = Span((Arm(body, start, point),))
-                term = Term(point, start, "", arm, Along(start, point), start, point)
-                self.parts.append(LayOff(term, start, point))
+                self._lay_off(terms.Arm(body, start, point), terms.Along(start, point), start, point)
             self.points.add(point)
 
-    def _start(self, body: str) -> str:
+    def _half_drawn(self, body: str) -> str:
+        """A slide of a body of which an end is drawn."""
         slides = (joint.slide for joint, _ in self.structure.joints(body) if isinstance(joint, Sliding))
-        return next(
-            self.slid(slide, body)
-            for slide in slides
-            if {self.structure.slides[slide].line.origin, self.structure.slides[slide].point} & self.points
-        )
+        pairs = ((slide, self.structure.slides[slide]) for slide in slides)
+        return next((slide for slide, pair in pairs if {pair.line.origin, pair.point} & self.points), "")
 
-    def _apart(self, body: str, first: str, second: str) -> bool:
-        if self.structure.is_pin(body):
-            return False
-        shape = self.structure.shapes[body]
-        return abs(shape[second] - shape[first]) > 0
+    def _slid_end(self, body: str) -> str:
+        """The end on a body of a known displacement of which the other end is drawn."""
+        pair = self.structure.slides[self._half_drawn(body)]
+        forward = body != pair.guide
+        tail, head = (pair.line.origin, pair.point) if forward else (pair.point, pair.line.origin)
+        if head not in self.points:
+            self._lay_off(terms.Slid(pair.name, 1 if forward else -1), terms.AlongGuide(pair.name), tail, head)
+            self.points.add(head)
+        return head
 
-
-def position(structure: Topology, order: tuple[Stage, ...]) -> tuple[Construction, int]:
-    """The position construction, and how many crossings in it leave two possibilities."""
-    drawing = _PositionDrawing(structure)
-    for point in structure.bodies[FRAME]:
-        drawing.parts.append(Given(point))
-        drawing.points.add(point)
-    for stage in order:
-        match stage:
-            case Carry(body):
-                drawing.fill(body)
-            case Bridge():
-                drawing.bridge(stage)
-            case Mesh():
-                drawing.mesh(stage)
-            case Loop():
-                drawing.loop(stage)
-            case Group():
-                drawing.group(stage)
-    known = _found_otherwise(order)
-    for letter, contact in touching(structure):
-        drawing.touch(letter, contact)
-    measured = known | {part.of for part in drawing.parts if isinstance(part, Measure) and part.quantity == "s"}
-    for slide in structure.measured:
-        if slide not in measured and slide not in structure.slides_driven and slide not in drawing.swung:
-            drawing.measure_slide(slide)
-    nodes = {point: Node(point, point, Site(point, structure.owners[point][0])) for point in drawing.points}
-    nodes |= {name: Node(name, "") for name in drawing.asides}
-    nodes |= {name: Node(name, name) for name in drawing.contacts}
-    return Construction("position", tuple(drawing.parts), nodes), drawing.choices
-
-
-def _found_otherwise(order: tuple[Stage, ...]) -> set[str]:
-    """Slides whose displacement a contact or a fit gives."""
-    found: set[str] = set()
-    for stage in order:
-        if isinstance(stage, Mesh):
-            found |= {stage.slide}
-        elif isinstance(stage, Group):
-            found |= set(stage.slides)
-    return found
+    def _lay_off(self, part: terms.Arm | terms.Slid, direction: terms.Direction, tail: str, head: str) -> None:
+        term = terms.Term(head, tail, "", terms.Span((part,)), direction, tail, head)
+        self.parts.append(kinds.LayOff(term, tail, head))
 
 
 def touching(structure: Topology) -> Iterator[tuple[str, Contact]]:
@@ -273,5 +309,5 @@ def contact_letters(structure: Topology) -> dict[str, str]:
     return {contact.name: letter for letter, contact in touching(structure)}
 
 
-def in_step(contact: Contact) -> InStep:
-    return InStep(contact.name, contact.angles, contact.slide, contact.on_slide, contact.way)
+def in_step(contact: Contact) -> kinds.InStep:
+    return kinds.InStep(contact.name, contact.angles, contact.slide, contact.on_slide, contact.way)

@@ -13,20 +13,21 @@ themselves give their angles before any of them has a place: such a loop floats,
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from functools import cached_property
+from itertools import combinations
 
 from graphkin.base.value import frozen
 from graphkin.base.worklist import Waiting
 from graphkin.construction import slide_key
-from graphkin.planning.closed_sets import fewest_closed
 from graphkin.planning.equivalent import Contact
-from graphkin.planning.known import Known
-from graphkin.planning.loop_search import Ways, floats
+from graphkin.planning.loop_search import KnownMotion, LoopPaths
 from graphkin.planning.structure import Hinge, Joint, Topology
 
 MOST = 8
 """Unknown scalars of one loop of a group."""
+_FEW = 8
+"""Loops and contacts of which every set is tried as a group."""
 
 
 @frozen
@@ -91,43 +92,43 @@ Stage = Carry | Bridge | Mesh | Loop | Group
 
 def stages(structure: Topology) -> tuple[tuple[Stage, ...], tuple[str, ...]]:
     """The stages in the order a textbook takes them, and the bodies that no stage reaches."""
-    search = _StageSearch(structure)
-    found = list(search.found())
-    return tuple(found), tuple(search.known.unknown)
+    search, order = _StageSearch(structure), list[Stage]()
+    left = len(search.bodies) - len(search.known.bodies)
+    while left and (stage := search.next()) is not None:
+        order.append(stage)
+        before = len(search.known.bodies)
+        search.learn(stage)
+        left -= len(search.known.bodies) - before
+    return tuple(order), tuple(body for body in search.bodies if body not in search.known.bodies)
 
 
 class _StageSearch:
-    """What comes next, looked for close to what has just become known: a link of a long chain costs no more than one of
-    a short chain."""
+    """The search for the next stage, close to what has just become known."""
 
     def __init__(self, structure: Topology) -> None:
         self.structure = structure
-        self.known = Known(structure, slides=set(structure.slides_driven))
+        self.known = KnownMotion(structure, slides=set(structure.slides_driven))
         self.bodies = tuple(structure.bodies)
         self.contacts = tuple(structure.tying)
         self.to_carry, self.to_bridge = Waiting(len(self.bodies)), Waiting(len(self.bodies))
         self.to_mesh = Waiting(len(self.contacts))
         self.open = {k: self._open(contact) for k, contact in enumerate(self.contacts)}
-        """What is unknown of each rolling contact, as long as anything is."""
-        self.loops = Ways(self.known, 2)
-        self.more_ways: dict[tuple[int, bool], Ways] = {}
+        """The unknowns of each rolling contact, as long as it has any."""
+        self.loops = LoopPaths(self.known, 2)
+        self.rare_loops: dict[tuple[int, bool], LoopPaths] = {}
 
-    def found(self) -> Iterator[Stage]:
-        left = len(self.bodies) - len(self.known.bodies)
-        while left and (stage := self._next()) is not None:
-            yield stage
-            before = len(self.known.bodies)
-            self._learn(stage)
-            left -= len(self.known.bodies) - before
+    def next(self) -> Stage | None:
+        body = self.to_carry.first(self._carry) or self.to_bridge.first(self._bridge)
+        if (stage := body or self.to_mesh.first(self._mesh)) is not None:
+            return stage
+        if (path := self.loops.first()) is not None:
+            return Loop(*path)
+        if (path := self._rare(2, True).first()) is not None:  # of links that are closed in themselves
+            loop = Loop(*path)
+            return self._as_group([loop], _keys(loop.angles, loop.slides))
+        return self._group(False) or self._group(True)
 
-    def _next(self) -> Stage | None:
-        body = self.to_carry.first(self._carried) or self.to_bridge.first(self._bridged)
-        return (
-            body or self.to_mesh.first(self._meshed) or self._loop() or self._floating()
-            or self._group(False) or self._group(True)
-        )  # fmt: skip
-
-    def _learn(self, stage: Stage) -> None:
+    def learn(self, stage: Stage) -> None:
         match stage:
             case Carry() | Bridge():
                 news = self.known.learn((stage.body,), (self.structure.base(stage.body),), ())
@@ -138,17 +139,15 @@ class _StageSearch:
         order = [self.structure.order[body] for body in news.close]
         self.to_carry.call(order)
         self.to_bridge.call(order)
-        self._tell_contacts(_keys(news.angles, news.slides))
-        for ways in (self.loops, *self.more_ways.values()):
-            ways.near(news.close)
-
-    def _tell_contacts(self, names: Iterable[str]) -> None:
+        names = _keys(news.angles, news.slides)
         tied = {k for name in names for k in self._tied.get(name, ()) if k in self.open}
         self.to_mesh.call(tied)
         for k in tied:
             self.open[k] = self._open(self.contacts[k])
             if not any(self.open[k]):
                 del self.open[k]
+        for paths in (self.loops, *self.rare_loops.values()):
+            paths.call(news.close)
 
     @cached_property
     def _tied(self) -> dict[str, list[int]]:
@@ -162,24 +161,23 @@ class _StageSearch:
 
     # --- one stage ----------------------------------------------------------------------------
 
-    def _carried(self, number: int) -> Carry | None:
+    def _carry(self, number: int) -> Carry | None:
         body, known = self.bodies[number], self.known
-        if body in known.bodies or not known.angle(body):
+        if body in known.bodies or self.structure.base(body) not in known.angles:
             return None
         for joint, others in self.structure.joints(body):
-            held = isinstance(joint, Hinge) or joint.slide in known.slides
-            if held and known.joint(joint, others):
+            if (isinstance(joint, Hinge) or joint.slide in known.slides) and known.joint(joint, others):
                 return Carry(body, joint)
         return None
 
-    def _bridged(self, number: int) -> Bridge | None:
+    def _bridge(self, number: int) -> Bridge | None:
         body = self.bodies[number]
         if body in self.known.bodies or self.structure.is_pin(body):
             return None
         points = [point for point in self.structure.bodies[body] if point in self.known.points]
         return Bridge(body, (points[0], points[1])) if len(points) > 1 else None
 
-    def _meshed(self, number: int) -> Mesh | None:
+    def _mesh(self, number: int) -> Mesh | None:
         angles, slides = self.open.get(number, ({}, {}))
         if len(angles) + len(slides) != 1:
             return None
@@ -188,44 +186,34 @@ class _StageSearch:
     def _open(self, contact: Contact) -> tuple[dict[str, None], dict[str, None]]:
         bases = (self.structure.base(body) for body, _ in contact.angles)
         angles = dict.fromkeys(base for base in bases if base not in self.known.angles)
-        ways = contact.way if contact.slide not in self.known.slides else ()
-        needed = [slide for slide, _ in ways] or [contact.slide]
+        shares = contact.way if contact.slide not in self.known.slides else ()
+        needed = [slide for slide, _ in shares] or [contact.slide]
         slides = dict.fromkeys(slide for slide in needed if slide and slide not in self.known.slides)
         return angles, slides
 
-    def _loop(self) -> Loop | None:
-        """The shortest loop with two unknowns, first in the order of the file."""
-        way = self.loops.first()
-        return None if way is None else Loop(*way)
-
-    def _ways(self, most: int, floating: bool) -> Ways:
-        """Ways that few mechanisms need."""
-        if (most, floating) not in self.more_ways:
-            self.more_ways[most, floating] = Ways(self.known, most, floating)
-        return self.more_ways[most, floating]
-
-    def _floating(self) -> Group | None:
-        """The shortest loop with two unknowns of links that are closed in themselves."""
-        way = self._ways(2, True).first()
-        return None if way is None else self._as_group([loop := Loop(*way)], _keys(loop.angles, loop.slides))
+    def _rare(self, most: int, floating: bool) -> LoopPaths:
+        """Paths that few mechanisms need."""
+        if (most, floating) not in self.rare_loops:
+            self.rare_loops[most, floating] = LoopPaths(self.known, most, floating)
+        return self.rare_loops[most, floating]
 
     def _group(self, floating: bool) -> Group | None:
         """The smallest set of loops and contacts with as many unknowns as equations."""
-        loops = [Loop(*way) for way in self._ways(MOST, floating).independent()]
-        parts: list[tuple[Loop | Contact, frozenset[str], int]] = [
+        loops = [Loop(*path) for path in self._rare(MOST, floating).independent()]
+        members: list[tuple[Loop | Contact, frozenset[str], int]] = [
             (loop, _keys(loop.angles, loop.slides), 2) for loop in loops
         ]
-        parts += [(self.contacts[k], _keys(angles, slides), 1) for k, (angles, slides) in self.open.items()]
-        chosen = fewest_closed([names for _, names, _ in parts], [equations for *_, equations in parts])
+        members += [(self.contacts[k], _keys(angles, slides), 1) for k, (angles, slides) in self.open.items()]
+        chosen = fewest_closed([names for _, names, _ in members], [equations for *_, equations in members])
         if chosen is None:
             return None
-        unknown = frozenset[str]().union(*(parts[k][1] for k in chosen))
-        return self._as_group([parts[k][0] for k in chosen], unknown)
+        unknown = frozenset[str]().union(*(members[k][1] for k in chosen))
+        return self._as_group([members[k][0] for k in chosen], unknown)
 
-    def _as_group(self, parts: Sequence[Loop | Contact], unknown: frozenset[str]) -> Group:
-        loops = tuple(part for part in parts if isinstance(part, Loop))
-        contacts = tuple(part for part in parts if isinstance(part, Contact))
-        hanging = (loop for loop in loops if not floats(self.known, loop.joints))
+    def _as_group(self, members: Sequence[Loop | Contact], unknown: frozenset[str]) -> Group:
+        loops = tuple(member for member in members if isinstance(member, Loop))
+        contacts = tuple(member for member in members if isinstance(member, Contact))
+        hanging = (loop for loop in loops if not self.known.floats(loop.joints))
         bodies = tuple(dict.fromkeys(body for loop in hanging for body in loop.bodies))
         slides = tuple(name for name in self.structure.slides if slide_key(name) in unknown)
         angles = tuple(body for body in self.structure.bodies if body in unknown)
@@ -235,3 +223,75 @@ class _StageSearch:
 def _keys(angles: Iterable[str], slides: Iterable[str]) -> frozenset[str]:
     """Unknown scalars in one set, though a file may call a link and a slide alike."""
     return frozenset([*angles, *map(slide_key, slides)])
+
+
+# --- as many unknowns as equations ------------------------------------------------------------
+
+
+def fewest_closed(names: list[frozenset[str]], equations: list[int]) -> tuple[int, ...] | None:
+    """The fewest parts that together have as many unknowns as equations; the first of those in order.
+
+    Each equation takes an unknown for itself (a matching). A part then needs the parts that have taken its other
+    unknowns, they need others, and so on; where an unknown is left that nobody took, no such set holds the part.
+    """
+    if len(names) <= _FEW:
+        return next(
+            (chosen for count in range(1, len(names) + 1) for chosen in combinations(range(len(names)), count)
+             if len(frozenset[str]().union(*(names[k] for k in chosen))) == sum(equations[k] for k in chosen)), None,
+        )  # fmt: skip
+    takers: dict[str, int] = {}
+    kept = []
+    for k in range(len(names)):
+        if all(_one_more(k, names, takers) for _ in range(equations[k])):
+            kept.append(k)
+        else:  # it goes without
+            takers = {name: part for name, part in takers.items() if part != k}
+    most = 1
+    while most < 2 * len(kept):  # sets of a few first: what a part needs may go on through the whole mechanism
+        sets = [chosen for k in kept if (chosen := _needed(k, names, takers, most))]
+        if sets:
+            return min(sets, key=lambda chosen: (len(chosen), chosen))
+        most *= 2
+    return None
+
+
+def _one_more(part: int, names: list[frozenset[str]], takers: dict[str, int]) -> bool:
+    """Give a part an unknown that is free; or one that another has, which takes a further one, and so on."""
+    for name in names[part]:
+        if name not in takers:
+            takers[name] = part
+            return True
+    claims: dict[str, int] = {}
+    """By unknown, the part that would take it."""
+    offers: dict[int, str] = {part: ""}
+    """By part, the unknown that it would give up."""
+    for one in (queue := [part]):
+        for name in names[one]:
+            if name in claims:
+                continue
+            claims[name] = one
+            if name not in takers:
+                while name:  # who claims it takes it, and gives its own to the one that claims that
+                    takers[name] = claims[name]
+                    name = offers[claims[name]]
+                return True
+            if takers[name] not in offers:
+                offers[takers[name]] = name
+                queue.append(takers[name])
+    return False
+
+
+def _needed(part: int, names: list[frozenset[str]], takers: dict[str, int], most: int) -> tuple[int, ...]:
+    """The parts without which this one leaves an unknown open, itself among them; none if one remains open, or if they
+    are more than so many."""
+    chosen, queue = {part}, [part]
+    for one in queue:
+        for name in names[one]:
+            if name not in takers:
+                return ()
+            if takers[name] not in chosen:
+                if len(chosen) == most:
+                    return ()
+                chosen.add(takers[name])
+                queue.append(takers[name])
+    return tuple(sorted(chosen))

@@ -7,14 +7,16 @@ slides alone (the lower-pair form a textbook gives the half joint).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from typing import cast
 
 from graphkin.base.geometry import phase
 from graphkin.base.value import frozen
 from graphkin.construction import Site, TurnOf
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
+from graphkin.model.naming import PairName
 from graphkin.model.pairs import Rod, Slide, pin_name
 from graphkin.planning.equivalent import Contact
 
@@ -36,16 +38,56 @@ class Sliding:
 Joint = Hinge | Sliding
 
 
+# --- redundant constraints --------------------------------------------------------------------
+
+
+@frozen
+class ConstraintRow:
+    """Whose equation a row is.
+
+    kind  "hinge" of a point and a body, "line" or "angle" of a slide, "slip" of a contact, "given" of a driver or pose
+    """
+
+    kind: str
+    name: str
+    body: str = ""
+
+
+@frozen
+class SetAside:
+    """One constraint that repeats others.
+
+    pair   as in the file
+    part   "whole", or only what keeps a "line", an "angle", or rolling without slip ("slip"); a "link" on hinges
+    rows   its equations
+    held   the pairs that hold the same already
+    body   of a link on hinges, in the planner's structure
+    """
+
+    pair: PairName
+    part: str
+    rows: tuple[ConstraintRow, ...]
+    held: tuple[PairName, ...] = ()
+    body: str = ""
+
+
 @frozen
 class Aside:
-    """What repeats others, by name: slides (those that stand for cams, too); blocks whose angle is held; contacts."""
+    """Names of what repeats others: slides (those that stand for cams, too); blocks whose angle is held; contacts."""
 
     slides: frozenset[str] = frozenset()
     angles: frozenset[str] = frozenset()
     contacts: frozenset[str] = frozenset()
 
+    @classmethod
+    def of(cls, redundant: Iterable[SetAside]) -> Aside:
+        """Constraints that the planner leaves out; links on hinges stay where they are (a `Bridge` is drawn last)."""
+        rows = {row for each in redundant if each.part != "link" for row in each.rows}
+        lines, angles, slips = ({row.name for row in rows if row.kind == kind} for kind in ("line", "angle", "slip"))
+        return cls(frozenset(lines), frozenset(angles - lines), frozenset(slips))
 
-NOTHING = Aside()
+
+# --- bodies and joints ------------------------------------------------------------------------
 
 
 @frozen
@@ -61,7 +103,7 @@ class Topology:
     contacts: tuple[Contact, ...] = ()
     coincident: str = ""
     centres: bool = False
-    aside: Aside = NOTHING
+    aside: Aside = Aside()
 
     @cached_property
     def joining(self) -> tuple[Slide, ...]:
@@ -109,7 +151,7 @@ class Topology:
         return body not in self.mechanism.links
 
     def is_link(self, body: str) -> bool:
-        """Whether the file has it: no pin, and no rod of the equivalent."""
+        """True of a body of the file: no pin, and no rod of the equivalent."""
         return not self.is_pin(body) and self.mechanism.links[body].stands_for is None
 
     def named(self, body: str) -> tuple[str, ...]:
@@ -136,11 +178,10 @@ class Topology:
     @cached_property
     def idle(self) -> tuple[str, ...]:
         """Links of one point that may turn without moving anything (局部自由度): rollers."""
-        tied = {name for slide in self.joining for name in (slide.guide, slide.block)}
+        tied = {FRAME} | {name for slide in self.joining for name in (slide.guide, slide.block)}
         tied |= {body for contact in self.contacts for body, _ in contact.angles}
         tied |= {name for driver in self.mechanism.drivers for name in (driver.link, driver.from_link)}
-        links = ((name, link) for name, link in self.mechanism.links.items() if name != FRAME)
-        return tuple(name for name, link in links if len(link.points) == 1 and name not in tied)
+        return tuple(n for n, link in self.mechanism.links.items() if len(link.points) == 1 and n not in tied)
 
     @property
     def tying(self) -> tuple[Contact, ...]:
@@ -167,24 +208,22 @@ class Topology:
         return {Site(point, body): Site(point, first) for point, (first, *others) in hinges for body in others}
 
     def joints(self, body: str) -> Sequence[tuple[Joint, tuple[str, ...]]]:
-        """The joints of a body, each with the other bodies there."""
+        """The joints of a body, each with the other bodies there: hinges first, then slides, as in the file."""
         return self._joints[body]
 
     @cached_property
     def _joints(self) -> dict[str, list[tuple[Joint, tuple[str, ...]]]]:
-        """The joints of every body: hinges first, then slides, in the order of the file."""
         joints: dict[str, list[tuple[Joint, tuple[str, ...]]]] = {}
         for body, points in self.bodies.items():
             others = {point: tuple(other for other in self.owners[point] if other != body) for point in points}
             joints[body] = [(Hinge(point), those) for point, those in others.items() if those]
         for slide in self.joining:
-            guide, block = slide.guide, self.block(slide)
-            joints[guide].append((Sliding(slide.name), (block,)))
-            joints[block].append((Sliding(slide.name), (guide,)))
+            for one, other in ((slide.guide, self.block(slide)), (self.block(slide), slide.guide)):
+                joints[one].append((Sliding(slide.name), (other,)))
         return joints
 
     def slide_point(self, slide: str, body: str) -> str:
-        """Where a slide's line holds on to a body: its origin on the guide, its point on the block."""
+        """The point at which a slide's line holds on to a body: its origin on the guide, its point on the block."""
         pair = self.slides[slide]
         return pair.line.origin if body == pair.guide else pair.point
 
@@ -207,43 +246,41 @@ class Topology:
     @cached_property
     def turns(self) -> Mapping[str, TurnOf]:
         """Each body's angle by that of the base body of its group; the frame's group is the known one."""
-        turns: dict[str, TurnOf] = {}
-        ties: dict[str, list[tuple[str, TurnOf]]] = {}
-        for body, other, more in self._angle_ties():
-            ties.setdefault(body, []).append((other, more))
-        for base in self.bodies:
-            if base in turns:
-                continue
-            turns[base] = TurnOf(base)
-            reached = [base]
-            for body in reached:
-                for other, more in ties.get(body, ()):
-                    if other not in turns:
-                        turns[other] = _chain(turns[body], more)
-                        reached.append(other)
-        return turns
+        ties: dict[str, list[tuple[str, TurnOf]]] = {body: [] for body in self.bodies}
 
-    def _angle_ties(self) -> Iterator[tuple[str, str, TurnOf]]:
-        """Two bodies, and the second's angle against the first: as given by a slide or by a driver."""
+        def tie(body: str, other: str, offset: float, drivers: tuple[int, ...] = ()) -> None:
+            """The other's angle against the body's, as given by a slide or by a driver."""
+            ties[body].append((other, TurnOf(body, offset, tuple((k, 1) for k in drivers))))
+            ties[other].append((body, TurnOf(other, -offset, tuple((k, -1) for k in drivers))))
+
         for slide in self.joining:
-            turn, block = slide.turn if slide.block is not None else phase(slide.line.direction), self.block(slide)
-            yield slide.guide, block, TurnOf(slide.guide, turn)
-            yield block, slide.guide, TurnOf(block, -turn)
-        yield from ((FRAME, idle, TurnOf(FRAME)) for idle in self.idle)
+            turn = slide.turn if slide.block is not None else _angle_of(slide.line.direction)
+            tie(slide.guide, self.block(slide), turn)
+        for idle in self.idle:
+            ties[FRAME].append((idle, TurnOf(FRAME)))
         for k, driver in enumerate(self.mechanism.drivers):
             if driver.kind != "slide":
-                offset = self.driver_offset(driver)
-                yield driver.from_link, driver.link, TurnOf(driver.from_link, offset, ((k, 1),))
-                yield driver.link, driver.from_link, TurnOf(driver.link, -offset, ((k, -1),))
+                tie(driver.from_link, driver.link, self.driver_offset(driver), (k,))
+        turns: dict[str, TurnOf] = {}
+        for base in self.bodies:
+            reached = [] if base in turns else [base]
+            turns.setdefault(base, TurnOf(base))
+            for body in reached:
+                for other, more in ties[body]:
+                    if other not in turns:
+                        first = turns[body]
+                        turns[other] = TurnOf(first.base, first.constant + more.constant, first.drivers + more.drivers)
+                        reached.append(other)
+        return turns
 
     def driver_offset(self, driver: Driver) -> float:
         """Angle of the driven link against the other where the driver's own value is 0."""
         links = self.mechanism.links
         if driver.vector is None:
             return 0.0
-        offset: float = -phase(links[driver.link].arm(*driver.vector))
+        offset = -_angle_of(links[driver.link].arm(*driver.vector))
         if driver.from_vector is not None:
-            offset += phase(links[driver.from_link].arm(*driver.from_vector))
+            offset += _angle_of(links[driver.from_link].arm(*driver.from_vector))
         return offset
 
     @property
@@ -254,11 +291,11 @@ class Topology:
         return self.turns[body].base
 
     def steady(self, body: str) -> bool:
-        """Whether a body of the frame's group has no angular acceleration, whatever the position."""
-        turn = self.turns[body]
-        drivers = self.mechanism.drivers
+        """True if a body of the frame's group has no angular acceleration, whatever the position."""
+        turn, drivers = self.turns[body], self.mechanism.drivers
         return turn.base == FRAME and all(drivers[k].acceleration == 0 for k, _ in turn.drivers)
 
 
-def _chain(first: TurnOf, second: TurnOf) -> TurnOf:
-    return TurnOf(first.base, first.constant + second.constant, first.drivers + second.drivers)
+def _angle_of(vector: complex) -> float:
+    """The angle of a vector; an array where the dimensions of many mechanisms lie side by side in arrays [rad]."""
+    return cast(float, phase(vector))

@@ -1,23 +1,25 @@
-"""What is read off a finished drawing: motions of links, points and slides."""
+"""Motions of links, points and slides read off a finished drawing, and the mechanism's file at that position."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
-from typing import assert_never
+import math
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import TypeVar, assert_never
 
 from graphkin.base.cache import kept
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Value, number, place
 from graphkin.base.value import Lazy
 from graphkin.construction import Plot
 from graphkin.errors import Where
+from graphkin.files.positions import Path
+from graphkin.model import quantities
 from graphkin.model.kinematic_state import Motions
-from graphkin.model.mechanism import FRAME
+from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.model.naming import primes
-from graphkin.model.quantities import Quantity, named
-from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.planning import Method
+from graphkin.running import replay_all
 
-__all__ = ["places", "readings"]
+_Entry = TypeVar("_Entry")
 
 
 class DrawnPlaces(dict[str, tuple[str, str, str]]):
@@ -31,24 +33,24 @@ class DrawnPlaces(dict[str, tuple[str, str, str]]):
         self.method, self.prime = method, primes(method.mechanism, "acceleration")
 
     def __missing__(self, text: str) -> tuple[str, str, str]:
-        quantity = named(self.method.mechanism, text, Where("quantity"))
+        quantity = quantities.named(self.method.mechanism, text, Where("quantity"))
         self[text] = (*self._place(quantity), quantity.unit)
         return self[text]
 
-    def _place(self, quantity: Quantity) -> tuple[str, str]:
+    def _place(self, quantity: quantities.Quantity) -> tuple[str, str]:
         match quantity:
-            case Rotation():
+            case quantities.Rotation():
                 return ("turn" if quantity.word == "theta" else quantity.word), quantity.link
-            case Displacement():
+            case quantities.Displacement():
                 return "s", quantity.slide
-            case Track():
+            case quantities.Track():
                 return "position", quantity.site.point
-            case Moving():
+            case quantities.Moving():
                 node = self.method.nodes_of_links.get(quantity.site.link, {}).get(quantity.site.point)
                 if quantity.seen_from is None and node is not None and quantity.site.link != FRAME:
                     return ("velocity", node) if quantity.letter == "v" else ("acceleration", node + self.prime)
                 return "", ""
-            case Centre() | Component() | Place() | Quotient():
+            case quantities.Centre() | quantities.Component() | quantities.Place() | quantities.Quotient():
                 return "", ""
             case _:
                 assert_never(quantity)
@@ -74,7 +76,7 @@ def readings(method: Method, plot: Plot) -> Motions:
     )  # fmt: skip
 
 
-def _of(table: Mapping[str, Value], names: Collection[str]) -> Mapping[str, Value]:
+def _of(table: Mapping[str, _Entry], names: Collection[str]) -> Mapping[str, _Entry]:
     return Lazy((name for name in table if name in names), table.__getitem__)
 
 
@@ -87,3 +89,46 @@ def _of_nodes(
         return Lazy(nodes[link], lambda point: polygon[nodes[link][point] + prime])
 
     return Lazy(nodes, of_link)
+
+
+# --- the file of that position ----------------------------------------------------------------
+
+_DIGITS = 12
+"""Of mm and deg in the new file."""
+
+
+def mechanism_at(method: Method, values: Sequence[float]) -> Mechanism:
+    """The mechanism where its drivers have these values [rad, m], reached from the drawn position on its branch.
+
+    Its text has the drivers' values, the poses and the sketch of there. Raises NotReached.
+
+    >>> from graphkin import api
+    >>> turned = mechanism_at(api.plan(api.load("ex3-1")), [math.radians(120)])
+    >>> turned.drivers[0].value == math.radians(120), f"{turned.sketch['C'] * 1000:.4f}"
+    (True, '71.5045+47.5585j')
+    """
+    from graphkin.files import loads
+    from graphkin.files.changing import rewritten
+
+    machine, plot = method.mechanism, replay_all(method, values)
+    text = rewritten(machine.text, dict(_changes(machine, plot, values)))
+    return loads(text, name=machine.name, file=machine.file)
+
+
+def _changes(machine: Mechanism, plot: Plot, values: Sequence[float]) -> Iterator[tuple[Path, object]]:
+    from graphkin.planning.drawn_position import value_of
+
+    for k, (driver, value) in enumerate(zip(machine.drivers, values, strict=True)):
+        if driver.value is not None and driver.kind != "spin":
+            yield ("driver", k, "at" if driver.kind == "slide" else "angle"), _in_file(driver, value)
+    for k, pose in enumerate(machine.poses):
+        yield ("pose", k, "at" if pose.kind == "slide" else "angle"), _in_file(pose, number(value_of(plot, pose)))
+    for point, z in plot.position.items():
+        if point in machine.points and point not in machine.links[FRAME].points:
+            z = place(z) * 1000
+            yield ("sketch", point), [round(z.real, _DIGITS), round(z.imag, _DIGITS)]
+
+
+def _in_file(entry: Driver | Pose, value: float) -> float:
+    """In the unit of a number without one: mm, deg."""
+    return round(value * 1000 if entry.kind == "slide" else math.degrees(value), _DIGITS)

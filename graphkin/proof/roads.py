@@ -9,19 +9,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import reduce
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from graphkin.analytic import Motion, motion
+from graphkin.analytic import Motion, mobility, motion
 from graphkin.base.cache import kept
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Real, Value, number
 from graphkin.base.value import frozen
 from graphkin.construction import Plot
-from graphkin.errors import RoadsDiffer
+from graphkin.errors import GraphkinError, JoinedToNothing, RepeatedDriver, RoadsDiffer, TooFewDrivers, TooManyDrivers
 from graphkin.model.kinematic_state import Motions
-from graphkin.model.mechanism import Mechanism
+from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.pairs import Rod
 from graphkin.model.variants import count_of, cut, single
 from graphkin.planning import Method, plan
 from graphkin.proof.readings import readings
@@ -37,9 +37,9 @@ AGREE = 1e-6
 PLACES = 12
 """Of many positions, or many mechanisms, both ends are held, and ten between."""
 FLAT = float(np.sin(np.radians(0.5)))
-"""Where lines meet under a smaller angle the mechanism stands at a dead point, and digits are lost."""
+"""If lines meet under a smaller angle the mechanism stands at a dead point, and digits are lost."""
 
-_Largest = Callable[[Sequence[Value]], Value]
+_Largest = Callable[[Sequence[Value]], Real]
 
 
 @frozen
@@ -68,11 +68,11 @@ def proved(method: Method, values: Sequence[float] | None = None) -> Proved:
 # --- numbers side by side ---------------------------------------------------------------------
 
 
-def held(method: Method, values: Sequence[Value] | None = None, compiled: bool | None = None) -> Plot:
+def held(method: Method, values: Sequence[Real] | None = None, compiled: bool | None = None) -> Plot:
     """A replay, and the analysis beside it: of arrays (n,) at both ends and at ten places between, once for as far as
     the drivers of a method go. Raises RoadsDiffer, and what single positions raise: NotReached beyond a dead point."""
     if values is None or not any(map(np.ndim, values)):
-        _worst_at(method, None if values is None else tuple(map(float, values)))
+        _worst_at(method, None if values is None else tuple(map(number, values)))
         return replay_all(method, values)
     plot = replay_all(method, values, compiled)
     if not all(map(np.size, values)):
@@ -97,17 +97,17 @@ def _known(method: Method) -> list[tuple[float, float]]:
 
 
 def hold_rows(
-    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None, found: DrawnVariants
+    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Real] | None, variants: DrawnVariants
 ) -> None:
     """Of many mechanisms drawn at once some, each by its own analysis. Raises RoadsDiffer."""
     from graphkin.running.variants import rows_of
 
     count = count_of(mechanisms) if isinstance(mechanisms, Mechanism) else len(mechanisms)
-    there = np.delete(np.arange(count), [*found.refused])
+    there = np.delete(np.arange(count), [*variants.refused])
     for row in map(int, there[_spread(there.size)]):
         own = single(mechanisms, row) if isinstance(mechanisms, Mechanism) else mechanisms[row]
         at = None if values is None else np.broadcast_arrays(*(cut(value, row, count) for value in values))
-        _hold(method, own, rows_of(found.plot, row, Plot(found.plot.facts)), at)
+        _hold(method, own, rows_of(variants.plot, row, Plot(variants.plot.facts)), at)
 
 
 def _hold(method: Method, mechanism: Mechanism, plot: Plot, values: Sequence[np.ndarray] | None) -> None:
@@ -151,7 +151,7 @@ def apart(mechanism: Mechanism, drawn: Motions, exact: Motions) -> float:
     speeds make of it (an angular acceleration of 0 by omega^2); angles in radians.
     """
     with np.errstate(invalid="ignore"):  # where either is nan
-        return float(_apart(mechanism, drawn, exact, _largest))
+        return number(_apart(mechanism, drawn, exact, _largest))
 
 
 def apart_each(mechanism: Mechanism, drawn: Motions, exact: Motions) -> np.ndarray:
@@ -160,13 +160,13 @@ def apart_each(mechanism: Mechanism, drawn: Motions, exact: Motions) -> np.ndarr
         return np.asarray(_apart(mechanism, drawn, exact, _largest_of_each))
 
 
-def _apart(mechanism: Mechanism, drawn: Motions, exact: Motions, largest: _Largest) -> Value:
+def _apart(mechanism: Mechanism, drawn: Motions, exact: Motions, largest: _Largest) -> Real:
     points = mechanism.points
     links = {point: mechanism.owners[point][-1] for point in points}
     velocity, right_velocity = ({p: m.velocity_at(p, links[p]) for p in points} for m in (drawn, exact))
     acceleration, right_acceleration = ({p: m.acceleration_at(p, links[p]) for p in points} for m in (drawn, exact))
     size, rate = _sizes(exact, right_velocity, largest)
-    pairs: list[tuple[Mapping[str, Value], Mapping[str, Value], Value]] = [
+    pairs: list[tuple[Mapping[str, Value], Mapping[str, Value], Real]] = [
         (drawn.omega, exact.omega, rate),
         (drawn.alpha, exact.alpha, rate**2),
         (drawn.s, exact.s, size),
@@ -180,7 +180,7 @@ def _apart(mechanism: Mechanism, drawn: Motions, exact: Motions, largest: _Large
     return largest([largest(turned), *(_worst(*entry, largest) for entry in pairs)])
 
 
-def _sizes(exact: Motions, velocity: Mapping[str, Value], largest: _Largest) -> tuple[Value, Value]:
+def _sizes(exact: Motions, velocity: Mapping[str, Value], largest: _Largest) -> tuple[Real, Real]:
     """Extent of the mechanism [m] and its fastest rotation, or speed over extent [rad/s]."""
     places = [exact.position[point] for point in velocity]
     size = largest([place - places[0] for place in places])
@@ -188,7 +188,7 @@ def _sizes(exact: Motions, velocity: Mapping[str, Value], largest: _Largest) -> 
     return size, largest([*(v / size for v in (*velocity.values(), *exact.s_rate.values())), *exact.omega.values()])
 
 
-def _worst(drawn: Mapping[str, Value], right: Mapping[str, Value], natural: Value, largest: _Largest) -> Value:
+def _worst(drawn: Mapping[str, Value], right: Mapping[str, Value], natural: Real, largest: _Largest) -> Real:
     size = largest([natural, *(right[name] for name in drawn)])
     return largest([drawn[name] - right[name] for name in drawn]) / (size + (size == 0))
 
@@ -199,6 +199,51 @@ def _largest(values: Sequence[Value]) -> float:
     return math.nan if any(map(math.isnan, sizes)) else max(sizes, default=0.0)
 
 
-def _largest_of_each(values: Sequence[Value]) -> Value:
+def _largest_of_each(values: Sequence[Value]) -> Real:
     """The same for each mechanism."""
-    return reduce(np.maximum, map(np.abs, values), 0.0)
+    largest: Real = 0.0
+    for value in values:
+        largest = np.maximum(largest, np.abs(value))
+    return largest
+
+
+# --- wrong drivers ----------------------------------------------------------------------------
+
+
+def wrong_drivers(mechanism: Mechanism) -> GraphkinError | None:
+    """The error that names the freedoms and the driver at fault; None where the drivers are right.
+
+    Freedoms are counted by rank, so a constraint that repeats others and is met is no error.
+    """
+    counted = mobility(mechanism)
+    if counted.freedoms is None:
+        return None
+    called = tuple(mechanism.called(link) for link in counted.free)
+    count, last = len(mechanism.drivers), len(mechanism.drivers) - 1
+    which = counted.redundant[0] if counted.redundant else last
+    if count > counted.freedoms:
+        name = mechanism.drivers[which].name
+        return TooManyDrivers(mechanism.where("driver", which), counted.freedoms, count, name)
+    if count < counted.freedoms and counted.gap_mm is None:
+        if loose := _loose(mechanism, counted.free):
+            (owner,) = mechanism.owners[loose[0]]
+            where = mechanism.where(FRAME, loose[0]) if owner == FRAME else mechanism.where("links", owner)
+            return JoinedToNothing(where, called, counted.freedoms, count, loose)
+        return TooFewDrivers(mechanism.where("driver", last), called, counted.freedoms, count)
+    if counted.redundant:
+        name = mechanism.drivers[which].name
+        return RepeatedDriver(mechanism.where("driver", which), called, counted.freedoms, name)
+    return None
+
+
+def _loose(mechanism: Mechanism, free: tuple[str, ...]) -> tuple[str, ...]:
+    """Points that join nothing: of the frame those that no pair uses, of free links those that hang on one joint."""
+    used = {point for pair in mechanism.pairs for _, point, _ in pair.circles}
+    for pair in mechanism.pairs:
+        used |= {point for line in pair.lines for point in (line.origin, *(line.base or ()))}
+        used |= {*pair.equivalent.points} if isinstance(pair.equivalent, Rod) else set()
+    alone = {point for point, owners in mechanism.owners.items() if len(owners) == 1}
+    joins = [pair.links for pair in mechanism.hinges] + [pair.joins for pair in mechanism.pairs]
+    hanging = [link for link in free if sum(link in links for links in joins) < 2]
+    return tuple(point for link in (FRAME, *hanging) for point in mechanism.named(link)
+                 if point in alone and (link != FRAME or point not in used))  # fmt: skip

@@ -8,24 +8,29 @@ between, it is a change point. Else the path is felt for in ever smaller steps; 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
-from graphkin.construction import Meet, Roll, Swing
-from graphkin.planning.method import Method
-from graphkin.running.looking import Looking
-from graphkin.running.path import STEP_DEG, STEP_PART, DriverPath, Event, stride
-from graphkin.running.path_nodes import Nodes, cubic
-from graphkin.running.singularities import choice_of, event_at, touching
+from graphkin.base.geometry import Real
+from graphkin.construction import Fit, Meet, Plot, Roll, Swing, replay
+from graphkin.construction.fitting import fit
+from graphkin.construction.pencil import COMPASS, Compass
+from graphkin.planning import Method
+from graphkin.running.path import STEP_DEG, STEP_PART, DriverPath, Event, Nodes, by_slide_key, cubic, stride, turned
+from graphkin.running.singularities import Crossing, choice_of, crossings, event_at, key_of, touching
 
+QUICK, LONGER = (Compass(fit=partial(fit, rounds=rounds)) for rounds in (3, 15))
+"""Links that come close to where they fit do so in these steps of Newton's method; close to a dead point it takes more,
+each of which leaves half of what was missing."""
 FIRST = 1 / 32
 """The first step, of which nothing is foretold but its direction, as part of the longest."""
 FARTHEST = 0.2
-"""How far a link turns in a step at most [rad], or slides, in lengths of the mechanism."""
+"""A link turns no farther in a step [rad], or slides, in lengths of the mechanism."""
 AWAY, SWERVE = 1e-3, 3e-3
-"""How far links may come from where they were expected, and turn otherwise over a step [rad, lengths]."""
+"""Links may come so far from where they were expected, and turn so much otherwise over a step [rad, lengths]."""
 SHORTEST = 1e-6
 """Steps are not halved below this part of the longest."""
 SOON = 1.25
@@ -35,21 +40,63 @@ STRETCH, HALVINGS = 20, 6
 FELT = 0.001
 """Steps below this part of the longest are felt for one by one, and tried longer: the way may be about to end."""
 GROWTH, STEADY = 1.5, 0.9
-"""How much longer each step may be than the one before, and what part of the longest that would do is taken."""
+"""Each step may be so much longer than the one before, and this part of the longest that would do is taken."""
 LEAST = 0.05
-"""What part of the first step of a stretch the others are at the least."""
+"""The others are at least this part of the first step of a stretch."""
 BETWEEN = 8
 """From one position found to the next so many are foretold, from which others are found."""
 
 
 def continued(method: Method, path: DriverPath) -> DriverPath:
     """The path continued both ways from the drawn position; it ends where no step leads on."""
-    looking = Looking(method, path)
-    forth, back = _ContinuationWalk(method, path, looking, 1), _ContinuationWalk(method, path, looking, -1)
+    finder = NodeFinder(method, path)
+    forth, back = _ContinuationWalk(finder, path, 1), _ContinuationWalk(finder, path, -1)
     forth.walk(path.high)
     back.walk(path.low)
     changes = (*back.changes, *forth.changes)
     return replace(forth.so_far(back.nodes[1:], forth.nodes), stops=(*back.stops, *forth.stops), changes=changes)
+
+
+class NodeFinder:
+    """Finds positions along a path, each from one close by.
+
+    names      of what a position holds: base links, and displacements by `slide_key`
+    crossings  what may come to an end, by name
+    start      the drawn position
+    """
+
+    def __init__(self, method: Method, path: DriverPath) -> None:
+        self.method, self.path = method, path
+        self.crossings = {key_of(step): step for step in crossings(method)}
+        plot = self._replayed(np.zeros(1), dict(path.near(0.0)), path.sides)
+        self.names = tuple(turned(method, plot))
+        self.start = self._nodes(plot, np.zeros(1), path.sides)
+
+    def at(self, t: np.ndarray, near: np.ndarray, sides: Mapping[int, int], compass: Compass) -> Nodes:
+        """Positions at t (k,), from some close by (k, n): nan where the steps of a compass do not come to them."""
+        return self._nodes(self._replayed(t, dict(zip(self.names, near.T)), sides, compass), t, sides)
+
+    def _replayed(
+        self, t: np.ndarray, near: Mapping[str, Real], sides: Mapping[int, int], compass: Compass = COMPASS
+    ) -> Plot:
+        facts = replace(self.method.facts(self.path.values(t)), rates=self.path.pace)
+        return replay(self.method.velocity, replay(self.method.position, Plot(facts, near), sides, compass))
+
+    def _nodes(self, plot: Plot, t: np.ndarray, sides: Mapping[int, int]) -> Nodes:
+        values, rates = turned(self.method, plot), {**plot.omega, **by_slide_key(plot.s_rate)}
+        sines = [self._sine(step, plot, sides) for step in self.crossings.values()]
+        x, slope, signed = (np.empty((t.size, len(of))) for of in (values, values, sines))
+        for table, columns in ((x, values.values()), (slope, [rates[name] for name in values]), (signed, sines)):
+            for k, value in enumerate(columns):
+                table[:, k] = value
+        return Nodes(t, x, slope, signed)
+
+    def _sine(self, step: Crossing, plot: Plot, sides: Mapping[int, int]) -> Real:
+        """The sine of a crossing with the sign of its side, which changes over where it goes through 0."""
+        sine = plot.sines["position", key_of(step)]
+        if isinstance(step, Fit):
+            return sine * plot.senses[step.name]
+        return sine if step.choice is None else sine * sides.get(step.choice, step.side)
 
 
 class _ContinuationWalk:
@@ -58,22 +105,22 @@ class _ContinuationWalk:
     missed   where loci only came near touching
     """
 
-    def __init__(self, method: Method, path: DriverPath, looking: Looking, side: int) -> None:
-        self.method, self.path, self.looking, self.side = method, path, looking, side
+    def __init__(self, finder: NodeFinder, path: DriverPath, side: int) -> None:
+        self.finder, self.path, self.side, method = finder, path, side, finder.method
         self.sides = dict(path.sides)
         self.stops: tuple[Event, ...] = ()
         self.changes: tuple[Event, ...] = ()
         self.missed, self.growth = -np.inf, GROWTH
         self.stride = stride(method, path.pace, STEP_DEG, STEP_PART)
-        self.keys = (*looking.crossings,)
+        self.keys = (*finder.crossings,)
         rolled = {step.angle for step in method.position.steps if isinstance(step, Roll)}
-        self.heard = np.array([name not in rolled for name in looking.names])
-        self.units = np.array([1.0 if name in method.structure.bases else method.size for name in looking.names])
-        self.nodes = looking.start
+        self.heard = np.array([name not in rolled for name in finder.names])
+        self.units = np.array([1.0 if name in method.structure.bases else method.size for name in finder.names])
+        self.nodes = finder.start
 
     @property
     def at(self) -> float:
-        """Where the last position found lies."""
+        """The place of the last position found."""
         return float(self.nodes.t[-1])
 
     @property
@@ -85,8 +132,9 @@ class _ContinuationWalk:
         step = FIRST * self.longest
         while self.side * (end - self.at) > 1e-12 * self.stride:
             step = min(step, self.longest)
-            if step < SHORTEST * self.stride:
-                self._stop()
+            if step < SHORTEST * self.stride:  # the path ends here, to the last digit, at the crossing that is flattest
+                flattest = self.keys[int(np.argmin(np.abs(self.nodes.sines[-1])))]
+                self.stops = (event_at(self.finder.method, self.finder.crossings[flattest], self.at, ()),)
                 return
             if (place := self._foretold()) is not None and self._through(place):
                 step = self.longest
@@ -101,7 +149,7 @@ class _ContinuationWalk:
             return 0.0
         far = self._steps_ahead(step)
         t = self._not_beyond(self.at + self.side * np.cumsum(far), end)
-        nodes = self.looking.quickly(t, self.nodes.foretold(t), self.sides)
+        nodes = self.finder.at(t, self.nodes.foretold(t), self.sides, QUICK)
         count, off = self._going_on(nodes)
         self.nodes = self.nodes.and_then(nodes[:count])
         if not count and off[0] == np.inf:
@@ -119,8 +167,7 @@ class _ContinuationWalk:
         steps = np.minimum(step * growing, self.longest)
         x, slope = self.nodes.expected(self.at + self.side * np.cumsum(steps))
         turning = FARTHEST / np.maximum(self._largest(slope, x), 1e-300)
-        found: np.ndarray = np.minimum(steps, np.append(self.longest, turning[:-1]))
-        return found
+        return np.asarray(np.minimum(steps, np.append(self.longest, turning[:-1])))
 
     def _not_beyond(self, t: np.ndarray, end: float) -> np.ndarray:
         """Places as far as the end, the last of them there where it is no farther than a step."""
@@ -135,12 +182,12 @@ class _ContinuationWalk:
         t = self.at + self.side * steps
         t[0] = self._not_beyond(t[:1], end)[0]
         expected = self.nodes.expected(t)
-        looks = (self.looking.quickly, self.looking.plainly)
-        for look in looks if step > FELT * self.stride else looks[1:]:
-            nodes = look(t, expected[0], self.sides)
+        for compass in (QUICK, LONGER) if step > FELT * self.stride else (LONGER,):
+            nodes = self.finder.at(t, expected[0], self.sides, compass)
             for k in np.flatnonzero(self._off(nodes, *expected, np.abs(t - self.at)) < 1):
                 node = nodes[k : k + 1]
-                turning = self._turning(node)
+                over = (node.sines * self.nodes.sines[-1:] < 0)[0]  # crossings beyond a change point
+                turning = [key for key, beyond in zip(self.keys, over) if beyond]
                 if not turning:
                     self.nodes = self.nodes.and_then(node)
                 if not turning or self._gone_through(node, turning):
@@ -148,7 +195,7 @@ class _ContinuationWalk:
         return 0.0
 
     def _going_on(self, nodes: Nodes) -> tuple[int, np.ndarray]:
-        """How many positions go on smoothly, each from those before it, to where a crossing is about to become flat.
+        """The number of positions that go on smoothly, each from those before it, until a crossing is about to be flat.
 
         Also how far each is off, as part of what it may be (k,).
         """
@@ -163,50 +210,43 @@ class _ContinuationWalk:
         off = self._off(here, x, slope, steps)
         turning = (here.sines * last.sines < 0).any(axis=1)
         off[turning] = np.inf
-        count = _leading((off < 1) & (steps <= 1.1 * longest))
+        smooth = (off < 1) & (steps <= 1.1 * longest)
+        count = int(smooth.size if smooth.all() else np.argmin(smooth))
         if flat := np.flatnonzero(self._soon(last[:count], here[:count])).tolist():
             count = min(count, flat[0] + 1)
         return count, off
 
     def _off(self, nodes: Nodes, x: np.ndarray, slope: np.ndarray, steps: np.ndarray) -> np.ndarray:
-        """How far links are from where they were expected, or from being as fast, as part of what they may be (k,)."""
+        """The distance of links from where they were expected, or from being as fast, as part of the bounds (k,)."""
         away = self._largest(nodes.x - x, x) / AWAY
         swerve = self._largest(nodes.slope - slope, x) * steps / SWERVE
         finite = np.isfinite(nodes.x).all(axis=1) & np.isfinite(nodes.slope).all(axis=1)
-        off: np.ndarray = np.where(finite, np.maximum(away, swerve), np.inf)
-        return off
+        return np.where(finite, np.maximum(away, swerve), np.inf)
 
     def _largest(self, change: np.ndarray, x: np.ndarray) -> np.ndarray:
         """The largest of changes (k, n) [rad, lengths]; of a displacement far off, as part of it."""
         scale = np.where(self.units == 1.0, 1.0, np.maximum(np.abs(x), self.units))
-        found: np.ndarray = np.max(np.abs(change / scale)[:, self.heard], axis=1, initial=0.0)
-        return found
+        return np.asarray(np.max(np.abs(change / scale)[:, self.heard], axis=1, initial=0.0))
 
     def _longest(self, nodes: Nodes) -> np.ndarray:
         turning = np.maximum(self._largest(nodes.slope, nodes.x), 1e-300)
-        found: np.ndarray = np.minimum(self.stride, FARTHEST / turning)
-        return found
+        return np.asarray(np.minimum(self.stride, FARTHEST / turning))
 
     # --- change points ------------------------------------------------------------------------
 
-    def _turning(self, node: Nodes) -> list[str]:
-        """Crossings that lie on the other side of a change point there."""
-        return [key for key, over in zip(self.keys, (node.sines * self.nodes.sines[-1:] < 0)[0]) if over]
-
     def _foretold(self) -> float | None:
-        """How far the first crossing is that is about to become flat, if it is soon."""
+        """The distance to the first crossing that is about to become flat, if it is soon."""
         if len(self.nodes) == 1 or not self._soon(self.nodes[-2:-1], self.nodes[-1:])[0]:
             return None
         return float(self._flat_in(self.nodes[-2:-1], self.nodes[-1:]).min())
 
     def _soon(self, before: Nodes, here: Nodes) -> np.ndarray:
-        """Whether a crossing is about to become flat, and was not found to miss that (k,)."""
+        """True where a crossing is about to become flat, and was not found to miss that (k,)."""
         ahead, longest = self._flat_in(before, here).min(axis=1, initial=np.inf), self._longest(here)
-        found: np.ndarray = (ahead < SOON * longest) & (self.side * here.t + ahead - self.missed > longest)
-        return found
+        return np.asarray((ahead < SOON * longest) & (self.side * here.t + ahead - self.missed > longest))
 
     def _flat_in(self, before: Nodes, here: Nodes) -> np.ndarray:
-        """How far it is to where each crossing becomes flat (k, crossings); infinite where it does not."""
+        """The distance to where each crossing becomes flat (k, crossings); infinite where it does not."""
         falls = (np.abs(before.sines) - np.abs(here.sines)) / np.abs(here.t - before.t)[:, None]
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.where(falls > 0, np.abs(here.sines) / falls, np.inf)
@@ -218,13 +258,13 @@ class _ContinuationWalk:
         turning = [key for key, place in zip(self.keys, flat) if place < far]
         sides = dict(self.sides)
         for key in turning:
-            step = self.looking.crossings[key]
+            step = self.finder.crossings[key]
             if isinstance(step, Meet | Swing) and step.choice is not None:
                 sides[step.choice] = -sides[step.choice]
         t = np.array([self.at + self.side * far])
         expected = self.nodes.expected(t)
-        for look in (self.looking.quickly, self.looking.plainly):
-            node = look(t, expected[0], sides)
+        for compass in (QUICK, LONGER):
+            node = self.finder.at(t, expected[0], sides, compass)
             if self._off(node, *expected, np.array([far]))[0] < 1:
                 if self._gone_through(node, turning):
                     return True
@@ -235,33 +275,20 @@ class _ContinuationWalk:
     def _gone_through(self, beyond: Nodes, turning: Sequence[str]) -> bool:
         """Take the change points between here and there, if each crossing that changes over touches."""
         here, there, path = self.at, float(beyond.t[0]), self.so_far(self.nodes[-1:], beyond)
-        steps = [self.looking.crossings[key] for key in turning]
-        found = [touching(self.method, path, step, here, there) for step in steps]
-        places = [place for place in found if place is not None]
-        if not places or len(places) < len(found):
+        steps = [self.finder.crossings[key] for key in turning]
+        touches = [touching(self.finder.method, path, step, here, there) for step in steps]
+        places = [place for place in touches if place is not None]
+        if not places or len(places) < len(touches):
             return False
         for step, place in sorted(zip(steps, places, strict=True), key=lambda entry: self.side * entry[1]):
             choice = choice_of(step)
-            event = event_at(self.method, step, place, choice)
+            event = event_at(self.finder.method, step, place, choice)
             self.changes = (*self.changes, event if choice else replace(event, kind="two ways"))
             self.sides |= {number: -self.sides[number] for number in choice}
         self.nodes = self.nodes.and_then(beyond)
         return True
 
-    # --- what is found ------------------------------------------------------------------------
-
     def so_far(self, *nodes: Nodes) -> DriverPath:
         """The path through these positions, with what lies between them."""
         t, x = nodes[0].and_then(nodes[1]).in_order().between(BETWEEN)
-        tables = dict(zip(self.looking.names, x.T))
-        return replace(self.path, nodes=(t, tables), changes=self.changes)
-
-    def _stop(self) -> None:
-        """The path ends here, to the last digit that stepping on gives, at the crossing that is flattest."""
-        flattest = self.keys[int(np.argmin(np.abs(self.nodes.sines[-1])))]
-        self.stops = (event_at(self.method, self.looking.crossings[flattest], self.at, ()),)
-
-
-def _leading(good: np.ndarray) -> int:
-    """How many of them are true before the first that is not."""
-    return int(good.size if good.all() else np.argmin(good))
+        return replace(self.path, nodes=(t, dict(zip(self.finder.names, x.T))), changes=self.changes)

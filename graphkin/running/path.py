@@ -11,14 +11,21 @@ from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Real
 from graphkin.base.value import Lazy, frozen
 from graphkin.construction import Plot, replay, slide_key
-from graphkin.planning.method import Method
+from graphkin.planning import Method
 
 STEP_DEG, STEP_PART = 3.0, 0.02
 """The longest step from one position to the next that is found from it [deg, of the mechanism's size]."""
+STEP_DEG, STEP_PART = 3.0, 0.02
+"""The longest step from one position to the next that is found from it [deg, of the mechanism's size]."""
+"""The longest step from one position to the next that is found from it [deg, of the mechanism's size]."""
+
+
+Flags = NDArray[np.bool_]
 
 
 @frozen
@@ -67,26 +74,26 @@ class DriverPath:
     def last(self) -> float:
         return min((stop.at for stop in self.stops if stop.at > 0), default=self.high)
 
-    def values(self, t: Value) -> tuple[Value, ...]:
+    def values(self, t: Real) -> tuple[Real, ...]:
         """The drivers' values [rad, m]."""
         return tuple(start + pace * t if pace else start for start, pace in zip(self.start, self.pace, strict=True))
 
-    def leads_to(self, t: Value) -> Value:
-        """Whether the positions are reached."""
-        after = [stop.at for stop in self.stops if stop.at > 0]
-        before = [stop.at for stop in self.stops if stop.at < 0]
-        return np.all([np.less(t, at) for at in after] + [np.greater(t, at) for at in before], axis=0)
+    def leads_to(self, t: Real) -> Flags:
+        """True where the positions are reached."""
+        before_stops = [np.less(t, stop.at) if stop.at > 0 else np.greater(t, stop.at) for stop in self.stops]
+        reached: Flags = np.all(before_stops, axis=0)
+        return reached
 
-    def crossings(self, t: Value) -> dict[int, Value]:
-        """Which crossing is right at each t, for those choices that change over on the path."""
-        found: dict[int, Value] = {**self.sides}
+    def crossings(self, t: Real) -> dict[int, Real]:
+        """The crossing that is right at each t, by choice; arrays for those choices that change over on the path."""
+        sides: dict[int, Real] = {**self.sides}
         for change in self.changes:
             beyond = np.greater(t, change.at) if change.at > 0 else np.less(t, change.at)
             for choice in change.choices:
-                found[choice] = np.where(beyond, -1, 1) * found[choice]
-        return found
+                sides[choice] = np.where(beyond, -1, 1) * sides[choice]
+        return sides
 
-    def near(self, t: Value) -> Mapping[str, Value]:
+    def near(self, t: Real) -> Mapping[str, Real]:
         """Angles and displacements close by, where fitting starts and from where angles count."""
         if self.nodes is None:
             return {}
@@ -95,32 +102,106 @@ class DriverPath:
 
 
 def with_nodes(path: DriverPath, t: np.ndarray, tables: Mapping[str, np.ndarray]) -> DriverPath:
-    """The path with what is found at t (m,), which goes on from the drawn position to one side; nodes there go."""
+    """The path with the nodes at t (m,), which go on from the drawn position to one side, in place of those there."""
     assert path.nodes is not None
     at, before = path.nodes
     kept = at < t[0] if t[-1] > t[0] else at > t[0]
-    order = np.argsort(found := np.concatenate([at[kept], t]))
-    joined = {name: np.concatenate([before[name][kept], table])[order] for name, table in tables.items()}
-    return replace(path, nodes=(found[order], joined))
+    joined = np.concatenate([at[kept], t])
+    order = np.argsort(joined)
+    nodes = {name: np.concatenate([before[name][kept], table])[order] for name, table in tables.items()}
+    return replace(path, nodes=(joined[order], nodes))
 
 
-def along(method: Method, path: DriverPath, t: Value) -> Plot:
+def along(method: Method, path: DriverPath, t: Real) -> Plot:
     """The positions at t, scalar or (n,), on the path."""
     plot = Plot(method.facts(path.values(t)), dict(path.near(t)))
     return replay(method.position, plot, path.crossings(t))
 
 
 def stride(method: Method, pace: Sequence[float], deg: float, part: float) -> float:
-    """How far t goes while no driver goes farther than an angle, or a part of the mechanism's size."""
+    """The length on which no driver goes farther than an angle, or a part of the mechanism's size."""
     units = [method.size * part if driver.kind == "slide" else float(np.radians(deg)) for driver in method.drivers]
     return min((unit / abs(p) for unit, p in zip(units, pace, strict=True) if p), default=1.0)
 
 
-def turned(method: Method, plot: Plot) -> dict[str, Value]:
+def turned(method: Method, plot: Plot) -> dict[str, Real]:
     """Angles by base link, and displacements by `slide_key`."""
     return {base: plot.theta[base] for base in method.structure.bases} | by_slide_key(plot.s)
 
 
-def by_slide_key(displacements: Mapping[str, Value]) -> dict[str, Value]:
+def by_slide_key(displacements: Mapping[str, Real]) -> dict[str, Real]:
     """Displacements, or how fast they change, named as `near` has them."""
     return {slide_key(slide): value for slide, value in displacements.items()}
+
+
+# --- positions found on a path ----------------------------------------------------------------
+
+
+@frozen
+class Nodes:
+    """Positions in the order in which they were found.
+
+    t      where on the path (m,)
+    x      angles and displacements (m, n) [rad, m]; slope: how fast they change with t
+    sines  of crossings, signed (m, k)
+    """
+
+    t: np.ndarray
+    x: np.ndarray
+    slope: np.ndarray
+    sines: np.ndarray
+
+    def __len__(self) -> int:
+        return int(self.t.size)
+
+    def __getitem__(self, which: slice | np.ndarray) -> Nodes:
+        return Nodes(self.t[which], self.x[which], self.slope[which], self.sines[which])
+
+    def and_then(self, others: Nodes) -> Nodes:
+        mine, theirs = ((nodes.t, nodes.x, nodes.slope, nodes.sines) for nodes in (self, others))
+        return Nodes(*(np.concatenate(pair) for pair in zip(mine, theirs)))
+
+    def in_order(self) -> Nodes:
+        """As they lie on the path."""
+        return self[np.argsort(self.t)]
+
+    def expected(self, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """The places to which the last two lead at t (k,), and how fast: (k, n) each; one alone goes straight on."""
+        if len(self) == 1:
+            return self.foretold(t), np.broadcast_to(self.slope, (t.size, self.x.shape[1]))
+        return cubic(self[-2:-1], self[-1:], t)
+
+    def foretold(self, t: np.ndarray) -> np.ndarray:
+        """The places to which the last three lead at t (k,): (k, n). By divided differences, each node taken twice."""
+        last = self[-3:]
+        twice, differences = np.repeat(last.t, 2), np.repeat(last.x, 2, axis=0)
+        terms = [differences[0]]
+        for order in range(1, twice.size):
+            widths = (twice[order:] - twice[:-order])[:, None]
+            differences = np.diff(differences, axis=0)
+            if order == 1:
+                differences[::2], widths[::2] = last.slope, 1.0
+            differences = differences / widths
+            terms.append(differences[0])
+        values = np.broadcast_to(terms[-1], (t.size, terms[-1].size))
+        for place, term in zip(twice[-2::-1], terms[-2::-1]):
+            values = term + (t - place)[:, None] * values
+        return values
+
+    def between(self, count: int) -> tuple[np.ndarray, np.ndarray]:
+        """So many places from each to the next, t (m,) and x (m, n), and the last one."""
+        t = self.t[:-1, None] + np.diff(self.t)[:, None] * (np.arange(count) / count)
+        ends = np.repeat(np.arange(len(self)), count)
+        x, _ = cubic(self[ends[:-count]], self[ends[count:]], t.ravel())
+        return np.append(t.ravel(), self.t[-1]), np.concatenate([x, self.x[-1:]])
+
+
+def cubic(left: Nodes, right: Nodes, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Hermite's cubics through pairs of nodes, one or (k,), and their slopes at t (k,), between or beyond: (k, n)."""
+    width = (right.t - left.t)[:, None]
+    u = (t - left.t)[:, None] / width
+    v = 1 - u
+    x = left.x * ((1 + 2 * u) * v * v) + right.x * (u * u * (3 - 2 * u))
+    x = x + width * (left.slope * (u * v * v) - right.slope * (u * u * v))
+    slope = (6 * u * v / width) * (right.x - left.x)
+    return x, slope + left.slope * (v * (1 - 3 * u)) - right.slope * (u * (2 - 3 * u))

@@ -15,12 +15,12 @@ from graphkin.base.geometry import weights_of
 from graphkin.base.tolerances import TOUCH
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing
 from graphkin.model.naming import spelled
-from graphkin.planning.assembly import links_of
 from graphkin.planning.method import Method
+from graphkin.planning.refusals import links_of
 from graphkin.running.path import DriverPath, Event, along, stride
 
 LOOK_DEG, LOOK_PART = 0.5, 0.002
-"""How closely the path is looked at [deg, of the mechanism's size]."""
+"""The steps in which the path is looked at [deg, of the mechanism's size]."""
 TOUCHING_SINE = 3e-6
 """The sine to which two loci come down, as closely as it is looked at, where they touch."""
 LOW_SINE = 0.3
@@ -32,7 +32,7 @@ ROUNDS, FINE = 3, 201
 FEW, CLOSE = 5, 0.01
 """Positions where a sine goes through 0, and how far from there others are looked at, as part of how far these are."""
 CENTRING = 1e-3
-"""How far to both sides of a touching it is weighed, as part of how closely the path is looked at."""
+"""A touching is weighed so far to both sides, as part of the steps in which the path is looked at."""
 
 Crossing = Meet | Swing | Fit
 
@@ -52,10 +52,12 @@ def key_of(step: Crossing) -> str:
 
 def event_at(method: Method, step: Crossing, at: float, choices: tuple[int, ...]) -> Event:
     """A stop, or a change point where choices change over, at a crossing."""
-    return Event(at, _kind(step), _called(method, step), choices)
+    links = tuple(spelled(method.mechanism.called(link)) for link in links_of(method.structure, step))
+    return Event(at, _kind(step), links, choices)
 
 
 def choice_of(step: Crossing) -> tuple[int, ...]:
+    """The number of its choice, where it has one."""
     return () if isinstance(step, Fit) or step.choice is None else (step.choice,)
 
 
@@ -73,21 +75,17 @@ def _kind(step: Crossing) -> str:
             return "fit"
 
 
-def _called(method: Method, step: Crossing) -> tuple[str, ...]:
-    return tuple(spelled(method.mechanism.called(link)) for link in links_of(method.structure, step))
-
-
 def first_touching(
     method: Method, path: DriverPath, t: np.ndarray, step: Crossing, plot: Plot
 ) -> tuple[float, bool] | None:
-    """Where the two loci of a crossing first touch or part, and whether the mechanism goes through."""
+    """The place where the two loci of a crossing first touch or part, and whether the mechanism goes through."""
     sine, miss = _angle(method, step, plot, t.shape)
     apart = ~np.isfinite(sine) | (miss > 0)
     low = _lows(sine) & ~apart
     for k in map(int, np.flatnonzero(low | apart)):
         around = float(t[max(k - 1, 0)]), float(t[min(k + 1, t.size - 1)])
-        if (found := _closer(method, path, step, *around)) is not None:
-            return found
+        if (met := _closer(method, path, step, *around)) is not None:
+            return met
         if apart[k]:
             return float(t[max(k - 1, 0)]), False
     return None
@@ -114,11 +112,6 @@ def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -
     sine[touching & ~np.isfinite(sine)] = 0.0
     miss[touching] = 0.0
     return sine, miss
-
-
-def _seen(method: Method, path: DriverPath, step: Crossing, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The same at t (n,) on the path."""
-    return _angle(method, step, along(method, path, t), t.shape)
 
 
 @kept(8, objects=2)
@@ -149,19 +142,19 @@ def _closer(method: Method, path: DriverPath, step: Crossing, begin: float, end:
 
 
 def touching(method: Method, path: DriverPath, step: Crossing, begin: float, end: float) -> float | None:
-    """Where the loci of a crossing touch between two places, to go on beyond; None where they do not."""
+    """The place where the loci of a crossing touch between two others, to go on beyond; None where they do not."""
     if isinstance(step, Fit) and (place := _turned_over(method, path, step, begin, end)) is not None:
         return place
-    found = _closer(method, path, step, begin, end)
-    return found[0] if found is not None and found[1] else None
+    met = _closer(method, path, step, begin, end)
+    return met[0] if met is not None and met[1] else None
 
 
 def _turned_over(method: Method, path: DriverPath, step: Fit, begin: float, end: float) -> float | None:
-    """Where a group that is fitted comes to its other side, its sine through 0 as straight as may be; else None."""
+    """The place where a fitted group comes to its other side, its sine through 0 as straight as may be; else None."""
     for _ in range(2):
         t = np.linspace(begin, end, FEW)
         plot = along(method, path, t)
-        signed = plot.sines["position", step.name] * plot.senses[step.name]
+        signed = np.asarray(plot.sines["position", step.name] * plot.senses[step.name])
         if not signed[0] * signed[-1] < 0 or not np.all(np.diff(signed) * (signed[-1] - signed[0]) > 0):
             return None
         at = float(weights_of(np.zeros(1), signed)[0] @ t)
@@ -173,19 +166,17 @@ def _turned_over(method: Method, path: DriverPath, step: Fit, begin: float, end:
 
 def _lowest(sine: np.ndarray) -> int | None:
     """The first dip of the sine; without parting behind it, its least value. None where it falls until loci part."""
-    whole = sine.size == FINE
-    if sine.size > 2:
-        dips = np.flatnonzero((sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:])) + 1
-        if dips.size:
-            return int(dips[np.argmin(sine[dips])])
-    return int(np.argmin(sine)) if whole else None
+    dips = np.flatnonzero((sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:])) + 1 if sine.size > 2 else np.empty(0)
+    if dips.size:
+        return int(dips[np.argmin(sine[dips])])
+    return int(np.argmin(sine)) if sine.size == FINE else None
 
 
 def _centred(method: Method, path: DriverPath, step: Crossing, at: float) -> float:
-    """Where the sine, which falls and rises in straight lines, comes to 0."""
+    """The place where the sine, which falls and rises in straight lines, comes to 0."""
     aside = CENTRING * stride(method, path.pace, LOOK_DEG, LOOK_PART)
     t = at + aside * np.array([-1.0, 1.0])
-    (before, after), _ = _seen(method, path, step, t)
+    (before, after), _ = _angle(method, step, along(method, path, t), t.shape)
     return at + aside * float((before - after) / (before + after))
 
 

@@ -1,19 +1,33 @@
-"""A path traced from the drawn position: how far it leads, and through what."""
+"""A path traced from the drawn position: how far it leads, and through what.
+
+It is looked along in positions half a degree apart, for dead points, where it ends, and for change points; where links
+are fitted it is continued from position to position.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from graphkin.base.cache import kept
-from graphkin.construction import Meet, Swing
-from graphkin.planning.method import Method
+from graphkin.base.geometry import Real, number
+from graphkin.construction import Meet, Plot, Swing, replay
+from graphkin.errors import TooFar
+from graphkin.model.quantities import EDGE, driven
+from graphkin.planning import Method
 from graphkin.running.continuation import continued
-from graphkin.running.path import DriverPath
-from graphkin.running.scanning import scanned
-from graphkin.running.singularities import LOOK_DEG, LOOK_PART
-from graphkin.running.too_far import refuse_far
+from graphkin.running.path import DriverPath, Event, along, stride, turned, with_nodes
+from graphkin.running.singularities import LOOK_DEG, LOOK_PART, Crossing, choice_of, crossings, event_at, first_touching
+
+FAST, HALVINGS = 0.5, 6
+"""If a link turns more between two positions [rad], those between are looked at, too; so often."""
+MOST = 1e7
+"""Points looked at on a path, at most: some 0.3 GB."""
+FITTING = 30
+"""The cost of a position where links are fitted, beside another."""
 
 
 def trace(
@@ -24,45 +38,121 @@ def trace(
     after   a place on another path, to start from there instead of from the drawn position
     """
     ends, pace = (float(low), float(high)), tuple(float(p) for p in pace)
-    return _from_drawn(method, pace, ends) if after is None else _traced(method, pace, ends, after)
+    if after is None:
+        return _from_drawn(method, pace, ends)
+    before, t = after
+    near = {name: number(value) for name, value in before.near(t).items()}
+    sides = {choice: int(number(side)) for choice, side in before.crossings(t).items()}
+    return _traced(method, _setting_out(method, before.values(t), near, sides, pace, ends))
 
 
 @kept(16)
 def _from_drawn(method: Method, pace: tuple[float, ...], ends: tuple[float, float]) -> DriverPath:
     """The same walk serves many sweeps."""
-    return _traced(method, pace, ends, None)
+    steps = (step for step in method.position.steps if isinstance(step, Meet | Swing))
+    sides = {step.choice: step.side for step in steps if step.choice is not None}
+    return _traced(method, _setting_out(method, method.facts(None).values, method.near, sides, pace, ends))
 
 
-def _traced(
-    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[DriverPath, float] | None
-) -> DriverPath:
-    path = _setting_out(method, pace, ends, after)
-    refuse_far(method, path, LOOK_DEG, LOOK_PART)
+def _traced(method: Method, path: DriverPath) -> DriverPath:
+    """A path of which only the start is known, as far as it leads."""
+    _refuse_far(method, path)
     if path.low == path.high:
         return path
     if method.fits:
         return continued(method, path)
-    for end in reversed(ends):
-        path = scanned(method, path, end)
+    for end in (path.high, path.low):
+        path = _scanned(method, path, end)
     return path
 
 
 def _setting_out(
-    method: Method, pace: tuple[float, ...], ends: tuple[float, float], after: tuple[DriverPath, float] | None
-) -> DriverPath:
-    """A path of which only its start is known."""
-    if after is None:
-        start = tuple(float(value) for value in method.facts(None).values)
-        near, sides = dict(method.near), _sides(method)
-    else:
-        before, t = after
-        start = tuple(float(value) for value in before.values(t))
-        near = dict(before.near(t))
-        sides = {choice: int(side) for choice, side in before.crossings(t).items()}
+    method: Method, start: Sequence[Real], near: Mapping[str, float], sides: Mapping[int, int],
+    pace: tuple[float, ...], ends: tuple[float, float],
+) -> DriverPath:  # fmt: skip
     nodes = (np.zeros(1), {name: np.full(1, value) for name, value in near.items()})
-    return DriverPath(start, pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)
+    return DriverPath(tuple(map(number, start)), pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)
 
 
-def _sides(method: Method) -> dict[int, int]:
-    steps = method.position.steps
-    return {step.choice: step.side for step in steps if isinstance(step, Meet | Swing) and step.choice is not None}
+def _refuse_far(method: Method, path: DriverPath) -> None:
+    """Raises TooFar for a path with too many positions to be looked at, every half degree."""
+    cost = max(len(method.mechanism.points), 4) * (FITTING if method.fits else 1)
+    most = MOST / cost * stride(method, path.pace, LOOK_DEG, LOOK_PART)
+    if path.high - path.low <= most:
+        return
+    moving = max(range(len(path.pace)), key=lambda k: abs(path.pace[k]))
+    driver = method.drivers[moving]
+    unit = EDGE[driven(driver.kind == "slide")]
+    start, end = (unit.shown(path.start[moving] + path.pace[moving] * t) for t in (path.low, path.high))
+    farthest = abs(path.pace[moving]) * most
+    digits = 10.0 ** (math.floor(math.log10(farthest)) - 1)  # two of them, rounded off
+    farthest = math.floor(farthest / digits) * digits
+    raise TooFar(method.mechanism.where("driver", moving), driver.name, start, end, unit.shown(farthest))
+
+
+# --- looked along -----------------------------------------------------------------------------
+
+
+def _scanned(method: Method, path: DriverPath, end: float) -> DriverPath:
+    """The path with what lies between the drawn position and `end` on it."""
+    begin, step = 0.0, stride(method, path.pace, LOOK_DEG, LOOK_PART)
+    side = 1.0 if end > 0 else -1.0
+    while side * (end - begin) > 1e-6 * step:
+        count = int(np.ceil(abs(end - begin) / step)) + 2
+        seen, t, plot = _seen(method, path, np.linspace(begin, end, count))
+        event = _next_event(method, seen, t, plot)
+        if event is None:
+            return seen
+        path = _as_far_as(seen, event.at)
+        if not event.choices:
+            return replace(path, stops=(*path.stops, event))
+        path = replace(path, changes=(*path.changes, event))
+        begin = event.at + side * 1e-3 * step
+    return path
+
+
+def _seen(method: Method, path: DriverPath, t: np.ndarray) -> tuple[DriverPath, np.ndarray, Plot]:
+    """The plot at t, from the drawn position on to one side; where rolling counts, each position from the one before.
+
+    There the path gets what is found as its nodes, and more positions where a link turns fast.
+    """
+    if path.nodes is None:
+        return path, t, along(method, path, t)
+    near = path.near(float(t[0]))
+    for halving in range(HALVINGS + 1):
+        plot = Plot(method.facts(path.values(t)), near, follows=True)
+        replay(method.position, plot, path.crossings(t))
+        tables = {name: np.array(np.broadcast_to(value, t.shape)) for name, value in turned(method, plot).items()}
+        fast = np.max([np.abs(np.diff(tables[base])) for base in method.structure.bases], axis=0, initial=0.0) > FAST
+        if not fast.any() or halving == HALVINGS:
+            break
+        t = np.insert(t, np.flatnonzero(fast) + 1, (t[:-1] + t[1:])[fast] / 2)
+    for name, table in tables.items():  # with what lies between where a position has no value of its own
+        if (there := np.isfinite(table)).any() and not there.all():
+            order = np.argsort(t[there])
+            tables[name] = np.interp(t, t[there][order], table[there][order])
+    return with_nodes(path, t, tables), t, plot
+
+
+def _as_far_as(path: DriverPath, end: float) -> DriverPath:
+    """The path without nodes beyond `end`."""
+    if path.nodes is None:
+        return path
+    t, tables = path.nodes
+    kept = t <= end if end > 0 else t >= end
+    return replace(path, nodes=(t[kept], {name: table[kept] for name, table in tables.items()}))
+
+
+def _next_event(method: Method, path: DriverPath, t: np.ndarray, plot: Plot) -> Event | None:
+    """The first stop or change point among positions t, in their order."""
+    touches: list[tuple[float, Crossing, bool]] = []
+    for step in crossings(method):
+        if (met := first_touching(method, path, t, step, plot)) is not None:
+            touches.append((met[0], step, met[1]))
+    if not touches:
+        return None
+    nearest = min(abs(place - t[0]) for place, _, _ in touches)
+    here = [entry for entry in touches if abs(entry[0] - t[0]) < nearest + 1e-3 * abs(t[1] - t[0])]
+    at, step, passes = here[0]
+    choices = tuple(choice for _, other, through in here if through for choice in choice_of(other))
+    return event_at(method, step, at, choices if passes else ())

@@ -10,24 +10,25 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import product
+from typing import TypeVar, cast
 
 import numpy as np
 
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Real, Value
 from graphkin.base.value import filled, frozen
 from graphkin.construction import Facts, Meet, Plot, Swing, replay, slide_key
 from graphkin.errors import GraphkinError
-from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.model.pairs import Slide
 from graphkin.model.variants import coincidences, count_of, cut, single, stacked, topology
 from graphkin.planning import plan
-from graphkin.planning.assembly import DEAD_SINE
-from graphkin.planning.branch_search import BETWEEN
-from graphkin.planning.method import Method
-from graphkin.planning.starting_facts import facts_of
-from graphkin.running.program import TABLES
-from graphkin.running.replaying import replay_all
+from graphkin.planning.branch_search import BETWEEN, cylinders
+from graphkin.planning.method import Method, facts_of
+from graphkin.planning.refusals import DEAD_SINE
+from graphkin.running import replay_all
+from graphkin.running.recorder import TABLES
 
 PART = 2048
 """So many mechanisms at once; what they need stays in the cache."""
@@ -47,29 +48,34 @@ class DrawnVariants:
 
 
 def replay_many(
-    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None = None
+    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Real] | None = None
 ) -> DrawnVariants:
     """Every mechanism of a method's topology, as `api.replay_many` has it; none is held against the analysis."""
-    _refuse_others(method, [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms)
-    method = _accelerated(method, [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms)
+    each = [mechanisms] if isinstance(mechanisms, Mechanism) else mechanisms
+    own_topology = topology(method.mechanism)
+    for mechanism in each:
+        if topology(mechanism) != own_topology:
+            raise ValueError(f"{mechanism.name} is of another topology than {method.mechanism.name}")
+    method = _accelerated(method, each)
     count = count_of(mechanisms) if isinstance(mechanisms, Mechanism) else len(mechanisms)
-    found = _VariantTables(method, count, _shape(count, values), {table: {} for table in TABLES})
+    shape = np.broadcast_shapes((count,), *map(np.shape, values or ()))
+    variants = _VariantTables(method, count, shape, {table: {} for table in TABLES})
     left = np.arange(count)
     if count and is_simple(method):
-        left = found.together(mechanisms if isinstance(mechanisms, Mechanism) else stacked(mechanisms), values)
+        left = variants.together(mechanisms if isinstance(mechanisms, Mechanism) else stacked(mechanisms), values)
     refused = dict[int, GraphkinError]()
     for row in map(int, left):
         own = single(mechanisms, row) if isinstance(mechanisms, Mechanism) else mechanisms[row]
-        if (error := found.alone(row, own, values)) is not None:
+        if (error := variants.alone(row, own, values)) is not None:
             refused[row] = error
     plot = Plot(method.facts(values))
-    for name, table in found.tables.items():
+    for name, table in variants.tables.items():
         setattr(plot, name, table)
     return DrawnVariants(plot, refused)
 
 
 def is_simple(method: Method) -> bool:
-    """Whether crossings of lines and circles are all that a position asks for: then arrays do what numbers do."""
+    """True if crossings of lines and circles are all that a position asks for: then arrays do what numbers do."""
     plain = all(type(pair) is Slide for pair in method.mechanism.pairs) and not method.mechanism.poses
     few = not method.doubtful and len(_choices(method)) <= CHOICES and bool(list(method.position.steps))
     return plain and few and not method.moves_on
@@ -80,26 +86,15 @@ def _choices(method: Method) -> list[int]:
     return [step.choice for step in steps if isinstance(step, Meet | Swing) and step.choice is not None]
 
 
-def _refuse_others(method: Method, mechanisms: Sequence[Mechanism]) -> None:
-    wanted = topology(method.mechanism)
-    for mechanism in mechanisms:
-        if topology(mechanism) != wanted:
-            raise ValueError(f"{mechanism.name} is of another topology than {method.mechanism.name}")
-
-
 def _accelerated(method: Method, mechanisms: Sequence[Mechanism]) -> Method:
     """The method, with the terms that a uniform rotation has not, where some driver of a mechanism is not uniform."""
     own = method.mechanism.drivers
-    wanted = [any(np.any(mechanism.drivers[k].acceleration) for mechanism in mechanisms) for k in range(len(own))]
-    if not any(want and not driver.acceleration for want, driver in zip(wanted, own)):
+    needed = [any(np.any(mechanism.drivers[k].acceleration) for mechanism in mechanisms) for k in range(len(own))]
+    if not any(needs and not driver.acceleration for needs, driver in zip(needed, own)):
         return method
-    drivers = tuple(replace(driver, acceleration=float(want)) for want, driver in zip(wanted, own))
+    drivers = tuple(replace(driver, acceleration=float(needs)) for needs, driver in zip(needed, own))
     structure = method.structure
     return plan(replace(method.mechanism, drivers=drivers), structure.coincident, structure.centres)
-
-
-def _shape(count: int, values: Sequence[Value] | None) -> tuple[int, ...]:
-    return np.broadcast_shapes((count,), *(np.shape(value) for value in values or ()))
 
 
 @filled
@@ -109,46 +104,49 @@ class _VariantTables:
     method: Method
     count: int
     shape: tuple[int, ...]
-    tables: dict[str, dict[object, Value]]
+    tables: dict[str, dict[object, np.ndarray]]
 
-    def together(self, mechanism: Mechanism, values: Sequence[Value] | None) -> np.ndarray:
+    def together(self, mechanism: Mechanism, values: Sequence[Real] | None) -> np.ndarray:
         """All mechanisms but those, returned by their numbers, that ask for a plan of their own."""
-        sure = _as_planned(self.method, mechanism, self.count)
+        planned, own_points = coincidences(self.method.structure.mechanism), coincidences(mechanism)
+        same = (own_points.reshape(len(planned), -1) == planned[:, None]).all(axis=0)
+        sure = np.array(np.broadcast_to(same, (self.count,)))  # points that lie in one place are the method's own
         facts = facts_of(replace(self.method.structure, mechanism=mechanism), None, {})
         for start in range(0, self.count, PART):
             part = slice(start, min(start + PART, self.count))
-            own = None if values is None else [cut(value, part, self.count) for value in values]
+            own = None if values is None else [_cut(value, part, self.count) for value in values]
             sketch = {point: cut(z, part) for point, z in mechanism.sketch.items()}
-            plot, clear = _drawn(self.method, _facts_of_some(facts, part), sketch, own)
+            own_facts = _facts_of_some(facts, part)
+            assemblies = _assemblies(self.method, own_facts, sketch)
+            plot = Plot(own_facts if own is None else replace(own_facts, values=tuple(own)), assemblies.near)
+            for construction in self.method.constructions:
+                replay(construction, plot, assemblies.sides)
             self._keep(plot, part)
-            sure[part] &= clear
+            sure[part] &= assemblies.sure
         return np.flatnonzero(~sure)
 
-    def alone(self, row: int, mechanism: Mechanism, values: Sequence[Value] | None) -> GraphkinError | None:
+    def alone(self, row: int, mechanism: Mechanism, values: Sequence[Real] | None) -> GraphkinError | None:
         """One mechanism by a plan of its own; what is wrong with it, and NaN, where it has none."""
         structure = self.method.structure
-        own = None if values is None else [cut(value, row, self.count) for value in values]
+        own = None if values is None else [_cut(value, row, self.count) for value in values]
         try:
             plot = replay_all(plan(mechanism, structure.coincident, structure.centres), own)
         except GraphkinError as error:
-            self._erase(row)
+            for table in self.tables.values():
+                for value in table.values():
+                    value[..., row] = np.nan
             return error
         self._keep(plot, row)
         return None
 
     def _keep(self, plot: Plot, where: slice | int) -> None:
-        """What some of them, or one, gave."""
+        """Keep the results of some of them, or one."""
         for name in TABLES:
             table = self.tables[name]
             for key, value in getattr(plot, name).items():
                 if key not in table:
                     table[key] = np.full(self.shape, np.nan, np.result_type(value, np.float64))
                 table[key][..., where] = value
-
-    def _erase(self, row: int) -> None:
-        for table in self.tables.values():
-            for value in table.values():
-                value[..., row] = np.nan
 
 
 def rows_of(many: Plot, rows: np.ndarray | int, plot: Plot) -> Plot:
@@ -162,34 +160,25 @@ def rows_of(many: Plot, rows: np.ndarray | int, plot: Plot) -> Plot:
 # --- drawn together ---------------------------------------------------------------------------
 
 
-def _as_planned(method: Method, mechanism: Mechanism, count: int) -> np.ndarray:
-    """In which mechanisms the points that lie in one place are those of the method's own: (count,)."""
-    planned, own = coincidences(method.structure.mechanism), coincidences(mechanism)
-    same = (own.reshape(len(planned), -1) == planned[:, None]).all(axis=0)
-    return np.array(np.broadcast_to(same, (count,)))
-
-
 def _facts_of_some(facts: Facts, part: slice) -> Facts:
+    some = partial(_cut, part=part)
     return replace(
         facts,
-        shapes={link: {point: cut(z, part) for point, z in shape.items()} for link, shape in facts.shapes.items()},
-        lines={slide: (guide, origin, cut(z, part)) for slide, (guide, origin, z) in facts.lines.items()},
-        turns={body: replace(turn, constant=cut(turn.constant, part)) for body, turn in facts.turns.items()},
-        values=tuple(cut(value, part) for value in facts.values),
-        rates=tuple(cut(value, part) for value in facts.rates),
-        accelerations=tuple(cut(value, part) for value in facts.accelerations),
+        shapes={link: {point: _cut(z, part) for point, z in shape.items()} for link, shape in facts.shapes.items()},
+        lines={slide: (guide, origin, _cut(z, part)) for slide, (guide, origin, z) in facts.lines.items()},
+        turns={body: replace(turn, constant=_cut(turn.constant, part)) for body, turn in facts.turns.items()},
+        values=tuple(map(some, facts.values)),
+        rates=tuple(map(some, facts.rates)),
+        accelerations=tuple(map(some, facts.accelerations)),
     )
 
 
-def _drawn(
-    method: Method, facts: Facts, sketch: Mapping[str, Value], values: Sequence[Value] | None
-) -> tuple[Plot, np.ndarray]:
-    """All constructions of some mechanisms, and whose assembly is beyond doubt (n,); `values` as in `replay_many`."""
-    assembled = _assembled(method, facts, sketch)
-    plot = Plot(facts if values is None else replace(facts, values=tuple(values)), assembled.near)
-    for construction in method.constructions:
-        replay(construction, plot, assembled.sides)
-    return plot, assembled.sure
+_Number = TypeVar("_Number", bound=Value)
+
+
+def _cut(value: _Number, part: slice | int, count: int = 0) -> _Number:
+    """`cut`, which keeps the kind of what it cuts."""
+    return cast(_Number, cut(value, part, count))
 
 
 @frozen
@@ -201,20 +190,22 @@ class Assemblies:
     sure: np.ndarray
 
 
-def _assembled(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> Assemblies:
+def _assemblies(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> Assemblies:
     """Every combination of crossings drawn, and for each mechanism the nearest to its sketch taken.
 
     Sure is what closes, lies well off its dead points, and has no other assembly that the sketch may mean.
     """
     choices = _choices(method)
-    ways = np.array([*product((1, -1), repeat=len(choices))], dtype=float).reshape(2 ** len(choices), len(choices))
-    plot = replay(method.position, Plot(facts), {choice: ways[:, [k]] for k, choice in enumerate(choices)})
+    sides = np.array([*product((1, -1), repeat=len(choices))], dtype=float).reshape(2 ** len(choices), len(choices))
+    plot = replay(method.position, Plot(facts), {choice: sides[:, [k]] for k, choice in enumerate(choices)})
     count = np.broadcast_shapes((1,), *map(np.shape, (*sketch.values(), *plot.position.values())))[-1:]
-    every = (len(ways), *count)
+    every = (len(sides), *count)
     points = {point: np.broadcast_to(z, every) for point, z in plot.position.items()}
     shown = [point for point in sketch if point in points]
     far = sum((np.abs(points[point] - sketch[point]) ** 2 for point in shown), np.zeros(every))
-    far = np.where(_closed(method, plot, points), far, np.inf)
+    closed = [np.isfinite(places) for places in points.values()]
+    closed += [np.broadcast_to(plot.s[name] > 0, every) for name in cylinders(method.structure)]
+    far = np.where(np.all(closed, axis=0), far, np.inf)
     best, row = np.argmin(far, axis=0), np.arange(every[1])
     sines = [np.broadcast_to(sine, every)[best, row] for (plane, _), sine in plot.sines.items() if plane == "position"]
     nearest = far[best, row]
@@ -222,7 +213,7 @@ def _assembled(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> Ass
     slides = [np.broadcast_to(s, every) for s in plot.s.values()]
     places = np.array([*points.values()])
     size = np.abs(places - places[0])[:, best, row].max(axis=0)
-    for other in range(len(ways)):
+    for other in range(len(sides)):
         with np.errstate(invalid="ignore"):
             same = np.all([np.abs(z[other] - z[best, row]) <= 1e-9 * size for z in (*points.values(), *slides)], axis=0)
             apart = sum((np.abs(points[p][other] - points[p][best, row]) ** 2 for p in shown), np.zeros(every[1]))
@@ -231,13 +222,4 @@ def _assembled(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> Ass
     turned = [base for base in method.structure.bases if base in plot.theta]
     near = {base: np.broadcast_to(plot.theta[base], every)[best, row] for base in turned}
     near |= {slide_key(slide): np.broadcast_to(s, every)[best, row] for slide, s in plot.s.items()}
-    return Assemblies({choice: ways[best, k] for k, choice in enumerate(choices)}, near, sure)
-
-
-def _closed(method: Method, plot: Plot, points: Mapping[str, np.ndarray]) -> np.ndarray:
-    """Where every point has a place, and cylinders are drawn out, not turned round."""
-    closed = np.all([np.isfinite(places) for places in points.values()], axis=0)
-    for name, slide in method.structure.slides.items():
-        if slide.guide != FRAME and len(method.structure.bodies[slide.guide]) == 1 and slide.line.on_axis:
-            closed = closed & (plot.s[name] > 0)
-    return np.asarray(closed)
+    return Assemblies({choice: sides[best, k] for k, choice in enumerate(choices)}, near, sure)

@@ -25,7 +25,7 @@ from graphkin.construction import Plot
 from graphkin.model.readout import State
 from graphkin.planning import Method
 from graphkin.running import replay_all
-from graphkin.running.many_positions import program_of
+from graphkin.running.other_positions import program_of
 
 MECHANISMS = {"ex3-5": "four-bar", "p3-23a": "offset slider-crank", "ex3-7": "shaper"}
 SEEN = {"ex3-5": "CE", "p3-23a": "C", "ex3-7": "DE"}

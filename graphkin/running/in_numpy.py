@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.running.program.tape import INPUT, Tape
+from graphkin.running.tape import INPUT, Tape
 
 Call = tuple[Callable[..., object], int, int, int]
 """A NumPy function, its operands' places in memory (-1: it has one operand), and its result's."""
@@ -36,8 +36,9 @@ def in_numpy(tape: Tape, inputs: int, rows: Sequence[int]) -> Calls:
     writer = _CallWriter(tape, inputs, rows)
     for place in tape.needed(rows):
         writer.write(place)
-    for row, place in enumerate(rows):
-        writer.copy(place, inputs + row)
+    for row, place in enumerate(rows, start=inputs):
+        if writer.held[place] != row:  # a result that lies in another row, too, or an input or a number
+            writer.call("positive", [writer.held[place]], row)
     return Calls(tuple(writer.calls), writer.numbers, writer.registers)
 
 
@@ -62,15 +63,13 @@ class _CallWriter:
         operands = [self.held[each] for each in of]
         self.free += {self.held[each] for each in of if self.last[each] == place and self.held[each] >= self.first}
         if place not in self.at_once:
-            self.held[place] = self._register()
-        self._call(does, operands, self.held[place])
+            if not self.free:
+                self.free.append(self.first + self.registers)
+                self.registers += 1
+            self.held[place] = self.free.pop()
+        self.call(does, operands, self.held[place])
 
-    def copy(self, place: int, row: int) -> None:
-        """A result that lies in another row, too, or an input or a number."""
-        if self.held[place] != row:
-            self._call("positive", [self.held[place]], row)
-
-    def _call(self, does: str, operands: list[int], into: int) -> None:
+    def call(self, does: str, operands: list[int], into: int) -> None:
         if does == "reciprocal":  # NumPy's own is not vectorised
             does, operands = "divide", [self.held[self.tape.one], *operands]
         if does == "multiply" and operands[0] == operands[1]:
@@ -78,20 +77,41 @@ class _CallWriter:
         function = _OWN.get(does) or getattr(np, does)
         self.calls.append((function, operands[0], operands[1] if len(operands) > 1 else -1, into))
 
-    def _register(self) -> int:
-        if self.free:
-            return self.free.pop()
-        self.registers += 1
-        return self.first + self.registers - 1
 
-
-def _maximum(a: np.ndarray, b: np.ndarray, into: np.ndarray) -> None:
-    np.maximum(a, b, out=into)
-
-
-def _minimum(a: np.ndarray, b: np.ndarray, into: np.ndarray) -> None:
-    np.minimum(a, b, out=into)
-
-
-_OWN: dict[str, Callable[..., object]] = {"maximum": _maximum, "minimum": _minimum}
+_OWN: dict[str, Callable[..., object]] = {
+    "maximum": lambda a, b, into: np.maximum(a, b, out=into),
+    "minimum": lambda a, b, into: np.minimum(a, b, out=into),
+}
 """NumPy takes what these give by name only."""
+
+
+# --- memory -----------------------------------------------------------------------------------
+
+LEAST, MOST = 2**15, 2**23
+"""Numbers in what is lent, and kept, at the least and at most: from a quarter of a MiB to 64."""
+KEPT = 3
+"""Pieces that are kept at most: results of a program, its registers, and what results are put together in."""
+_KEPT: dict[int, np.ndarray] = {}
+"""By identity, in the order in which they came back. Each change is one step, whatever else a thread does meanwhile."""
+
+
+def lent(size: int) -> np.ndarray:
+    """So many numbers of any value (size,)."""
+    for key, memory in [*_KEPT.items()] if size >= LEAST else ():
+        if size <= memory.size <= 2 * size and _KEPT.pop(key, None) is not None:
+            return np.asarray(_Lent(memory))[:size]
+    return np.asarray(_Lent(np.empty(size))) if size >= LEAST else np.empty(size)
+
+
+class _Lent:
+    """The memory in which an array lies; it goes back with the last array that lies there."""
+
+    def __init__(self, memory: np.ndarray) -> None:
+        self.memory = memory
+        self.__array_interface__ = memory.__array_interface__
+
+    def __del__(self) -> None:
+        if self.memory.size <= MOST:
+            _KEPT[id(self.memory)] = self.memory
+            for oldest in [*_KEPT][:-KEPT]:
+                _KEPT.pop(oldest, None)

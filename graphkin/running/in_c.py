@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from graphkin.running.program.tape import FAILING, INPUT, NUMBER, Tape
+from graphkin.running.tape import FAILING, INPUT, NUMBER, Tape
 
 HEAD = """\
 #include <math.h>
@@ -109,7 +109,7 @@ FLAGS = (
 )  # fmt: skip
 """Roots and choices that can be done on vectors; results are those of the same operations one by one."""
 LONGEST_S = 60
-"""What a compiler may take at most [s]."""
+"""The time that a compiler may take at most [s]."""
 
 
 @cache
@@ -166,7 +166,7 @@ def _library(command: Sequence[str], text: str) -> Path:
 
 
 def _own_folder() -> Path:
-    """Where only the user may write. Raises PermissionError where others may, too."""
+    """The folder in which only the user may write. Raises PermissionError where others may, too."""
     folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "graphkin")
     folder.mkdir(mode=0o700, parents=True, exist_ok=True)
     state = folder.lstat()

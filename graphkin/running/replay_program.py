@@ -9,21 +9,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, MutableMapping, Sequence, Set
 from dataclasses import fields, replace
 from functools import cached_property, partial
-from typing import Any
+from typing import cast
 
 import numpy as np
 
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Real, Value
 from graphkin.base.value import Lazy, filled, frozen
-from graphkin.construction.construction import Construction
+from graphkin.construction import Construction, Facts, Plot, replay
 from graphkin.construction.fitting import sense_and_sine
-from graphkin.construction.kinds import Fit
-from graphkin.construction.pencil import replay
-from graphkin.construction.plot import Facts, Plot
-from graphkin.running.program.fitting import GroupSense
-from graphkin.running.program.in_numpy import Calls, in_numpy
-from graphkin.running.program.memory import lent
-from graphkin.running.program.recorder import TABLES, Entry, Recorded, Recording, record
+from graphkin.running.in_numpy import Calls, in_numpy, lent
+from graphkin.running.recorder import TABLES, Entry, GroupSense, Recorded, Recording, record
 
 USUAL = ("position", "velocity", "acceleration", "theta", "omega", "alpha", "turn")
 """Tables that are calculated at once; the others when they are read."""
@@ -80,27 +75,24 @@ class ReplayProgram:
         return frozenset(entry for entry in self.entries if entry[0] in USUAL and entry[1] not in between)
 
     def part(self, entries: Set[Entry]) -> ProgramPart:
-        """What calculates some entries at once."""
+        """The operations that calculate some entries at once."""
         if (key := frozenset(entries)) not in self.parts:
             self.parts[key] = ProgramPart.of(self.recording, sorted(key, key=str))
         return self.parts[key]
 
     def run(
         self,
-        values: Sequence[Value],
-        sides: Mapping[int, Value] | None = None,
-        near: Mapping[str, Value] | None = None,
-        asked: set[Entry] | None = None,
-        compiled: bool | None = None,
-    ) -> Plot:
+        values: Sequence[Real], sides: Mapping[int, Real] | None = None, near: Mapping[str, Real] | None = None,
+        asked: set[Entry] | None = None, compiled: bool | None = None,
+    ) -> Plot:  # fmt: skip
         """The plot at driver values, crossings taken on other sides, from positions close by: each scalar or (n,), one
         at least (n,).
 
         asked     what is calculated at once, all else when it is read; what that is, is added for the next run
         compiled  by a C function, if a compiler is at hand; None: only of very many positions
         """
-        taken = {**self.sides, **(sides or {})}
-        everything = (*values, *taken.values(), *((near or {})[name] for name in self.recording.near))
+        all_sides = {**self.sides, **(sides or {})}
+        everything = (*values, *all_sides.values(), *((near or {})[name] for name in self.recording.near))
         inputs = tuple(np.array(value, dtype=float) for value in everything)
         for value in inputs:
             value.flags.writeable = False  # what is read late is calculated from it
@@ -142,7 +134,8 @@ class ProgramPart:
         """For some entries; those that are the same lie in one room."""
         vectors, numbers, rooms = dict[tuple[int, int], int](), dict[int, int](), dict[Entry, int]()
         for table, name in entries:  # ~k: the k-th number, which comes after all vectors
-            value: Recorded = recording.tables[table][name]
+            value = recording.tables[table][name]
+            assert isinstance(value, Recorded)
             if table in PLANES:
                 rooms[table, name] = vectors.setdefault((value.x, value.y), len(vectors))
             else:
@@ -173,8 +166,8 @@ class ProgramPart:
         room = lent(end + min(count, BLOCK))
         vectors = room[: split * count].view(complex).reshape(-1, count)
         numbers = room[split * count : end].reshape(-1, count)
-        asked = compiled or (compiled is None and count >= VERY_MANY)
-        function = self.function(inputs) if asked else None
+        by_compiler = compiled or (compiled is None and count >= VERY_MANY)
+        function = self.function(inputs) if by_compiler else None
         if function is None:
             doubtful = self._by_numpy(inputs, vectors, numbers, room[end:])
         else:
@@ -204,7 +197,7 @@ class ProgramPart:
         """In C, for inputs of which the same are arrays; None where no compiler is at hand, or it would take long."""
         if len(self.calls.calls) > MOST_CALLS:
             return None
-        from graphkin.running.program import in_c  # loaded where it is asked for: a compiler is called with much
+        from graphkin.running import in_c  # loaded where it is asked for: a compiler is called with much
 
         arrays, recording = tuple(value.ndim > 0 for value in inputs), self.recording
         if arrays not in self.texts:
@@ -237,24 +230,28 @@ class PlotTable(Lazy[Value], MutableMapping[str, Value]):
 class LazyPlot(Plot):
     """A finished plot, each table of which is made when it is first read."""
 
+    results: Results
+
     @classmethod
     def of(cls, results: Results) -> LazyPlot:
         plot = cls.__new__(cls)
         plot.__dict__ |= {"near": {}, "follows": False, "results": results}
         return plot
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> object:
         if name not in ("facts", *TABLES) or "results" not in self.__dict__:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         made = self.__dict__[name] = self.results.facts if name == "facts" else PlotTable(self.results, name)
         return made
 
     @cached_property
-    def turn(self) -> Mapping[str, Value]:
+    def turn(self) -> Mapping[str, Real]:
         """Angles of links between 0 and a full turn [rad]."""
-        return PlotTable(self.results, "turn") if "results" in self.__dict__ else super().turn
+        if "results" not in self.__dict__:
+            return super().turn
+        return cast(Mapping[str, Real], PlotTable(self.results, "turn"))
 
-    def __reduce__(self) -> tuple[type[Plot], tuple[Any, ...]]:
+    def __reduce__(self) -> tuple[type[Plot], tuple[object, ...]]:
         """Sent elsewhere it is a plain plot."""
         return Plot, tuple(getattr(self, each.name) for each in fields(Plot))
 
@@ -273,11 +270,13 @@ class Results:
     asked: set[Entry] | None = None
 
     def __post_init__(self) -> None:
+        self.judged: dict[str, tuple[Value, Value]] = {}
+        """Senses and sines of groups that are fitted."""
         self.rows, doubtful = self.part.run(self.inputs, self.compiled)
         self.plain = [(here, self.program.plainly(self.facts, self.inputs, here)) for here in doubtful]
 
     def at_hand(self, table: str) -> Mapping[str, Value]:
-        """What is the same at all positions, and what lies in the rooms, where nothing is to be mended."""
+        """Values that are the same at all positions, and those that lie in the rooms, where nothing is to be mended."""
         if self.plain:
             return {}
         still, rooms = self.part.at_hand[table]
@@ -295,11 +294,13 @@ class Results:
         part = self.program.part(self.program.entries - self.part.rooms.keys())
         return Results(self.program, part, self.inputs, self.compiled)
 
-    def read(self, table: str, name: Any) -> Value:
+    def read(self, table: str, name: str) -> Value:
         """A scalar, or an array (n,) that cannot be written into."""
         value = self.program.recording.tables[table][name]
         if isinstance(value, GroupSense):
-            value = self._judged[value.step.name][value.which]
+            if value.step.name not in self.judged:
+                self.judged[value.step.name] = sense_and_sine(value.step, LazyPlot.of(self))
+            value = self.judged[value.step.name][value.which]
         elif isinstance(value, Recorded):
             room = self.part.rooms.get((table, name))
             if room is None:
@@ -308,12 +309,6 @@ class Results:
                 return self.late.read(table, name)
             value = self.rows[room]
         return self._mended(value, [getattr(plot, table)[name] for _, plot in self.plain]) if self.plain else value
-
-    @cached_property
-    def _judged(self) -> Mapping[str, tuple[Value, Value]]:
-        """Senses and sines of groups that are fitted."""
-        fits = (step for step in self.program.constructions[0].steps if isinstance(step, Fit))
-        return {step.name: sense_and_sine(step, LazyPlot.of(self)) for step in fits}
 
     def _mended(self, value: Value, plain: Sequence[Value]) -> Value:
         """A quantity with the values of plain replay where there are any; a scalar remains one if they are no other."""

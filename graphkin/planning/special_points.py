@@ -12,22 +12,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from itertools import combinations, count
 
-import numpy as np
-
+from graphkin.base.geometry import cross, number, place
 from graphkin.base.value import frozen
-from graphkin.construction import (
-    Across,
-    AcrossGuide,
-    Along,
-    AlongGuide,
-    Construction,
-    Direction,
-    Meet,
-    Node,
-    Plot,
-    Ray,
-    Site,
-)
+from graphkin.construction import Construction, Direction, Meet, Node, Plot, Ray, Site
+from graphkin.construction.terms import Across, AcrossGuide, Along, AlongGuide
 from graphkin.model.mechanism import FRAME
 from graphkin.planning.loop_terms import Hop, LinkArm, Slip, outward, way_round
 from graphkin.planning.stages import Group, Stage
@@ -66,7 +54,31 @@ class Ternary:
     legs: tuple[Leg, Leg, Leg]
 
 
-def ternary(structure: Topology, group: Group, plot: Plot, name: str) -> Ternary | None:
+def special_points(structure: Topology, order: tuple[Stage, ...], plot: Plot) -> dict[Group, Ternary]:
+    """The special point of each Class III group, with a letter of its own."""
+    every = (letter + "'" * primes for primes in count() for letter in "STUVWXYZ")
+    letters = (letter for letter in every if letter not in structure.owners)
+    groups = (stage for stage in order if isinstance(stage, Group))
+    points = ((stage, _ternary(structure, stage, plot, next(letters))) for stage in groups)
+    return {stage: point for stage, point in points if point is not None}
+
+
+def with_special_points(construction: Construction, ternaries: Mapping[Group, Ternary]) -> Construction:
+    """The mechanism with the lines of two legs, which meet in the special point."""
+    if not ternaries:
+        return construction
+    parts, nodes = list(construction.parts), dict(construction.nodes)
+    for one in ternaries.values():
+        first, second = (Ray(leg.end.point, leg.line) for leg in one.legs[:2])
+        parts += [first, second, Meet(first, second, one.name)]
+        nodes[one.name] = Node(one.name, one.name, Site(one.name, one.link))
+    return replace(construction, parts=tuple(parts), nodes=nodes)
+
+
+# --- which legs -------------------------------------------------------------------------------
+
+
+def _ternary(structure: Topology, group: Group, plot: Plot, name: str) -> Ternary | None:
     """The ternary link of a Class III group, with the best pair of legs first; None for any other group."""
     if group.contacts or len(group.loops) != 2 or group.floating:
         return None
@@ -74,33 +86,30 @@ def ternary(structure: Topology, group: Group, plot: Plot, name: str) -> Ternary
     for link in sorted(common, key=lambda body: structure.order[body]):
         legs = _legs(structure, group, link) if structure.base(link) in group.angles else None
         if legs is not None:
-            pairs = sorted(combinations(legs, 2), key=lambda pair: -_worth(pair, legs, plot))
-            best = pairs[0]
-            if _worth(best, legs, plot) <= 0:
+            worth = {pair: _worth(pair, legs, plot) for pair in combinations(legs, 2)}
+            best = max(worth, key=lambda pair: worth[pair])
+            if worth[best] <= 0:
                 return None
-            rest = next(leg for leg in legs if leg not in best)
-            return Ternary(best[0].end.link, name, (*best, rest))
+            return Ternary(best[0].end.link, name, (*best, next(leg for leg in legs if leg not in best)))
     return None
 
 
 def _legs(structure: Topology, group: Group, link: str) -> list[Leg] | None:
     """Three legs that start at three known places and end on this link, if it is the ternary one."""
-    found: dict[tuple[Site, Hop], Leg] = {}
+    legs: dict[tuple[Site, Hop], Leg] = {}
     for loop in group.loops:
         start, hops, end = way_round(structure, loop, link)
         levers = [k for k, hop in enumerate(hops) if isinstance(hop, LinkArm) and hop.of.link == link]
         if len(levers) != 1:
             return None
         at = levers[0]
-        for site, part, last in (
-            (start, hops[:at], hops[at].seen_from), (end, outward(hops[at + 1 :]), hops[at].of),
-        ):  # fmt: skip
-            leg = _leg(site, part, last)
+        halves = (start, hops[:at], hops[at].seen_from), (end, outward(hops[at + 1 :]), hops[at].of)
+        for site, half, last in halves:
+            leg = _leg(site, half, last)
             if leg is None:
                 return None
-            found.setdefault((leg.start, leg.unknown), leg)
-    legs = list(found.values())
-    return legs if len(legs) == 3 and len({leg.end.link for leg in legs}) == 1 else None
+            legs.setdefault((leg.start, leg.unknown), leg)
+    return [*legs.values()] if len(legs) == 3 and len({leg.end.link for leg in legs.values()}) == 1 else None
 
 
 def _leg(start: Site, hops: tuple[Hop, ...], end: Site) -> Leg | None:
@@ -117,41 +126,18 @@ def _leg(start: Site, hops: tuple[Hop, ...], end: Site) -> Leg | None:
 
 
 def _worth(pair: tuple[Leg, Leg], legs: list[Leg], plot: Plot) -> float:
-    """How well two legs' lines meet; legs on the frame first, and never where the third leg ends."""
-    first, second = (plot.direction(leg.line) for leg in pair)
-    sine = abs(complex(np.conj(first) * second).imag)
+    """The worth of two legs as their lines meet; legs on the frame first, never where the third leg ends."""
+    first, second = (place(plot.direction(leg.line)) for leg in pair)
+    sine = abs(number(cross(first, second)))
     if sine < 0.01:
         return 0.0
-    at, other = plot.position[pair[0].end.point], plot.position[pair[1].end.point]
-    along = complex(np.conj(other - at) * second).imag / complex(np.conj(first) * second).imag
+    ends = {leg: place(plot.position[leg.end.point]) for leg in legs}
+    at, other = ends[pair[0]], ends[pair[1]]
+    along = number(cross(other - at, second)) / number(cross(first, second))
     meeting = at + along * first
     rest = next(leg for leg in legs if leg not in pair)
-    span = max(abs(plot.position[leg.end.point] - at) for leg in legs) or 1.0
-    away = abs(meeting - plot.position[rest.end.point]) / span
-    if away < 0.05:
+    span = max(abs(end - at) for end in ends.values()) or 1.0
+    if abs(meeting - ends[rest]) / span < 0.05:
         return 0.0
     grounded = sum(leg.start.link == FRAME for leg in pair)
     return grounded * (1.0 if sine > APART and abs(meeting - at) < 20 * span else 0.1) + 0.05 * sine
-
-
-def special_points(structure: Topology, order: tuple[Stage, ...], plot: Plot) -> dict[Group, Ternary]:
-    """The special point of each Class III group, with a letter of its own."""
-    named = (letter + "'" * primes for primes in count() for letter in "STUVWXYZ")
-    letters = (letter for letter in named if letter not in structure.owners)
-    found: dict[Group, Ternary] = {}
-    for stage in order:
-        if isinstance(stage, Group) and (one := ternary(structure, stage, plot, next(letters))) is not None:
-            found[stage] = one
-    return found
-
-
-def with_special_points(construction: Construction, ternaries: Mapping[Group, Ternary]) -> Construction:
-    """The mechanism with the lines of two legs, which meet in the special point."""
-    if not ternaries:
-        return construction
-    parts, nodes = list(construction.parts), dict(construction.nodes)
-    for one in ternaries.values():
-        first, second = (Ray(leg.end.point, leg.line) for leg in one.legs[:2])
-        parts += [first, second, Meet(first, second, one.name)]
-        nodes[one.name] = Node(one.name, one.name, Site(one.name, one.link))
-    return replace(construction, parts=tuple(parts), nodes=nodes)

@@ -1,0 +1,134 @@
+"""Points and links that stand still in the polygons because the drivers on which it hangs do (rate and acceleration 0).
+
+The points that such drivers hold are written as what they are: fixed points, on the pole. The steps of a polygon stay
+as they were planned, for drivers that move.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from graphkin.base.value import frozen
+from graphkin.construction import Construction, Drawn, Equation, Facts, Plane, Step, Term, kinds
+from graphkin.model.mechanism import FRAME
+from graphkin.planning.method import Method
+from graphkin.planning.needed import Fact, Part, PartsReader, turnings
+
+
+def at_rest(method: Method, facts: Facts) -> frozenset[Fact]:
+    """The facts that rest in both polygons."""
+    rates = zip(facts.rates, facts.accelerations, strict=True)
+    still = {k for k, (rate, more) in enumerate(rates) if rate == more == 0}
+    held = [link if turn.base == FRAME else f"{link}/{turn.base}"
+            for link, turn in facts.turns.items() if all(k in still for k, _ in turn.drivers)]  # fmt: skip
+    slides = [slide for slide, k in facts.slides_driven.items() if k in still]
+    rested = {(f"driven {quantity}", link) for quantity in ("omega", "alpha") for link in held}
+    rested |= {(quantity, slide) for quantity in ("s_rate", "s_acceleration") for slide in slides}
+    planes = [_resting(method, method.velocity, rested)]
+    planes.append(_resting(method, method.acceleration, rested | planes[0]))
+    links = [link for link in method.structure.bodies if link != FRAME]
+    turns = [(turnings(method, "omega", link), turnings(method, "alpha", link)) for link in links]
+    both = {fact for omega, alpha in turns if {*omega} <= planes[0] and {*alpha} <= planes[1] for fact in omega + alpha}
+    sites = [{c.nodes[name].site: (c.plane, name) for plane, name in one if plane == c.plane}
+             for c, one in zip((method.velocity, method.acceleration), planes, strict=True)]  # fmt: skip
+    return frozenset(both | {one[site] for site in {*sites[0]} & {*sites[1]} if site is not None for one in sites})
+
+
+def _resting(method: Method, construction: Construction, rested: set[Fact]) -> set[Fact]:
+    """The same with all that is found from nothing else by the parts of a polygon, its pole among them."""
+    reader, resting = PartsReader(method, construction), set(rested)
+    for step in construction.steps:
+        if isinstance(step, kinds.Given) and step.also:
+            resting |= set(reader.gives(step))
+    resting.add((construction.plane, construction.pole))
+    for part in construction.parts:
+        needs = {fact for fact in reader.needs(part) if fact[0] not in ("position", "theta", "driven theta", "s")}
+        if not isinstance(part, kinds.Given) and needs <= resting:
+            resting |= set(reader.gives(part))
+    return resting
+
+
+def held_points(method: Method, plane: Plane, rested: frozenset[Fact]) -> tuple[str, ...]:
+    """The points of the mechanism that drivers at rest hold."""
+    return tuple(dict.fromkeys(held_labels(method, plane, rested).values()))
+
+
+def held_labels(method: Method, plane: Plane, rested: frozenset[Fact]) -> dict[str, str]:
+    """The letters of those points by how they are written in the polygon, `D7`."""
+    construction = method.velocity if plane == "velocity" else method.acceleration
+    return {of: point for point, of in _held(construction, rested).values()}
+
+
+def moving_parts(method: Method, plane: Plane, parts: tuple[Part, ...], rested: frozenset[Fact]) -> tuple[Part, ...]:
+    """The parts that find something that moves, with the pole for every point that does not."""
+    construction = method.velocity if plane == "velocity" else method.acceleration
+    nodes, reader = _held(construction, rested), PartsReader(method, construction)
+    writer = _PartsWriter(plane, construction.pole, nodes, {of: point for point, of in nodes.values()})
+    return tuple(writer.part(part) for part in parts if not _rests(reader, part, rested))
+
+
+def _rests(reader: PartsReader, part: Part, rested: frozenset[Fact]) -> bool:
+    """True if a part finds nothing but what stands still; corners between arrows do not count."""
+    nodes, facts = reader.construction.nodes, [] if isinstance(part, kinds.Given) else [*reader.gives(part)]
+    sites = {name for name, node in nodes.items() if node.site is not None}
+    facts = [(kind, name) for kind, name in facts if kind != reader.plane or name in sites]
+    return bool(facts) and all(fact in rested for fact in facts)
+
+
+def _held(construction: Construction, rested: frozenset[Fact]) -> dict[str, tuple[str, str]]:
+    """By node of the polygon, its point and how it is written there; fixed points are on the pole anyway."""
+    resting = ((name, node) for name, node in construction.nodes.items() if (construction.plane, name) in rested)
+    return {name: (node.site.point, node.of) for name, node in resting if node.site and node.site.link != FRAME}
+
+
+@frozen
+class _PartsWriter:
+    """Writes parts anew: `nodes` become the pole, `labels` the letters of their points."""
+
+    plane: Plane
+    pole: str
+    nodes: Mapping[str, tuple[str, str]]
+    labels: Mapping[str, str]
+
+    def part(self, part: Part) -> Part:
+        if not self.nodes:
+            return part
+        if isinstance(part, Equation):
+            steps = tuple(self.step(step) for step in part.steps)
+            return replace(part, left=self.side(part.left), right=self.side(part.right), steps=steps)
+        return self.step(part)
+
+    def step(self, step: Step) -> Step:
+        if isinstance(step, kinds.LayOff):
+            return replace(step, term=self.term(step.term), start=self.node(step.start), tip=self.node(step.tip))
+        if isinstance(step, kinds.Ray):
+            return replace(step, through=self.node(step.through))
+        if isinstance(step, kinds.Meet):
+            return replace(step, first=self.ray(step.first), second=self.ray(step.second))
+        if isinstance(step, kinds.Image):
+            return replace(step, base=(self.node(step.base[0]), self.node(step.base[1])))
+        if isinstance(step, kinds.Measure):
+            return replace(step, tail=self.node(step.tail), head=self.node(step.head))
+        return step
+
+    def ray(self, locus: kinds.Ray | kinds.Arc) -> kinds.Ray | kinds.Arc:
+        return replace(locus, through=self.node(locus.through)) if isinstance(locus, kinds.Ray) else locus
+
+    def side(self, terms: tuple[Term, ...]) -> tuple[Term, ...]:
+        """A side of an equation without the motion of a point that has none, where anything is left."""
+        held = isinstance(terms[0].size, Drawn) and terms[0].head in self.nodes
+        return tuple(self.term(term) for term in (terms[1:] if held and len(terms) > 1 else terms))
+
+    def term(self, term: Term) -> Term:
+        return replace(relabelled(term, self.plane, self.labels), tail=self.node(term.tail), head=self.node(term.head))
+
+    def node(self, name: str) -> str:
+        return self.pole if name in self.nodes else name
+
+
+def relabelled(term: Term, plane: Plane, labels: Mapping[str, str]) -> Term:
+    """With the letters of fixed points; seen from one, a velocity is an absolute one."""
+    absolute = plane == "velocity" and term.seen_from in labels
+    seen_from = "" if absolute else labels.get(term.seen_from, term.seen_from)
+    return replace(term, of=labels.get(term.of, term.of), seen_from=seen_from)
