@@ -57,7 +57,7 @@ _WHERE = {
     "from_dict": "files.from_dict",
     "Drawing": "api.Drawing",
     "State": "model.readout.State",
-    "Sweep": "outputs.frames.SweepFrames",
+    "Sweep": "outputs.tables.SweepFrames",
     "plan": "api.plan",
     "replay": "api.replay",
     "replay_many": "api.replay_many",
@@ -83,7 +83,7 @@ if TYPE_CHECKING:
     from graphkin.files import MechanismFile as Mechanism
     from graphkin.files import from_dict, loads
     from graphkin.model.readout import State
-    from graphkin.outputs.frames import SweepFrames as Sweep
+    from graphkin.outputs.tables import SweepFrames as Sweep
     from graphkin.say import explain
 
 

@@ -26,7 +26,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import CannotAssemble, GraphkinError, HigherClass, Lang, NoSpeed, Where
 from graphkin.files import library
-from graphkin.files.questions import rate_keys
+from graphkin.files.draft import rate_keys
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.readout import Readable, State, read_off
@@ -36,8 +36,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from graphkin.model.quantities import Answer
-    from graphkin.outputs.frames import SweepFrames
-    from graphkin.outputs.notebook import NotebookSheet
+    from graphkin.outputs.svg import NotebookSheet
+    from graphkin.outputs.tables import SweepFrames
     from graphkin.running.variants import DrawnVariants
     from graphkin.sheet import Style
     from graphkin.studies.sweeps import PointPath, Ranges, Road
@@ -76,16 +76,16 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
             _refuse_wrong_drivers(mechanism)
         return method
     except (HigherClass, CannotAssemble):
-        from graphkin.planning.other_side import other_side
+        from graphkin.planning.planner import wrong_side
 
         _refuse_wrong_drivers(mechanism)
-        if (error := other_side(mechanism)) is not None:
+        if (error := wrong_side(mechanism)) is not None:
             raise error from None
         raise
 
 
 def _refuse_wrong_drivers(mechanism: Mechanism) -> None:
-    from graphkin.proof.mobility_errors import wrong_drivers
+    from graphkin.proof.roads import wrong_drivers
 
     if (error := wrong_drivers(mechanism)) is not None:
         raise error
@@ -182,7 +182,7 @@ def sweep(
     >>> found["v E"].signed.round(5), found["v E"].direction.round(3)
     (array([-0.10184, -0.12272, -0.13833]), array([180., 180., 180.]))
     """
-    from graphkin.outputs.frames import framed
+    from graphkin.outputs.tables import framed
     from graphkin.studies import sweeps
 
     method = mechanism if isinstance(mechanism, Method) else plan(mechanism)
@@ -254,7 +254,7 @@ class Drawing(Readable):
 
         paths   points whose paths are drawn over the driver's turn, or as far as it gets; arrows: with velocities
         """
-        from graphkin.outputs.notebook import shown
+        from graphkin.outputs.svg import shown
         from graphkin.sheet import Paths, sheet
 
         drawn = Paths(tuple(self._paths(paths, arrows)), arrows and bool(paths), lang)
@@ -279,7 +279,7 @@ class Drawing(Readable):
         self, *, paper: str | None = None, lang: Lang = "en", only: Plane | None = None, tight: bool = False
     ) -> Iterator[NotebookSheet]:
         """One sheet a step of the construction, the newest marks emphasised."""
-        from graphkin.outputs.notebook import shown
+        from graphkin.outputs.svg import shown
         from graphkin.sheet import step_sheets
 
         return map(shown, step_sheets(self.method, self.plot, paper=paper, lang=lang, only=only, tight=tight))

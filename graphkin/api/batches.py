@@ -15,8 +15,8 @@ from typing import Any, ClassVar, TypeVar
 import numpy as np
 
 from graphkin import api
-from graphkin.base.parallel import ahead, batched
 from graphkin.base.value import frozen
+from graphkin.base.worklist import ahead, batched
 from graphkin.errors import GraphkinError, NotSwept, Where
 from graphkin.model import quantities
 from graphkin.model.mechanism import Mechanism

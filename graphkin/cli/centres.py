@@ -138,28 +138,28 @@ class _CentreCommand:
         if self.link:
             yield from self._lines_about(found)
         elif self.pair or self.centre:
-            from graphkin.say.centre_curves import curve_lines
-            from graphkin.studies.centres.about_data import centrodes_json
+            from graphkin.say.centre_about import curve_lines
+            from graphkin.studies.centres.centrodes import centrodes_json
 
             curves = self._curves(found)
             yield from [shared.json_line(centrodes_json(curves))] if self.as_json else curve_lines(curves, self.lang)
         elif self.as_json:
             yield shared.json_line(as_json(found))
         else:
-            from graphkin.say.centre_explained import advantage_lines, explain_centres, rows
+            from graphkin.say.centre_steps import centre_rows
+            from graphkin.say.centre_velocities import advantage_lines, explain_centres
             from graphkin.say.text_table import table
 
             mechanism = found.method.mechanism
             yield "  ".join(dict.fromkeys((mechanism.name, mechanism.headline(self.lang))))
-            yield from table(list(rows(found, self.lang)))
+            yield from table(list(centre_rows(found, self.lang)))
             yield ""
             yield from explain_centres(found, self.lang)
             yield from advantage_lines(found, self.lang)
 
     def _lines_about(self, found: Centres) -> Iterator[str]:
         from graphkin.say.centre_about import about_words, bobillier_words
-        from graphkin.studies.centres.about import about
-        from graphkin.studies.centres.about_data import about_json
+        from graphkin.studies.centres.about import about, about_json
 
         pole = about(found, self.link)
         if self.as_json:

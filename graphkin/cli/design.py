@@ -62,7 +62,7 @@ def answering(make: Callable[..., Design]) -> Callable[..., None]:
 
 def _print(solution: Design, as_json: bool, lang: Lang) -> None:
     if as_json:
-        from graphkin.outputs.designs import as_json as data
+        from graphkin.outputs.study_json import as_json as data
 
         click.echo(shared.json_line(data(solution)))
         return

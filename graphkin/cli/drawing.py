@@ -115,7 +115,7 @@ def _write_motion(
 ) -> None:
     """The whole motion, one sheet a position, as a file that moves."""
     from graphkin.outputs import drawings
-    from graphkin.outputs.edited import refuse_edited
+    from graphkin.outputs.drawings import refuse_edited
     from graphkin.sheet.motion_frames import motion_frames
 
     if (moving := drawings.MOVING.get(output.suffix.lower())) is None:

@@ -120,7 +120,7 @@ def tolerance(
     from graphkin.marking.marker import Marker
     from graphkin.marking.power import power as power_of
     from graphkin.marking.tolerances import tolerances
-    from graphkin.outputs import tolerance_json as data
+    from graphkin.outputs import study_json as data
     from graphkin.say.tolerances import power_lines, tolerance_lines
 
     method = shared.position(shared.read(mechanism), at).moved_method
@@ -201,7 +201,7 @@ class _Grading:
     def _write_records(self, path: Path, judge: SetMarker, problem: Problem, settings: Way) -> None:
         """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
         from graphkin.homework import grading, platforms
-        from graphkin.outputs import marks_file, marks_json
+        from graphkin.outputs import marks_json
         from graphkin.say.marks import interrupted
 
         if self.kinds:
@@ -210,7 +210,7 @@ class _Grading:
         try:
             with grading.Journal(path, self.force) as journal:
                 records = grading.resumed(judge, problem.paths, journal, settings, record)
-                marks_file.write(path, self._printed(problem.name, _counted(records, self.as_json)), self.force)
+                marks_json.write(path, self._printed(problem.name, _counted(records, self.as_json)), self.force)
         except KeyboardInterrupt:
             click.echo(interrupted(path, self.lang), err=True)
             raise

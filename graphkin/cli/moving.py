@@ -147,8 +147,7 @@ def find(
       graphkin find p3-21 "stroke s piston" --vary DH=55:125:5
     """
     from graphkin import api
-    from graphkin.say.finding import lines
-    from graphkin.say.finding_table import table_lines
+    from graphkin.say.finding import finding_table, lines
     from graphkin.studies import finding
 
     machine = shared.read(mechanism)
@@ -158,7 +157,7 @@ def find(
         if output is not None:
             raise click.UsageError("-o draws the positions of one mechanism; leave out --vary")
         table = finding.vary(machine, dimensions[0], condition, ranges, by, plan=api.plan)
-        click.echo(shared.json_line(finding.table_json(table)) if as_json else "\n".join(table_lines(table, lang)))
+        click.echo(shared.json_line(finding.table_json(table)) if as_json else "\n".join(finding_table(table, lang)))
         if all(row.error for row in table.rows):
             sys.exit(3)
         return

@@ -24,8 +24,7 @@ if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
 
     from graphkin.api import Drawing
-    from graphkin.files.units import Dimension
-    from graphkin.model.mechanism import Mechanism
+    from graphkin.model.mechanism import Dimension, Mechanism
     from graphkin.planning import Method
     from graphkin.sheet import Sheet
 
@@ -330,7 +329,7 @@ def write_drawings(
 ) -> None:
     """A sheet and its steps; all are made, and may be written, before the first is. `err`: their names on stderr."""
     from graphkin.outputs import drawings
-    from graphkin.outputs.edited import refuse_edited
+    from graphkin.outputs.drawings import refuse_edited
 
     if printed := str(output) == "-":
         first = pages.pop(0)[1]
@@ -357,7 +356,7 @@ def write_sheet(output: Path, sheet: Sheet, force: bool) -> None:
 def quantity(option: str, dimension: Dimension, text: str) -> float:
     """A number of an option, in mm or deg or with a unit, as SI; what is wrong names the option."""
     from graphkin.errors import Where
-    from graphkin.files.units import read_quantity
+    from graphkin.files.values import read_quantity
 
     try:
         return read_quantity(plain(text), dimension)

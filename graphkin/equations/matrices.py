@@ -18,7 +18,7 @@ from graphkin.equations.expressions import Sum, Symbol
 from graphkin.equations.formulas import ZERO, Grid, Letter, Minus, Node, Num, Op, Row
 from graphkin.equations.model import Model
 from graphkin.equations.pretty import Pretty
-from graphkin.model.usual import ROUNDING
+from graphkin.model.mechanism import ROUNDING
 
 _JOINED = 4
 """So many unknowns still make one equation that fits a line."""

@@ -20,7 +20,7 @@ from graphkin.equations.pretty import Pretty
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import EDGE, Unit
-from graphkin.model.quantities.digits import significant
+from graphkin.model.units import significant
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
 

@@ -13,7 +13,7 @@ from typing import Any
 import svgwrite
 
 from graphkin.handouts.document import GridRoom
-from graphkin.outputs.spans import mm
+from graphkin.outputs.typesetting import mm
 from graphkin.sheet.lettering import Label, scripts
 
 _FINE, _BOLD, _FRAME, _DIRECTION = ("#d5dde5", 0.1), ("#a9b8c6", 0.18), ("#000000", 0.35), ("#555555", 0.18)

@@ -29,7 +29,7 @@ from graphkin.handouts.document import (
 from graphkin.handouts.grid import room_svg
 from graphkin.handouts.stages import blocks_of
 from graphkin.outputs.svg import inline
-from graphkin.outputs.tex_words import tex_words
+from graphkin.outputs.typesetting import tex_words
 from graphkin.say.catalogue import say
 from graphkin.say.explained import derivation
 from graphkin.sheet import scales_of

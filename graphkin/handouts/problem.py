@@ -13,9 +13,9 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
 from graphkin.running import replay_all
 from graphkin.say import entry
-from graphkin.say.asked import Asked, asked
 from graphkin.say.explained import derivation
 from graphkin.say.reading import Reading
+from graphkin.say.solution_goal import SolutionGoal, solution_goal
 from graphkin.sheet.fit import corners
 from graphkin.sheet.planes import Planes
 from graphkin.sheet.scales import KEYS, finest
@@ -63,9 +63,9 @@ class HandoutProblem:
         return self.drawing.method.velocity if plane == "velocity" else self.drawing.method.acceleration
 
     @cached_property
-    def goal(self) -> Asked:
+    def goal(self) -> SolutionGoal:
         """The goal: quantities that are asked for, in the symbols of the field."""
-        return asked(Reading(self.drawing.method, self.drawing.plot, self._keys, self.lang))
+        return solution_goal(Reading(self.drawing.method, self.drawing.plot, self._keys, self.lang))
 
     @property
     def title(self) -> str:
@@ -76,7 +76,7 @@ class HandoutProblem:
         return self._sections[1]
 
     @property
-    def asked(self) -> Section:
+    def solution_goal(self) -> Section:
         return self._sections[2]
 
     @property

@@ -17,11 +17,11 @@ from graphkin.marking.key import Key, KeyEntry
 from graphkin.marking.verdicts import columns, upright
 from graphkin.marking.weights import shifts
 from graphkin.model.quantities import EDGE, Centre
-from graphkin.model.quantities.typed import rewritten
+from graphkin.model.quantities.reading import respelled
 from graphkin.proof.readings import readings
 from graphkin.say import names
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import mistake
+from graphkin.say.marks import mistake
 from graphkin.say.numbers import number
 from graphkin.sheet.formula import formula
 from graphkin.sheet.lettering import Label, plain
@@ -94,7 +94,7 @@ def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> 
             shown.append(f"{problem.goal.symbol(quantity)} = {number(value * unit.factor)} {unit.sign}".strip())
     name = mistake(key.singles.names[row][0], problem.lang)
     texts = {entry.text for entry in key.entries}
-    signs = rewritten(name, lambda text: names.asked(text) if text in texts else text)
+    signs = respelled(name, lambda text: names.asked(text) if text in texts else text)
     raised = re.sub(r"([va])\^([nktr]+)_", lambda part: names.vector(part[0] + "X")[:-1], signs)
     return formula(say("handouts.gives", problem.lang, mistake=raised, values=", ".join(shown)))
 

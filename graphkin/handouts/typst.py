@@ -24,10 +24,10 @@ from graphkin.handouts.document import (
     signs,
 )  # fmt: skip
 from graphkin.handouts.grid import DIGITS, MARKERS, SIZE, digits, edges, markers_svg, room_svg
-from graphkin.outputs.extras import needed
+from graphkin.outputs.files import needed
 from graphkin.outputs.paged import unscaled
-from graphkin.outputs.spans import mm
 from graphkin.outputs.svg import svg
+from graphkin.outputs.typesetting import mm
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.paper import PAPERS, Paper
 

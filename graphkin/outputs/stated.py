@@ -7,7 +7,7 @@ import json
 from pathlib import Path
 from typing import assert_never
 
-from graphkin.base.checksum import seal
+from graphkin.base.plain import seal
 from graphkin.outputs.typesetting import lettered
 from graphkin.sheet import Sheet
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark

@@ -33,7 +33,7 @@ def as_json(design: Design) -> Json:
     bisectors   of two coupler positions: lines on which A and D are free (a point [m], a direction [rad])
     family      circles of crank centres: a, b, d, e, gamma_min along the admissible arcs, and the best point
     """
-    from graphkin.say.design import said
+    from graphkin.say.design import phrased
 
     return {
         "format": 1,
@@ -41,19 +41,19 @@ def as_json(design: Design) -> Json:
         "given": dict(design.given),
         "solutions": [_solution(one) for one in design.solutions],
         "rejected": [_solution(one) for one in design.rejected],
-        "why": [said(reason, "en") for reason in design.why],
+        "why": [phrased(reason, "en") for reason in design.why],
         "bisectors": _bisectors(design),
         "family": [_family(one) for one in design.families],
     }
 
 
 def _solution(one: Solution) -> Json:
-    from graphkin.say.design import said
+    from graphkin.say.design import phrased
 
     return {
         "a": one.a, "b": one.b, "c": one.c, "d": one.d, "e": one.e, "gamma_min": one.gamma_min, "K": one.k,
         "swing": one.swing, "stroke": one.stroke, "theta": one.theta, "valid": one.valid,
-        "why": [said(reason, "en") for reason in one.why], "notes": [said(reason, "en") for reason in one.notes],
+        "why": [phrased(reason, "en") for reason in one.why], "notes": [phrased(reason, "en") for reason in one.notes],
         "points": {name: _xy(place) for name, place in one.places.items()},
         "positions": [{name: _xy(place) for name, place in places.items()} for places in one.limits],
         "slow": None if one.pace is None else ("ccw" if one.pace > 0 else "cw"),

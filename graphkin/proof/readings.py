@@ -11,10 +11,9 @@ from graphkin.base.geometry import Value, number, place
 from graphkin.base.value import Lazy
 from graphkin.construction import Plot
 from graphkin.errors import Where
-from graphkin.files.positions import Path
 from graphkin.model import quantities
 from graphkin.model.kinematic_state import Motions
-from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
+from graphkin.model.mechanism import FRAME, Driver, KeyPath, Mechanism, Pose
 from graphkin.model.naming import primes
 from graphkin.planning import Method
 from graphkin.running import replay_all
@@ -108,14 +107,14 @@ def mechanism_at(method: Method, values: Sequence[float]) -> Mechanism:
     (True, '71.5045+47.5585j')
     """
     from graphkin.files import loads
-    from graphkin.files.changing import rewritten
+    from graphkin.files.toml import replaced_values
 
     machine, plot = method.mechanism, replay_all(method, values)
-    text = rewritten(machine.text, dict(_changes(machine, plot, values)))
+    text = replaced_values(machine.text, dict(_changes(machine, plot, values)))
     return loads(text, name=machine.name, file=machine.file)
 
 
-def _changes(machine: Mechanism, plot: Plot, values: Sequence[float]) -> Iterator[tuple[Path, object]]:
+def _changes(machine: Mechanism, plot: Plot, values: Sequence[float]) -> Iterator[tuple[KeyPath, object]]:
     from graphkin.planning.drawn_position import value_of
 
     for k, (driver, value) in enumerate(zip(machine.drivers, values, strict=True)):

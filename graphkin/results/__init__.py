@@ -11,10 +11,9 @@ from graphkin.base.plain import Plain
 from graphkin.construction import Plot, Site
 from graphkin.errors import Lang
 from graphkin.model.kinematic_state import Motions
-from graphkin.model.mechanism import Mechanism
+from graphkin.model.mechanism import ROUNDING, Mechanism
 from graphkin.model.naming import Seen
 from graphkin.model.quantities import Centre, read, relative
-from graphkin.model.usual import ROUNDING
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
 from graphkin.proof.roads import Proved, proved

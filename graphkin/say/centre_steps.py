@@ -34,7 +34,7 @@ from graphkin.say.numbers import exact, number
 from graphkin.say.reading import Reading
 from graphkin.studies.centres import Centres, centres, place
 from graphkin.studies.centres.data import found_by
-from graphkin.studies.centres.shortest import shortest
+from graphkin.studies.centres.instant_centres import shortest
 
 NORMALS: Mapping[type[Pair], str] = {Cam: "contact", Slide: "slot", CircularSlot: "circular slot"}
 """The line of which the common normal is the normal, for each kind of pair that slips."""

@@ -8,7 +8,7 @@ from typing import assert_never
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.planning.acts import Act
+from graphkin.planning.method import Act
 from graphkin.say.catalogue import close, say
 from graphkin.say.figures import Formula, written
 from graphkin.say.numbers import circled, number

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.by_pose import by_pose, shown
+from graphkin.planning.drawn_position import by_pose, shown
 from graphkin.say.answer_lines import AnswerLines, deviations
 from graphkin.say.entry import Calculation, Entry, Sentence, VectorEquation, text_lines
 from graphkin.say.equations import worded

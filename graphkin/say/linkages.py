@@ -12,8 +12,8 @@ from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.say.figures import Formula, figures, squared, written
 from graphkin.say.numbers import angle, exact, millimetres, number
 from graphkin.studies.linkages import FAMILY, FoundLinkage, Linkage, Report, filed, inverted, report
-from graphkin.studies.linkages.equal import EVEN
 from graphkin.studies.linkages.linkage import LinkagePosition
+from graphkin.studies.linkages.triangles import EVEN
 
 _DIGITS = 5
 """Of K."""

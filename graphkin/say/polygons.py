@@ -8,7 +8,7 @@ from typing import assert_never
 from graphkin.base.geometry import cross
 from graphkin.construction import Equation, Plane, Step, kinds
 from graphkin.model.mechanism import FRAME
-from graphkin.planning.held_still import held_points, standing
+from graphkin.planning.at_rest import held_points, moving_parts
 from graphkin.say import names
 from graphkin.say.entry import Calculation, Entry, Heading, Sentence
 from graphkin.say.equations import equation, known_arrow
@@ -22,7 +22,7 @@ from graphkin.say.simultaneous import solved_together
 
 def polygon_entries(reading: Reading, plane: Plane, parts: tuple[Step | Equation, ...], number: int) -> Iterator[Entry]:
     """Pole, known motions, equations, and what is read off each, in the order of the construction."""
-    polygon = PolygonReading(reading, plane, standing(reading.method, plane, parts, reading.rested))
+    polygon = PolygonReading(reading, plane, moving_parts(reading.method, plane, parts, reading.rested))
     yield Heading(reading.say(f"derivation.plane {plane}", number=number), plane)
     for part in polygon.parts:
         yield from equation(polygon, part) if isinstance(part, Equation) else _step(polygon, part)

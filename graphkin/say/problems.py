@@ -15,7 +15,7 @@ from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import at_position, read
 from graphkin.model.units import EDGE
-from graphkin.running.assembled import DrawnSides, Lies
+from graphkin.running.drawn_sides import DrawnSides, PointSide
 from graphkin.say import names
 from graphkin.say.catalogue import is_phrase, say
 
@@ -200,7 +200,7 @@ def assembly_sentence(sides: DrawnSides, lang: Lang) -> str:
     return joined and say("assembly.drawn", lang, told=joined)
 
 
-def _side(lies: Lies) -> str:
+def _side(lies: PointSide) -> str:
     if lies.by_distance:
         return "far" if lies.to.real > 0 else "near"
     if abs(lies.to.imag) >= abs(lies.to.real):

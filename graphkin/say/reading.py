@@ -14,9 +14,10 @@ from graphkin.errors import Lang, listed
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Usual
 from graphkin.model.pairs import Cam, CircularSlot, Pair
 from graphkin.planning import Method
-from graphkin.planning.acts import Act, made
+from graphkin.planning.at_rest import at_rest
 from graphkin.planning.labels import Labels
-from graphkin.planning.needed import Fact, at_rest, turnings
+from graphkin.planning.method import Act, made
+from graphkin.planning.needed import Fact, turnings
 from graphkin.say import names
 from graphkin.say.catalogue import say_close
 from graphkin.say.numbers import degrees, direction, number

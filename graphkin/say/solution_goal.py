@@ -12,7 +12,7 @@ from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import read
-from graphkin.planning.held_still import standing
+from graphkin.planning.at_rest import moving_parts
 from graphkin.planning.needed import Fact, Part, arms, needed, turning
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
@@ -54,7 +54,7 @@ class SolutionGoal:
     def levers(self) -> tuple[tuple[str, str], ...]:
         """The pairs of points by whose distance the polygons multiply or divide."""
         method, rested = self.reading.method, self.reading.rested
-        shown = (part for plane, parts in self.parts.items() for part in standing(method, plane, parts, rested))
+        shown = (part for plane, parts in self.parts.items() for part in moving_parts(method, plane, parts, rested))
         return tuple(dict.fromkeys(pair for part in shown for pair in self._arms(part)))
 
     def _arms(self, part: Part) -> Iterator[tuple[str, str]]:

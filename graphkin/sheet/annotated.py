@@ -17,7 +17,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Rotation, read
-from graphkin.planning.step_numbers import rate_found
+from graphkin.planning.method import rate_found
 from graphkin.say.dimensions import dimensions, length_text, measured_lengths
 from graphkin.say.reading import Reading
 from graphkin.sheet.equation_rows import EquationBlock

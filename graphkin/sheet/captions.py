@@ -8,7 +8,7 @@ from dataclasses import replace
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.planning.acts import Act
+from graphkin.planning.method import Act
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation

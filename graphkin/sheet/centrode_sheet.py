@@ -10,7 +10,7 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.running.path import along
-from graphkin.say.centre_curves import curves_met
+from graphkin.say.centre_about import curves_met
 from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.fit import corners, enlarged
 from graphkin.sheet.lettering import Label, link_label, plain, quantity_label

@@ -9,7 +9,7 @@ from functools import cache, cached_property, partial
 from graphkin.base.value import frozen
 from graphkin.construction import Fit, Plane, Simultaneous
 from graphkin.errors import Lang
-from graphkin.planning.step_numbers import pages
+from graphkin.planning.method import pages
 from graphkin.say.plane import PolygonReading as Spoken
 from graphkin.sheet.annotated import Annotated
 from graphkin.sheet.detail import detailed

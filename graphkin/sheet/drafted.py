@@ -14,7 +14,7 @@ from itertools import pairwise
 
 from graphkin.base.value import frozen
 from graphkin.construction import Drawn, Image, LayOff, Meet, Ray, Term
-from graphkin.planning.acts import Act
+from graphkin.planning.method import Act
 from graphkin.say.plane import PolygonReading
 from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.formula import formula

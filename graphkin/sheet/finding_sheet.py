@@ -13,7 +13,7 @@ from graphkin.base.geometry import place
 from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.running.reaching import moved_to
+from graphkin.running.other_positions import moved_to
 from graphkin.say.finding import caption, lines
 from graphkin.sheet.fit import Extent
 from graphkin.sheet.grid import SheetGrid, panels_in

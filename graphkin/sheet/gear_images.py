@@ -11,7 +11,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.step_numbers import rate_found
+from graphkin.planning.method import rate_found
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
 from graphkin.sheet.skeleton import off_stretch

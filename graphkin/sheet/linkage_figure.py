@@ -23,8 +23,8 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.linkages import Linkage, Report
+from graphkin.studies.linkages.assembled import posed
 from graphkin.studies.linkages.linkage import LinkagePosition
-from graphkin.studies.linkages.placement import posed
 
 Row = Sequence[LinkagePosition]
 """Positions drawn over each other."""

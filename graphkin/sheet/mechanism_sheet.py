@@ -12,7 +12,7 @@ from dataclasses import replace
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.by_pose import shown
+from graphkin.planning.drawn_position import shown
 from graphkin.sheet.composed import Composed, Composition
 from graphkin.sheet.layout import Layout, cut_to, papers_for
 from graphkin.sheet.page import Sheet

@@ -17,12 +17,12 @@ from graphkin.construction import Plane, Plot, replay
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.step_numbers import births
+from graphkin.planning.method import births
+from graphkin.running import replay_all
 from graphkin.running.path import along, stride
-from graphkin.running.replaying import replay_all
 from graphkin.sheet.composed import HEADINGS
-from graphkin.sheet.drives import drives
 from graphkin.sheet.fit import Extent
+from graphkin.sheet.fixed_link import drives
 from graphkin.sheet.layout import Layout, lay_out, papers_for
 from graphkin.sheet.lettering import joined, plain, point_label
 from graphkin.sheet.marks import Text

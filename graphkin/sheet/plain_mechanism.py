@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from graphkin.construction import Plot
 from graphkin.planning import Method
-from graphkin.planning.step_numbers import births
-from graphkin.sheet.cams import equivalents
+from graphkin.planning.method import births
 from graphkin.sheet.marks import Disc, Mark, PointMark
 from graphkin.sheet.mechanism_figure import mechanism_figure
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.specials import named_specials, specials
-from graphkin.sheet.wheels import rims
+from graphkin.sheet.wheels import equivalents, rims
 from graphkin.sheet.window import Figure, Window
 
 

@@ -11,9 +11,9 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.held_still import held_labels
-from graphkin.planning.needed import Fact, at_rest
-from graphkin.planning.step_numbers import births
+from graphkin.planning.at_rest import at_rest, held_labels
+from graphkin.planning.method import births
+from graphkin.planning.needed import Fact
 from graphkin.say.catalogue import say
 from graphkin.say.polygons import polygon_entries as told
 from graphkin.say.reading import Reading

@@ -10,7 +10,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Along, Arc, Meet, Plot, Ray, Site, Touch
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.step_numbers import pages
+from graphkin.planning.method import pages
 from graphkin.sheet.fit import corners
 from graphkin.sheet.lettering import plain, point_label
 from graphkin.sheet.marks import Place, PointMark, Stroke

@@ -15,8 +15,8 @@ from dataclasses import replace
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OtherDimension, OutOfRange, SenseDisputed
-from graphkin.files.units import UNITS, Dimension, read_quantity
-from graphkin.model.mechanism import Mechanism
+from graphkin.files.values import UNITS, read_quantity
+from graphkin.model.mechanism import Dimension, Mechanism
 from graphkin.submissions.submission import HandedValue, Sense
 
 _RAISED = re.compile("[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+")

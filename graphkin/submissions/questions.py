@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import assert_never
 
 from graphkin.errors import GraphkinError
-from graphkin.files.names import split_points, tidy
+from graphkin.files.values import split_points, tidy
 from graphkin.model import quantities as kinds
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import Seen

@@ -13,8 +13,7 @@ from graphkin.base.value import frozen
 from graphkin.errors import NoFile, NoMarks, SaidBefore, Unreadable, Where
 from graphkin.marking.graded import Drawn
 from graphkin.marking.marked import HandedNumber, StudentWork
-from graphkin.outputs.marks_file import KIND, records_in
-from graphkin.outputs.marks_json import FORMAT, drawn_of
+from graphkin.outputs.marks_json import FORMAT, KIND, drawn_of, records_in
 
 _GLANCE = 200
 _POINTS = {"right": True, "wrong": False}

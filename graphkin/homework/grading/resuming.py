@@ -19,7 +19,7 @@ from graphkin.homework.grading.running import Way, items, run
 from graphkin.homework.grading.sets import SetMarker
 from graphkin.marking.graded import Graded
 from graphkin.outputs.files import refuse
-from graphkin.outputs.marks_file import MARKS, records_in, text
+from graphkin.outputs.marks_json import MARKS, records_in, text
 from graphkin.submissions import Handed
 
 SUFFIX = ".journal"

@@ -22,8 +22,8 @@ from graphkin.marking.power import alarms
 from graphkin.marking.told import SetTold, set_told
 from graphkin.outputs.files import beside, refuse
 from graphkin.outputs.key_json import key_text
+from graphkin.outputs.study_json import told_data
 from graphkin.outputs.svg import inline
-from graphkin.outputs.tolerance_json import told_data
 from graphkin.running import replay_all
 from graphkin.say.problems import MADE, problem
 from graphkin.say.tolerances import discriminability_lines

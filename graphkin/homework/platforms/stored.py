@@ -10,7 +10,7 @@ from typing import Any
 from graphkin.errors import NoFile, NotAResult, Unreadable, Where
 from graphkin.homework.platforms.result import Result, from_record
 from graphkin.marking.habits import Trace
-from graphkin.outputs.marks_file import END, HEAD, record_of, records_in
+from graphkin.outputs.marks_json import END, HEAD, record_of, records_in
 
 
 def read_results(path: Path) -> tuple[Result, ...]:

@@ -21,7 +21,7 @@ from graphkin.homework.problems.template import Template
 from graphkin.marking.telling import Telling, telling
 from graphkin.marking.told import LOOKED_AT, Always, Discriminability
 from graphkin.model.mechanism import Mechanism
-from graphkin.running.assembled import DrawnSides, assembled
+from graphkin.running.drawn_sides import DrawnSides, drawn_sides
 
 _TRIES = 200
 _HOPELESS = 20
@@ -90,7 +90,7 @@ def _drawn(template: Template, student: Student, seed: str, taken: _Taken, goal:
         if there and attempt < _APART:
             refused["taken"] += 1
             continue
-        seen = assembled(found.method, found.drawn)
+        seen = drawn_sides(found.method, found.drawn)
         good.append((Variant(student, numbers, mechanism, seen, goal.always.told(tells), there), own))
         if there or len(good) == LOOKED_AT or good[-1][0].told.lost <= goal.lost:
             break

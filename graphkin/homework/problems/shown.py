@@ -27,7 +27,7 @@ from graphkin.model.quantities import (
 from graphkin.model.quantities.reading import read
 from graphkin.planning import Method
 from graphkin.running import replay_all
-from graphkin.running.assembled import assembled
+from graphkin.running.drawn_sides import drawn_sides
 
 _ELSEWHERE = np.radians((25, -25, 15, -15, 40, -40, 8, -8))
 """By so much a turning driver is set elsewhere; one that slides, by that part of the mechanism's size."""
@@ -64,7 +64,7 @@ def _moved(method: Method, drawn: Plot, by: float) -> Plot | None:
     except GraphkinError:
         return None
     places = np.array([complex(place) for place in plot.position.values()])
-    told = assembled(method, drawn).lies  # what the text says must be true of the figure
+    told = drawn_sides(method, drawn).lies  # what the text says must be true of the figure
     return plot if np.isfinite(places).all() and all(lies.holds(plot) for lies in told) else None
 
 

@@ -13,7 +13,7 @@ from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import typeset, writable
 from graphkin.running.path import Event
 from graphkin.say.catalogue import say
-from graphkin.say.sweeps import told
+from graphkin.say.sweeps import why
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.lettering import number as number_label
 from graphkin.studies.sweeps import Course
@@ -175,5 +175,5 @@ def event_mark(event: Event, lang: Lang) -> str:
 
 def event_line(curves: Curves, event: Event, lang: Lang) -> str:
     """The line below the diagram: where, and which links."""
-    mark, why = event_mark(event, lang), writable(told(event, lang))
+    mark, why = event_mark(event, lang), writable(why(event, lang))
     return say("diagrams.event", lang, mark=mark[0].upper() + mark[1:], place=place_of(curves, event.at), why=why)

@@ -14,7 +14,7 @@ from graphkin.base.geometry import cross, dot, number
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, Where
 from graphkin.errors.centring import BadVelocities, NotOneBody, OnePlace
-from graphkin.files.units import read_quantity
+from graphkin.files.values import read_quantity
 
 Case = Literal["meet", "infinity", "similar", "point", "rest"]
 

@@ -7,9 +7,8 @@ from typing import Literal
 
 from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, BadCondition, GraphkinError, NoSuchDriver, NotANumber, NoUnitHere, Where
-from graphkin.files.names import tidy
-from graphkin.files.units import Dimension, read_quantity
-from graphkin.model.mechanism import Mechanism
+from graphkin.files.values import read_quantity, tidy
+from graphkin.model.mechanism import Dimension, Mechanism
 from graphkin.model.quantities import GRAVITY, SHAPE
 from graphkin.studies.sweeps.ranges import plain
 

@@ -19,8 +19,8 @@ from graphkin.model.naming import common_link, pair
 from graphkin.model.quantities import Moving
 from graphkin.planning import Method
 from graphkin.proof import roads as agreement
+from graphkin.running.other_positions import reached
 from graphkin.running.path import DriverPath
-from graphkin.running.reaching import reached
 from graphkin.studies.finding import comparing, conditions
 from graphkin.studies.finding.answers import Findings, Position, SlowPoint, Speeds
 from graphkin.studies.finding.conditions import WHERE, Comparison, Condition, Extreme, Scaling, Slowest

@@ -19,9 +19,8 @@ from graphkin.base.geometry import place as place_of
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import BadRange, GraphkinError, NoDimension, NoSuchDriver, Where
-from graphkin.files.names import split_points, tidy
-from graphkin.files.units import UNITS, Dimension, read_quantity
-from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.files.values import UNITS, read_quantity, split_points, tidy
+from graphkin.model.mechanism import FRAME, Dimension, Mechanism
 from graphkin.model.naming import driver_number
 from graphkin.planning import Method
 from graphkin.planning import plan as planned

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, CannotClose, CannotDriveBy, NotALength, OnlyStretched
-from graphkin.model.usual import ROUNDING
+from graphkin.model.mechanism import ROUNDING
 
 EVEN = 1e-9
 """Sums of lengths that differ by less than this part of all lengths together are equal: a change point."""

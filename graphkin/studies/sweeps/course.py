@@ -15,8 +15,8 @@ from graphkin.errors import BadRange, NoPosition, NoSuchDriver
 from graphkin.model.mechanism import Driver
 from graphkin.model.quantities import EDGE, driven
 from graphkin.planning import Method
+from graphkin.running.other_positions import reached
 from graphkin.running.path import DriverPath, Event
-from graphkin.running.reaching import reached
 from graphkin.running.tracing import trace
 from graphkin.studies.sweeps.ranges import ROWS, TURN, WHERE, DriverValues, Ranges, aligned, first_free, given_ranges
 

@@ -10,7 +10,8 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.errors import BadRange, BadValues, GivenTwice, GraphkinError, NoSuchDriver, Where
-from graphkin.files.units import LARGEST, UNITS, Dimension, read_quantity
+from graphkin.files.values import LARGEST, UNITS, read_quantity
+from graphkin.model.mechanism import Dimension
 from graphkin.model.naming import driver_number
 from graphkin.planning import Method
 

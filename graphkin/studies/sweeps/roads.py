@@ -23,9 +23,9 @@ from graphkin.proof.readings import readings
 from graphkin.proof.roads import AGREE, apart
 from graphkin.proof.roads import PLACES as PROVED
 from graphkin.running import replay_all
-from graphkin.running.many_positions import replay_along
+from graphkin.running.other_positions import replay_along
 from graphkin.running.path import DriverPath, along, stride
-from graphkin.running.program import Entry
+from graphkin.running.recorder import Entry
 from graphkin.studies.centres import centres, over
 from graphkin.studies.sweeps.course import Course
 

@@ -13,17 +13,16 @@ from graphkin.base.geometry import Value, dot
 from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, NotSwept, Where
 from graphkin.model.kinematic_state import Motions
-from graphkin.model.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism, Usual
 from graphkin.model.quantities import EDGE, Centre, Quantity, Quotient, Track, named, read
 from graphkin.model.readout import Readable
 from graphkin.model.units import Measured, Numbers, measured
-from graphkin.model.usual import Usual
 from graphkin.planning import Method
-from graphkin.running.many_positions import MANY
+from graphkin.running.in_numpy import lent
+from graphkin.running.other_positions import MANY
 from graphkin.running.path import stride
-from graphkin.running.program import Entry
-from graphkin.running.program.memory import lent
-from graphkin.running.program.program import VERY_MANY
+from graphkin.running.recorder import Entry
+from graphkin.running.replay_program import VERY_MANY
 from graphkin.studies.sweeps.course import Course, course
 from graphkin.studies.sweeps.ranges import TURN, Ranges
 from graphkin.studies.sweeps.roads import Road, centre_path, moving, prove
