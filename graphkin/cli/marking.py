@@ -24,7 +24,7 @@ from graphkin.cli.shared import (
 from graphkin.errors import BadPencil, Lang, Where
 
 if TYPE_CHECKING:
-    from graphkin.homework.grading import Pencils, Problem, SetMarker, Way
+    from graphkin.homework.grading import Pencils, Problem, SetMarker, MarkingOptions
     from graphkin.homework.platforms import PolygonPictures, Result, Reveal
     from graphkin.marking.graded import Graded
     from graphkin.marking.habits import Trace
@@ -108,7 +108,7 @@ def grade(
         raise click.UsageError("several problems are written into a folder: say --format, such as --format json")
     pencils = _pencils(pencil, sigmas, relative)
     names = tuple(name.strip() for name in letters.split(",") if name.strip())
-    way = grading.Way(Limits(turned=turned, names=names), jobs, words=lang)
+    way = grading.MarkingOptions(Limits(turned=turned, names=names), jobs, words=lang)
     told = _Told(kinds, reveal, assignment, force, as_json, lang)
     judges = [grading.judge_from(part.key, pencils) for part in parts]
     for part, judge in zip(parts, judges, strict=True):
@@ -208,7 +208,7 @@ class _Told:
     def _line(self, problem: str, line: Mapping[str, Any]) -> str:
         return json_line({**line, "problem": problem} if problem else line)
 
-    def write_records(self, path: Path, judge: SetMarker, part: Problem, way: Way) -> None:
+    def write_records(self, path: Path, judge: SetMarker, part: Problem, way: MarkingOptions) -> None:
         """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
         from graphkin.homework import grading, platforms
         from graphkin.outputs import marks_file, marks_json

@@ -1,21 +1,24 @@
-"""A marked submission: graphkin's own record as a value, with points that are rounded once."""
+"""A marked submission: graphkin's own record as a value, with points that are rounded once; and files of these."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import field
 from decimal import Decimal
+from pathlib import Path
 from typing import Any, Literal, get_args
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.errors import Lang, NotAResult, Where
-from graphkin.homework.platforms.numbers import points
+from graphkin.errors import Lang, NoFile, NotAResult, Unreadable, Where
 from graphkin.homework.platforms.question import Text
-from graphkin.marking.habits import Habit
+from graphkin.homework.platforms.tables import points
+from graphkin.marking.habits import Habit, Trace
 from graphkin.marking.key import Name
 from graphkin.marking.marked import Verdict
+from graphkin.outputs.marks_file import END, HEAD, record_of, records_in
 from graphkin.outputs.marks_json import drawn_of
 
 FORMAT = 1
@@ -60,7 +63,7 @@ class Suspicion:
 
 @frozen
 class ResultPicture:
-    """A picture on a page or a platform: what is said of it, its kind ("image/svg+xml"), its bytes.
+    """A picture on a page or a platform: its label, its kind ("image/svg+xml"), its bytes.
 
     Without bytes there is nothing to be seen, and `label` says why.
     """
@@ -184,3 +187,48 @@ def _string(value: object) -> str:
 def _text(value: object) -> Text:
     """A reason, which is written in one language."""
     return {} if value is None or value == "" else {"en": _string(value), "zh": _string(value)}
+
+
+def read_results(path: Path) -> tuple[Result, ...]:
+    """The results in a file of marks: after its head, a record a line. Raises NoFile, Unreadable, NotAResult."""
+    with _refused(path):
+        text = path.read_text(encoding="utf-8")
+    head, begins, rest = text.partition(HEAD)
+    if head or not begins:
+        raise NotAResult(Where(str(path), 1), text[:80])
+    records, ends, _ = rest.rpartition(f"\n{END}")
+    if not ends:
+        raise NotAResult(Where(str(path)), END)
+    results: list[Result] = []
+    for number, line in enumerate(records.split("\n")[1:], HEAD.count("\n") + 2):
+        record = record_of(line)
+        if record is None:
+            raise NotAResult(Where(str(path), number), "JSON")
+        results.append(from_record(record, Where(str(path), number)))
+    return tuple(results)
+
+
+def read_traces(path: Path) -> dict[str, Trace]:
+    """The evidence of each student's mistakes in a file of marks. Raises NoFile, Unreadable, NotAResult."""
+    traces: dict[str, Trace] = {}
+    with _refused(path):
+        for number, record in records_in(path):
+            try:
+                if record is not None and record["status"] == "marked":
+                    named = dict.fromkeys(str(id) for one in record["mistakes"][:1] for id in one["ids"])
+                    weights = {str(id): float(weight) for id, weight in record["evidence"].items()}
+                    traces[record["student"]] = Trace(tuple(named), weights)
+            except (ValueError, KeyError, TypeError, AttributeError):
+                raise NotAResult(Where(str(path), number), "evidence") from None
+    return traces
+
+
+@contextmanager
+def _refused(path: Path) -> Iterator[None]:
+    """An unreadable file becomes an error of graphkin's own."""
+    try:
+        yield
+    except FileNotFoundError:
+        raise NoFile(Where(str(path)), path.name, ()) from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise Unreadable(Where(str(path)), getattr(error, "strerror", None) or "UTF-8") from None

@@ -22,7 +22,7 @@ class Student:
 
 
 def roster(given: str) -> tuple[Student, ...]:
-    """The students of a CSV (UTF-8 with or without its mark, UTF-16, GBK), or s1 .. sN for a number N.
+    """The students of a CSV file (UTF-8 with or without its mark, UTF-16, GBK), or s1 .. sN for a number N.
 
     Raises NoFile, Unreadable, OutOfRange, StudentTwice, NoStudents.
     """
