@@ -23,9 +23,8 @@ from graphkin.running import replay_all
 from graphkin.say import derivation, vector_equations
 from graphkin.say.entry import Sentence
 from graphkin.sheet import Sheet, Style
-from graphkin.sheet.drafted import Drafted
-from graphkin.sheet.formula import formula
-from graphkin.sheet.lettering import Label
+from graphkin.sheet.construction_lines import Drafted
+from graphkin.sheet.lettering import Label, formula
 from graphkin.sheet.marks import ArcMark, Disc, PointMark, Stroke, Text, VectorMark
 
 SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}

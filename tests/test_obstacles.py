@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import shapely
 
-from graphkin.sheet.held import Held
+from graphkin.sheet.boxes import Held
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Stroke, Text
 from graphkin.sheet.obstacles import arc_places, obstacles, places

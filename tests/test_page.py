@@ -19,16 +19,14 @@ from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet, sheet
 from graphkin.sheet.about_sheet import about_sheet
 from graphkin.sheet.centre_sheet import centre_sheet
-from graphkin.sheet.fit import Extent, cut_out
 from graphkin.sheet.gallery_sheet import side_by_side
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Stroke, Text
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.page import Page, Panel, step_sheets
-from graphkin.sheet.paper import Room
-from graphkin.sheet.scales import SERIES, finer
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Figure, Window
+from graphkin.sheet.paper import SERIES, Room, finer
+from graphkin.sheet.window import Extent, Figure, Window, cut_out
 from graphkin.studies.centres import centres
 from graphkin.studies.centres.about import about
 

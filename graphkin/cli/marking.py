@@ -24,7 +24,7 @@ from graphkin.cli.shared import (
 from graphkin.errors import BadPencil, Lang, Where
 
 if TYPE_CHECKING:
-    from graphkin.homework.grading import Pencils, Problem, SetMarker, MarkingOptions
+    from graphkin.homework.grading import MarkingOptions, Pencils, Problem, SetMarker
     from graphkin.homework.platforms import PolygonPictures, Result, Reveal
     from graphkin.marking.graded import Graded
     from graphkin.marking.habits import Trace

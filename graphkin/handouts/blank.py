@@ -13,9 +13,8 @@ from graphkin.handouts.told import HandoutProblem
 from graphkin.model.quantities import EDGE, Centre, Quantity, Rotation
 from graphkin.say.catalogue import say
 from graphkin.say.entry import VectorEquation
-from graphkin.sheet.fit import corners
-from graphkin.sheet.formula import formula
-from graphkin.sheet.lettering import Label, plain, point_label
+from graphkin.sheet.lettering import Label, formula, plain, point_label
+from graphkin.sheet.window import corners
 
 ROOM = complex(160.0, 120.0)
 """Of any polygon that is drawn as large as a handout draws it [mm]."""

@@ -30,14 +30,11 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.running import replay_all
 from graphkin.say import entry
 from graphkin.say.catalogue import say
-from graphkin.sheet.composed import HEADINGS
-from graphkin.sheet.fit import corners
-from graphkin.sheet.formula import formula
-from graphkin.sheet.lettering import Label, plain
+from graphkin.sheet.composition import HEADINGS, Planes, Style
+from graphkin.sheet.lettering import Label, formula, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
-from graphkin.sheet.planes import Planes, Style
-from graphkin.sheet.scales import KEYS, finest, written
-from graphkin.sheet.window import PLANES
+from graphkin.sheet.paper import KEYS, finest, written
+from graphkin.sheet.window import PLANES, corners
 
 _ROOM = blank.ROOM / 1.2
 """What one figure takes up on a page at most [mm], without its labels."""

@@ -14,7 +14,7 @@ from graphkin.say import entry
 from graphkin.say.asked import Asked, asked
 from graphkin.say.explained import derivation
 from graphkin.say.reading import Reading
-from graphkin.sheet.scales import KEYS
+from graphkin.sheet.paper import KEYS
 from graphkin.sheet.window import PLANES
 
 

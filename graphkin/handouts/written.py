@@ -19,7 +19,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.explained import derivation
 from graphkin.sheet import scales_of
 from graphkin.sheet.lettering import Label, Run
-from graphkin.sheet.scales import KEYS
+from graphkin.sheet.paper import KEYS
 
 MARK = "graphkin solution"
 

@@ -22,11 +22,11 @@ from graphkin.outputs.paint import Colours, Ink
 from graphkin.outputs.spans import LATIN, mm, runs, short
 from graphkin.outputs.stated import kind, stated, statement
 from graphkin.sheet import Sheet
-from graphkin.sheet.composed import HEADINGS
+from graphkin.sheet.composition import HEADINGS
 from graphkin.sheet.lettering import Label
 from graphkin.sheet.marks import ArcMark, Disc, Half, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.page import Layer
-from graphkin.sheet.scales import written
+from graphkin.sheet.paper import written
 
 NAMESPACE = "https://graphkin.invalid/sheet/1"
 _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"

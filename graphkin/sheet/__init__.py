@@ -20,14 +20,13 @@ How to add a sheet:
 
 from __future__ import annotations
 
+from graphkin.sheet.composition import Style
 from graphkin.sheet.mechanism_sheet import mechanism_sheet as sheet
 from graphkin.sheet.mechanism_sheet import mechanism_step_sheets as step_sheets
 from graphkin.sheet.mechanism_sheet import scales_of
 from graphkin.sheet.page import Sheet
-from graphkin.sheet.paper import PAPERS, Paper
+from graphkin.sheet.paper import PAPERS, Paper, TooLargeForPaper, UnknownPaper
 from graphkin.sheet.path_figure import Paths
-from graphkin.sheet.planes import Style
-from graphkin.sheet.scales import TooLargeForPaper, UnknownPaper
 
 __all__ = [
     "PAPERS", "Paper", "Paths", "Sheet", "Style", "TooLargeForPaper", "UnknownPaper", "scales_of", "sheet",

@@ -9,16 +9,15 @@ from graphkin.base.value import frozen
 from graphkin.construction.drafting import INFINITE, LineStep, PointStep, drawn_through
 from graphkin.errors import Lang
 from graphkin.say.centre_about import bobillier_words
-from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.curves import clipped
-from graphkin.sheet.fit import enlarged
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, plain, point_label, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place
+from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.plain_mechanism import shown_places
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Entry, Figure
+from graphkin.sheet.single_figure import Alone, place_for
+from graphkin.sheet.window import Entry, Figure, enlarged
 from graphkin.studies.centres.about import About
 from graphkin.studies.centres.about_bobillier import Bobillier
 

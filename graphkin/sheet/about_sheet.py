@@ -15,18 +15,16 @@ from graphkin.model.mechanism import FRAME
 from graphkin.say.centre_about import link_words
 from graphkin.say.numbers import number
 from graphkin.sheet.about_table import point_tables
-from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.curves import circle, clipped
-from graphkin.sheet.fit import enlarged
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, joined, plain, quantity_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
+from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
-from graphkin.sheet.paper import PenName, Room
-from graphkin.sheet.plain_mechanism import shown_places
-from graphkin.sheet.scales import finest
+from graphkin.sheet.paper import PenName, Room, finest
+from graphkin.sheet.single_figure import Alone, place_for
 from graphkin.sheet.symbols import arrow_head
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Entry, Figure
+from graphkin.sheet.window import Entry, Figure, enlarged
 from graphkin.studies.centres.about import About, Circle, InflectionLine
 
 _POLE, _MOST = 2.6, 1.5

@@ -7,7 +7,7 @@ import cmath
 from graphkin.errors import Lang
 from graphkin.sheet.centre_arrows import coordinates
 from graphkin.sheet.lettering import Label, Run, number, plain, point_label
-from graphkin.sheet.table import Table
+from graphkin.sheet.titleblock import Table
 from graphkin.studies.centres.about import About, CarriedPoint
 
 _POINT: dict[Lang, str] = {"en": "point", "zh": "点"}

@@ -10,11 +10,11 @@ from graphkin.construction.drafting import Far
 from graphkin.sheet.centre_lines import reach_of
 from graphkin.sheet.centre_places import CentreLine as PaperLine
 from graphkin.sheet.centre_places import OnPaper, Spot, centre_label, clipped
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, number, plain
 from graphkin.sheet.marks import Mark, Place, VectorMark
 from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.symbols import BLOCK
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 from graphkin.studies.centres import Centres
 

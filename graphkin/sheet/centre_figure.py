@@ -5,12 +5,12 @@ from __future__ import annotations
 from graphkin.sheet.centre_arrows import centre_arrows
 from graphkin.sheet.centre_lines import centre_lines
 from graphkin.sheet.centre_places import SAME, OnPaper, Spot, centre_label
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined
 from graphkin.sheet.marks import Disc, Mark, PointMark
-from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places
+from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import HINGE
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.centres import Centres
 

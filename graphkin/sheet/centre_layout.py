@@ -12,12 +12,11 @@ from graphkin.sheet.centre_circle import circle_size
 from graphkin.sheet.centre_figure import bare_mechanism
 from graphkin.sheet.centre_places import spots
 from graphkin.sheet.centre_table import CentreTable, centre_table
-from graphkin.sheet.fit import Extent, corners
 from graphkin.sheet.layout import HEAD, divided, papers_for
+from graphkin.sheet.mechanism_figure import mechanism_places
 from graphkin.sheet.paper import Paper, Room
-from graphkin.sheet.plain_mechanism import mechanism_places
 from graphkin.sheet.titleblock import strip_height
-from graphkin.sheet.window import Window
+from graphkin.sheet.window import Extent, Window, corners
 from graphkin.studies.centres import Centres
 
 _TRIAL = 80.0

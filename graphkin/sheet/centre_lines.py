@@ -6,10 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 from graphkin.sheet.centre_places import SAME, CentreLine, Laid, OnPaper, Spot, clipped
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Stroke
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
 _BEYOND = 4.0

@@ -12,7 +12,7 @@ from graphkin.sheet.centre_arrows import coordinates
 from graphkin.sheet.centre_places import Spot, centre_label, spots
 from graphkin.sheet.lettering import Label, Run, number, plain, point_label
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
-from graphkin.sheet.table import PITCH, SIZE, Table, height_of
+from graphkin.sheet.titleblock import PITCH, SIZE, Table, height_of
 from graphkin.studies.centres import Centres
 
 _GAP, _BETWEEN = 2.6, 6.0

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.errors import Lang
-from graphkin.sheet.alone import Alone
 from graphkin.sheet.centrode_sheet import centre_at, centrode_marks, centrode_page, heading, plot_at
 from graphkin.sheet.marks import Disc
 from graphkin.sheet.page import Sheet
+from graphkin.sheet.single_figure import Alone
 from graphkin.sheet.window import Figure
 from graphkin.studies.centres.centrodes import Centrodes
 

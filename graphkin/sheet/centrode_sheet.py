@@ -11,16 +11,15 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.running.path import along
 from graphkin.say.centre_curves import curves_met
-from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.curves import clipped
-from graphkin.sheet.fit import corners, enlarged
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, link_label, plain, quantity_label
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke
+from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.plain_mechanism import shown_places
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Figure
+from graphkin.sheet.single_figure import Alone, place_for
+from graphkin.sheet.window import Figure, corners, enlarged
 from graphkin.studies.centres.centrodes import Centrodes
 
 _ROUND = 0.75

@@ -8,11 +8,11 @@ from collections.abc import Iterator
 
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import Board
-from graphkin.sheet.alone import Alone
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, number, plain
 from graphkin.sheet.marks import ArcMark, Stroke
 from graphkin.sheet.paper import BODY
-from graphkin.sheet.wanted import LabelRequest
+from graphkin.sheet.single_figure import Alone
 from graphkin.sheet.window import Entry
 from graphkin.studies.design import Solution
 

@@ -33,13 +33,13 @@ from graphkin.construction.drafting import (
     Step,
     drawn_through,
 )
-from graphkin.sheet.alone import Alone
 from graphkin.sheet.curves import clipped
 from graphkin.sheet.design_angles import DesignAngles
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import joined, point_label
 from graphkin.sheet.marks import ArcMark, Disc, Stroke
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.wanted import LabelRequest
+from graphkin.sheet.single_figure import Alone
 from graphkin.sheet.window import Entry, Figure
 from graphkin.studies.design import Family, Solution
 

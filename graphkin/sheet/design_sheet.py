@@ -16,15 +16,15 @@ from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.proof.roads import proved
 from graphkin.say.design import error, mechanism_of
-from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.design_figure import DesignFigure
-from graphkin.sheet.fit import enlarged
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
 from graphkin.sheet.marks import Text
+from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import LABEL
-from graphkin.sheet.plain_mechanism import shown_places
-from graphkin.sheet.wanted import LabelRequest
+from graphkin.sheet.single_figure import Alone, place_for
+from graphkin.sheet.window import enlarged
 from graphkin.studies.design import Design, Solution
 
 _COLUMN, _LINE = 42.0, 6.2

@@ -16,15 +16,14 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.sheet.fit import magnified
 from graphkin.sheet.free_room import FreeRoom
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, plain, width
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import BODY, Room
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Figure, Window
+from graphkin.sheet.window import Figure, Window, magnified
 
 _RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)
 """Of the circles that are tried about a part of a figure [mm]."""

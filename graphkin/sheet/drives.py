@@ -10,10 +10,10 @@ from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Line
 from graphkin.sheet import symbols
 from graphkin.sheet.fixed_link import ground_way
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, between, joined, quantity_label
 from graphkin.sheet.marks import Place, Shows
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.wheels import circles, wheels_of
 from graphkin.sheet.window import Figure
 

@@ -10,10 +10,10 @@ from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Slide
 from graphkin.sheet import symbols
 from graphkin.sheet.cams import follower
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
 _REACH, _AWAY, _STUB = 13.0, 18.0, 6.5

@@ -12,13 +12,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.sheet.equation_rows import EquationBlock
-from graphkin.sheet.held import Held
+from graphkin.sheet.boxes import Held
 from graphkin.sheet.label_candidates import LabelScene
+from graphkin.sheet.label_requests import LabelCandidates, LabelRequest
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
-from graphkin.sheet.wanted import LabelCandidates, LabelRequest
+from graphkin.sheet.text_blocks import EquationBlock
 
 _CLEAR = 0.6
 """What is added keeps this from everything there [mm]."""

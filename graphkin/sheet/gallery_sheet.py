@@ -13,15 +13,14 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.sheet.fit import Extent
 from graphkin.sheet.layout import divided, papers_for
+from graphkin.sheet.mechanism_figure import plain_mechanism, shown_places
 from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.paper import BODY, Paper, Room
-from graphkin.sheet.pictures import Caption, Picture
-from graphkin.sheet.plain_mechanism import plain_mechanism, shown_places
+from graphkin.sheet.single_figure import Caption, Picture
 from graphkin.sheet.slowest_point import marked, near
 from graphkin.sheet.titleblock import Strip, strip_height
-from graphkin.sheet.window import Figure, Window
+from graphkin.sheet.window import Extent, Figure, Window
 from graphkin.studies.finding.answers import SlowPoint
 
 MOST = 12

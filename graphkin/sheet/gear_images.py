@@ -11,9 +11,9 @@ from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.planning.step_numbers import rate_found
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window
 

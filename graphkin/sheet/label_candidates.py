@@ -1,4 +1,4 @@
-"""The places that labels of a figure might take, and what each has about it; looked at only where they are asked for.
+"""The candidate places of a figure's labels, and what lies about each; rated only where they are asked for.
 
 Most labels stand where they would like to. So the places at what they name come first, for all labels at once; those
 on a leader, and far off, only for labels that find none there.
@@ -9,18 +9,72 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import field
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from graphkin.base.value import filled
-from graphkin.sheet.held import Held
+from graphkin.sheet.boxes import Held
+from graphkin.sheet.label_requests import CRAMMED, LabelCandidates, LabelRequest, lettering
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Mark, Place, Text
-from graphkin.sheet.nearness import Arrows
+from graphkin.sheet.marks import Mark, Place, Text, VectorMark
 from graphkin.sheet.obstacles import Obstacles, obstacles, places
 from graphkin.sheet.paper import Room
-from graphkin.sheet.wanted import CRAMMED, LabelCandidates, LabelRequest, lettering
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+_NEARER = 0.3
+"""By so much, to the eye [mm]."""
+_LEAST = 0.1
+"""Shorter arrows are points [mm]."""
+
+
+class Arrows:
+    """The arrows of a figure, by name."""
+
+    def __init__(self, drawn: Iterable[Mark]) -> None:
+        vectors = [mark for mark in drawn if isinstance(mark, VectorMark) and mark.length > _LEAST]
+        self.names = np.array([vector.name for vector in vectors])
+        self.start = np.array([vector.start for vector in vectors], dtype=complex)
+        self.end = np.array([vector.end for vector in vectors], dtype=complex)
+
+    def strange(
+        self,
+        wanted: Sequence[LabelRequest],
+        owner: NDArray[np.intp],
+        low: NDArray[np.float64],
+        high: NDArray[np.float64],
+    ) -> NDArray[np.bool_]:
+        """Boxes low..high of labels that stand nearer to an arrow that is not their owner's."""
+        found = np.zeros(len(owner), dtype=bool)
+        if len(self.names) < 2:
+            return found
+        for k, want in enumerate(wanted):
+            own = self.names == want.of
+            if want.of and own.any():
+                rows = np.flatnonzero(owner == k)
+                apart = _apart(low[rows, None], high[rows, None], self.start, self.end)
+                found[rows] = apart[:, own].min(axis=1) > apart[:, ~own].min(axis=1, initial=np.inf) - _NEARER
+        return found
+
+
+def _apart(low: Any, high: Any, start: Any, end: Any) -> Any:
+    """Distance of boxes (m, 1, 2) from lines from start to end (n,), complex: (m, n); 0 where they meet."""
+    (left, top), (right, bottom) = np.moveaxis(low, -1, 0), np.moveaxis(high, -1, 0)
+    found = [_from_line(x + 1j * y, start, end) for x in (left, right) for y in (top, bottom)]
+    for at in (start, end):
+        across = np.maximum(np.maximum(left - at.real, at.real - right), 0.0)
+        found.append(np.hypot(across, np.maximum(np.maximum(top - at.imag, at.imag - bottom), 0.0)))
+    return np.minimum.reduce(found)
+
+
+def _from_line(at: Any, start: Any, end: Any) -> Any:
+    way = end - start
+    off = at - start
+    along = np.clip((off * way.conj()).real / (way * way.conj()).real, 0.0, 1.0)
+    return np.abs(off - along * way)
+
 
 NEAR, LED, FAR, FARTHEST = range(4)
 """Places at what a label names, on a leader about that, and farther off."""

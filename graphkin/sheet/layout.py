@@ -19,11 +19,9 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
-from graphkin.sheet.fit import Extent, Over, height_over
 from graphkin.sheet.page import HEAD_WIDTH
-from graphkin.sheet.paper import LARGE, PAPERS, USUAL, Paper, Room
-from graphkin.sheet.scales import KEYS, UNITS, TooLargeForPaper, UnknownPaper, finer
-from graphkin.sheet.window import Window
+from graphkin.sheet.paper import KEYS, LARGE, PAPERS, UNITS, USUAL, Paper, Room, TooLargeForPaper, UnknownPaper, finer
+from graphkin.sheet.window import Extent, Over, Window, height_over
 
 HEAD = 7.5
 """Height of a figure's heading [mm]."""

@@ -8,11 +8,11 @@ from collections.abc import Iterator
 
 from graphkin.sheet import symbols
 from graphkin.sheet.fixed_link import away_from
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.linkage_figure import on_paper
 from graphkin.sheet.marks import ArcMark, Mark, Place, Stroke
 from graphkin.sheet.paper import BODY
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.linkages import Report
 from graphkin.studies.linkages.linkage import LinkagePosition

@@ -12,7 +12,7 @@ from graphkin.sheet.linkage_figure import drawn_over, pictured
 from graphkin.sheet.marks import Mark, Text
 from graphkin.sheet.page import Page, Sheet
 from graphkin.sheet.paper import TITLE, Paper
-from graphkin.sheet.pictures import Caption, Picture
+from graphkin.sheet.single_figure import Caption, Picture
 from graphkin.sheet.titleblock import frame
 from graphkin.studies.linkages import FAMILY, report
 from graphkin.studies.linkages.family import Member

@@ -18,7 +18,7 @@ from graphkin.sheet.linkage_figure import drawn_over, pictured
 from graphkin.sheet.linkage_table import linkage_tables
 from graphkin.sheet.page import Page, Panel, Sheet
 from graphkin.sheet.paper import Room
-from graphkin.sheet.pictures import Caption, Picture
+from graphkin.sheet.single_figure import Caption, Picture
 from graphkin.sheet.titleblock import Strip, strip_height
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.linkages import Report

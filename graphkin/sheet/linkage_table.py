@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from graphkin.sheet.formula import points_label
-from graphkin.sheet.lettering import Label, Run, number, point_label, quantity_label
-from graphkin.sheet.table import Table
+from graphkin.sheet.lettering import Label, Run, number, point_label, points_label, quantity_label
+from graphkin.sheet.titleblock import Table
 from graphkin.studies.linkages import Report
 
 Row = tuple[Label, Label]

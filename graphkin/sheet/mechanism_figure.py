@@ -1,4 +1,4 @@
-"""The mechanism drawn to scale: which sign stands where, and what is lettered."""
+"""The mechanism drawn to scale: its signs and its letters."""
 
 from __future__ import annotations
 
@@ -7,21 +7,23 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
+from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Cam, CircularSlot, Pair, Slide
 from graphkin.planning import Method
+from graphkin.planning.step_numbers import births
 from graphkin.sheet import symbols
 from graphkin.sheet.cams import equivalents, follower, profiles
 from graphkin.sheet.circular_slots import circular_slot
 from graphkin.sheet.drives import drives
 from graphkin.sheet.fixed_link import grounds
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, point_label
-from graphkin.sheet.marks import Fill, Mark, Place, PointMark, Shows, Stroke
+from graphkin.sheet.marks import Disc, Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton, hull, in_line
-from graphkin.sheet.specials import contacts, specials
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.wheels import wheels, wheels_of
-from graphkin.sheet.window import Figure
+from graphkin.sheet.specials import contacts, named_specials, specials
+from graphkin.sheet.wheels import rims, wheels, wheels_of
+from graphkin.sheet.window import Figure, Window
 
 Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
 
@@ -267,3 +269,37 @@ def _widest_gap(places: list[Place]) -> tuple[Place, Place]:
     assert ends is not None
     order = sorted(places, key=lambda p: abs(p - places[ends[0]]))
     return max(pairwise(order), key=lambda pair: abs(pair[1] - pair[0]))
+
+
+def mechanism_places(method: Method, plot: Plot) -> list[complex]:
+    """The places that the mechanism itself takes up [m]."""
+    machine, points = method.mechanism, plot.position
+    return [*(complex(points[p]) for p in machine.points if p in points), *rims(machine, points)]
+
+
+def shown_places(method: Method, plot: Plot) -> list[complex]:
+    """The places its figure shows: the mechanism's, and special points near it [m]."""
+    places = mechanism_places(method, plot)
+    return [*places, *named_specials(method, plot, places).values()]
+
+
+def plain_mechanism(method: Method, plot: Plot, window: Window) -> Figure:
+    """The mechanism's own figure with its points as circles."""
+    born = births(method, "position")
+    figure = mechanism_figure(Skeleton(method.mechanism, plot, window, born), method, shown_places(method, plot))
+    return Figure([plainly(mark) for mark in figure.marks], figure.wanted)
+
+
+def bare_figure(method: Method, skeleton: Skeleton) -> Figure:
+    """The mechanism as a problem gives it: no special points and no lower-pair equivalents, which a solution finds."""
+    whole, beside = mechanism_figure(skeleton, method, []), specials(method, skeleton, [])
+    left_out = [*beside.marks, *equivalents(skeleton)]
+    marks = [mark for mark in whole.marks if mark not in left_out]
+    return Figure(marks, [want for want in whole.wanted if want not in beside.wanted])
+
+
+def plainly(mark: Mark) -> Mark:
+    """A point as a circle and nothing more."""
+    if not isinstance(mark, PointMark):
+        return mark
+    return Disc(mark.at, mark.radius, "outline" if mark.fill == "paper" else "construction", mark.fill, step=mark.step)

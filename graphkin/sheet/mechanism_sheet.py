@@ -9,18 +9,27 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
+from graphkin.planning.acts import Act
 from graphkin.planning.by_pose import shown
-from graphkin.sheet.composed import Composed, Composition
+from graphkin.say.catalogue import say
+from graphkin.say.entry import Sentence
+from graphkin.say.explained import derivation
+from graphkin.say.numbers import circled
+from graphkin.say.reading import Reading
+from graphkin.sheet.composition import Composed, Composition, Planes, Style
 from graphkin.sheet.layout import Layout, cut_to, papers_for
+from graphkin.sheet.lettering import formula, plain
+from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.page import Sheet
-from graphkin.sheet.paper import LARGE
+from graphkin.sheet.paper import BODY, LARGE, Room, TooLargeForPaper
 from graphkin.sheet.path_figure import NONE, Paths
-from graphkin.sheet.planes import Planes, Style
 from graphkin.sheet.results import tables
-from graphkin.sheet.scales import TooLargeForPaper
+from graphkin.sheet.text_blocks import LINE, broken
+from graphkin.sheet.titleblock import tables_room
 from graphkin.sheet.window import PLANES
 
 _CROWDED, _EASED = 10, 2 / 3
@@ -66,7 +75,7 @@ def mechanism_sheet(
 
 def _given(drawing: Planes, paper: str | None, tight: bool) -> Sheet:
     """The mechanism alone, with what the problem gives and asks."""
-    from graphkin.sheet.given_tables import given_tables
+    from graphkin.sheet.results import given_tables
 
     work = Composition(drawing, [] if tight else given_tables(drawing.reading({})), tight)
     return replace(_whole(work, paper).lettered.sheet, given=True)
@@ -119,7 +128,7 @@ def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
 
 def _staged(work: Composition, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
-    from graphkin.sheet.captions import Captions  # all the words of a solution
+    from graphkin.sheet.mechanism_sheet import Captions  # all the words of a solution
 
     found, drawing = _whole(work, paper), work.drawing
     layout, whole = found.layout, replace(found, stages=True).lettered.sheet
@@ -168,3 +177,37 @@ def _divided(work: Composition, paper: str | None, large: bool | None, trial: bo
 def _is_large(layout: Layout) -> bool:
     """Whether its paper is a large one; one that is cut tight has no margin."""
     return layout.paper.name in [paper.name for paper in LARGE]
+
+
+@frozen
+class Captions:
+    """What is told of each act, in a strip. acts: those that are drawn."""
+
+    acts: Sequence[Act]
+    texts: Mapping[Act, str]
+    lang: Lang
+
+    @classmethod
+    def of(cls, reading: Reading, planes: Sequence[Plane]) -> Captions:
+        entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
+        texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
+        return cls([act for act in reading.method.acts if act.plane in planes], texts, reading.lang)
+
+    def sheet(self, whole: Sheet, number: int, strip: Room | None) -> Sheet:
+        """The drawing as far as one of the acts, counted from 1, with its sentence in the strip if there is one."""
+        act, drawn = self.acts[number - 1], whole.upto(self.acts[number - 1].page)
+        if strip is None:
+            return drawn
+        below, *others = drawn.layers
+        marks = self._marks(act, number, strip, tables_room(whole.paper))
+        return replace(drawn, layers=(replace(below, marks=(*below.marks, *marks)), *others))
+
+    def _marks(self, act: Act, number: int, strip: Room, wide: float) -> Iterator[Mark]:
+        head = say("sheet.step", self.lang, number=number, count=len(self.acts))
+        at: Place = complex(strip.left + 3, strip.top + 6)
+        yield Text(plain(head), at, BODY)
+        sign = f"{circled(act.number)} " if act.numbered else ""
+        for line in broken(sign + self.texts.get(act, ""), wide, BODY):
+            at += 1j * LINE * BODY
+            if at.imag < strip.bottom - 9:
+                yield Text(formula(line), at, BODY)

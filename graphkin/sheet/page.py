@@ -18,15 +18,14 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
-from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import LABEL, Paper, Room
-from graphkin.sheet.scales import written
+from graphkin.sheet.paper import LABEL, Paper, Room, written
+from graphkin.sheet.text_blocks import EquationBlock
 from graphkin.sheet.titleblock import Strip, strip
 from graphkin.sheet.window import Figure, Window
 

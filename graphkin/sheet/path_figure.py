@@ -10,13 +10,11 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
-from graphkin.sheet.formula import points_label
-from graphkin.sheet.lettering import Label, number, plain, point_label
+from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.lettering import Label, number, plain, point_label, points_label
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke, Text
-from graphkin.sheet.paper import LEAST
-from graphkin.sheet.scales import finest
+from graphkin.sheet.paper import LEAST, finest
 from graphkin.sheet.symbols import arrow
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 
 if TYPE_CHECKING:

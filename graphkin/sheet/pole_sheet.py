@@ -11,18 +11,16 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME, Link, Mechanism
 from graphkin.say.catalogue import in_both
 from graphkin.say.centre_about import pole_words
-from graphkin.sheet.fit import Extent
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import divided, papers_for
 from graphkin.sheet.lettering import Run, number, plain, point_label, quantity_label
 from graphkin.sheet.marks import Disc, Place, Stroke
 from graphkin.sheet.page import Page, Sheet
-from graphkin.sheet.pictures import Caption, Picture
-from graphkin.sheet.scales import finest
+from graphkin.sheet.paper import finest
+from graphkin.sheet.single_figure import Caption, Picture
 from graphkin.sheet.symbols import SWEEP, arrow_head, spin
-from graphkin.sheet.table import Table
-from graphkin.sheet.titleblock import Strip, strip_height
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Entry, Figure, Window
+from graphkin.sheet.titleblock import Strip, Table, strip_height
+from graphkin.sheet.window import Entry, Extent, Figure, Window
 from graphkin.studies.centres.two_velocities import TwoVelocities
 
 _ARROW = 45.0

@@ -14,10 +14,10 @@ from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning.held_still import relabelled
 from graphkin.sheet import gear_images
 from graphkin.sheet.gear_images import GearImage
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, plain, point_label, vector_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke, VectorMark
 from graphkin.sheet.skeleton import hull, in_line
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 
 _SAME = 0.15

@@ -1,19 +1,37 @@
-"""The table of results on the sheet: what was asked in bold, the rest as far as there is room."""
+"""Tables of a sheet: results, those that were asked for in bold; or what a problem gives and asks."""
 
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import assert_never
 
 from graphkin.base.value import frozen
 from graphkin.construction import Node, Plot
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities import (
+    Centre,
+    Component,
+    Displacement,
+    Moving,
+    Place,
+    Quantity,
+    Quotient,
+    Rotation,
+    Track,
+)
+from graphkin.model.quantities.reading import read
 from graphkin.model.usual import Usual
 from graphkin.planning import Method
+from graphkin.say.catalogue import say
+from graphkin.say.dimensions import dimensions
+from graphkin.say.reading import Reading
 from graphkin.sheet.lettering import (
     Label,
     Run,
     bold,
+    formula,
+    joined,
     link_label,
     number,
     plain,
@@ -21,7 +39,8 @@ from graphkin.sheet.lettering import (
     quantity_label,
     vector_label,
 )
-from graphkin.sheet.table import Table
+from graphkin.sheet.text_blocks import WrittenLines
+from graphkin.sheet.titleblock import SIZE, Table
 
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
 
@@ -161,3 +180,34 @@ def _moves(method: Method, node: Node) -> bool:
 def _pair_label(low: str) -> Label:
     """`B3B2` as a row's name: the subscript of a relative velocity."""
     return tuple(Run(run.text, run.italic) for run in vector_label(f"v_{low}")[1:])
+
+
+_WIDE = 62.0
+"""Lines of what is given are no longer [mm]."""
+
+
+def given_tables(reading: Reading) -> list[Table]:
+    """Dimensions and driven rates; what is asked for. Empty ones left out."""
+    given = WrittenLines.of([formula(text) for text in dimensions(reading)], _WIDE, SIZE).lines
+    asked = WrittenLines.of([_asked(reading, text) for text in reading.mechanism.ask], _WIDE, SIZE).lines
+    found = ((say("sheet.given", reading.lang), given), (say("sheet.find", reading.lang), asked))
+    return [Table((plain(head),), tuple((line,) for line in lines)) for head, lines in found if lines]
+
+
+def _asked(reading: Reading, text: str) -> Label:
+    """A question as the field writes it; what is no quantity, as the file does."""
+    quantity = read(reading.mechanism, text)
+    return plain(text) if quantity is None else label_of(quantity)
+
+
+def label_of(quantity: Quantity, over: str = " / ") -> Label:
+    """A quantity as the field writes it: `theta 3` as θ₃, `a_k B3B2` as a with k above B3B2."""
+    match quantity:
+        case Quotient():
+            return joined([label_of(half) for half in quantity.halves], over)
+        case Rotation() | Displacement() | Place() | Track() | Moving() | Component():
+            return quantity_label(quantity.letter, quantity.of.replace(",", ", ").replace("@", " "), quantity.part)
+        case Centre():
+            return quantity_label("P", quantity.text.removeprefix("P"))
+        case _:
+            assert_never(quantity)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Run
 from graphkin.sheet.marks import Disc, Mark, Stroke
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.finding.answers import SlowPoint
 

@@ -10,12 +10,12 @@ from graphkin.construction import Along, Arc, Direction, Meet, Plot, Ray, Site, 
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.planning.step_numbers import pages
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import plain, point_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Stroke
 from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import arrow_head
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
 _BEYOND = 6.0

@@ -30,7 +30,7 @@ from graphkin.running import replay_all
 from graphkin.say.catalogue import LANGUAGES
 from graphkin.say.problems import MADE, problem, statement
 from graphkin.say.told import told_lines
-from graphkin.sheet.problem_sheet import problem_sheet
+from graphkin.sheet.single_figure import problem_sheet
 from graphkin.submissions import safe_name
 
 MARK = "graphkin problems"

@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from graphkin.base.value import frozen
 from graphkin.model.quantities import EDGE, Quantity
 from graphkin.outputs.diagram.curves import Curves
-from graphkin.sheet.given_tables import label_of
 from graphkin.sheet.lettering import Label, joined
+from graphkin.sheet.results import label_of
 
 MOST = 6
 """More curves than these do not stand together."""

@@ -1,4 +1,4 @@
-"""A label that wants a place, and where it may stand: around its point, along its line, or far off on a leader."""
+"""A label that wants a place, and its candidates: around its point, along its line, or far off on a leader."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
-"""Vector equations on the sheet: terms in columns, under each what is known of its direction and its size."""
+"""Text on paper in lines: labels, sentences, and vector equations with what is known under each term."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -9,10 +10,96 @@ from itertools import chain
 
 from graphkin.base.value import frozen
 from graphkin.say.entry import Entry, Sentence, VectorEquation
-from graphkin.sheet.formula import formula
-from graphkin.sheet.lettering import Label, plain, width
+from graphkin.sheet.lettering import Label, formula, joined, plain, width
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.paper import BODY, LEAST
+
+_PITCH = 1.45
+"""From base line to base line, as a part of the letters' size."""
+
+
+@frozen
+class WrittenLines:
+    """Lines of letters of one size [mm]."""
+
+    lines: tuple[Label, ...]
+    letters: float
+
+    @classmethod
+    def of(cls, labels: Sequence[Label], room: float, letters: float, between: str = ",  ") -> WrittenLines:
+        """As many labels on each line as fit its width [mm]."""
+        lines: list[list[Label]] = []
+        for label in labels:
+            if lines and width(joined([*lines[-1], label], between), letters) <= room:
+                lines[-1].append(label)
+            else:
+                lines.append([label])
+        return cls(tuple(joined(line, between) for line in lines), letters)
+
+    @property
+    def size(self) -> complex:
+        """Width and height [mm]."""
+        wide = max((width(line, self.letters) for line in self.lines), default=0.0)
+        return complex(wide, _PITCH * self.letters * len(self.lines))
+
+    def marks(self, corner: Place, step: int | None = None) -> Iterator[Text]:
+        """From their upper left corner."""
+        for k, line in enumerate(self.lines):
+            yield Text(line, corner + 1j * self.letters * (_PITCH * k + 1.0), self.letters, step)
+
+
+LINE = 1.4
+"""From base line to base line, as a part of the letters' size."""
+_INDENT = 2.5
+"""How far the further lines of a sentence stand in [mm]."""
+_MOST = 16
+"""Lines in a strip; what is longer is cut."""
+_STOPS = r"[\u3001\u3002\uff0c\uff1b\uff09]?"
+_WORD = r"[^\s\u2e80-\uffef]+"
+_PIECE = rf"{_WORD}(?: [=≈<>] {_WORD})*{_STOPS}|[\u2e80-\uffef]{_STOPS}|\s+"
+
+
+def broken(text: str, room: float, size: float) -> Iterator[str]:
+    """Lines that fit a width [mm]: broken at blanks, and between Chinese characters."""
+    line = ""
+    for piece in re.findall(_PIECE, text):
+        if line and width(formula((line + piece).rstrip()), size) > room:
+            yield line.rstrip()
+            line = piece.lstrip()
+        else:
+            line += piece
+    if line.strip():
+        yield line.rstrip()
+
+
+@frozen
+class Paragraphs:
+    """Lines with how far each stands in [mm], in letters of one size."""
+
+    lines: tuple[tuple[str, float], ...]
+    letters: float
+
+    @classmethod
+    def of(cls, texts: Sequence[str], room: float, letters: float) -> Paragraphs:
+        """Sentences in a width [mm]; a blank at a text's beginning sets all of it in."""
+        found: list[tuple[str, float]] = []
+        for text in texts:
+            own = _INDENT if text != text.lstrip() else 0.0
+            pieces = broken(text.strip(), room - own - _INDENT, letters)
+            found += [(line, own + (_INDENT if k else 0.0)) for k, line in enumerate(pieces)]
+        kept = found if len(found) <= _MOST else [*found[: _MOST - 1], ("…", 0.0)]
+        return cls(tuple(kept), letters)
+
+    @property
+    def height(self) -> float:
+        """[mm]"""
+        return LINE * self.letters * len(self.lines)
+
+    def marks(self, corner: Place) -> Iterator[Text]:
+        """From their upper left corner."""
+        for k, (line, into) in enumerate(self.lines):
+            yield Text(formula(line), corner + into + 1j * self.letters * (LINE * k + 1.1), self.letters)
+
 
 _SIZES = (BODY, LEAST, LEAST)
 _LINES = (3.2, 7.3, 11.2)

@@ -1,6 +1,6 @@
-"""What stands on the mechanism beside its own signs: lengths that are measured, rotations found, and what is given.
+"""Annotations of the mechanism beside its own signs: lengths that are measured, rotations, and what is given.
 
-It is drawn last, where signs and labels have left room; what has none is left out.
+They are drawn last, where signs and labels have left room; what has none is left out.
 """
 
 from __future__ import annotations
@@ -20,16 +20,14 @@ from graphkin.model.quantities import Rotation, read
 from graphkin.planning.step_numbers import rate_found
 from graphkin.say.dimensions import dimensions, length, measured_lengths
 from graphkin.say.reading import Reading
-from graphkin.sheet.equation_rows import EquationBlock
-from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Annotations, FreeRoom
-from graphkin.sheet.lettering import quantity_label
+from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.lettering import formula, quantity_label
 from graphkin.sheet.marks import ArcMark, Form, Mark, Shows, Stroke, Text
 from graphkin.sheet.paper import LEAST
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.written_lines import WrittenLines
+from graphkin.sheet.text_blocks import EquationBlock, WrittenLines
 
 _RADII = (7.0, 9.5, 12.0, 15.0)
 """Of the arcs that show how a link turns [mm]."""

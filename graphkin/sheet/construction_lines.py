@@ -1,29 +1,31 @@
 """The construction of a polygon: direction lines with their marks, right angles, and the numbers of what was drawn.
 
 It is drawn last, where labels leave room: a line is shortened before it runs into letters, and a mark or a number for
-which there is no room is left out. The numbers are those of the sentences that tell of the same acts.
+which there is no room is left out. The numbers are those of the sentences that tell of the same acts. On the mechanism
+the pencil's own lines and arcs are shown in the drawings of single steps.
 """
 
 from __future__ import annotations
 
 import cmath
+import math
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 
 from graphkin.base.value import frozen
-from graphkin.construction import Drawn, Image, LayOff, Meet, Ray, Term
+from graphkin.construction import Arc, Construction, Drawn, Image, LayOff, Meet, Plane, Plot, Ray, Step, Term
 from graphkin.planning.acts import Act
 from graphkin.say.plane import PolygonReading
-from graphkin.sheet.equation_rows import EquationBlock
-from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Annotations, FreeRoom
-from graphkin.sheet.lettering import box, plain
-from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
+from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.lettering import box, formula, plain
+from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import LEAST
 from graphkin.sheet.polygons import PolygonFigure, arrows
-from graphkin.sheet.wanted import LabelRequest
+from graphkin.sheet.text_blocks import EquationBlock
+from graphkin.sheet.window import Window
 
 _BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
 """How far a direction line goes on past where it meets the other; where labels keep off it if they can; shorter than
@@ -221,3 +223,47 @@ def _clear(stroke: Stroke, free: FreeRoom) -> bool:
     first, corner, last = stroke.places
     sides = ((first, corner), (last, corner))
     return all(free.reach(a, (b - a) / abs(b - a), abs(b - a)) >= abs(b - a) for a, b in sides)
+
+
+Pages = Mapping[tuple[Plane, Step], int]
+_RAY_BEYOND = 9.0
+"""How far a direction line goes on past its points [mm]."""
+_SWING, _STROKE = math.radians(22), 12.0
+"""Half of an arc: this angle, or this length [mm] if that is less."""
+
+
+def pencil_lines(construction: Construction, plot: Plot, window: Window, pages: Pages) -> list[Mark]:
+    """Each ray and arc from where it starts past where it meets another, with the number of its act."""
+    ends: dict[Ray | Arc, list[str]] = {}
+    for step in construction.steps:
+        if isinstance(step, Meet):
+            ends.setdefault(step.first, []).append(step.point)
+            ends.setdefault(step.second, []).append(step.point)
+    points = plot.points(construction.plane)
+    marks: list[Mark] = []
+    for step in construction.steps:
+        number = pages.get((construction.plane, step))
+        if isinstance(step, Ray | Arc):
+            foot = window(points[step.through if isinstance(step, Ray) else step.about])
+            tips = [window(points[name]) for name in ends.get(step, ()) if name in points]
+            marks += (
+                _ray(step, foot, tips, plot, window, number) if isinstance(step, Ray) else _arcs(foot, tips, number)
+            )
+    return marks
+
+
+def _ray(ray: Ray, foot: Place, tips: list[Place], plot: Plot, window: Window, number: int | None) -> Iterator[Mark]:
+    """A thin line through its point in its direction, past where it meets the other."""
+    along = window.turned(complex(plot.direction(ray.direction)))
+    if cmath.isnan(along):
+        return
+    stops = [(along.conjugate() * (tip - foot)).real for tip in tips] or [0.0]
+    low, high = min(0.0, *stops) - _RAY_BEYOND, max(0.0, *stops) + _RAY_BEYOND
+    yield Stroke((foot + along * low, foot + along * high), "construction", step=number)
+
+
+def _arcs(foot: Place, tips: list[Place], number: int | None) -> Iterator[Mark]:
+    """A short arc around each place where the circle is crossed."""
+    for tip in tips:
+        half = min(_SWING, _STROKE / max(abs(tip - foot), 1e-9))
+        yield ArcMark(foot, abs(tip - foot), cmath.phase(tip - foot) - half, 2 * half, "construction", step=number)
