@@ -30,9 +30,10 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.running import replay_all
 from graphkin.say import entry
 from graphkin.say.catalogue import say
-from graphkin.sheet.composition import HEADINGS, Planes, Style
 from graphkin.sheet.lettering import Label, formula, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
+from graphkin.sheet.composition import Planes, Style
+from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import KEYS, finest, written
 from graphkin.sheet.window import PLANES, corners
 

@@ -22,10 +22,9 @@ from graphkin.outputs.paint import Colours, Ink
 from graphkin.outputs.spans import LATIN, mm, runs, short
 from graphkin.outputs.stated import kind, stated, statement
 from graphkin.sheet import Sheet
-from graphkin.sheet.composition import HEADINGS
 from graphkin.sheet.lettering import Label
 from graphkin.sheet.marks import ArcMark, Disc, Half, Mark, Place, PointMark, Stroke, Text, VectorMark
-from graphkin.sheet.page import Layer
+from graphkin.sheet.page import HEADINGS, Layer
 from graphkin.sheet.paper import written
 
 NAMESPACE = "https://graphkin.invalid/sheet/1"

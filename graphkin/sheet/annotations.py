@@ -46,7 +46,7 @@ _LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": 
 
 
 @frozen
-class Annotated:
+class MechanismNotes:
     """A mechanism with what the solution reads off it.
 
     planes  of which results may be shown; none where only what is given is drawn

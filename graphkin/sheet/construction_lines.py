@@ -59,7 +59,7 @@ class _Line:
 
 
 @frozen
-class Drafted:
+class PolygonConstruction:
     """A polygon's construction.
 
     spoken  the same polygon as it is worded; acts: those of its plane

@@ -18,13 +18,12 @@ from graphkin.errors import Lang
 from graphkin.marking.comparison import Beside
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
-from graphkin.sheet.composition import HEADINGS
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import HEAD
 from graphkin.sheet.lettering import joined, plain, point_label
 from graphkin.sheet.marks import Disc, Mark, PointMark, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import plain_mechanism, shown_places
-from graphkin.sheet.page import Page, Panel, Sheet, heading
+from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.single_figure import Caption, Picture

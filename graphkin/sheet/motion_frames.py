@@ -25,7 +25,6 @@ from graphkin.planning.step_numbers import births
 from graphkin.running.path import along, stride
 from graphkin.running.replaying import replay_all
 from graphkin.sheet.boxes import overlap
-from graphkin.sheet.composition import HEADINGS
 from graphkin.sheet.drives import drives
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import Layout, lay_out, papers_for
@@ -33,7 +32,7 @@ from graphkin.sheet.lettering import Label, box, joined, plain, point_label
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.mechanism_figure import mechanism_places, moving_figure
 from graphkin.sheet.obstacles import Obstacles, obstacles
-from graphkin.sheet.page import Page, Panel, Sheet, heading
+from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import KEYS, LABEL, Room, TooLargeForPaper
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
 from graphkin.sheet.skeleton import Skeleton

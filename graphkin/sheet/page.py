@@ -29,6 +29,10 @@ from graphkin.sheet.text_blocks import EquationBlock
 from graphkin.sheet.titleblock import Strip, strip
 from graphkin.sheet.window import Figure, Window
 
+HEADINGS: dict[Lang, dict[Plane, str]] = {
+    "en": {"position": "Mechanism", "velocity": "Velocity polygon", "acceleration": "Acceleration polygon"},
+    "zh": {"position": "机构运动简图", "velocity": "速度多边形", "acceleration": "加速度多边形"},
+}
 HEAD_WIDTH = 76.0
 """A figure's heading with its scale beside it is no wider [mm]."""
 

@@ -10,12 +10,11 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.sheet.composition import HEADINGS
 from graphkin.sheet.layout import HEAD, Layout, alone
 from graphkin.sheet.lettering import formula, width
 from graphkin.sheet.marks import Mark, Text
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places, plain_mechanism, plainly
-from graphkin.sheet.page import Page, Panel, Sheet, heading
+from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import BODY, Room
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, Table, broken, strip_height

@@ -143,9 +143,9 @@ class Extent:
     def reach(self) -> complex:
         return complex(self.left + self.right, self.top + self.bottom)
 
-    def crammed(self, room: Room) -> bool:
-        """Whether so much is to be lettered there that some labels will lie on others."""
-        return self.lettering > CRAMMED * room.size.real * room.size.imag
+    def fullness(self, room: Room) -> float:
+        """The part of a room's space for letters that its labels take; above 1 some of them will lie on others."""
+        return self.lettering / (CRAMMED * room.size.real * room.size.imag)
 
     def scale(self, room: Room) -> float:
         """The given scale where it fits one room at that, else the finest at which it does."""
