@@ -74,7 +74,7 @@ def test_done_in_one_line_of_the_page(module: str, name: str, what: str):
 
 def test_a_figure_is_fitted_in_one_place():
     """Nobody else says through which window a figure is seen."""
-    assert {*calls("graphkin.sheet.window", "Window")} == {"sheet/fit.py"}
+    assert {*calls("graphkin.sheet.window", "Window")} == {"sheet/window.py"}
 
 
 def test_step_sheets_are_made_in_one_line_of_the_page():

@@ -6,41 +6,49 @@ line its ends.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 
-def overlap(low: Any, high: Any, other_low: Any, other_high: Any) -> Any:
+
+def overlap(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:
     """Whether boxes overlap others; those that only touch do not."""
-    found = (low < other_high) & (high > other_low)
-    return found[0] & found[1]
+    both = (low < other_high) & (high > other_low)
+    return np.asarray(both[0] & both[1])
 
 
-def through(start: Any, end: Any, low: Any, high: Any) -> Any:
+def through(start: Array, end: Array, low: Array, high: Array) -> Array:
     """Whether lines, whose surroundings overlap boxes, pass through these: no box lies on one side of its line.
 
     A level or upright line is as large as its surroundings, and does.
     """
-    way, half = end - start, (high - low) / 2
-    wide = abs(way)
-    found = abs(_turn(way, (low + high) / 2 - start)) <= wide[0] * half[1] + wide[1] * half[0]
-    return found | ~(wide[0] * wide[1] > 0)
+    along, half = end - start, (high - low) / 2
+    wide = abs(along)
+    between = abs(_cross(along, (low + high) / 2 - start)) <= wide[0] * half[1] + wide[1] * half[0]
+    return np.asarray(between | ~(wide[0] * wide[1] > 0))
 
 
-def meet(start: Any, end: Any, other: Any, other_end: Any, touch: bool = False) -> Any:
+def meet(start: Array, end: Array, other: Array, other_end: Array, touch: bool = False) -> Array:
     """Whether lines cross others: each has its ends on both sides of the other, and none of them upon it; touch: or
     upon it, where their surroundings overlap."""
-    way, other_way, off = end - start, other_end - other, other - start
-    first, second, between = _turn(way, off), _turn(other_way, off), _turn(way, other_way)
+    along, other_along, off = end - start, other_end - other, other - start
+    first, second, between = _cross(along, off), _cross(other_along, off), _cross(along, other_along)
     first, second = first * (first + between), second * (second + between)
-    return (first <= 0) & (second <= 0) if touch else (first < 0) & (second < 0)
+    return np.asarray((first <= 0) & (second <= 0) if touch else (first < 0) & (second < 0))
 
 
-def _turn(way: Any, off: Any) -> Any:
-    """On which side of a way a place lies."""
-    return way[0] * off[1] - way[1] * off[0]
+def _cross(along: Array, off: Array) -> Array:
+    """The side of a line on which a place lies, by its sign."""
+    return np.asarray(along[0] * off[1] - along[1] * off[0])
+
+
+def beyond(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:
+    """By how much boxes would have to grow to all sides to reach others; less than 0: they overlap [mm]."""
+    off = np.maximum(low - other_high, other_low - high)
+    return np.asarray(np.maximum(off[0], off[1]))
 
 
 class Edges(NamedTuple):
@@ -51,63 +59,47 @@ class Edges(NamedTuple):
                of one without a length, as if it went down
     """
 
-    start: Any
-    end: Any
-    low: Any
-    high: Any
-    across: Any
+    start: Array
+    end: Array
+    low: Array
+    high: Array
+    across: Array
 
     @classmethod
-    def of(cls, start: Any, end: Any) -> Edges:
-        way = end - start
-        way[1] += (way == 0).all(axis=0)
-        wide = np.where(way[1] < 0, -1.0, 1.0) * abs(way).sum(axis=0)
-        across = np.array([-way[1], way[0]]) / wide
+    def of(cls, start: Array, end: Array) -> Edges:
+        along = end - start
+        along[1] += (along == 0).all(axis=0)
+        wide = np.where(along[1] < 0, -1.0, 1.0) * abs(along).sum(axis=0)
+        across = np.array([-along[1], along[0]]) / wide
         return cls(start, end, np.minimum(start, end), np.maximum(start, end), across)
 
-    def apart(self, rows: Any, low: Any, high: Any) -> Any:
+    def apart(self, rows: Array, low: Array, high: Array) -> Array:
         """By how much boxes low..high would have to grow to all sides to reach some of them; below 0: they do [mm]."""
         half, across = (high - low) / 2, abs(self.across).take(rows, axis=1)
-        found = abs(self._side(rows, low + half))
-        found -= across[0] * half[0]
-        found -= across[1] * half[1]
+        off = abs(self._side(rows, low + half)) - across[0] * half[0] - across[1] * half[1]
         surroundings = self.low.take(rows, axis=1), self.high.take(rows, axis=1)
-        return np.maximum(found, beyond(*surroundings, low, high), out=found)
+        return np.asarray(np.maximum(off, beyond(*surroundings, low, high)))
 
-    def outside(self, rows: Any, out: Any, low: Any, high: Any) -> Any:
+    def outside(self, rows: Array, out: Array, low: Array, high: Array) -> Array:
         """By how much boxes low..high would have to grow to reach across some of them from that side; less than 0: they
         do [mm]."""
         half, across = (high - low) / 2, abs(self.across).take(rows, axis=1)
-        found = self._side(rows, low + half)
-        found *= out
-        found -= across[0] * half[0]
-        found -= across[1] * half[1]
-        return found
+        return np.asarray(self._side(rows, low + half) * out - across[0] * half[0] - across[1] * half[1])
 
-    def passed(self, rows: Any, at: Any) -> Any:
+    def passed(self, rows: Array, at: Array) -> Array:
         """Whether a way to the right from there crosses some of them: an odd number of those of an area about it."""
         level = (self.low[1].take(rows) <= at[1]) & (at[1] < self.high[1].take(rows))
-        return level & (self._side(rows, at) > 0)
+        return np.asarray(level & (self._side(rows, at) > 0))
 
-    def met(self, rows: Any, start: Any, end: Any, touch: bool = False) -> Any:
+    def met(self, rows: Array, start: Array, end: Array, touch: bool = False) -> Array:
         """Whether lines cross some of them; touch: or touch them."""
         return meet(start, end, self.start.take(rows, axis=1), self.end.take(rows, axis=1), touch)
 
-    def _side(self, rows: Any, at: Any) -> Any:
+    def _side(self, rows: Array, at: Array) -> Array:
         """How far places lie across some of them."""
-        found = self.across[0].take(rows) * (at[0] - self.start[0].take(rows))
-        found += self.across[1].take(rows) * (at[1] - self.start[1].take(rows))
-        return found
+        off = at[0] - self.start[0].take(rows), at[1] - self.start[1].take(rows)
+        return np.asarray(self.across[0].take(rows) * off[0] + self.across[1].take(rows) * off[1])
 
-
-def beyond(low: Any, high: Any, other_low: Any, other_high: Any) -> Any:
-    """By how much boxes would have to grow to all sides to reach others; less than 0: they overlap [mm]."""
-    off = np.maximum(low - other_high, other_low - high)
-    return np.maximum(off[0], off[1])
-
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 _SIZE, _CELL = 16, 6.0
 """So many boxes are a block; those are close together whose middles lie in one square so wide [mm]."""
@@ -123,14 +115,14 @@ class Blocks(NamedTuple):
     """
 
     boxes: int
-    order: NDArray[np.intp]
-    low: Any
-    high: Any
-    least: Any
-    most: Any
+    order: Array
+    low: Array
+    high: Array
+    least: Array
+    most: Array
 
     @classmethod
-    def of(cls, low: Any, high: Any) -> Blocks:
+    def of(cls, low: Array, high: Array) -> Blocks:
         """Of boxes low..high (2, n), at least one."""
         column, row = ((low + high) * (0.5 / _CELL)).astype(np.intp)
         order = np.argsort(row * 65536 + np.where(row & 1, -column, column), kind="stable")
@@ -138,7 +130,7 @@ class Blocks(NamedTuple):
         count, low, high = low.shape[1], *(corner.take(order, axis=1).reshape(2, -1, _SIZE) for corner in (low, high))
         return cls(count, order, low, high, low.min(axis=2), high.max(axis=2))
 
-    def beside(self, low: Any, high: Any) -> Iterator[tuple[Any, Any]]:
+    def beside(self, low: Array, high: Array) -> Iterator[tuple[Array, Array]]:
         """Pairs of blocks and of the things in low..high (2, k) that a box of it may touch, some at a time; block by
         block."""
         if not low.shape[1]:
@@ -148,25 +140,25 @@ class Blocks(NamedTuple):
         for first in range(0, len(blocks), _AT_ONCE):
             yield blocks[first : first + _AT_ONCE], things[first : first + _AT_ONCE]
 
-    def taken(self, blocks: Any) -> tuple[Any, Any]:
+    def taken(self, blocks: Array) -> tuple[Array, Array]:
         """Corners of the boxes of some blocks (2, m, _SIZE)."""
         return self.low.take(blocks, axis=1), self.high.take(blocks, axis=1)
 
-    def back(self, found: Any) -> Any:
-        """What was found for boxes where they stand in blocks, box by box."""
-        ordered = np.empty(self.boxes, dtype=found.dtype)
-        ordered[self.order] = found.ravel()
+    def back(self, values: Array) -> Array:
+        """Values of boxes where they stand in blocks, box by box."""
+        ordered = np.empty(self.boxes, dtype=values.dtype)
+        ordered[self.order] = values.ravel()
         return ordered
 
 
-class Held:
+class OccupiedSquares:
     """Squares of a grid that hold one of many places.
 
     _cell, _origin  how wide a square is, and the first one's corner [mm]
     _sums           how many places lie in the squares above and to the left of each corner (rows + 1, columns + 1)
     """
 
-    def __init__(self, places: Any, cell: float) -> None:
+    def __init__(self, places: Array, cell: float) -> None:
         """places: (2, n) [mm]."""
         self._cell, self._origin = cell, places.min(axis=1, initial=np.inf)
         x, y = cells = ((places - self._origin[:, None]) / cell).astype(np.intp)
@@ -175,15 +167,16 @@ class Held:
         self._sums = np.zeros((high + 1, wide + 1), dtype=np.intp)
         self._sums[1:, 1:] = counts.cumsum(axis=0).cumsum(axis=1)
 
-    def within(self, low: Sequence[Any], high: Sequence[Any]) -> Any:
-        """Which boxes low..high hold a whole square in which something lies; x and y of their corners may broadcast
-        against one another."""
+    def within(self, low: Array | tuple[Array, Array], high: Array | tuple[Array, Array]) -> Array:
+        """The boxes low..high that hold a whole square in which something lies; x and y of their corners may
+        broadcast against one another."""
         (left, right), (top, foot) = (self._squares(axis, low[axis], high[axis]) for axis in (0, 1))
         sums, width = self._sums.ravel(), self._sums.shape[1]
         above, below = top * width, foot * width
-        return sums.take(below + right) - sums.take(below + left) > sums.take(above + right) - sums.take(above + left)
+        inside = sums.take(below + right) - sums.take(below + left) - sums.take(above + right) + sums.take(above + left)
+        return np.asarray(inside > 0)
 
-    def _squares(self, axis: int, low: Any, high: Any) -> tuple[Any, Any]:
+    def _squares(self, axis: int, low: Array, high: Array) -> tuple[Array, Array]:
         """The first square that lies between two places, and the first that no longer does."""
         most = self._sums.shape[1 - axis] - 1
         first = np.clip(np.ceil((low - self._origin[axis]) / self._cell), 0, most).astype(np.intp)

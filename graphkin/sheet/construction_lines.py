@@ -14,6 +14,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 
+from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import Arc, Construction, Drawn, Image, LayOff, Meet, Plane, Plot, Ray, Step, Term
 from graphkin.planning.acts import Act
@@ -244,8 +245,8 @@ def pencil_lines(construction: Construction, plot: Plot, window: Window, pages: 
     for step in construction.steps:
         number = pages.get((construction.plane, step))
         if isinstance(step, Ray | Arc):
-            foot = window(points[step.through if isinstance(step, Ray) else step.about])
-            tips = [window(points[name]) for name in ends.get(step, ()) if name in points]
+            foot = window(place(points[step.through if isinstance(step, Ray) else step.about]))
+            tips = [window(place(points[name])) for name in ends.get(step, ()) if name in points]
             marks += (
                 _ray(step, foot, tips, plot, window, number) if isinstance(step, Ray) else _arcs(foot, tips, number)
             )

@@ -7,12 +7,13 @@ from copy import copy
 from dataclasses import field
 from functools import cached_property
 from itertools import accumulate
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
-from graphkin.sheet.boxes import Held
+from graphkin.sheet.boxes import OccupiedSquares
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.label_requests import LabelCandidates, LabelRequest
 from graphkin.sheet.lettering import box
@@ -46,16 +47,16 @@ class FreeSpots(NamedTuple):
     marks, letters  how many there were then
     """
 
-    middle: Any
-    cost: Any
+    middle: Array
+    cost: Array
     half: complex
     marks: int
     letters: int
 
     @property
-    def boxes(self) -> tuple[Any, Any]:
+    def boxes(self) -> tuple[Array, Array]:
         """Their corners (n, 2)."""
-        return _corners(self.middle, self.half)
+        return _corners(self.middle, np.asarray(self.half))
 
 
 class FreeRoom:
@@ -87,7 +88,7 @@ class FreeRoom:
             self._late[first] = obstacles(self.marks[first:])
         return [self._late[first]] if first < len(self.marks) else []
 
-    def free(self, low: Any, high: Any) -> Any:
+    def free(self, low: Array, high: Array) -> Array:
         """Which of many boxes (n, 2) touch nothing and lie in the room."""
         found = (low >= (self.room.left, self.room.top)) & (high <= (self.room.right, self.room.bottom))
         return _clear(found[:, 0] & found[:, 1], low, high, [*self._standing, *self._added(self._first)])
@@ -110,7 +111,7 @@ class FreeRoom:
                 found.append((start + along * low, start + along * high))
         return found
 
-    def _along(self, start: Place, along: complex, most: float) -> tuple[Any, Any]:
+    def _along(self, start: Place, along: complex, most: float) -> tuple[Array, Array]:
         """How far on from a place, step by step [mm], and whether there are letters, or no room."""
         way = np.arange(0.0, most + _STEPS / 2, _STEPS)
         xs, ys, room, letters = start.real + along.real * way, start.imag + along.imag * way, self.room, self._letters
@@ -120,9 +121,9 @@ class FreeRoom:
         return way, bad | within.any(axis=0)
 
     @cached_property
-    def _held(self) -> Held:
+    def _held(self) -> OccupiedSquares:
         """What rectangles surely lie on."""
-        return Held(places(self.marks), _GRID)
+        return OccupiedSquares(places(self.marks), _GRID)
 
     def spots(self, wanted: Sequence[LabelRequest], halves: Sequence[complex]) -> list[FreeSpots]:
         """Where many labels may stand at what they name, all looked at at once; half: of the size of each box [mm]."""
@@ -187,7 +188,7 @@ def _lettered(want: LabelRequest, middle: Place | None) -> list[Mark]:
     return [] if middle is None else [*want.texts(middle + complex(-wide / 2, (up - down) / 2))]
 
 
-def _clear(free: Any, low: Any, high: Any, lying: Sequence[Obstacles]) -> Any:
+def _clear(free: Array, low: Array, high: Array, lying: Sequence[Obstacles]) -> Array:
     """Which of the boxes that are free as far as is known keep off all that lies there."""
     for each in lying:
         rows = np.flatnonzero(free)
@@ -195,20 +196,20 @@ def _clear(free: Any, low: Any, high: Any, lying: Sequence[Obstacles]) -> Any:
     return free
 
 
-def _corners(middle: Any, half: Any) -> tuple[Any, Any]:
+def _corners(middle: Array, half: Array) -> tuple[Array, Array]:
     """Lower and upper corner (n, 2) of boxes about places (n,)."""
     middle, size = np.stack([middle.real, middle.imag], axis=-1), np.stack([np.real(half), np.imag(half)], axis=-1)
     return middle - size, middle + size
 
 
-def _beside(low: Any, high: Any, letters: Any) -> Any:
+def _beside(low: Array, high: Array, letters: Array) -> Array:
     """Which of many boxes (n, 2) stand on a line with letters and so near that they read as a part of them."""
     least, most = letters[:, 0] - _WORD, letters[:, 1] + _WORD
     beside = [(low[:, k, None] < most[:, k]) & (high[:, k, None] > least[:, k]) for k in range(2)]
-    return (beside[0] & beside[1]).any(axis=1)
+    return np.asarray((beside[0] & beside[1]).any(axis=1))
 
 
-def _boxes(texts: Sequence[Text]) -> Any:
+def _boxes(texts: Sequence[Text]) -> Array:
     """Lower and upper corner of each text (n, 2, 2)."""
     sides = [bounds([text]) for text in texts]
     return np.array([((left, top), (right, bottom)) for left, top, right, bottom in sides]).reshape(-1, 2, 2)

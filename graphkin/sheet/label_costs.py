@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.sheet.boxes import meet, overlap, through
 from graphkin.sheet.label_candidates import Boxes, Rated
 
@@ -40,19 +41,19 @@ class Prices(NamedTuple):
     beside: float = 4.0
     word: float = 5.0
 
-    def alone(self, rated: Rated) -> Any:
+    def alone(self, rated: Rated) -> Array:
         """What candidates cost among what is drawn, as long as no label has a place."""
         cost = rated.cost + self.strange * rated.strange + 0.45 * np.minimum(rated.near, 6)
         cost += self.line * np.minimum(rated.hits, 5) + self.outside * ~rated.inside
         return cost + self.crossed * rated.lettered + self.through * rated.lines
 
     @staticmethod
-    def reach(boxes: Boxes) -> tuple[Any, Any]:
+    def reach(boxes: Boxes) -> tuple[Array, Array]:
         """What other boxes cost nothing beyond (2, n)."""
         low, high = boxes.reach
         return low - _BESIDE, high + _BESIDE
 
-    def beside_others(self, parts: Sequence[Boxes], others: Boxes) -> list[tuple[Any, Any]]:
+    def beside_others(self, parts: Sequence[Boxes], others: Boxes) -> list[tuple[Array, Array]]:
         """What each box of some parts costs more because the others stand where they do; and which lie on one of them
         (n,)."""
         (least, most), boxes = self.reach(others), Boxes.joined(parts)
@@ -65,7 +66,7 @@ class Prices(NamedTuple):
         more, clash = np.bincount(rows, more, count), np.bincount(rows, clash, count) > 0
         return [(more[a:b], clash[a:b]) for a, b in pairwise([0, *ends])]
 
-    def together(self, one: Boxes, other: Boxes) -> tuple[Any, Any]:
+    def together(self, one: Boxes, other: Boxes) -> tuple[Array, Array]:
         """What pairs of labels cost each other; which of them lie on each other, or under each other's leader. The
         other may be a single one."""
         clash = overlap(one.low, one.high, other.low - self.apart, other.high + self.apart)
@@ -78,18 +79,18 @@ class Prices(NamedTuple):
         more[both] += self._leaders(one.taken(both).leader, other.some(both).leader)
         return more, clash | crossed
 
-    def _leaders(self, one: Any, other: Any) -> Any:
+    def _leaders(self, one: Array, other: Array) -> Array:
         """What pairs of leaders cost each other."""
         apart = np.abs(one[1] - other[1]).max(axis=0)
         more = self.beside * ((apart > _ONE) & (apart < _BESIDE))
-        return more + self.leaders * meet(*one, *other) if self.leaders else more
+        return np.asarray(more + self.leaders * meet(*one, *other) if self.leaders else more)
 
 
 NEARBY = Prices()
 CROWDED = Prices(400.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3, 1.5)
 
 
-def under(led: Boxes, other: Boxes, keep: float = _PASSING) -> Any:
+def under(led: Boxes, other: Boxes, keep: float = _PASSING) -> Array:
     """Which labels lie under the leader of the one they are paired with; one of them may be a single one."""
     found = np.zeros(max(len(led.led), len(other.led)), dtype=bool)
     if not led.led.any():
@@ -104,7 +105,7 @@ def under(led: Boxes, other: Boxes, keep: float = _PASSING) -> Any:
     return found
 
 
-def _near(low: Any, high: Any, least: Any, most: Any) -> tuple[Any, Any]:
+def _near(low: Array, high: Array, least: Array, most: Array) -> tuple[Array, Array]:
     """Pairs of the boxes low..high (2, n) that lie together and others that overlap: their rows, and the others'."""
     others = np.flatnonzero(overlap(least, most, low.min(axis=1, keepdims=True), high.max(axis=1, keepdims=True)))
     least, most = least.take(others, axis=1), most.take(others, axis=1)
@@ -117,10 +118,10 @@ class LabelChoice(NamedTuple):
     """What a label chooses from: boxes, what each costs as others stand now, whether it touches nothing."""
 
     boxes: Boxes
-    cost: Any
-    free: Any
+    cost: Array
+    free: Array
 
-    def taken(self, rows: Any) -> LabelChoice:
+    def taken(self, rows: Array) -> LabelChoice:
         return LabelChoice(self.boxes.taken(rows), self.cost[rows], self.free[rows])
 
     def cheapest(self, count: int) -> LabelChoice:
@@ -156,12 +157,12 @@ class LabelTable:
         self._low[:, first:end], self._high[:, first:end] = choice.boxes.reach
         self._low[:, end:after] = np.inf
 
-    def place(self, label: int, spot: int) -> tuple[Any, Any]:
+    def place(self, label: int, spot: int) -> tuple[Array, Array]:
         """One place of a label (4, 2), and whether it has a leader."""
         number = label * self.cost.shape[1] + spot
         return self._places[:, :, number], self._led[number]
 
-    def about(self, low: Any, high: Any, label: int) -> tuple[Any, Boxes]:
+    def about(self, low: Array, high: Array, label: int) -> tuple[Array, Boxes]:
         """Which places, of labels but this one, reach into a box low..high (2, 1); and these."""
         width = self.cost.shape[1]
         near = overlap(self._low, self._high, low, high)
@@ -169,7 +170,7 @@ class LabelTable:
         numbers = np.flatnonzero(near)
         return numbers, Boxes(self._places.take(numbers, axis=2), self._led[numbers])
 
-    def raise_(self, numbers: Any, more: Any, taken: Any) -> None:
+    def raise_(self, numbers: Array, more: Array, taken: Array) -> None:
         """Some places cost more; and some of these are no longer free."""
         self.cost.ravel()[numbers] += more
         self.free.ravel()[numbers[taken]] = False

@@ -5,17 +5,18 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterable, Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.sheet.lettering import Label, box, width
 from graphkin.sheet.marks import Place, Text
 from graphkin.sheet.paper import LABEL
 
 
-def _leaning(turns: Any) -> Any:
+def _leaning(turns: Array) -> Array:
     """How far to its side, and up or down, a box stands from what it touches, of its half width and height, in each
     direction; in four of eight its corners come to the ring."""
     return np.clip(turns.real * 1.6, -1.0, 1.0) + 1j * np.clip(turns.imag * 1.6, -1.0, 1.0)
@@ -60,16 +61,16 @@ class LabelCandidates(NamedTuple):
     anchor  where a leader would go, complex; nan where none is drawn
     """
 
-    middle: Any
-    cost: Any
-    anchor: Any
+    middle: Array
+    cost: Array
+    anchor: Array
 
     @property
-    def led(self) -> Any:
+    def led(self) -> Array:
         """Which of them have a leader."""
         return ~np.isnan(self.anchor)
 
-    def taken(self, rows: Any) -> LabelCandidates:
+    def taken(self, rows: Array) -> LabelCandidates:
         """Some of them."""
         return LabelCandidates(self.middle[rows], self.cost[rows], self.anchor[rows])
 
@@ -140,7 +141,7 @@ def lettering(wanted: Iterable[LabelRequest]) -> float:
     return sum((wide + _SPACE) * (up + down + _SPACE) for wide, up, down in boxes)
 
 
-def _around(point: Place, half: complex, want: LabelRequest, rings: Any) -> LabelCandidates:
+def _around(point: Place, half: complex, want: LabelRequest, rings: Array) -> LabelCandidates:
     """Rings about a point; a box touches the ring with its near side or corner."""
     away = want.away.conjugate() / abs(want.away) if want.away else 0j
     liking = 0.8 * (1 - (_TURNS * away).real) if away else _LITTLE
@@ -149,7 +150,7 @@ def _around(point: Place, half: complex, want: LabelRequest, rings: Any) -> Labe
     return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, point if rings is _LED else _NOWHERE))
 
 
-def _far(anchor: Place, crowd: Place, sides: Any, gap: float, rings: Any) -> LabelCandidates:
+def _far(anchor: Place, crowd: Place, sides: Array, gap: float, rings: Array) -> LabelCandidates:
     """Wide rings about a point; sides: from what a box touches to its middle, in each direction."""
     away = (anchor - crowd).conjugate() / max(abs(anchor - crowd), 1e-9)
     liking = 5.0 * (1 - (_FAR_TURNS * away).real)
@@ -158,7 +159,7 @@ def _far(anchor: Place, crowd: Place, sides: Any, gap: float, rings: Any) -> Lab
     return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, anchor))
 
 
-def _sides(leaning: Any, half: complex) -> Any:
+def _sides(leaning: Array, half: complex) -> Array:
     """From what a box touches to its middle, in each direction."""
     return leaning.real * half.real + 1j * (leaning.imag * half.imag)
 

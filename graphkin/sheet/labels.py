@@ -10,10 +10,11 @@ make way for one another, and at last those that say nothing new are left out.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.sheet.boxes import overlap
 from graphkin.sheet.label_candidates import FARTHEST, LED, MANY, NEAR, Boxes, LabelScene
 from graphkin.sheet.label_costs import CROWDED, NEARBY, LabelChoice, LabelTable, under
@@ -86,7 +87,7 @@ class Places:
 
     # --- farther and farther ----------------------------------------------------------------------
 
-    def _enough(self) -> Any:
+    def _enough(self) -> Array:
         """What a label may cost before it looks for farther places."""
         return np.where(self._tier < self._last, np.array([*LEAST, np.inf])[self._tier + 1], np.inf)
 
@@ -147,7 +148,7 @@ class Places:
 
     def _relieve(self) -> None:
         """Others make way for the last few labels without a good place, one after the other, as long as that helps."""
-        before: Any = None
+        before: tuple[int, float] | None = None
         while before is None or self._badness() < before:
             before, bad = self._badness(), np.flatnonzero(self._bad())
             for label in map(int, bad if len(bad) <= _FEW else ()):
@@ -170,7 +171,7 @@ class Places:
         places, led, self.stands, self._spot, self._tier = kept
         self.boxes, self._table = Boxes(places, led), table
 
-    def _bad(self) -> Any:
+    def _bad(self) -> Array:
         """Which labels have no good place."""
         return self._now() > self.prices.strange
 
@@ -200,7 +201,7 @@ class Places:
         self._look_on(labels)
         self._move()
 
-    def _now(self) -> Any:
+    def _now(self) -> Array:
         """What each label costs where it stands."""
         return np.where(self.stands, self._table.cost[np.arange(len(self._spot)), self._spot], 0.0)
 
@@ -269,7 +270,7 @@ def settle(scene: LabelScene, far: bool = False) -> Settled:
     """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
     if not scene.wanted:
         return Settled([], ())
-    places = Places(scene, NEAR if scene.hopeless else LED if len(scene.wanted) > MANY or not far else FARTHEST)
+    places = Places(scene, NEAR if scene.beyond_help else LED if len(scene.wanted) > MANY or not far else FARTHEST)
     clashing = places.clashing()
     for _ in range(_ROUNDS if far else 0):
         if not (out := _left_out(scene.wanted, places.stands, clashing)):
@@ -293,7 +294,7 @@ def _lettered(wanted: Sequence[LabelRequest], places: Places) -> Iterator[Mark]:
                 yield Disc(at, _DOT, "leader", "ink", step=want.step)
 
 
-def _left_out(wanted: Sequence[LabelRequest], stands: Any, clashing: Sequence[int]) -> list[int]:
+def _left_out(wanted: Sequence[LabelRequest], stands: Array, clashing: Sequence[int]) -> list[int]:
     """The spare ones of labels without a place, else the spare ones next to them; not two that are close together, of
     which one may find a place without the other, unless very many have none."""
     places = [want.place for want in wanted]

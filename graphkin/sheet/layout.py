@@ -68,7 +68,7 @@ def under_heading(room: Room, over: Over | None = None) -> Room:
     wide = room.right - room.left
     head: Any = np.where(wide < HEAD_WIDTH, HEAD + _SECOND, HEAD)
     if over is not None:
-        head = head + height_over(over, wide - 2 * HEAD_LEFT)
+        head = head + height_over(over, np.asarray(wide - 2 * HEAD_LEFT))
     return Room(room.left, room.top + (head if head.ndim else float(head)), room.right, room.bottom)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
+from graphkin.base.geometry import place
 from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Cam, CircularSlot, Pair, Slide
@@ -273,8 +274,8 @@ def _widest_gap(places: list[Place]) -> tuple[Place, Place]:
 
 def mechanism_places(method: Method, plot: Plot) -> list[complex]:
     """The places that the mechanism itself takes up [m]."""
-    machine, points = method.mechanism, plot.position
-    return [*(complex(points[p]) for p in machine.points if p in points), *rims(machine, points)]
+    machine, points = method.mechanism, {name: place(value) for name, value in plot.position.items()}
+    return [*(points[name] for name in machine.points if name in points), *rims(machine, points)]
 
 
 def shown_places(method: Method, plot: Plot) -> list[complex]:

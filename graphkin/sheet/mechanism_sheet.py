@@ -37,7 +37,7 @@ from graphkin.sheet.window import PLANES
 
 _MANY_LEADERS = 10
 """With more of them a larger paper is tried."""
-_LARGE_PAPER = 1.3
+_LARGE_PAPER = 1.2
 """The weight of leaders on a large paper that nobody asked for."""
 _WEIGHTS = (2, 4)
 """So many times its labels count for a plane where some found no place, in other divisions."""
@@ -102,16 +102,16 @@ class Arrangement:
     """The contents of a sheet on one divided paper.
 
     papers   the smallest of these that holds all is taken; weights: of planes in its division
-    cut      the paper is cut to its only figure
     details  what lies too close together is drawn once more, magnified
+    cut      the paper is cut to its only figure
     stages   over the lines of the pencil, for single steps
     """
 
     contents: SheetContents
     papers: Sequence[Paper]
-    cut: bool = False
     weights: Mapping[Plane, int] | None = None
     details: bool = False
+    cut: bool = False
     stages: bool = False
 
     @cached_property
@@ -176,12 +176,12 @@ class Arrangement:
 
 
 def arranged(contents: SheetContents, paper: str | None) -> Arrangement:
-    """The cheapest arrangement on the paper, or on one that is large enough."""
-    cut = len(contents.planes) == 1 and (contents.tight or paper is None)
-    best = _on(Arrangement(contents, papers_for(paper), cut))
+    """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
+    best = _on(Arrangement(contents, papers_for(paper)))
     if paper is None and not best.large and (best.cost[0] or best.cost[1] > _MANY_LEADERS):
-        best = min(best, _on(Arrangement(contents, LARGE, cut)), key=lambda each: each.cost)
-    return best
+        best = min(best, _on(Arrangement(contents, LARGE)), key=lambda each: each.cost)
+    cut = len(contents.planes) == 1 and (contents.tight or paper is None)
+    return replace(best, cut=True).settled if cut else best
 
 
 def _on(first: Arrangement) -> Arrangement:

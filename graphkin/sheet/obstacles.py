@@ -7,12 +7,12 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import pairwise
-from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.sheet.boxes import Blocks, Edges, beyond, through
-from graphkin.sheet.lettering import box
+from graphkin.sheet.lettering import Label, box
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 
 _SIDES = 4
@@ -44,12 +44,12 @@ class Areas:
         self._plain = ~slanted & (self._count <= _SIDES)
 
     @cached_property
-    def _shapes(self) -> tuple[Any, Any, list[int]]:
+    def _shapes(self) -> tuple[Array, Array, list[int]]:
         """Where edges face; which areas bulge nowhere inwards, and how many edges these have. For boxes close by."""
         out, round_ = _outwards(self._way, self._first, self._count)
         return out, round_, sorted(set(self._count[round_ & ~self._plain].tolist()))
 
-    def touched(self, blocks: Blocks) -> Iterator[tuple[Any, Any]]:
+    def touched(self, blocks: Blocks) -> Iterator[tuple[Array, Array]]:
         """Boxes (where they stand in blocks) that touch an area, once for each, and by how much they would have to
         grow to reach it: less than 0 [mm]."""
         low, high = blocks.low.reshape(2, -1), blocks.high.reshape(2, -1)
@@ -58,7 +58,7 @@ class Areas:
             on = np.flatnonzero(apart <= 0)
             yield boxes[on], apart[on]
 
-    def met(self, blocks: Blocks, start: Any, end: Any) -> Iterator[Any]:
+    def met(self, blocks: Blocks, start: Array, end: Array) -> Iterator[Array]:
         """Lines (where what they lie in stands in blocks) that meet an area, once for each; start, end: so ordered."""
         for lines, areas in self._about(blocks):
             low, high = self._low.take(areas, axis=1) - _ROUNDED, self._high.take(areas, axis=1) + _ROUNDED
@@ -72,14 +72,14 @@ class Areas:
                 odd = np.add.reduceat(self._edges.passed(edges, ends), first, dtype=np.intp) & 1
                 yield lines[np.logical_or.reduceat(met, first) | (odd > 0)]
 
-    def _about(self, blocks: Blocks) -> Iterator[tuple[Any, Any]]:
+    def _about(self, blocks: Blocks) -> Iterator[tuple[Array, Array]]:
         """Boxes (where they stand in blocks) and the areas whose surroundings they touch."""
         for block, areas in blocks.beside(self._low, self._high):
             low, high = self._low.take(areas[:, None], axis=1), self._high.take(areas[:, None], axis=1)
             pair, place = np.nonzero(beyond(low, high, *blocks.taken(block)) <= 0)
             yield block[pair] * blocks.low.shape[2] + place, areas[pair]
 
-    def _apart(self, areas: Any, low: Any, high: Any) -> Any:
+    def _apart(self, areas: Array, low: Array, high: Array) -> Array:
         """By how much each box would have to grow to reach the area it is paired with."""
         found = beyond(self._low.take(areas, axis=1), self._high.take(areas, axis=1), low, high)
         shaped = np.flatnonzero(~self._plain[areas])
@@ -88,7 +88,7 @@ class Areas:
             found[shaped] = np.maximum(found[shaped], self._beyond_sides(areas, low, high))
         return found
 
-    def _beyond_sides(self, areas: Any, low: Any, high: Any) -> Any:
+    def _beyond_sides(self, areas: Array, low: Array, high: Array) -> Array:
         """By how much each box would have to grow to reach across all sides of the area it is paired with."""
         found, (out, round_, counts) = np.empty(len(areas)), self._shapes
         for sides in counts:
@@ -101,7 +101,7 @@ class Areas:
             found[rows] = self._from_edges(areas[rows], low.take(rows, axis=1), high.take(rows, axis=1))
         return found
 
-    def _from_edges(self, areas: Any, low: Any, high: Any) -> Any:
+    def _from_edges(self, areas: Array, low: Array, high: Array) -> Array:
         """The same of areas of any shape: what holds a box's middle, or has an edge there, is reached."""
         first, owner, edges = self._spread(areas)
         low, high = low.take(owner, axis=1), high.take(owner, axis=1)
@@ -109,7 +109,7 @@ class Areas:
         odd = np.add.reduceat(self._edges.passed(edges, (low + high) / 2), first, dtype=np.intp) & 1
         return np.where(odd, -np.inf, apart)
 
-    def _spread(self, areas: Any) -> tuple[Any, Any, Any]:
+    def _spread(self, areas: Array) -> tuple[Array, Array, Array]:
         """All edges of some areas: where those of each begin, of which of them they are, and which edges."""
         count = self._count[areas]
         first = np.cumsum(count) - count
@@ -117,7 +117,7 @@ class Areas:
         return first, owner, np.arange(len(owner)) + (self._first[areas] - first)[owner]
 
 
-def _outwards(way: Any, first: Any, count: Any) -> tuple[Any, Any]:
+def _outwards(way: Array, first: Array, count: Array) -> tuple[Array, Array]:
     """On which side of each edge its area does not lie, 1 where that is the left as it goes down, else -1; and which
     areas bulge nowhere inwards, nor go round twice."""
     after = np.arange(1, len(way) + 1)
@@ -130,13 +130,10 @@ def _outwards(way: Any, first: Any, count: Any) -> tuple[Any, Any]:
     return np.where((way.imag >= 0) == (whole[owner] > 0), -1.0, 1.0), ~odd & (abs(abs(whole) - math.tau) < 1)
 
 
-def _xy(places: Any) -> Any:
+def _xy(places: Array) -> Array:
     """Complex places (n,) as x and y of each (2, n)."""
     return np.array([places.real, places.imag])
 
-
-if TYPE_CHECKING:
-    from numpy.typing import NDArray
 
 _TIP, _TIP_HALF = 2.8, 0.5
 """Length and half width of an arrow head [mm]."""
@@ -154,15 +151,15 @@ class Obstacles:
     and asked one by one boxes would take longer than all else of a crowded sheet.
     """
 
-    def __init__(self, start: Any, end: Any, areas: Sequence[Sequence[Place]]) -> None:
+    def __init__(self, start: Array, end: Array, areas: Sequence[Sequence[Place]]) -> None:
         """start, end: of the segments (2, n); areas: the corners of each."""
         self._lines, self._areas = Edges.of(start, end), Areas(areas)
 
-    def touched(self, low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.intp]:
+    def touched(self, low: Array, high: Array) -> Array:
         """Rows of the boxes low..high (n, 2) that touch something, once for each thing touched."""
         return _rows(self.around(low.T, high.T, (0.0,))[0])
 
-    def around(self, low: Any, high: Any, margins: Sequence[float]) -> list[Any]:
+    def around(self, low: Array, high: Array, margins: Sequence[float]) -> list[Array]:
         """To how many things each of the boxes low..high (2, n) is nearer than each of some margins [mm]."""
         if not low.shape[1]:
             return [np.zeros(0, dtype=np.intp) for _ in margins]
@@ -178,28 +175,29 @@ class Obstacles:
                 count += np.bincount(boxes[apart <= margin], minlength=count.size).reshape(count.shape)
         return [blocks.back(count) for count in found]
 
-    def crossed(self, start: NDArray[np.float64], end: NDArray[np.float64]) -> NDArray[np.intp]:
+    def crossed(self, start: Array, end: Array) -> Array:
         """Rows of the lines start..end (n, 2) that touch something, once for each thing touched."""
         if not len(start):
             return np.zeros(0, dtype=np.intp)
         blocks = Blocks.of(np.minimum(start, end).T, np.maximum(start, end).T)
         start, end = start.T.take(blocks.order, axis=1), end.T.take(blocks.order, axis=1)
         found = np.zeros(blocks.low.shape[1:], dtype=np.intp)
-        ends = start.reshape(blocks.low.shape), end.reshape(blocks.low.shape)
+        first, last = start.reshape(blocks.low.shape), end.reshape(blocks.low.shape)
         for block, lines in blocks.beside(self._lines.low, self._lines.high):
-            _add(found, block, self._lines.met(lines[:, None], *(each.take(block, axis=1) for each in ends)))
+            met = self._lines.met(lines[:, None], first.take(block, axis=1), last.take(block, axis=1))
+            _add(found, block, met)
         for met in self._areas.met(blocks, start, end):
             found += np.bincount(met, minlength=found.size).reshape(found.shape)
         return _rows(blocks.back(found))
 
 
-def _add(count: Any, blocks: Any, found: Any) -> None:
+def _add(count: Array, blocks: Array, found: Array) -> None:
     """Things found beside boxes of blocks (m, size), block by block, are counted."""
     first = np.flatnonzero(np.concatenate([[True], blocks[1:] != blocks[:-1]]))
     count[blocks[first]] += np.add.reduceat(found, first, axis=0, dtype=np.intp)
 
 
-def _rows(counts: NDArray[np.intp]) -> NDArray[np.intp]:
+def _rows(counts: Array) -> Array:
     """Each row as often as something was counted for it."""
     return np.repeat(np.arange(len(counts)), counts)
 
@@ -251,7 +249,7 @@ def _tip(start: Place, end: Place) -> tuple[Place, ...]:
     return end, back + along * 1j * _TIP_HALF, back - along * 1j * _TIP_HALF
 
 
-def _frame(label: Any, at: Place, size: float) -> tuple[Place, ...]:
+def _frame(label: Label, at: Place, size: float) -> tuple[Place, ...]:
     wide, up, down = box(label, size)
     return at + 1j * down, at + wide + 1j * down, at + wide - 1j * up, at - 1j * up
 
@@ -263,7 +261,7 @@ def bounds(drawn: Iterable[Mark]) -> tuple[float, float, float, float]:
     return min(xs), min(ys), max(xs), max(ys)
 
 
-def places(drawn: Iterable[Mark]) -> Any:
+def places(drawn: Iterable[Mark]) -> Array:
     """Some places on all marks, no farther apart along their outlines than a letter is wide (2, n)."""
     outlines = [outline for mark in drawn for outline, _ in _outlines(mark)]
     start = np.array([place for outline in outlines for place in outline[:-1]], dtype=complex)

@@ -9,10 +9,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import Any, ClassVar, Literal
+from typing import ClassVar, Literal
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, Lang, Where
@@ -178,7 +179,7 @@ def finest(size: complex, room: complex) -> float:
     return _next(max(size.real / room.real, size.imag / room.imag))
 
 
-def finest_each(least: Any) -> Any:
+def finest_each(least: Array) -> Array:
     """The scale of the series next above each of many values (0.01 where there is none), as `finest` takes it."""
     finest, coarsest = float(least.min()), float(least.max())
     if not finest > _NONE:
@@ -188,7 +189,7 @@ def finest_each(least: Any) -> Any:
 
 
 @lru_cache(64)
-def _series(first: int, last: int) -> Any:
+def _series(first: int, last: int) -> Array:
     """All scales from one power of ten to the one after another, the finest first."""
     return np.array(sorted({scale for power in range(first, last + 1) for scale in _steps(power)}))
 

@@ -8,6 +8,7 @@ from functools import cached_property
 from itertools import chain
 from typing import Any
 
+from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site, Size
 from graphkin.model.mechanism import FRAME, Mechanism
@@ -93,7 +94,7 @@ class PolygonFigure:
         """Every point of the polygon on paper, the pole first."""
         values = self.plot.points(self.construction.plane)
         names = dict.fromkeys((self.construction.pole, *self.construction.nodes))
-        return {name: self.window(values[name]) for name in names if name in values}
+        return {name: self.window(place(values[name])) for name in names if name in values}
 
     @property
     def named(self) -> dict[str, Place]:

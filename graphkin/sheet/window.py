@@ -5,10 +5,10 @@ from __future__ import annotations
 import cmath
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field, replace
-from typing import Any
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.base.value import filled, frozen
 from graphkin.construction import Construction, Plane
 from graphkin.planning import Method
@@ -83,7 +83,7 @@ Over = tuple[complex, complex]
 """Width and height of what stands over a figure: side by side, and one under the other [mm]."""
 
 
-def height_over(over: Over, wide: Any) -> Any:
+def height_over(over: Over, wide: Array) -> Array:
     """Its height in rooms of this width [mm]; more than any has in those too narrow for it."""
     beside, stacked = over
     return np.where(wide >= beside.real, beside.imag, np.where(wide >= stacked.real, stacked.imag, _TOO_HIGH))
@@ -160,7 +160,7 @@ class Extent:
         inner = room.size - self.reach
         return finest(self.size, complex(max(inner.real, 1.0), max(inner.imag, 1.0)))
 
-    def scales_in(self, room: Room) -> Any:
+    def scales_in(self, room: Room) -> Array:
         """The scale at which it fits each of many rooms, the given one if any; NaN where it does not fit."""
         wide, high = room.right - room.left - self.reach.real, room.bottom - room.top - self.reach.imag
         fits = (wide > _LEAST) & (high > _LEAST)
