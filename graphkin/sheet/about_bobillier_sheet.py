@@ -16,7 +16,7 @@ from graphkin.sheet.marks import Disc, Mark, Place
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.single_figure import Alone, place_for
+from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.window import Entry, Figure, enlarged
 from graphkin.studies.centres.about import About
 from graphkin.studies.centres.about_bobillier import Bobillier
@@ -61,7 +61,7 @@ class _BobillierDrawing:
     """The construction on a page. new: its point is a place of the plane, no point of the mechanism."""
 
     drawn: Bobillier
-    on: Alone
+    on: SingleFigure
     new: bool
 
     def lines(self) -> Iterator[Mark]:

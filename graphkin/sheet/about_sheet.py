@@ -22,7 +22,7 @@ from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName, Room, finest
-from graphkin.sheet.single_figure import Alone, place_for
+from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.window import Entry, Figure, enlarged
 from graphkin.studies.centres.about import About, Circle, InflectionLine
@@ -77,7 +77,7 @@ class _LinkDrawing:
     """A link on a page: its parts, marks and labels in the order of painting."""
 
     seen: About
-    on: Alone
+    on: SingleFigure
     lang: Lang
 
     @property
@@ -214,7 +214,7 @@ class _LinkDrawing:
             yield LabelRequest(label, at, gap=radius + 0.2)
 
 
-def _back(on: Alone, at: Place) -> complex:
+def _back(on: SingleFigure, at: Place) -> complex:
     """From paper to SI."""
     return ((at - on.window.origin) * on.window.scale).conjugate()
 

@@ -10,7 +10,7 @@ from graphkin.errors import Lang
 from graphkin.sheet.centrode_sheet import centre_at, centrode_marks, centrode_page, heading, plot_at
 from graphkin.sheet.marks import Disc
 from graphkin.sheet.page import Sheet
-from graphkin.sheet.single_figure import Alone
+from graphkin.sheet.single_figure import SingleFigure
 from graphkin.sheet.window import Figure
 from graphkin.studies.centres.centrodes import Centrodes
 
@@ -45,7 +45,7 @@ def _comes_back(curves: Centrodes) -> bool:
     return all(bool(np.all(np.abs(stand[:, 1] - stand[:, 0]) < 1e-8)) for stand in stands)
 
 
-def _frame(curves: Centrodes, t: float, on: Alone, lang: Lang) -> Sheet:
+def _frame(curves: Centrodes, t: float, on: SingleFigure, lang: Lang) -> Sheet:
     plot, centre = plot_at(curves, t), centre_at(curves, t)
     figure = Figure([*centrode_marks(curves, t, on), *on.mechanism(plot).marks])
     if centre is not None and on.room.holds(on.window(centre)):

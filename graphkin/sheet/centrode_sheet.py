@@ -18,7 +18,7 @@ from graphkin.sheet.marks import Disc, Mark, Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.single_figure import Alone, place_for
+from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.window import Figure, corners, enlarged
 from graphkin.studies.centres.centrodes import Centrodes
 
@@ -74,7 +74,7 @@ def plot_at(curves: Centrodes, t: float) -> Plot:
 
 def centrode_page(
     curves: Centrodes, times: Sequence[float], paper: str | None, told: Sequence[str] = ()
-) -> Alone:  # fmt: skip
+) -> SingleFigure:  # fmt: skip
     """A page with room for the mechanism at all these t, and for the curves near it; told: sentences in its strip."""
     method = curves.found.method
     plots = [plot_at(curves, t) for t in times]
@@ -101,13 +101,13 @@ def _carried(curves: Centrodes, link: str, t: float) -> list[np.ndarray]:
     return [origin + turn * curve for curve in found]
 
 
-def centrode_marks(curves: Centrodes, t: float, on: Alone) -> Iterator[Mark]:
+def centrode_marks(curves: Centrodes, t: float, on: SingleFigure) -> Iterator[Mark]:
     """The curves as far as they lie in the room; a centre that stays at one point is a dot."""
     for link, pen in zip(curves.axes, (_FIXED, _MOVING), strict=False):
         yield from _curve(curves, link, t, on, pen)
 
 
-def _curve(curves: Centrodes, link: str, t: float, on: Alone, pen: PenName) -> Iterator[Stroke]:
+def _curve(curves: Centrodes, link: str, t: float, on: SingleFigure, pen: PenName) -> Iterator[Stroke]:
     for curve, piece in zip(_carried(curves, link, t), curves.pieces, strict=True):
         places = [*(on.window.origin + np.conj(curve) / on.window.scale)]
         yield from clipped([*places, places[0]] if piece.closed else _once(places), on.room, pen)
@@ -144,7 +144,7 @@ def centre_at(curves: Centrodes, t: float) -> complex | None:
 # --- names ------------------------------------------------------------------------------------
 
 
-def _names(curves: Centrodes, t: float, on: Alone, marks: Sequence[Mark], lang: Lang) -> Iterator[LabelRequest]:
+def _names(curves: Centrodes, t: float, on: SingleFigure, marks: Sequence[Mark], lang: Lang) -> Iterator[LabelRequest]:
     """Each curve's name at the longest part that is on the paper."""
     for k, (pen, label) in enumerate(zip((_FIXED, _MOVING), _labels(curves, lang), strict=False)):
         strokes = [mark for mark in marks if isinstance(mark, Stroke) and mark.pen == pen]

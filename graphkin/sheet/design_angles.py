@@ -12,7 +12,7 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, number, plain
 from graphkin.sheet.marks import ArcMark, Stroke
 from graphkin.sheet.paper import BODY
-from graphkin.sheet.single_figure import Alone
+from graphkin.sheet.single_figure import SingleFigure
 from graphkin.sheet.window import Entry
 from graphkin.studies.design import Solution
 
@@ -27,7 +27,7 @@ class DesignAngles:
     """Of a solution on a page, whose construction is drawn on a board."""
 
     solution: Solution
-    on: Alone
+    on: SingleFigure
     board: Board
 
     def entries(self) -> Iterator[Entry]:

@@ -39,7 +39,7 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import joined, point_label
 from graphkin.sheet.marks import ArcMark, Disc, Stroke
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.single_figure import Alone
+from graphkin.sheet.single_figure import SingleFigure
 from graphkin.sheet.window import Entry, Figure
 from graphkin.studies.design import Family, Solution
 
@@ -58,7 +58,7 @@ class DesignFigure:
     """A solution on a page."""
 
     solution: Solution
-    on: Alone
+    on: SingleFigure
     families: tuple[Family, ...] = ()
 
     @property

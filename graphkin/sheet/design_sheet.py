@@ -23,7 +23,7 @@ from graphkin.sheet.marks import Text
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import LABEL
-from graphkin.sheet.single_figure import Alone, place_for
+from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.window import enlarged
 from graphkin.studies.design import Design, Solution
 
@@ -83,7 +83,7 @@ def design_step_sheets(
     yield from step_sheets(whole, sorted({mark.step for mark in whole.marks if mark.step is not None}))
 
 
-def _page(drawn: _DrawnSolution, paper: str | None) -> Alone:
+def _page(drawn: _DrawnSolution, paper: str | None) -> SingleFigure:
     """Room for the linkage at all positions, the construction's points, and its circle if that is not too large."""
     one = drawn.solution
     board = one.board()
@@ -98,7 +98,7 @@ def _page(drawn: _DrawnSolution, paper: str | None) -> Alone:
     return place_for(drawn.method, [drawn.plot], values, paper)
 
 
-def _result(one: Solution, on: Alone, step: int) -> list[Text]:
+def _result(one: Solution, on: SingleFigure, step: int) -> list[Text]:
     """l_AB = 20.773 mm, .. in the strip at the foot, on the left of the title block, two to a line."""
     corner = complex(on.layout.strip.left + 3, on.layout.strip.top + 6)
     places = (corner + complex(_COLUMN * (k % 2), _LINE * (k // 2)) for k in range(9))

@@ -25,8 +25,8 @@ _LABELS = 20
 
 
 @frozen
-class Alone:
-    """Where the figure stands: its room [mm], and through which window from SI to paper.
+class SingleFigure:
+    """A figure alone on its page: its room [mm], and its window from SI to paper.
 
     found, told  tables and sentences of its strip
     """
@@ -59,7 +59,7 @@ class Alone:
 def place_for(
     method: Method, plots: Sequence[Plot], places: Sequence[complex], paper: str | None,
     found: Sequence[Table] = (), told: Sequence[str] = (),
-) -> Alone:  # fmt: skip
+) -> SingleFigure:  # fmt: skip
     """On the smallest paper where these places [m] fit; a given scale that is too fine is not kept.
 
     plots  at which the mechanism is to be drawn; found, told: tables and sentences for the strip.
@@ -71,7 +71,7 @@ def place_for(
 
     extent = replace(Extent.of(places, drawn), given=method.mechanism.scales.get("length"), labels=_LABELS)
     layout = alone(extent, partial(strip_height, found=found, told=told), paper)
-    return Alone(method, layout, layout.window("position", extent), found, told)
+    return SingleFigure(method, layout, layout.window("position", extent), found, told)
 
 
 @frozen
@@ -99,34 +99,30 @@ class Caption:
 
 @frozen
 class Picture:
-    """A figure that wants a cell: how large it is, how it is drawn through a window, what is said under it."""
+    """A figure that wants a cell: its extent, its drawing through a window, its caption."""
 
     extent: Extent
     draw: Callable[[Window], Figure]
     caption: Caption
 
     def captioned(self, start: str) -> Picture:
-        """With a word before what is said under it."""
+        """With a word before its caption."""
         first, *others = self.caption.texts
         return replace(self, caption=replace(self.caption, texts=(start + first, *others)))
 
     def scale(self, cell: Room) -> float:
-        """At which it fits a cell [m/mm]."""
-        return self.extent.scale(self._over(cell))
+        """The scale at which it fits a cell over its caption [m/mm]."""
+        return self.extent.scale(cell.inset(0, 0, self.caption.height))
 
     def panel(self, cell: Room, scale: float) -> Panel:
         """On paper."""
-        window = self.extent.window(self._over(cell), scale)
+        window = self.extent.window(cell.inset(0, 0, self.caption.height), scale)
         room = cell.inset(1, 1, self.caption.height)
         return Panel(self.draw(window), window, room, after=tuple(self.caption.drawn(cell)))
 
-    def _over(self, cell: Room) -> Room:
-        """What the caption leaves of a cell."""
-        return cell.inset(0, 0, self.caption.height)
-
 
 def problem_sheet(method: Method, plot: Plot, lang: Lang) -> Sheet:
-    """At the position of a plot, without results and in no step of a construction."""
+    """The figure of a problem at the position of a plot: the mechanism with its letters, and nothing that is found."""
     alone = place_for(method, [plot], mechanism_places(method, plot), None)
     bare = bare_figure(method, Skeleton(method.mechanism, plot, alone.window, {}))
     figure = Figure([plainly(mark) for mark in bare.marks], bare.wanted)
