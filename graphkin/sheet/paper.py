@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import ClassVar, Literal
+from typing import ClassVar, Literal, NamedTuple
 
 import numpy as np
 
@@ -50,6 +50,15 @@ class Room:
         wide, high = self.size.real / columns, self.size.imag / -(-count // columns)
         corners = ((self.left + k % columns * wide, self.top + k // columns * high) for k in range(count))
         return [Room(left, top, left + wide, top + high) for left, top in corners]
+
+
+class Rooms(NamedTuple):
+    """Many rectangles of the paper, side by side as arrays (n,) [mm, y down]."""
+
+    left: Array
+    top: Array
+    right: Array
+    bottom: Array
 
 
 @frozen

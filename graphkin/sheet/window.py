@@ -15,7 +15,7 @@ from graphkin.planning import Method
 from graphkin.sheet.label_requests import CRAMMED, LabelRequest, lettering
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import Room, finest, finest_each
+from graphkin.sheet.paper import Room, Rooms, finest, finest_each
 
 Entry = Mark | LabelRequest
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
@@ -160,7 +160,7 @@ class Extent:
         inner = room.size - self.reach
         return finest(self.size, complex(max(inner.real, 1.0), max(inner.imag, 1.0)))
 
-    def scales_in(self, room: Room) -> Array:
+    def scales_in(self, room: Rooms) -> Array:
         """The scale at which it fits each of many rooms, the given one if any; NaN where it does not fit."""
         wide, high = room.right - room.left - self.reach.real, room.bottom - room.top - self.reach.imag
         fits = (wide > _LEAST) & (high > _LEAST)
