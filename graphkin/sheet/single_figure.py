@@ -17,7 +17,7 @@ from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places, plain
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import BODY, Room
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.titleblock import Strip, Table, broken, strip_height
+from graphkin.sheet.titleblock import Strip, Table, strip_height, two_lines
 from graphkin.sheet.window import Extent, Figure, Window
 
 _LABELS = 20
@@ -91,7 +91,7 @@ class Caption:
     def drawn(self, cell: Room) -> Iterator[Text]:
         pen = cell.bottom - self.height + self.first
         for text in self.texts:
-            for line in broken(text, BODY, cell.size.real - 2 * self.sides):
+            for line in two_lines(text, BODY, cell.size.real - 2 * self.sides):
                 label = formula(line)
                 yield Text(label, complex((cell.left + cell.right - width(label, BODY)) / 2, pen), BODY)
                 pen += self.pitch

@@ -82,13 +82,12 @@ class Paragraphs:
     @classmethod
     def of(cls, texts: Sequence[str], room: float, letters: float) -> Paragraphs:
         """Sentences in a width [mm]; a blank at a text's beginning sets all of it in."""
-        found: list[tuple[str, float]] = []
+        lines: list[tuple[str, float]] = []
         for text in texts:
             own = _INDENT if text != text.lstrip() else 0.0
             pieces = broken(text.strip(), room - own - _INDENT, letters)
-            found += [(line, own + (_INDENT if k else 0.0)) for k, line in enumerate(pieces)]
-        kept = found if len(found) <= _MOST else [*found[: _MOST - 1], ("…", 0.0)]
-        return cls(tuple(kept), letters)
+            lines += [(line, own + (_INDENT if k else 0.0)) for k, line in enumerate(pieces)]
+        return cls(tuple(lines if len(lines) <= _MOST else [*lines[: _MOST - 1], ("…", 0.0)]), letters)
 
     @property
     def height(self) -> float:
@@ -139,17 +138,13 @@ def equation_blocks(entries: Iterable[Entry], rows: tuple[str, str]) -> list[Equ
 
     rows  what stands before the rows
     """
-    found: list[EquationBlock] = []
+    blocks: list[EquationBlock] = []
     for entry in entries:
         if isinstance(entry, VectorEquation):
-            found.append(_block(entry, rows))
-        elif isinstance(entry, Sentence) and entry.act is not None and found and found[-1].page is None:
-            found[-1] = replace(found[-1], page=entry.act.page)
-    return found
-
-
-def _block(equation: VectorEquation, rows: tuple[str, str]) -> EquationBlock:
-    return EquationBlock((((), plain(rows[0]), plain(rows[1])), *_columns(equation)))
+            blocks.append(EquationBlock((((), plain(rows[0]), plain(rows[1])), *_columns(entry))))
+        elif isinstance(entry, Sentence) and entry.act is not None and blocks and blocks[-1].page is None:
+            blocks[-1] = replace(blocks[-1], page=entry.act.page)
+    return blocks
 
 
 def _columns(equation: VectorEquation) -> Iterator[tuple[Label, Label, Label]]:
@@ -165,7 +160,7 @@ def _columns(equation: VectorEquation) -> Iterator[tuple[Label, Label, Label]]:
 
 
 def head_of(blocks: Sequence[EquationBlock]) -> tuple[complex, complex]:
-    """What all of them take side by side, and one under the other [mm]."""
+    """The size of all of them side by side, and one under the other [mm]."""
     sizes = [block.size for block in blocks]
     beside = complex(sum(size.real for size in sizes) + _BETWEEN * (len(sizes) - 1), max(s.imag for s in sizes))
     return beside, complex(max(size.real for size in sizes), sum(size.imag for size in sizes))
@@ -187,7 +182,7 @@ def flowed(blocks: Sequence[EquationBlock], room: float) -> list[list[EquationBl
     What is still wider than that is left out.
     """
     lines: list[list[EquationBlock]] = []
-    for block in chain.from_iterable(_broken(whole, room) for whole in blocks):
+    for block in chain.from_iterable(_before_equals(whole, room) for whole in blocks):
         if block.size.real > room:
             continue
         if lines and head_of([*lines[-1], block])[0].real <= room:
@@ -197,7 +192,7 @@ def flowed(blocks: Sequence[EquationBlock], room: float) -> list[list[EquationBl
     return lines
 
 
-def _broken(block: EquationBlock, room: float) -> tuple[EquationBlock, ...]:
+def _before_equals(block: EquationBlock, room: float) -> tuple[EquationBlock, ...]:
     head, *columns = block.columns
     cut = max(k for k, (label, _, _) in enumerate(columns) if label == plain("="))
     if block.size.real <= room or not cut:

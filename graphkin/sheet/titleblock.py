@@ -46,48 +46,42 @@ class Table:
 
     @cached_property
     def wide(self) -> float:
+        """Width of the whole [mm]."""
         return sum(self.widths) + sum(self.gaps)
 
     @property
     def gaps(self) -> list[float]:
-        """What is free after each column; less before a column without a heading [mm]."""
+        """The gap after each column; less before a column without a heading [mm]."""
         return [_GAP if label else _CLOSE for label in self.head[1:]] + [0.0]
 
     def before(self, cell: Label, column: int) -> float:
-        """What a number leaves free before it [mm]."""
+        """The room before a number, so that its point stands under the others' [mm]."""
         own = _whole(cell)
-        return self._points[column] - own if own is not None else 0.0
+        return _point(self._cells[column][1]) - own if own is not None else 0.0
 
-    def cut(self, count: int) -> Iterator[Table]:
-        for k in range(0, len(self.rows), count):
-            yield Table(self.head, self.rows[k : k + count])
+    def cut(self, count: int) -> list[Table]:
+        """In parts of so many rows."""
+        return [Table(self.head, self.rows[k : k + count]) for k in range(0, len(self.rows), count)]
 
     def wides(self, count: int) -> list[float]:
-        """How wide the parts are into which it would be cut [mm]."""
-        if count not in self._tried:
+        """The widths of the parts into which it would be cut [mm]; it is tried on many papers."""
+        if count not in self._wides:
             parts, gaps = range(0, len(self.rows), count), sum(self.gaps)
-            self._tried[count] = [sum(self._widths(k, k + count)) + gaps for k in parts]
-        return self._tried[count]
+            self._wides[count] = [sum(self._widths(k, k + count)) + gaps for k in parts]
+        return self._wides[count]
 
     @cached_property
-    def _tried(self) -> dict[int, list[float]]:
-        """What is known of its parts, by their rows: it is tried on many papers."""
+    def _wides(self) -> dict[int, list[float]]:
         return {}
 
     def _widths(self, first: int, last: int) -> list[float]:
         """Width of each column, were there only some of the rows [mm]."""
-        found = []
+        widths = []
         for head, cells in self._cells:
             some = cells[first:last]
             point = _point(some)
-            wide = [(point - own if own is not None else 0.0) + whole for own, whole in some]
-            found.append(max([head, *wide]))
-        return found
-
-    @cached_property
-    def _points(self) -> list[float]:
-        """How far before its point the widest number of each column begins [mm]."""
-        return [_point(cells) for _, cells in self._cells]
+            widths.append(max([head, *((point - own if own is not None else 0.0) + whole for own, whole in some)]))
+        return widths
 
     @cached_property
     def _cells(self) -> list[tuple[float, list[Cell]]]:
@@ -97,6 +91,7 @@ class Table:
 
 
 def _point(cells: list[Cell]) -> float:
+    """How far before its point the widest number begins [mm]."""
     return max((own or 0.0 for own, _ in cells), default=0.0)
 
 
@@ -116,15 +111,13 @@ def arranged(found: list[Table], room: float) -> list[list[Table]]:
 
     What has no room even so is left out, the last asked first.
     """
-    best: tuple[float, list[list[Table]]] | None = None
-    for split in range(1, len(found) + 1):
-        tiers = [tier for tier in (found[:split], found[split:]) if tier]
-        cut = [_cut(tier, room) for tier in tiers]
-        height = height_of(cut)
-        lost = sum(len(table.rows) for table in found) - sum(len(t.rows) for tier in cut for t in tier)
-        if best is None or height + 20 * lost < best[0]:
-            best = height + 20 * lost, cut
-    return best[1] if best is not None else []
+    rows = sum(len(table.rows) for table in found)
+
+    def cost(tiers: list[list[Table]]) -> float:
+        return height_of(tiers) + 20 * (rows - sum(len(table.rows) for tier in tiers for table in tier))
+
+    splits = [(found[:split], found[split:]) for split in range(1, len(found) + 1)]
+    return min(([_cut(tier, room) for tier in tiers if tier] for tiers in splits), key=cost, default=[])
 
 
 def _cut(tier: list[Table], room: float) -> list[Table]:
@@ -134,7 +127,7 @@ def _cut(tier: list[Table], room: float) -> list[Table]:
             return [part for table in tier for part in table.cut(rows)]
     kept: list[Table] = []
     for table in tier:
-        part = next(table.cut(_MOST_ROWS))
+        part = table.cut(_MOST_ROWS)[0]
         if _across([each.wide for each in (*kept, part)]) <= room:
             kept.append(part)
     return kept
@@ -188,9 +181,9 @@ _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实�
 def strip_height(
     paper: Paper, found: Sequence[Table] = (), equations: Sequence[EquationBlock] = (), told: Sequence[str] = ()
 ) -> float:
-    """What the strip needs on a paper [mm]."""
+    """The height that the strip needs on a paper [mm]."""
     lines = sum(head_of(line)[0].imag for line in _lines(equations, paper))
-    words = _written(told, paper).height
+    words = Paragraphs.of(told, tables_room(paper), _SENTENCE).height
     return max(_LEAST_HEIGHT, height_of(arranged([*found], tables_room(paper))) + words + lines + 1 + _BAR)
 
 
@@ -201,10 +194,6 @@ def _lines(equations: Sequence[EquationBlock], paper: Paper) -> list[list[Equati
     return [line for line, end in zip(lines, reach, strict=True) if end <= _SHARE * paper.height]
 
 
-def _written(told: Sequence[str], paper: Paper) -> Paragraphs:
-    return Paragraphs.of(told, tables_room(paper), _SENTENCE)
-
-
 def tables_room(paper: Paper) -> float:
     """Width that the strip leaves beside the title [mm]."""
     return paper.frame.size.real - _WIDE - 6
@@ -212,9 +201,9 @@ def tables_room(paper: Paper) -> float:
 
 @frozen
 class Strip:
-    """What stands at the foot of a sheet beside title, source and scales.
+    """The contents of the foot of a sheet beside title, source and scales.
 
-    found  tables of results; notes: what stands beside a plane's scale; further: scales that no figure tells
+    found  tables of results; notes: words beside a plane's scale; further: scales that no figure tells
     told   sentences under the tables
     equations  those that have no room over their polygons
     """
@@ -238,7 +227,7 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
     tiers, corner = arranged([*asked.found], tables_room(paper)), complex(room.left + 3, room.top + 1.5)
     marks += drawn_tables(tiers, corner)
     corner += 1j * height_of(tiers)
-    words = _written(asked.told, paper)
+    words = Paragraphs.of(asked.told, tables_room(paper), _SENTENCE)
     marks += words.marks(corner)
     corner += 1j * words.height
     for line in _lines(asked.equations, paper):
@@ -269,13 +258,13 @@ def _check_bar(at: Place, lang: Lang) -> list[Mark]:
 def _words(
     machine: Mechanism, room: Room, scales: Mapping[Plane, float], notes: Mapping[Plane, Label], lang: Lang
 ) -> list[Mark]:
-    """Title, source, scales, and what drew it; each line shrunk or broken to the block."""
+    """Title, source, scales, and the program's name; each line shrunk or broken to the block."""
     marks: list[Mark] = []
     pen = complex(room.left, room.top) + 1.2j
     title = machine.headline(lang)
     large = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else 0.85 * TITLE
     for text, size in ((title, large), (machine.credit(lang), LEAST + 0.2)):
-        for line in broken(text, size, _WIDE - 6):
+        for line in two_lines(text, size, _WIDE - 6):
             pen += 1j * (size * 1.25)
             marks.append(Text(plain(line), pen, size))
     pen += 1.2j
@@ -284,12 +273,12 @@ def _words(
         marks.append(Text(written(plane, scale), pen, BODY))
         if plane in notes:
             marks.append(Text(notes[plane], pen + width(written(plane, scale), BODY) + 2.5, LEAST))
-    made: Label = plain("graphkin")
-    marks.append(Text(made, complex(room.right - width(made, LEAST), room.bottom), LEAST))
+    name = plain("graphkin")
+    marks.append(Text(name, complex(room.right - width(name, LEAST), room.bottom), LEAST))
     return marks
 
 
-def broken(text: str, size: float, room: float) -> list[str]:
+def two_lines(text: str, size: float, room: float) -> list[str]:
     """At most two lines that fit the room; what is longer ends in dots."""
     if width(plain(text), size) <= room:
         return [text] if text else []
