@@ -1,4 +1,4 @@
-"""What comes last on a figure: it stands where lines and labels have left room, and is left out where they have not."""
+"""The free room of a figure: what comes last stands where lines and labels have left room, else it is left out."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _STEPS = 0.5
 
 @frozen
 class Annotations:
-    """What is drawn beneath a figure, and what over it; equations for which there is no room."""
+    """Marks beneath a figure and over it; equations for which there is no room."""
 
     under: list[Mark] = field(default_factory=list)
     over: list[Mark] = field(default_factory=list)
@@ -41,7 +41,7 @@ class Annotations:
 
 
 class FreeSpots(NamedTuple):
-    """Places of a label at what it names that were free when they were looked for.
+    """Places of a label at what it names that were free at a time.
 
     half           of the width and height of its box [mm]
     marks, letters  how many there were then
@@ -72,61 +72,61 @@ class FreeRoom:
         """These lie on the paper now, too."""
         self.marks += marks
         self._late = {}
-        vars(self).pop("_held", None)
+        vars(self).pop("_occupied", None)
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
 
     def _with(self, marks: Sequence[Mark]) -> FreeRoom:
         """As it would be with these."""
-        found = copy(self)
-        found.marks = [*self.marks]
-        found.add(marks)
-        return found
+        other = copy(self)
+        other.marks = [*self.marks]
+        other.add(marks)
+        return other
 
     def _added(self, first: int) -> list[Obstacles]:
-        """What came after so many marks, if anything; made when somebody asks what is free: much is added before."""
+        """Obstacles that came after so many marks, if any; made when they are asked for: much is added before."""
         if first < len(self.marks) and first not in self._late:
             self._late[first] = obstacles(self.marks[first:])
         return [self._late[first]] if first < len(self.marks) else []
 
     def free(self, low: Array, high: Array) -> Array:
         """Which of many boxes (n, 2) touch nothing and lie in the room."""
-        found = (low >= (self.room.left, self.room.top)) & (high <= (self.room.right, self.room.bottom))
-        return _clear(found[:, 0] & found[:, 1], low, high, [*self._standing, *self._added(self._first)])
+        inside = (low >= (self.room.left, self.room.top)) & (high <= (self.room.right, self.room.bottom))
+        return _clear(inside[:, 0] & inside[:, 1], low, high, [*self._standing, *self._added(self._first)])
 
     def reach(self, start: Place, along: complex, most: float) -> float:
         """How far a line may go on from a place without running into letters, or out of the room [mm]."""
-        way, bad = self._along(start, along, most)
-        return float(way[np.argmax(bad)] - _STEPS) if bad.any() else most
+        steps, bad = self._along(start, along, most)
+        return float(steps[np.argmax(bad)] - _STEPS) if bad.any() else most
 
     def pieces(self, start: Place, end: Place) -> list[tuple[Place, Place]]:
-        """What of a line lies clear of letters."""
+        """The pieces of a line that lie clear of letters."""
         length = abs(end - start)
         along = (end - start) / length
-        way, bad = self._along(start, along, length)
+        steps, bad = self._along(start, along, length)
         turns = np.flatnonzero(np.diff(np.concatenate([[True], bad, [True]])))
-        found: list[tuple[Place, Place]] = []
+        pieces: list[tuple[Place, Place]] = []
         for first, after in zip(turns[::2], turns[1::2], strict=True):
-            low, high = float(way[first]), float(way[after - 1]) if after < len(way) else length
+            low, high = float(steps[first]), float(steps[after - 1]) if after < len(steps) else length
             if high - low > _STEPS:
-                found.append((start + along * low, start + along * high))
-        return found
+                pieces.append((start + along * low, start + along * high))
+        return pieces
 
     def _along(self, start: Place, along: complex, most: float) -> tuple[Array, Array]:
-        """How far on from a place, step by step [mm], and whether there are letters, or no room."""
-        way = np.arange(0.0, most + _STEPS / 2, _STEPS)
-        xs, ys, room, letters = start.real + along.real * way, start.imag + along.imag * way, self.room, self._letters
+        """Steps on from a place [mm], and whether there are letters, or no room."""
+        steps, room, letters = np.arange(0.0, most + _STEPS / 2, _STEPS), self.room, self._letters
+        xs, ys = start.real + along.real * steps, start.imag + along.imag * steps
         bad = (xs < room.left) | (xs > room.right) | (ys < room.top) | (ys > room.bottom)
         low, high = letters[:, 0, :, None] - _CLEAR, letters[:, 1, :, None] + _CLEAR
         within = (xs > low[:, 0]) & (xs < high[:, 0]) & (ys > low[:, 1]) & (ys < high[:, 1])
-        return way, bad | within.any(axis=0)
+        return steps, bad | within.any(axis=0)
 
     @cached_property
-    def _held(self) -> OccupiedSquares:
-        """What rectangles surely lie on."""
+    def _occupied(self) -> OccupiedSquares:
+        """Squares that no free rectangle holds."""
         return OccupiedSquares(places(self.marks), _GRID)
 
     def spots(self, wanted: Sequence[LabelRequest], halves: Sequence[complex]) -> list[FreeSpots]:
-        """Where many labels may stand at what they name, all looked at at once; half: of the size of each box [mm]."""
+        """The free places of many labels at what they name, all at once; half: of the size of each box [mm]."""
         if not wanted:
             return []
         near = [want.near(half) for want, half in zip(wanted, halves, strict=True)]
@@ -155,20 +155,20 @@ class FreeRoom:
         if not (len(xs) and len(ys)):
             return None
         near, far = (xs - _EDGE, ys[:, None] - _EDGE), (xs + size.real + _EDGE, ys[:, None] + size.imag + _EDGE)
-        rows, columns = np.nonzero(~self._held.within(near, far))
+        rows, columns = np.nonzero(~self._occupied.within(near, far))
         low = np.stack([xs[columns], ys[rows]], axis=1)
-        found = np.flatnonzero(self.free(low - _EDGE, low + np.array((size.real, size.imag)) + _EDGE))
-        if not len(found):
+        free = np.flatnonzero(self.free(low - _EDGE, low + np.array((size.real, size.imag)) + _EDGE))
+        if not len(free):
             return None
-        best = found[np.argmax(low[found, 1])] if from_below else found[0]
+        best = free[np.argmax(low[free, 1])] if from_below else free[0]
         return complex(*low[best])
 
     def letters(self, wanted: Sequence[LabelRequest]) -> Iterator[list[Mark]]:
         """Each label where there is room for it, one after the other, else nothing."""
         for want, spots in zip(wanted, self.spots(wanted, [_half(want) for want in wanted]), strict=True):
-            found = _lettered(want, self.place(spots))
-            self.add(found)
-            yield found
+            marks = _lettered(want, self.place(spots))
+            self.add(marks)
+            yield marks
 
     def letters_with(self, marks: Sequence[Mark], want: LabelRequest) -> list[Mark]:
         """A label where there would be room for it with some more marks, else nothing; nothing is added here."""

@@ -21,8 +21,8 @@ _WORD = np.array([[2.2], [-1.2]])
 
 
 class Prices(NamedTuple):
-    """What it costs to lie on a line, on a label, out of the room, nearer to another arrow than to its own without a
-    leader; a leader on a label, on a leader.
+    """The costs of lying on a line, on a label, out of the room, nearer to another arrow than to its own without a
+    leader; of a leader on a label, on a leader.
 
     apart    what two labels keep from each other [mm]
     through  for each line that a leader crosses
@@ -42,20 +42,19 @@ class Prices(NamedTuple):
     word: float = 5.0
 
     def alone(self, rated: Rated) -> Array:
-        """What candidates cost among what is drawn, as long as no label has a place."""
+        """The costs of candidates among what is drawn, as long as no label has a place."""
         cost = rated.cost + self.strange * rated.strange + 0.45 * np.minimum(rated.near, 6)
         cost += self.line * np.minimum(rated.hits, 5) + self.outside * ~rated.inside
         return cost + self.crossed * rated.lettered + self.through * rated.lines
 
     @staticmethod
     def reach(boxes: Boxes) -> tuple[Array, Array]:
-        """What other boxes cost nothing beyond (2, n)."""
+        """Corners beyond which other boxes cost nothing (2, n)."""
         low, high = boxes.reach
         return low - _BESIDE, high + _BESIDE
 
     def beside_others(self, parts: Sequence[Boxes], others: Boxes) -> list[tuple[Array, Array]]:
-        """What each box of some parts costs more because the others stand where they do; and which lie on one of them
-        (n,)."""
+        """The costs that the others add to each box of some parts; and which lie on one of them (n,)."""
         (least, most), boxes = self.reach(others), Boxes.joined(parts)
         ends, (low, high) = np.cumsum([len(part.led) for part in parts]), boxes.reach
         pairs = [_near(low[:, a:b], high[:, a:b], least, most) for a, b in pairwise([0, *ends])]
@@ -67,23 +66,21 @@ class Prices(NamedTuple):
         return [(more[a:b], clash[a:b]) for a, b in pairwise([0, *ends])]
 
     def together(self, one: Boxes, other: Boxes) -> tuple[Array, Array]:
-        """What pairs of labels cost each other; which of them lie on each other, or under each other's leader. The
-        other may be a single one."""
+        """The costs of pairs of labels to each other; which of them lie on each other, or under each other's leader.
+        The other may be a single one."""
         clash = overlap(one.low, one.high, other.low - self.apart, other.high + self.apart)
         more = self.label * clash + self.word * overlap(one.low, one.high, other.low - _WORD, other.high + _WORD)
         if not (one.led.any() or other.led.any()):
             return more, clash
         crossed = under(one, other) | under(other, one)
         both = np.flatnonzero(one.led & other.led)
+        leader, other_leader = one.taken(both).leader, other.some(both).leader
+        apart = np.abs(leader[1] - other_leader[1]).max(axis=0)
         more += self.crossed * crossed
-        more[both] += self._leaders(one.taken(both).leader, other.some(both).leader)
+        more[both] += self.beside * ((apart > _ONE) & (apart < _BESIDE))
+        if self.leaders:
+            more[both] += self.leaders * meet(*leader, *other_leader)
         return more, clash | crossed
-
-    def _leaders(self, one: Array, other: Array) -> Array:
-        """What pairs of leaders cost each other."""
-        apart = np.abs(one[1] - other[1]).max(axis=0)
-        more = self.beside * ((apart > _ONE) & (apart < _BESIDE))
-        return np.asarray(more + self.leaders * meet(*one, *other) if self.leaders else more)
 
 
 NEARBY = Prices()
@@ -92,17 +89,17 @@ CROWDED = Prices(400.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3, 1.5)
 
 def under(led: Boxes, other: Boxes, keep: float = _PASSING) -> Array:
     """Which labels lie under the leader of the one they are paired with; one of them may be a single one."""
-    found = np.zeros(max(len(led.led), len(other.led)), dtype=bool)
+    lying = np.zeros(max(len(led.led), len(other.led)), dtype=bool)
     if not led.led.any():
-        return found
+        return lying
     low, high, (start, end) = other.low - keep, other.high + keep, led.leader
     around = overlap(np.minimum(start, end), np.maximum(start, end), low, high)
     rows = np.flatnonzero(led.led & around)
     if len(rows):
         led, other = led.some(rows), other.some(rows)
         start, end = led.leader
-        found[rows] = through(start, end, other.low - keep, other.high + keep)
-    return found
+        lying[rows] = through(start, end, other.low - keep, other.high + keep)
+    return lying
 
 
 def _near(low: Array, high: Array, least: Array, most: Array) -> tuple[Array, Array]:
@@ -115,7 +112,7 @@ def _near(low: Array, high: Array, least: Array, most: Array) -> tuple[Array, Ar
 
 
 class LabelChoice(NamedTuple):
-    """What a label chooses from: boxes, what each costs as others stand now, whether it touches nothing."""
+    """Places that a label chooses from: boxes, their costs as others stand now, and whether each touches nothing."""
 
     boxes: Boxes
     cost: Array
@@ -148,7 +145,7 @@ class LabelTable:
             self.write(label, choice)
 
     def write(self, label: int, choice: LabelChoice) -> None:
-        """What a label has to choose from now."""
+        """The places that a label has to choose from now."""
         count, width = len(choice.cost), self.cost.shape[1]
         first, end, after = label * width, label * width + count, label * width + width
         self.cost[label, :count], self.free[label, :count] = choice.cost, choice.free
@@ -177,6 +174,6 @@ class LabelTable:
 
     def copy(self) -> LabelTable:
         """The same, that can be changed by itself."""
-        found = object.__new__(LabelTable)
-        vars(found).update({name: value.copy() for name, value in vars(self).items()})
-        return found
+        other = object.__new__(LabelTable)
+        vars(other).update({name: value.copy() for name, value in vars(self).items()})
+        return other

@@ -67,22 +67,21 @@ def motion_frames(
     replay_all(method)
     moved = course(method, ())
     prove(moved)
-    times = _times(moved, count)
-    plots = [_plot(method, moved, t) for t in times]
+    plots = [_plot(method, moved, t) for t in _times(moved, count)]
     frames = _Frames(method, plots, (only,) if only else PLANES, lang, bool(moved.path.stops) or not moved.angular)
     return list(frames.sheets(paper))
 
 
 def _times(moved: Course, count: int) -> list[float]:
-    """Where on the path the positions are, evenly."""
+    """The places of the positions on the path, evenly."""
     path, sense = moved.path, -1.0 if moved.driver.rate < 0 else 1.0
     if moved.full_turn:
         return [sense * float(t) for t in np.arange(count) * (2 * np.pi / count)]
     short = _SHORT_OF_STOP * (path.last - path.first)
     low, high = path.first + short, path.last - short
     ends = [0.0, high, low, 0.0] if sense > 0 else [0.0, low, high, 0.0]
-    way = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(ends)))])
-    return [float(t) for t in np.interp(np.arange(count) * (way[-1] / count), way, ends)]
+    passed = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(ends)))])
+    return [float(t) for t in np.interp(np.arange(count) * (passed[-1] / count), passed, ends)]
 
 
 def _plot(method: Method, moved: Course, t: float) -> Plot:
@@ -95,7 +94,7 @@ def _plot(method: Method, moved: Course, t: float) -> Plot:
 
 @frozen
 class _Frames:
-    """The positions with what is drawn of each; `back`: the mechanism goes there and back."""
+    """The positions and the planes that are drawn of each; `back`: the mechanism goes there and back."""
 
     method: Method
     plots: Sequence[Plot]
@@ -109,9 +108,11 @@ class _Frames:
         rooms = {plane: layout.rooms[plane].inset(1, 1, 1) for plane in self.planes}
         heads = {plane: heading(HEADINGS[self.lang][plane], plane, windows[plane].scale, layout.rooms[plane])
                  for plane in self.planes}  # fmt: skip
-        drawn = {plane: lettered(self._figures(plane, windows[plane]), rooms[plane], heads[plane])
-                 for plane in self.planes}  # fmt: skip
-        foot = Strip(layout.strip)
+        drawn: dict[Plane, list[list[Mark]]] = {}
+        for plane, shown in self._shown.items():
+            every = range(len(self.plots))
+            figures = [self._figure(plane, windows[plane], k) if k in shown else Figure() for k in every]
+            drawn[plane] = lettered(figures, rooms[plane], heads[plane])
         for k, plot in enumerate(self.plots):
             panels = []
             for plane in self.planes:
@@ -121,7 +122,8 @@ class _Frames:
                 elif plane == "position" and self.back:
                     figure.marks.append(self._note(BACK, heads[plane]))
                 panels.append(Panel(figure, windows[plane], rooms[plane], heads[plane], (), plane))
-            yield Page(layout.paper, panels, self.method.mechanism, plot.facts.values, self.lang, foot).sheet()
+            strip, values = Strip(layout.strip), plot.facts.values
+            yield Page(layout.paper, panels, self.method.mechanism, values, self.lang, strip).sheet()
 
     def _note(self, words: Mapping[Lang, str], head: Sequence[object]) -> Text:
         """Under a heading."""
@@ -145,14 +147,14 @@ class _Frames:
     @cached_property
     def _shown(self) -> dict[Plane, set[int]]:
         """The positions at which a plane is drawn: the first, and all others but those at which it is endless."""
-        found: dict[Plane, set[int]] = {}
+        shown: dict[Plane, set[int]] = {}
         for plane, values in self._values.items():
             sizes = np.array([max((abs(v) for v in at), default=0.0) for at in values])
             usual = float(np.median(sizes[np.isfinite(sizes)]))
             most = np.inf if plane == "position" else usual * (_LARGE if self.back else _ENDLESS)
             fits = np.isfinite(sizes) & (sizes <= max(most, sizes[0]))
-            found[plane] = set(np.flatnonzero(fits).tolist())
-        return found
+            shown[plane] = set(np.flatnonzero(fits).tolist())
+        return shown
 
     @cached_property
     def _extents(self) -> dict[Plane, Extent]:
@@ -168,8 +170,8 @@ class _Frames:
             figures = [self._figure(plane, window, k) for k in spread]
             return Figure([mark for figure in figures for mark in figure.marks], figures[0].wanted)
 
-        found = Extent.of(places, drawn, self.method.mechanism.scales.get(KEYS[plane]), letters=9.0)
-        return found if plane == "position" else replace(found, labels=_WORTH * found.labels)
+        extent = Extent.of(places, drawn, self.method.mechanism.scales.get(KEYS[plane]), letters=9.0)
+        return extent if plane == "position" else replace(extent, labels=_WORTH * extent.labels)
 
     def _layout(self, paper: str | None) -> Layout:
         """A given scale at which the whole motion does not fit is not kept."""
@@ -179,17 +181,13 @@ class _Frames:
             free = {plane: replace(extent, given=None) for plane, extent in self._extents.items()}
             return lay_out(free, strip_height, papers_for(paper))
 
-    # --- what is drawn ------------------------------------------------------------------------
-
-    def _figures(self, plane: Plane, window: Window) -> list[Figure]:
-        return [self._figure(plane, window, k) if k in self._shown[plane] else Figure() for k in range(len(self.plots))]
+    # --- figures ------------------------------------------------------------------------------
 
     def _figure(self, plane: Plane, window: Window, k: int) -> Figure:
         born = births(self.method, plane)
         if plane != "position":
-            polygon = PolygonFigure(
-                self.method.mechanism, constructions(self.method)[plane], self.plots[k], window, born
-            )
+            construction = constructions(self.method)[plane]
+            polygon = PolygonFigure(self.method.mechanism, construction, self.plots[k], window, born)
             return Figure(polygon_figure(polygon).marks, self._letters(polygon, self._as_one[plane]))
         first, here, *others = (
             Skeleton(self.method.mechanism, plot, window, born)
@@ -200,19 +198,19 @@ class _Frames:
     @cached_property
     def _as_one(self) -> dict[Plane, list[tuple[str, ...]]]:
         """The points of each polygon; those that never part are one, the pole and what is fixed first."""
-        found: dict[Plane, list[tuple[str, ...]]] = {}
+        as_one: dict[Plane, list[tuple[str, ...]]] = {}
         for plane in self.planes:
             construction = constructions(self.method)[plane]
             nodes = dict.fromkeys((construction.pole, *construction.nodes))
             names = [name for name in nodes if name in self.plots[0].points(plane)]
-            ways = {name: np.array([complex(plot.points(plane)[name]) for plot in self.plots]) for name in names}
-            size = max((float(np.nanmax(np.abs(way))) for way in ways.values()), default=0.0)
+            paths = {name: np.array([complex(plot.points(plane)[name]) for plot in self.plots]) for name in names}
+            size = max((float(np.nanmax(np.abs(path))) for path in paths.values()), default=0.0)
             groups: dict[str, list[str]] = {}
             for name in names:
-                alike = (one for one in groups if np.nanmax(np.abs(ways[one] - ways[name])) <= _ONE * size)
+                alike = (one for one in groups if np.nanmax(np.abs(paths[one] - paths[name])) <= _ONE * size)
                 groups.setdefault(next(alike, name), []).append(name)
-            found[plane] = [tuple(group) for group in groups.values()]
-        return found
+            as_one[plane] = [tuple(group) for group in groups.values()]
+        return as_one
 
     @staticmethod
     def _letters(polygon: PolygonFigure, groups: Sequence[tuple[str, ...]]) -> list[LabelRequest]:
@@ -233,20 +231,22 @@ class _Frames:
         return all(d.vector is not None and FRAME in owners[d.vector[0]] for d in self.method.drivers)
 
 
+# --- letters that go along without hopping ----------------------------------------------------------------------------
+
 _SIDES = tuple(cmath.rect(1, math.tau * k / 12) for k in range(12))
 _RINGS = (0.0, 2.8)
 """How far from its sign a letter may stand: farther, it has got past a block [mm]."""
 _FARTHER = 0.15
-"""What that costs in each position."""
+"""The cost of that in each position."""
 _ALONG = (0.5, 0.35, 0.65)
-"""Where beside a line its number may stand."""
+"""The places beside a line for its number."""
 _CLEAR = 0.4
-"""What letters keep from lines [mm]."""
+"""The room that letters keep from lines [mm]."""
 _SELDOM = 0.1
 """Letters that points share for a moment, where they lie on one another, flash up: those on fewer of the figures."""
 _OUTSIDE = 6.0
 """Leaving its room counts like lying on so many lines."""
-_WAYS = (1 + len(_SIDES)) * len(_RINGS)
+_CHOICES = (1 + len(_SIDES)) * len(_RINGS)
 
 Boxes = tuple[np.ndarray, np.ndarray]
 """Upper left and lower right corners (n, 2) [mm]."""
@@ -254,67 +254,55 @@ Boxes = tuple[np.ndarray, np.ndarray]
 
 def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list[list[Mark]]:
     """The marks of each figure with their letters; `off`: what letters keep off, too."""
-    found: list[list[Mark]] = [list(figure.marks) for figure in figures]
-    standing = [obstacles([*figure.marks, *off]) for figure in figures]
-    taken: list[list[Boxes]] = [[] for _ in figures]
+    marks: list[list[Mark]] = [list(figure.marks) for figure in figures]
+    drawn = [obstacles([*figure.marks, *off]) for figure in figures]
+    letters: list[list[Boxes]] = [[] for _ in figures]
     for wants in _by_label(figures).values():
-        at = list(wants)
         middles = np.array([_middles(want) for want in wants.values()])
-        half = _half(wants[at[0]].label, wants[at[0]].size)
-        costs = [_costs(row, half, standing[k], taken[k], room) for k, row in zip(at, middles, strict=True)]
-        best = int(np.argmin(np.sum(costs, axis=0) + len(costs) * _dislikes(middles.shape[1])))
-        for k, row in zip(at, middles, strict=True):
+        wide, up, down = box(*next((want.label, want.size) for want in wants.values()))
+        half = complex(wide, up + down) / 2
+        costs = [_costs(row, half, drawn[k], letters[k], room) for k, row in zip(wants, middles, strict=True)]
+        far = np.arange(_CHOICES) >= _CHOICES // len(_RINGS)
+        best = int(np.argmin(np.sum(costs, axis=0) + len(costs) * _FARTHER * far))
+        for (k, want), row in zip(wants.items(), middles, strict=True):
             place = _boxes(row[best : best + 1], half)
-            if not any(_lies(place, other) for other in taken[k]):  # hidden while it would lie on another
-                found[k].append(_text(wants[k], row[best]))
-                taken[k].append(place)
-    return found
+            if not any(_lies(place, other) for other in letters[k]):  # hidden while it would lie on another
+                at = complex(row[best]) + complex(-wide, up - down) / 2
+                marks[k].append(Text(want.label, at, want.size, want.step))
+                letters[k].append(place)
+    return marks
 
 
 def _by_label(figures: Sequence[Figure]) -> dict[tuple[Label, bool], dict[int, LabelRequest]]:
-    """Letters by what they say, and by figure; what is named so most often comes first, what seldom is not at all."""
-    found: dict[tuple[Label, bool], dict[int, LabelRequest]] = {}
+    """Letters by what they say, and by figure; the most frequent come first, seldom ones not at all."""
+    wants: dict[tuple[Label, bool], dict[int, LabelRequest]] = {}
     for k, figure in enumerate(figures):
         for want in figure.wanted:
             if not want.of:
-                found.setdefault((want.label, want.end is None), {}).setdefault(k, want)
-    often = {label: wants for label, wants in found.items() if len(wants) >= _SELDOM * len(figures)}
+                wants.setdefault((want.label, want.end is None), {}).setdefault(k, want)
+    often = {label: own for label, own in wants.items() if len(own) >= _SELDOM * len(figures)}
     return dict(sorted(often.items(), key=lambda entry: -len(entry[1])))
 
 
 def _middles(want: LabelRequest) -> list[Place]:
-    """Where its middle may be: around its point, the side it likes among them; or beside its line."""
-    half = _half(want.label, want.size)
+    """Places of its middle: around its point, the side it likes among them, touched by a ring; or beside its line."""
+    wide, up, down = box(want.label, want.size)
+    half = complex(wide, up + down) / 2
     if want.end is None or abs(want.end - want.start) < 1e-6:
         away = want.away / abs(want.away) if abs(want.away) > 1e-9 else 1 + 0j
-        return [_touching(want.place, side, want.gap + 0.6 + far, half) for far in _RINGS for side in (away, *_SIDES)]
+        return [
+            want.place + side * (want.gap + 0.6 + far) + complex(_leaning(side.real) * half.real,
+                                                                  _leaning(side.imag) * half.imag)
+            for far in _RINGS for side in (away, *_SIDES)
+        ]  # fmt: skip
     along = (want.end - want.start) / abs(want.end - want.start)
-    ways = [(want.start + (want.end - want.start) * t, along * turn) for t in _ALONG for turn in (-1j, 1j)]
-    found = [at + way * (_support(way, half) + want.gap) for at, way in ways]
-    return found + found[:1] * (_WAYS - len(found))
+    sides = [(want.start + (want.end - want.start) * t, along * turn) for t in _ALONG for turn in (-1j, 1j)]
+    places = [at + side * (abs(side.real) * half.real + abs(side.imag) * half.imag + want.gap) for at, side in sides]
+    return places + places[:1] * (_CHOICES - len(places))
 
 
-def _dislikes(count: int) -> np.ndarray:
-    """Near is better."""
-    return _FARTHER * (np.arange(count) >= count // len(_RINGS))
-
-
-def _touching(at: Place, side: complex, reach: float, half: complex) -> Place:
-    """A box that a ring about a place touches with its near side."""
-    return at + side * reach + complex(_held(side.real) * half.real, _held(side.imag) * half.imag)
-
-
-def _held(x: float) -> float:
+def _leaning(x: float) -> float:
     return max(-1.0, min(1.0, x * 1.6))
-
-
-def _support(way: complex, half: complex) -> float:
-    return abs(way.real) * half.real + abs(way.imag) * half.imag
-
-
-def _half(label: Label, size: float) -> complex:
-    wide, up, down = box(label, size)
-    return complex(wide, up + down) / 2
 
 
 def _boxes(middles: np.ndarray, half: complex) -> Boxes:
@@ -324,21 +312,15 @@ def _boxes(middles: np.ndarray, half: complex) -> Boxes:
 
 
 def _lies(one: Boxes, other: Boxes) -> np.ndarray:
-    """Which of the boxes lie on the other; what they keep from lines they need not keep twice from one another."""
-    lies: np.ndarray = overlap(one[0].T, one[1].T, other[0].T + _CLEAR, other[1].T - _CLEAR)
-    return lies
+    """The boxes that lie on the other; what they keep from lines they need not keep twice from one another."""
+    return overlap(one[0].T, one[1].T, other[0].T + _CLEAR, other[1].T - _CLEAR)
 
 
-def _costs(middles: np.ndarray, half: complex, drawn: Obstacles, taken: Sequence[Boxes], room: Room) -> np.ndarray:
-    """On how many things each of the places lies."""
+def _costs(middles: np.ndarray, half: complex, drawn: Obstacles, letters: Sequence[Boxes], room: Room) -> np.ndarray:
+    """The number of things on which each of the places lies."""
     low, high = _boxes(middles, half)
     cost = np.bincount(drawn.touched(low, high), minlength=len(middles)).astype(float)
-    for other in taken:
+    for other in letters:
         cost += _lies((low, high), other)
     outside = (low < [room.left, room.top]).any(axis=1) | (high > [room.right, room.bottom]).any(axis=1)
     return cost + _OUTSIDE * outside
-
-
-def _text(want: LabelRequest, middle: Place) -> Text:
-    wide, up, down = box(want.label, want.size)
-    return Text(want.label, complex(middle) + complex(-wide, up - down) / 2, want.size, want.step)
