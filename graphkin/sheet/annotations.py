@@ -47,7 +47,7 @@ _LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": 
 
 @frozen
 class MechanismNotes:
-    """A mechanism with what the solution reads off it.
+    """Annotations of a mechanism with what the solution reads off it.
 
     planes  of which results may be shown; none where only what is given is drawn
     """
@@ -64,16 +64,17 @@ class MechanismNotes:
         """All of it among what stands there."""
         added = Annotations()
         for one, other in measured_lengths(self.reading) if self.planes else ():
-            self._length(one, other, free, added)
-        for rotation in self._asked():
-            added.over.extend(self._arc(rotation, free))
+            self._add_length(one, other, free, added)
+        machine = self.reading.mechanism
+        asked = [quantity for text in machine.ask if (quantity := read(machine, text)) is not None]
+        for half in dict.fromkeys(half for quantity in asked for half in quantity.halves):
+            if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
+                added.over.extend(self._arc(half, free))
         if self.planes:
-            added.over.extend(_written(dimensions(self.reading), free))
+            added.over.extend(_in_lines(dimensions(self.reading), free))
         return added
 
-    # --- lengths ----------------------------------------------------------------------------------
-
-    def _length(self, one: str, other: str, free: FreeRoom, added: Annotations) -> None:
+    def _add_length(self, one: str, other: str, free: FreeRoom, added: Annotations) -> None:
         """A thin line between two points with the length it has, where there is room for its letters."""
         start, end = self.skeleton.at(one), self.skeleton.at(other)
         if abs(end - start) < _SHORT or not (pieces := free.pieces(start, end)):
@@ -85,16 +86,6 @@ class MechanismNotes:
             lines = [Stroke(piece, "measured", step=step) for piece in pieces]
             added.under.extend(lines)
             free.add(lines)
-
-    # --- rotations --------------------------------------------------------------------------------
-
-    def _asked(self) -> Iterator[Rotation]:
-        """The rates of links that are asked for, and that the planes drawn give."""
-        machine = self.reading.mechanism
-        asked = [quantity for text in machine.ask if (quantity := read(machine, text)) is not None]
-        for half in dict.fromkeys(half for quantity in asked for half in quantity.halves):
-            if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
-                yield half
 
     def _arc(self, rotation: Rotation, free: FreeRoom) -> list[Mark]:
         """An arc in the sense in which the link turns, about one of its points, with its letter."""
@@ -113,13 +104,13 @@ class MechanismNotes:
             want = LabelRequest(label, at + middle * radius, gap=0.9, away=middle, step=step)
             arc = [_accented(mark, plane) for mark in spin(at, start, sense, radius, step, shows)]
             if letters := free.letters_with(arc, want):
-                found = [*arc, *(_accented(mark, plane) for mark in letters)]
-                free.add(found)
-                return found
+                marks = [*arc, *(_accented(mark, plane) for mark in letters)]
+                free.add(marks)
+                return marks
         return []
 
     def _places(self, link: str, sense: float, free: FreeRoom) -> Iterator[tuple[str, float, complex]]:
-        """Where such an arc has room: point it is about, radius, direction in which it starts; fixed points first."""
+        """Places with room for such an arc: its point, radius, direction in which it starts; fixed points first."""
         owners, skeleton = self.reading.mechanism.owners, self.skeleton
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
         swept = (2 * np.arange(len(_TURNS))[:, None] - int(sense) * np.arange(_SWEPT)) % len(_ROUND)
@@ -136,12 +127,12 @@ def _accented(mark: Mark, plane: Plane) -> Mark:
     return replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
 
 
-def _written(texts: Sequence[str], free: FreeRoom) -> list[Mark]:
-    """What is given, in lines at the foot of the figure; nothing where it has no room."""
+def _in_lines(texts: Sequence[str], free: FreeRoom) -> list[Mark]:
+    """Given dimensions in lines at the foot of the figure; nothing where it has no room."""
     for wide in (free.room.size.real - 8, *_NARROWER):
         lines = WrittenLines.of([formula(text) for text in texts], wide, LEAST)
         if lines.lines and (corner := free.corner(lines.size, from_below=True)) is not None:
-            found: list[Mark] = [*lines.marks(corner)]
-            free.add(found)
-            return found
+            marks: list[Mark] = [*lines.marks(corner)]
+            free.add(marks)
+            return marks
     return []

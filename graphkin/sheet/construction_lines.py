@@ -43,7 +43,7 @@ _RIGHT = (("n", "t"), ("k", "r"), ("rn", "rt"))
 
 @frozen
 class _Line:
-    """A direction line from its foot to where it meets another, and what is written at its end."""
+    """A direction line from its foot to where it meets another, and the text at its end."""
 
     foot: Place
     meeting: Place
@@ -52,11 +52,11 @@ class _Line:
     page: int
 
     @property
-    def ways(self) -> list[complex]:
-        """On past the meeting point; either way where the line starts there."""
-        way = self.meeting - self.foot
-        ahead = (self.along.conjugate() * way).real
-        return [self.along * (1 if ahead > 0 else -1)] if abs(way) > _NOTHING else [self.along, -self.along]
+    def sides(self) -> list[complex]:
+        """Its direction past the meeting point; either one where the line starts there."""
+        off = self.meeting - self.foot
+        ahead = (self.along.conjugate() * off).real
+        return [self.along * (1 if ahead > 0 else -1)] if abs(off) > _NOTHING else [self.along, -self.along]
 
 
 @frozen
@@ -74,7 +74,7 @@ class PolygonConstruction:
 
     def lines(self) -> list[Mark]:
         """The direction lines as far as they like to go on past where they meet, for labels to keep off."""
-        sides = [(line, side) for line in self._lines() for side in line.ways]
+        sides = [(line, side) for line in self._lines() for side in line.sides]
         on = [Stroke((line.foot, line.meeting, line.meeting + side * _LIKED), "construction") for line, side in sides]
         return [*on, *(Stroke((start, end), "measured") for start, end, _ in self._carried())]
 
@@ -83,7 +83,7 @@ class PolygonConstruction:
         added = Annotations()
         marked: list[tuple[_Line, Place]] = []
         for line in self._lines():
-            tip = _drawn(line, free, added)
+            tip = _lay(line, free, added)
             marked += [(line, tip)] if tip is not None else []
         added.under.extend(square for square in self._squares() if _clear(square, free))
         for start, end, page in self._carried():
@@ -115,19 +115,14 @@ class PolygonConstruction:
             for ray in (step.first, step.second):
                 if isinstance(ray, Ray) and ray.through in points:
                     along = self.polygon.window.turned(complex(self.polygon.plot.direction(ray.direction)))
-                    text = self.spoken.line_direction(ray.direction, self._terms(step))
+                    closed = (each for each in self.polygon.construction.equations if step in each.steps)
+                    terms = next((equation.left + equation.right for equation in closed), ())
+                    text = self.spoken.line_direction(ray.direction, terms)
                     if not cmath.isnan(along):
                         yield _Line(points[ray.through], points[step.point], along, text, act.page)
 
-    def _terms(self, step: Meet) -> tuple[Term, ...]:
-        """The terms of the equation that a crossing closes."""
-        for equation in self.polygon.construction.equations:
-            if step in equation.steps:
-                return equation.left + equation.right
-        return ()
-
     def _carried(self) -> Iterator[tuple[Place, Place, int]]:
-        """Where an arrow that was found elsewhere is laid off once more: from where to where, and in which act."""
+        """The ends of arrows that were found elsewhere and are laid off once more, and the act in which they are."""
         points = self.polygon.points
         drawn = {frozenset((a.tail, a.head)) for a in arrows(self.polygon.mechanism, self.polygon.construction, points)}
         for act in self.acts:
@@ -141,7 +136,7 @@ class PolygonConstruction:
     # --- right angles -----------------------------------------------------------------------------
 
     def _squares(self) -> Iterator[Stroke]:
-        """Where a normal and a tangential part join, or what slides and its Coriolis acceleration."""
+        """Right angles between a normal and a tangential part, or of what slides and its Coriolis acceleration."""
         for equation in self.polygon.construction.equations:
             for chain in (equation.left, equation.right):
                 for one, other in pairwise(chain):
@@ -166,20 +161,20 @@ class PolygonConstruction:
 
     def _numbers(self, free: FreeRoom) -> Iterator[Mark]:
         """A number in a circle beside each thing that was drawn: what has no room at one thing has it at the next."""
-        left = [wanted for act in self.acts if (wanted := [*self._beside(act)])]
-        while left:
-            spots = free.spots([first for first, *_ in left], [complex(_RING, _RING)] * len(left))
-            others, left = left, []
-            for wanted, free_ones in zip(others, spots, strict=True):
+        waiting = [requests for act in self.acts if (requests := [*self._beside(act)])]
+        while waiting:
+            spots = free.spots([first for first, *_ in waiting], [complex(_RING, _RING)] * len(waiting))
+            tried, waiting = waiting, []
+            for requests, free_ones in zip(tried, spots, strict=True):
                 if (middle := free.place(free_ones)) is not None:
-                    found = _numbered(wanted[0], middle)
-                    free.add(found)
-                    yield from found
-                elif wanted[1:]:
-                    left.append(wanted[1:])
+                    marks = _numbered(requests[0], middle)
+                    free.add(marks)
+                    yield from marks
+                elif requests[1:]:
+                    waiting.append(requests[1:])
 
     def _beside(self, act: Act) -> Iterator[LabelRequest]:
-        """Where its number may stand: at what it finds first, then at each arrow that comes with it."""
+        """Requests for its number: at what it finds first, then at each arrow that comes with it."""
         points, label = self.polygon.points, plain(str(act.number))
         match act.done:
             case LayOff(term, _, tip) if tip in (term.head, term.tail) and {term.tail, term.head} <= points.keys():
@@ -189,17 +184,17 @@ class PolygonConstruction:
                 yield LabelRequest(label, end, gap=0.8, size=LEAST, step=act.page)
             case Meet(point=point) | Image(point=point) if point in points:
                 yield LabelRequest(label, points[point], gap=0.8, size=LEAST, step=act.page)
-                for start, end in self._found[act.page]:
+                for start, end in self._arrows_of_acts[act.page]:
                     yield LabelRequest(label, start, end, gap=0.6, size=LEAST, step=act.page)
 
     @cached_property
-    def _found(self) -> Mapping[int | None, list[tuple[Place, Place]]]:
+    def _arrows_of_acts(self) -> Mapping[int | None, list[tuple[Place, Place]]]:
         """The ends of the arrows that come with each act."""
-        found: dict[int | None, list[tuple[Place, Place]]] = defaultdict(list)
+        ends: dict[int | None, list[tuple[Place, Place]]] = defaultdict(list)
         for vector in self.polygon.vectors():
             if vector.length > _NOTHING:
-                found[vector.step].append((vector.start, vector.end))
-        return found
+                ends[vector.step].append((vector.start, vector.end))
+        return ends
 
 
 def _numbered(want: LabelRequest, middle: Place) -> list[Mark]:
@@ -209,9 +204,9 @@ def _numbered(want: LabelRequest, middle: Place) -> list[Mark]:
     return [Disc(middle, _RING, "construction", step=want.step), Text(want.label, at, want.size, want.step)]
 
 
-def _drawn(line: _Line, free: FreeRoom, added: Annotations) -> Place | None:
-    """The line from its foot past the meeting point; where it ends if it goes on far enough to bear its mark."""
-    reach, on = max(((free.reach(line.meeting, side, _BEYOND), side) for side in line.ways), key=lambda found: found[0])
+def _lay(line: _Line, free: FreeRoom, added: Annotations) -> Place | None:
+    """Add the line from its foot past the meeting point; its end if it goes on far enough to bear its mark."""
+    reach, on = max(((free.reach(line.meeting, side, _BEYOND), side) for side in line.sides), key=lambda pair: pair[0])
     tip = line.meeting + on * reach if reach >= _SHORT else line.meeting
     start = line.meeting - on * max(0.0, free.reach(line.meeting, -on, abs(line.meeting - line.foot)))
     if abs(tip - start) > _NOTHING:

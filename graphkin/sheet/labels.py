@@ -38,13 +38,13 @@ _CHEAPER = 0.5
 """A label moves where that saves more."""
 
 
-class Places:
+class LabelPlacing:
     """Labels taking their places; in a crowd farther off.
 
-    boxes   where each label stands; stands: which of them do
-    _table  what they choose from; _spot: which of it each takes
-    _tier   how far off each looks; _patience: how often one may still claim a place
-    _liked  what each would choose from up to a tier were it alone
+    boxes   of each label; stands: those that have a place
+    _table  the places they choose from; _spot: the one that each takes
+    _tier   of the places that each looks at; _patience: how often one may still claim a place
+    _liked  the places that each would choose from up to a tier were it alone
     """
 
     def __init__(self, scene: LabelScene, last: int) -> None:
@@ -88,7 +88,7 @@ class Places:
     # --- farther and farther ----------------------------------------------------------------------
 
     def _enough(self) -> Array:
-        """What a label may cost before it looks for farther places."""
+        """The cost of each label above which it looks for farther places."""
         return np.where(self._tier < self._last, np.array([*LEAST, np.inf])[self._tier + 1], np.inf)
 
     def _look_on(self, waiting: Sequence[int]) -> None:
@@ -104,7 +104,7 @@ class Places:
     # --- one after the other ----------------------------------------------------------------------
 
     def _burden(self, label: int, sign: int) -> None:
-        """What a label that stands here makes the places of all others cost more."""
+        """Add the cost of a label that stands here to the places of all others."""
         one = self.boxes.taken([label])
         numbers, others = self._table.about(*self.prices.reach(one), label)
         more, clash = self.prices.together(others, one)
@@ -172,11 +172,11 @@ class Places:
         self.boxes, self._table = Boxes(places, led), table
 
     def _bad(self) -> Array:
-        """Which labels have no good place."""
+        """Labels that have no good place."""
         return self._now() > self.prices.strange
 
     def _badness(self) -> tuple[int, float]:
-        """How many labels have no good place, and what all cost."""
+        """The number of labels without a good place, and the cost of all."""
         return int(np.sum(self._bad())), float(self._now().sum())
 
     def _claim(self, label: int) -> None:
@@ -202,7 +202,7 @@ class Places:
         self._move()
 
     def _now(self) -> Array:
-        """What each label costs where it stands."""
+        """The cost of each label where it stands."""
         return np.where(self.stands, self._table.cost[np.arange(len(self._spot)), self._spot], 0.0)
 
     def _move(self) -> None:
@@ -270,7 +270,7 @@ def settle(scene: LabelScene, far: bool = False) -> Settled:
     """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
     if not scene.wanted:
         return Settled([], ())
-    places = Places(scene, NEAR if scene.beyond_help else LED if len(scene.wanted) > MANY or not far else FARTHEST)
+    places = LabelPlacing(scene, NEAR if scene.beyond_help else LED if len(scene.wanted) > MANY or not far else FARTHEST)
     clashing = places.clashing()
     for _ in range(_ROUNDS if far else 0):
         if not (out := _left_out(scene.wanted, places.stands, clashing)):
@@ -281,7 +281,7 @@ def settle(scene: LabelScene, far: bool = False) -> Settled:
     return Settled([*_lettered(scene.wanted, places)], clashing, far, [*map(int, led)])
 
 
-def _lettered(wanted: Sequence[LabelRequest], places: Places) -> Iterator[Mark]:
+def _lettered(wanted: Sequence[LabelRequest], places: LabelPlacing) -> Iterator[Mark]:
     """Letters where they stand, with their leaders."""
     for label in map(int, np.flatnonzero(places.stands)):
         want, (low, high, _, anchor) = wanted[label], places.boxes.places[..., label]

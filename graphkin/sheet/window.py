@@ -39,7 +39,7 @@ class Window:
 
 @filled
 class Figure:
-    """What one plane puts on paper: marks in the order of painting, and labels that want a place."""
+    """A figure on paper: marks in the order of painting, and labels that want a place."""
 
     marks: list[Mark] = field(default_factory=list)
     wanted: list[LabelRequest] = field(default_factory=list)
@@ -91,12 +91,12 @@ def height_over(over: Over, wide: Array) -> Array:
 
 @frozen
 class Extent:
-    """How large a figure is: its places in SI units, and what signs and labels reach beyond them [mm].
+    """The extent of a figure: its places in SI units, and the reach of signs and labels beyond them [mm].
 
     low, high  lower left and upper right corner of its places
     left, top, right, bottom  the reaches
-    given   its scale where the file gives one; labels: how much is lettered in it, and how much room that takes [mm^2]
-    over    what stands over it
+    given   its scale where the file gives one
+    labels  their number; lettering: the room that they take [mm^2]; over: the size of what stands over it
     """
 
     low: complex
@@ -171,7 +171,7 @@ class Extent:
         return np.where(fits & (whole.real <= wide) & (whole.imag <= high), self.given, np.nan)
 
     def window(self, room: Room, scale: float) -> Window:
-        """Through which it stands with all its signs in the middle of a room."""
+        """The window through which it is in the middle of a room with all its signs."""
         whole = self.size / scale + self.reach
         x = (room.left + room.right - whole.real) / 2 + self.left
         y = (room.top + room.bottom - whole.imag) / 2 + self.top + self.size.imag / scale
@@ -179,14 +179,14 @@ class Extent:
 
 
 def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tuple[Window, Room]:
-    """Through which window a figure fills a paper cut to its size, with a margin [mm]; and the whole of that paper."""
+    """The window through which a figure fills a paper cut to its size, with a margin [mm]; and the whole of it."""
     left, top, right, bottom = bounds(draw(Window(0j, scale)).marks)
     whole = Room(0.0, 0.0, right - left + 2 * margin, bottom - top + 2 * margin)
     return Window(complex(margin - left, margin - top), scale), whole
 
 
 def magnified(window: Window, part: Place, shown: Place, times: float) -> Window:
-    """Through which what lies at one place of the paper is seen at another, so many times as large."""
+    """The window through which what lies at one place of the paper is seen at another, so many times as large."""
     return Window(shown + (window.origin - part) * times, window.scale / times)
 
 
@@ -198,12 +198,12 @@ def corners(places: Sequence[complex]) -> tuple[complex, complex]:
 
 def enlarged(places: Sequence[complex], more: Iterable[complex], factor: float) -> list[complex]:
     """The places, and of more, in their order, those that leave the figure at most `factor` times as large."""
-    found = list(places)
-    size = _diagonal(found) or 1.0
+    every = list(places)
+    size = _diagonal(every) or 1.0
     for place in more:
-        if cmath.isfinite(place) and _diagonal([*found, place]) <= factor * size:
-            found.append(place)
-    return found
+        if cmath.isfinite(place) and _diagonal([*every, place]) <= factor * size:
+            every.append(place)
+    return every
 
 
 def _diagonal(places: Sequence[complex]) -> float:
