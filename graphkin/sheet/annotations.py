@@ -33,9 +33,9 @@ _RADII = (7.0, 9.5, 12.0, 15.0)
 """Of the arcs that show how a link turns [mm]."""
 _ROUND = tuple(cmath.rect(1, math.tau * k / 48) for k in range(48))
 _TURNS, _SWEPT = _ROUND[::2], 1 + round(48 * SWEEP / math.tau)
-"""Where places are looked at round a point; in which of these directions an arc may start, and how many it passes."""
+"""Directions round a point in which places are tried; those in which an arc may start, and the number it passes."""
 _NARROWER = (75.0, 50.0, 30.0, 20.0)
-"""What is given is written in shorter lines where long ones have no room [mm]."""
+"""Given dimensions are written in shorter lines where long ones have no room [mm]."""
 _SHORT = 5.0
 """A shorter length is told by words alone [mm]."""
 _TRIED = 12

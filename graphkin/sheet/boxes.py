@@ -15,13 +15,13 @@ from graphkin.base.geometry import Array
 
 
 def overlap(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:
-    """Whether boxes overlap others; those that only touch do not."""
+    """True where boxes overlap others; those that only touch do not."""
     both = (low < other_high) & (high > other_low)
     return np.asarray(both[0] & both[1])
 
 
 def through(start: Array, end: Array, low: Array, high: Array) -> Array:
-    """Whether lines, whose surroundings overlap boxes, pass through these: no box lies on one side of its line.
+    """True where lines, whose surroundings overlap boxes, pass through these: no box lies on one side of its line.
 
     A level or upright line is as large as its surroundings, and does.
     """
@@ -32,7 +32,7 @@ def through(start: Array, end: Array, low: Array, high: Array) -> Array:
 
 
 def meet(start: Array, end: Array, other: Array, other_end: Array, touch: bool = False) -> Array:
-    """Whether lines cross others: each has its ends on both sides of the other, and none of them upon it; touch: or
+    """True where lines cross others: each has its ends on both sides of the other, and none of them upon it; touch: or
     upon it, where their surroundings overlap."""
     along, other_along, off = end - start, other_end - other, other - start
     first, second, between = _cross(along, off), _cross(other_along, off), _cross(along, other_along)
@@ -46,7 +46,7 @@ def _cross(along: Array, off: Array) -> Array:
 
 
 def beyond(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:
-    """By how much boxes would have to grow to all sides to reach others; less than 0: they overlap [mm]."""
+    """The length by which boxes would have to grow to all sides to reach others; less than 0: they overlap [mm]."""
     off = np.maximum(low - other_high, other_low - high)
     return np.asarray(np.maximum(off[0], off[1]))
 
@@ -74,29 +74,28 @@ class Edges(NamedTuple):
         return cls(start, end, np.minimum(start, end), np.maximum(start, end), across)
 
     def apart(self, rows: Array, low: Array, high: Array) -> Array:
-        """By how much boxes low..high would have to grow to all sides to reach some of them; below 0: they do [mm]."""
+        """The growth of boxes low..high to all sides with which they reach some of them; below 0: they do [mm]."""
         half, across = (high - low) / 2, abs(self.across).take(rows, axis=1)
         off = abs(self._side(rows, low + half)) - across[0] * half[0] - across[1] * half[1]
         surroundings = self.low.take(rows, axis=1), self.high.take(rows, axis=1)
         return np.asarray(np.maximum(off, beyond(*surroundings, low, high)))
 
     def outside(self, rows: Array, out: Array, low: Array, high: Array) -> Array:
-        """By how much boxes low..high would have to grow to reach across some of them from that side; less than 0: they
-        do [mm]."""
+        """The growth of boxes low..high with which they reach across some of them from that side; below 0: they do."""
         half, across = (high - low) / 2, abs(self.across).take(rows, axis=1)
         return np.asarray(self._side(rows, low + half) * out - across[0] * half[0] - across[1] * half[1])
 
     def passed(self, rows: Array, at: Array) -> Array:
-        """Whether a way to the right from there crosses some of them: an odd number of those of an area about it."""
+        """True where a line to the right from a place crosses them: an odd number of those of an area about it."""
         level = (self.low[1].take(rows) <= at[1]) & (at[1] < self.high[1].take(rows))
         return np.asarray(level & (self._side(rows, at) > 0))
 
     def met(self, rows: Array, start: Array, end: Array, touch: bool = False) -> Array:
-        """Whether lines cross some of them; touch: or touch them."""
+        """True where lines cross some of them; touch: or touch them."""
         return meet(start, end, self.start.take(rows, axis=1), self.end.take(rows, axis=1), touch)
 
     def _side(self, rows: Array, at: Array) -> Array:
-        """How far places lie across some of them."""
+        """The distance of places across some of them."""
         off = at[0] - self.start[0].take(rows), at[1] - self.start[1].take(rows)
         return np.asarray(self.across[0].take(rows) * off[0] + self.across[1].take(rows) * off[1])
 

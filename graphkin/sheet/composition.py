@@ -102,18 +102,18 @@ class Planes:
 
     @cached_property
     def rested(self) -> frozenset[Fact]:
-        """What drivers at rest hold still."""
+        """The motions that drivers at rest hold still."""
         return at_rest(self.method, self.plot.facts)
 
     @cached_property
     def extents(self) -> dict[Plane, Extent]:
-        """How large each plane's points are, and how far its signs reach beyond them."""
-        return {plane: self._extent(plane) for plane in self.planes}
-
-    def _extent(self, plane: Plane) -> Extent:
-        given = self.method.mechanism.scales.get(KEYS[plane])
-        extent = Extent.of(self.values(plane), partial(self.figure, plane), given)
-        return replace(extent, top=extent.top + self.paths.height) if plane == "position" else extent
+        """The size of each plane's points, and the reach of its signs beyond them."""
+        given, extents = self.method.mechanism.scales, dict[Plane, Extent]()
+        for plane in self.planes:
+            extent = Extent.of(self.values(plane), partial(self.figure, plane), given.get(KEYS[plane]))
+            over = self.paths.height if plane == "position" else 0.0
+            extents[plane] = replace(extent, top=extent.top + over)
+        return extents
 
     @cached_property
     def equations(self) -> dict[Plane, list[EquationBlock]]:
@@ -127,7 +127,7 @@ class Planes:
         return {plane: equation_blocks(polygon_entries(reading, plane, parts[plane], 0), rows) for plane in polygons}
 
     def reading(self, drawn: Mapping[Plane, float]) -> Reading:
-        """What the words read, at the scales of the planes that are drawn."""
+        """The reading of the words, at the scales of the planes that are drawn."""
         return Reading(self.method, self.plot, {key: drawn.get(plane, 1.0) for plane, key in KEYS.items()}, self.lang)
 
 
@@ -193,7 +193,8 @@ class SheetContents:
     @cached_property
     def height(self) -> Height:
         """The height of the strip on a paper [mm], reckoned once for each."""
-        return cache(partial(strip_height, found=self.tables, equations=self.in_strip)) if not self.tight else _no_strip
+        height = partial(strip_height, found=self.tables, equations=self.in_strip)
+        return cache(height) if not self.tight else lambda _: 0.0
 
     def layout(self, papers: Sequence[Paper], weights: Mapping[Plane, int]) -> Layout:
         """The best division of the smallest paper that holds all; a plane counts by its labels times its weight."""
@@ -250,7 +251,3 @@ class SheetContents:
         acts = [act for act in self.drawing.method.acts if act.plane == plane]
         loose = [] if plane in layout.headed else self.blocks[plane]
         return PolygonConstruction(self.drawing.polygon(plane, window), PolygonReading(reading, plane), acts, loose)
-
-
-def _no_strip(_: Paper) -> float:
-    return 0.0

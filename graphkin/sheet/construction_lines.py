@@ -29,7 +29,7 @@ from graphkin.sheet.text_blocks import EquationBlock
 from graphkin.sheet.window import Window
 
 _BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
-"""How far a direction line goes on past where it meets the other; where labels keep off it if they can; shorter than
+"""Lengths of a direction line past where it meets the other; for labels to keep off if they can; shorter than
 this it says nothing [mm]."""
 _SQUARE = 1.9
 """Side of the square in a right angle [mm]."""
@@ -167,7 +167,11 @@ class PolygonConstruction:
             tried, waiting = waiting, []
             for requests, free_ones in zip(tried, spots, strict=True):
                 if (middle := free.place(free_ones)) is not None:
-                    marks = _numbered(requests[0], middle)
+                    request = requests[0]
+                    wide, up, down = box(request.label, request.size)
+                    at = middle + complex(-wide / 2, (up - down) / 2)
+                    marks: list[Mark] = [Disc(middle, _RING, "construction", step=request.step)]
+                    marks.append(Text(request.label, at, request.size, request.step))
                     free.add(marks)
                     yield from marks
                 elif requests[1:]:
@@ -197,13 +201,6 @@ class PolygonConstruction:
         return ends
 
 
-def _numbered(want: LabelRequest, middle: Place) -> list[Mark]:
-    """A number in its circle."""
-    wide, up, down = box(want.label, want.size)
-    at = middle + complex(-wide / 2, (up - down) / 2)
-    return [Disc(middle, _RING, "construction", step=want.step), Text(want.label, at, want.size, want.step)]
-
-
 def _lay(line: _Line, free: FreeRoom, added: Annotations) -> Place | None:
     """Add the line from its foot past the meeting point; its end if it goes on far enough to bear its mark."""
     reach, on = max(((free.reach(line.meeting, side, _BEYOND), side) for side in line.sides), key=lambda pair: pair[0])
@@ -215,7 +212,7 @@ def _lay(line: _Line, free: FreeRoom, added: Annotations) -> Place | None:
 
 
 def _clear(stroke: Stroke, free: FreeRoom) -> bool:
-    """Whether no letters stand where a small sign would be drawn."""
+    """True where no letters stand where a small sign would be drawn."""
     first, corner, last = stroke.places
     sides = ((first, corner), (last, corner))
     return all(free.reach(a, (b - a) / abs(b - a), abs(b - a)) >= abs(b - a) for a, b in sides)
@@ -223,7 +220,7 @@ def _clear(stroke: Stroke, free: FreeRoom) -> bool:
 
 Pages = Mapping[tuple[Plane, Step], int]
 _RAY_BEYOND = 9.0
-"""How far a direction line goes on past its points [mm]."""
+"""The length of a direction line past its points [mm]."""
 _SWING, _STROKE = math.radians(22), 12.0
 """Half of an arc: this angle, or this length [mm] if that is less."""
 

@@ -33,13 +33,13 @@ _TIMES = (20.0, 10.0, 5.0, 4.0, 3.0, 2.5)
 _LARGEST = 45.0
 """Radius of a detail [mm]."""
 _AROUND, _HEAD = 8.0, 4.0
-"""What letters around a detail need, and its own heading over it [mm]."""
+"""Room for letters around a detail, and for its own heading over it [mm]."""
 _MANY = 150
 """More labels than this no detail relieves."""
 _SAVED = 4
 """A detail is drawn where it saves so many leaders, or labels without a place."""
 _EASIER = 0.5
-"""What a leader in a detail counts, where lines are wide apart."""
+"""The burden of a leader in a detail, where lines are wide apart."""
 _ON = 0.05
 """Nearer than this to a circle's rim is still in it [mm]."""
 _CROWD = 60
@@ -62,7 +62,7 @@ class _Circle:
         return all(abs(place - self.centre) <= self.radius + _ON for place in places)
 
     def names(self, want: LabelRequest) -> bool:
-        """Whether what a label names lies in it wholly."""
+        """True where what a label names lies in it wholly."""
         return self.holds(want.start, want.start if want.end is None else want.end)
 
     @property
@@ -141,7 +141,7 @@ class _DetailDrawing:
 
     @property
     def emptied(self) -> bool:
-        """Whether some detail has no letters of its own, because another shows what it shows."""
+        """True where some detail has no letters of its own, because another shows what it shows."""
         wanted = self.panel.figure.wanted
         return any(sum(map(view.shown.names, wanted)) < _OWN for view in self.views)
 

@@ -22,13 +22,13 @@ from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
 from graphkin.sheet.text_blocks import EquationBlock
 
 _CLEAR = 0.6
-"""What is added keeps this from everything there [mm]."""
+"""The distance of what is added from everything there [mm]."""
 _WORD = np.array((2.2, -0.6))
 """Letters beside others read as theirs when nearer; how far above or below they may be for that [mm]."""
 _EDGE, _GRID = 2.0, 3.0
-"""What a rectangle keeps from all others; how finely places for it are tried [mm]."""
+"""The distance of a rectangle from all others; the grid of the places that are tried for it [mm]."""
 _STEPS = 0.5
-"""How finely a line is shortened [mm]."""
+"""The steps in which a line is shortened [mm]."""
 
 
 @frozen
@@ -89,12 +89,12 @@ class FreeRoom:
         return [self._late[first]] if first < len(self.marks) else []
 
     def free(self, low: Array, high: Array) -> Array:
-        """Which of many boxes (n, 2) touch nothing and lie in the room."""
+        """True for those of many boxes (n, 2) that touch nothing and lie in the room."""
         inside = (low >= (self.room.left, self.room.top)) & (high <= (self.room.right, self.room.bottom))
         return _clear(inside[:, 0] & inside[:, 1], low, high, [*self._standing, *self._added(self._first)])
 
     def reach(self, start: Place, along: complex, most: float) -> float:
-        """How far a line may go on from a place without running into letters, or out of the room [mm]."""
+        """The length of a line on from a place, without running into letters or out of the room [mm]."""
         steps, bad = self._along(start, along, most)
         return float(steps[np.argmax(bad)] - _STEPS) if bad.any() else most
 
@@ -189,7 +189,7 @@ def _lettered(want: LabelRequest, middle: Place | None) -> list[Mark]:
 
 
 def _clear(free: Array, low: Array, high: Array, lying: Sequence[Obstacles]) -> Array:
-    """Which of the boxes that are free as far as is known keep off all that lies there."""
+    """True for those of the boxes so far free that keep off all that lies there."""
     for each in lying:
         rows = np.flatnonzero(free)
         free[rows[each.touched(low[rows] - _CLEAR, high[rows] + _CLEAR)]] = False
@@ -203,7 +203,7 @@ def _corners(middle: Array, half: Array) -> tuple[Array, Array]:
 
 
 def _beside(low: Array, high: Array, letters: Array) -> Array:
-    """Which of many boxes (n, 2) stand on a line with letters and so near that they read as a part of them."""
+    """True for boxes (n, 2) on a line with letters and so near that they read as a part of them."""
     least, most = letters[:, 0] - _WORD, letters[:, 1] + _WORD
     beside = [(low[:, k, None] < most[:, k]) & (high[:, k, None] > least[:, k]) for k in range(2)]
     return np.asarray((beside[0] & beside[1]).any(axis=1))

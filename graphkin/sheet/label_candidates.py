@@ -35,9 +35,9 @@ MANY = 150
 _FEWER = 6
 """Of the places of a crowd beyond help one in so many is rated."""
 _CELL = 1.0
-"""How finely it is looked for what surely lies there [mm]."""
+"""The size of the squares that surely hold something [mm]."""
 _CLEAR, _EASY = 0.45, 1.3
-"""What a label keeps from lines at least, and likes to keep [mm]."""
+"""The distance of a label from lines at least, and the one it likes [mm]."""
 
 
 class Boxes(NamedTuple):
@@ -151,13 +151,13 @@ class LabelScene:
 
     @property
     def crammed(self) -> bool:
-        """Whether so much is to be lettered that some labels will lie on others."""
+        """True where so much is to be lettered that some labels will lie on others."""
         size = self.room.size
         return lettering(self.wanted) > CRAMMED * size.real * size.imag
 
     @cached_property
     def beyond_help(self) -> bool:
-        """Whether very many labels have no room, so that no care helps."""
+        """True where very many labels have no room, so that no care helps."""
         return len(self.wanted) > MANY and self.crammed
 
     @cached_property
@@ -225,7 +225,7 @@ class LabelScene:
             self._seen[label, tier] = part
 
     def _cross(self, labels: Sequence[int], tier: int) -> None:
-        """What the leaders of candidates of one tier cross, of some labels at once; of boxes that lie on nothing."""
+        """Count the crossings of the leaders of one tier, of some labels at once; of boxes that lie on nothing."""
         if not labels:
             return
         parts = [self._seen[label, tier] for label in labels]

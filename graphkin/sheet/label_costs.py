@@ -13,11 +13,11 @@ from graphkin.sheet.boxes import meet, overlap, through
 from graphkin.sheet.label_candidates import Boxes, Rated
 
 _PASSING = 0.4
-"""What a leader keeps from other labels [mm]."""
+"""The distance of a leader from other labels [mm]."""
 _ONE, _BESIDE = 0.5, 2.5
 """Leaders that end nearer together than the second look like one; than the first, they end at one place [mm]."""
 _WORD = np.array([[2.2], [-1.2]])
-"""How far apart labels side by side read as two; how far up or down of it they are no line [mm]."""
+"""Labels side by side and farther apart read as two; farther up or down they are no line [mm]."""
 
 
 class Prices(NamedTuple):
@@ -88,7 +88,7 @@ CROWDED = Prices(400.0, 4000.0, 20000.0, 350.0, 900.0, 5.0, 1.3, 1.5)
 
 
 def under(led: Boxes, other: Boxes, keep: float = _PASSING) -> Array:
-    """Which labels lie under the leader of the one they are paired with; one of them may be a single one."""
+    """True for labels under the leader of the one they are paired with; one of them may be a single one."""
     lying = np.zeros(max(len(led.led), len(other.led)), dtype=bool)
     if not led.led.any():
         return lying
@@ -160,7 +160,7 @@ class LabelTable:
         return self._places[:, :, number], self._led[number]
 
     def about(self, low: Array, high: Array, label: int) -> tuple[Array, Boxes]:
-        """Which places, of labels but this one, reach into a box low..high (2, 1); and these."""
+        """Numbers of places, of labels but this one, that reach into a box low..high (2, 1); and these."""
         width = self.cost.shape[1]
         near = overlap(self._low, self._high, low, high)
         near[label * width : label * width + width] = False

@@ -29,11 +29,11 @@ _MOST, _LEAST, _ALL = 80, 16, 8000
 _FEW = 8
 """For so many labels without a good place others make way."""
 _PATIENCE, _WORK = 24, 900
-"""How often a label of a figure may claim a place; less often in a crowd, where so many labels are asked at most."""
+"""A label may claim a place so often; less often in a crowd, of which so many labels are asked at most."""
 _CHAIN = 3
 """So many labels may claim places one after the other."""
 _YIELDING = 0.02
-"""What others cost that make way."""
+"""The cost of others that make way."""
 _CHEAPER = 0.5
 """A label moves where that saves more."""
 
@@ -123,7 +123,7 @@ class LabelPlacing:
         self.stands[label] = False
 
     def _greedy(self, labels: Sequence[int]) -> list[int]:
-        """Who has the least freedom takes its best place first; who finds none for so little waits."""
+        """The label with the least freedom takes its best place first; one that finds none for so little waits."""
         waiting, put_off, enough = np.array(labels), [], self._enough()
         while len(waiting):
             left = np.count_nonzero(self._table.free[waiting], axis=1)
@@ -241,9 +241,9 @@ class LabelPlacing:
 
 
 _DOT = 0.3
-"""Where a leader meets an arrow is a dot of this radius, so that it is plain which of two it means [mm]."""
+"""At the end of a leader on an arrow is a dot of this radius, so that it is plain which of two it means [mm]."""
 _ROUNDS = 30
-"""How often some are left out, to give others a place."""
+"""Some are left out so often, to give others a place."""
 _NEIGHBOUR = 15.0
 """So near to a label without a place, others that say nothing new are left out [mm]."""
 
@@ -270,7 +270,8 @@ def settle(scene: LabelScene, far: bool = False) -> Settled:
     """The labels (and their leaders) at their places among what is drawn; `far`: farther off rather than on it."""
     if not scene.wanted:
         return Settled([], ())
-    places = LabelPlacing(scene, NEAR if scene.beyond_help else LED if len(scene.wanted) > MANY or not far else FARTHEST)
+    last = NEAR if scene.beyond_help else LED if len(scene.wanted) > MANY or not far else FARTHEST
+    places = LabelPlacing(scene, last)
     clashing = places.clashing()
     for _ in range(_ROUNDS if far else 0):
         if not (out := _left_out(scene.wanted, places.stands, clashing)):

@@ -40,13 +40,13 @@ HEAD = 7.5
 HEAD_LEFT = 3.0
 """From the side of a room to its heading [mm]."""
 _SECOND = 5.5
-"""How much higher it is where the scale stands under it, in a narrow room [mm]."""
+"""Its additional height where the scale stands under it, in a narrow room [mm]."""
 _NARROWEST = 46.0
 """A heading wants at least so much [mm]."""
 _MECHANISM = 1.3
-"""How much more the mechanism counts: its signs keep their size and need room between them."""
+"""The weight of the mechanism: its signs keep their size and need room between them."""
 _INK = 2.0
-"""What it is worth that the paper is used."""
+"""The worth of paper that is used."""
 _LARGE_ENOUGH = 130.0
 """A figure of this size alone on its paper needs no larger one [mm]."""
 

@@ -20,7 +20,7 @@ _LEAST = 2.5
 _DROP, _RISE = 0.22, -0.40
 _ASCENT, _DESCENT = 0.68, 0.20
 _BOLD = 1.08
-"""How much wider bold letters are."""
+"""The width of bold letters, as a part of plain ones."""
 
 _ROMAN = (
     "250 333 408 500 500 833 778 180 333 333 500 564 250 333 250 278 500 500 500 500 500 500 500 500 500 500 278 278 "
@@ -77,7 +77,7 @@ def advance(text: str, italic: bool = False) -> float:
 
 
 def is_wide(letter: str) -> bool:
-    """Whether a character is as wide as high, as Chinese ones are."""
+    """True where a character is as wide as high, as Chinese ones are."""
     return letter > "\u2100" and any(first <= letter <= last for first, last in _WIDE)
 
 

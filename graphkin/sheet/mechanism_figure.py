@@ -199,7 +199,7 @@ def _hinges(skeleton: Skeleton) -> list[Mark]:
 
 
 def _stands_free(skeleton: Skeleton, point: str) -> bool:
-    """Whether nothing but bars meets at a hinge: no ground, no block, no wheel."""
+    """True where nothing but bars meets at a hinge: no ground, no block, no wheel."""
     signs = {slide.point for slide in skeleton.mechanism.slides}
     signs |= {wheel.centre for wheel in wheels_of(skeleton.mechanism)}
     return FRAME not in skeleton.mechanism.owners[point] and not _is_pin(skeleton, point) and point not in signs

@@ -126,7 +126,7 @@ class Arrangement:
 
     @property
     def large(self) -> bool:
-        """Whether its paper is a large one."""
+        """True where its paper is a large one."""
         return self.layout.paper.name in [paper.name for paper in LARGE]
 
     @cached_property
@@ -140,7 +140,7 @@ class Arrangement:
 
     @cached_property
     def overfull(self) -> float:
-        """How much more its labels take than their rooms have for them, of the fullest figure; above 1 some cannot
+        """The part of its room for letters that the labels of the fullest figure take; above 1 some cannot
         but lie on others, and no care helps."""
         return max(self.contents.extents[plane].fullness(self.layout.rooms[plane]) for plane in self.contents.planes)
 

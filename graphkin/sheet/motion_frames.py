@@ -42,9 +42,9 @@ from graphkin.studies.sweeps import Course, course, prove
 
 FRAMES = 60
 _SHORT_OF_STOP = 1e-3
-"""How near to a dead point the motion is shown [of the way between two of them]."""
+"""The distance from a dead point at which the motion ends [of the path between two of them]."""
 _ASIDE_DEG, _ASIDE_PART = 0.05, 0.001
-"""How far beside a change point its position is drawn, where the polygons would be 0/0."""
+"""The distance from a change point at which its position is drawn, where the polygons would be 0/0."""
 _ONE = 1e-6
 """Points of a polygon that are never farther apart are one [of its size]."""
 _LARGE, _ENDLESS = 4.0, 12.0
@@ -226,7 +226,7 @@ class _Frames:
 
     @cached_property
     def _drives_stand(self) -> bool:
-        """Whether all drivers turn or slide at the frame: then their arrows stand still, too."""
+        """True where all drivers turn or slide at the frame: then their arrows stand still, too."""
         owners = self.method.mechanism.owners
         return all(d.vector is not None and FRAME in owners[d.vector[0]] for d in self.method.drivers)
 
@@ -235,7 +235,7 @@ class _Frames:
 
 _SIDES = tuple(cmath.rect(1, math.tau * k / 12) for k in range(12))
 _RINGS = (0.0, 2.8)
-"""How far from its sign a letter may stand: farther, it has got past a block [mm]."""
+"""Distances of a letter from its sign: the farther gets it past a block [mm]."""
 _FARTHER = 0.15
 """The cost of that in each position."""
 _ALONG = (0.5, 0.35, 0.65)

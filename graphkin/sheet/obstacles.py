@@ -12,14 +12,14 @@ import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.sheet.boxes import Blocks, Edges, beyond, through
-from graphkin.sheet.lettering import Label, box
+from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 
 _SIDES = 4
 """An area of no more sides, all level or upright, is a rectangle."""
 
 _ROUNDED = 1e-9
-"""What only touches is not lost by rounding [mm]."""
+"""A touch is not lost by rounding [mm]."""
 
 
 class Areas:
@@ -45,7 +45,7 @@ class Areas:
 
     @cached_property
     def _shapes(self) -> tuple[Array, Array, list[int]]:
-        """Where edges face; which areas bulge nowhere inwards, and how many edges these have. For boxes close by."""
+        """The sides that edges face; areas that bulge nowhere inwards, and the numbers of their edges."""
         out, round_ = _outwards(self._way, self._first, self._count)
         return out, round_, sorted(set(self._count[round_ & ~self._plain].tolist()))
 
@@ -80,7 +80,7 @@ class Areas:
             yield block[pair] * blocks.low.shape[2] + place, areas[pair]
 
     def _apart(self, areas: Array, low: Array, high: Array) -> Array:
-        """By how much each box would have to grow to reach the area it is paired with."""
+        """The length by which each box would have to grow to reach the area it is paired with."""
         found = beyond(self._low.take(areas, axis=1), self._high.take(areas, axis=1), low, high)
         shaped = np.flatnonzero(~self._plain[areas])
         if len(shaped):
@@ -89,7 +89,7 @@ class Areas:
         return found
 
     def _beyond_sides(self, areas: Array, low: Array, high: Array) -> Array:
-        """By how much each box would have to grow to reach across all sides of the area it is paired with."""
+        """The length by which each box would have to grow to reach across all sides of the area it is paired with."""
         found, (out, round_, counts) = np.empty(len(areas)), self._shapes
         for sides in counts:
             rows = np.flatnonzero(round_[areas] & (self._count[areas] == sides))
@@ -228,11 +228,14 @@ def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:
         case ArcMark():
             yield arc_places(mark), False
         case Text(label, at, size):
-            yield _frame(label, at, size), True
+            wide, up, down = box(label, size)
+            yield (at + 1j * down, at + wide + 1j * down, at + wide - 1j * up, at - 1j * up), True
         case VectorMark(start=start, end=end):
             yield (start, end), False
             if abs(end - start) > _TIP:
-                yield _tip(start, end), True
+                along = (end - start) / abs(end - start)
+                back, half = end - along * _TIP, along * 1j * _TIP_HALF
+                yield (end, back + half, back - half), True
         case PointMark(at=at, radius=radius):
             yield tuple(at + radius * turn for turn in _CIRCLE[::3]), True
 
@@ -241,17 +244,6 @@ def arc_places(arc: ArcMark) -> tuple[Place, ...]:
     """A polyline close to an arc."""
     count = max(4, int(abs(arc.sweep) * 8))
     return tuple(arc.centre + cmath.rect(arc.radius, arc.start + arc.sweep * k / count) for k in range(count + 1))
-
-
-def _tip(start: Place, end: Place) -> tuple[Place, ...]:
-    along = (end - start) / abs(end - start)
-    back = end - along * _TIP
-    return end, back + along * 1j * _TIP_HALF, back - along * 1j * _TIP_HALF
-
-
-def _frame(label: Label, at: Place, size: float) -> tuple[Place, ...]:
-    wide, up, down = box(label, size)
-    return at + 1j * down, at + wide + 1j * down, at + wide - 1j * up, at - 1j * up
 
 
 def bounds(drawn: Iterable[Mark]) -> tuple[float, float, float, float]:

@@ -37,7 +37,7 @@ HEAD_WIDTH = 76.0
 """A figure's heading with its scale beside it is no wider [mm]."""
 
 _EDGE = 3.0
-"""What stays free beyond the figures of a trimmed page [mm]."""
+"""The margin about the figures of a trimmed page [mm]."""
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
 _LAYERS: Mapping[Plane, LayerName] = {
     "position": "mechanism", "velocity": "velocity", "acceleration": "acceleration",
@@ -149,7 +149,7 @@ class Panel:
 
     @cached_property
     def far(self) -> Settled:
-        """Where some find no place near what they name, all may go farther off."""
+        """Its labels farther off, where some find no place near what they name."""
         crowd = self.scene.crammed or self.near.clashes
         return _settled(self.scene, far=True) if crowd else self.near
 

@@ -80,7 +80,7 @@ class Paper:
 
     @property
     def frame(self) -> Room:
-        """What the drawing frame holds."""
+        """The room within the drawing frame."""
         left = self.filing if self.margin else 0.0
         return Room(left, self.margin, self.width - self.margin, self.height - self.margin)
 
@@ -144,7 +144,7 @@ UNITS: dict[Plane, str] = {"position": "m/mm", "velocity": "(m/s)/mm", "accelera
 KEYS: dict[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 """Key of a plane's scale in the mechanism file."""
 SERIES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0)
-"""What a scale begins with: 1-2-5 (ISO 5455, the first series of GB/T 14690) and between them its second series."""
+"""The first digits of scales: 1-2-5 (ISO 5455, the first series of GB/T 14690) and between them its second series."""
 _NONE = 1e-300
 _CLOSE = 1 - 1e-9
 """A scale that is too fine by rounding alone still fits."""

@@ -26,7 +26,7 @@ from graphkin.studies.centres.two_velocities import TwoVelocities
 _ARROW = 45.0
 """The greater velocity is drawn no longer than this [mm]."""
 _BEYOND = 12.0
-"""How far lines go on [mm]; a line that meets none, so much more."""
+"""The length of lines past their points [mm]; a line that meets none, so much more."""
 _SQUARE, _RADIUS = 2.2, 9.0
 _FOOT = 24.0
 """Room for what is said under the figure [mm]."""

@@ -48,7 +48,7 @@ class _Results:
     usual: Usual
 
     def asked(self, name: str, *quantities: str) -> bool:
-        """Whether the problem asks for one of these quantities of what bears the name."""
+        """True where the problem asks for one of these quantities of what bears the name."""
         texts = [text.replace("/", " ").split() for text in self.method.mechanism.ask]
         return any(pair[0] in quantities and pair[1] == name for words in texts for pair in pairwise(words))
 

@@ -21,7 +21,7 @@ from graphkin.sheet.titleblock import Strip, Table, strip_height, two_lines
 from graphkin.sheet.window import Extent, Figure, Window
 
 _LABELS = 20
-"""How much lettering the choice between upright paper and paper on its side reckons with."""
+"""The number of labels by which upright paper or paper on its side is chosen."""
 
 
 @frozen

@@ -51,7 +51,7 @@ class WrittenLines:
 LINE = 1.4
 """From base line to base line, as a part of the letters' size."""
 _INDENT = 2.5
-"""How far the further lines of a sentence stand in [mm]."""
+"""The indent of the further lines of a sentence [mm]."""
 _MOST = 16
 """Lines in a strip; what is longer is cut."""
 _STOPS = r"[\u3001\u3002\uff0c\uff1b\uff09]?"

@@ -29,7 +29,7 @@ _PLANES: dict[str, Plane] = {
     "ω": "velocity", "v": "velocity", "ds/dt": "velocity", "α": "acceleration", "a": "acceleration",
     "d²s/dt²": "acceleration",
 }  # fmt: skip
-"""Whose colour the values of a column have, by its letter."""
+"""The plane whose colour the values of a column have, by its letter."""
 
 
 @frozen
@@ -91,7 +91,7 @@ class Table:
 
 
 def _point(cells: list[Cell]) -> float:
-    """How far before its point the widest number begins [mm]."""
+    """The width of the widest number before its point [mm]."""
     return max((own or 0.0 for own, _ in cells), default=0.0)
 
 

@@ -71,13 +71,13 @@ def constructions(method: Method) -> dict[Plane, Construction]:
 _TRIAL = 100.0
 """Size of a figure when it is drawn to see how far its signs reach [mm]."""
 _LETTERS = 6.5
-"""What labels need around a figure [mm]."""
+"""Room for labels around a figure [mm]."""
 _LEAST = 5.0
 """Points in less room than this are no figure [mm]."""
 _TOO_HIGH = 1e6
 """Higher than any room [mm]."""
 _CLOSE = 1 + 1e-9
-"""What is too large by rounding alone still fits."""
+"""A figure that is too large by rounding alone still fits."""
 
 Over = tuple[complex, complex]
 """Width and height of what stands over a figure: side by side, and one under the other [mm]."""

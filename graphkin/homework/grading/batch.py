@@ -38,7 +38,7 @@ _POINTS = {"right": True, "wrong": False}
 
 
 def is_marks(path: str | Path) -> bool:
-    """Whether a file is one of marks."""
+    """True where a file is one of marks."""
     try:
         with Path(path).open("rb") as file:
             start = file.read(_GLANCE)

@@ -184,7 +184,7 @@ def _direction(mechanism: Mechanism, motions: Motions, link: str, vector: tuple[
 
 
 def _same(method: Method, plot: Plot, there: Method) -> bool:
-    """Whether what is asked for is the same by both."""
+    """True where what is asked for is the same by both."""
     asked = list(asked_of(method.mechanism).values())
     one, other = (
         [number(quantity.answer(motions).value) for quantity in asked]
@@ -196,5 +196,5 @@ def _same(method: Method, plot: Plot, there: Method) -> bool:
 
 
 def _off(quantity: Quantity, one: float, other: float) -> float:
-    """By how much, an angle but for whole turns."""
+    """The difference of two answers, of angles but for whole turns."""
     return abs(math.remainder(one - other, math.tau)) if quantity.unit == "rad" else abs(one - other)

@@ -32,7 +32,7 @@ class SetMarker:
         raise NotImplementedError
 
     def __call__(self, student: str) -> ReadableProblem | None:
-        """What the student is asked; None for one who is not of this class."""
+        """The problem of the student; None for one who is not of this class."""
         marker = self.marker(student)
         return None if marker is None else asked_by(marker)
 

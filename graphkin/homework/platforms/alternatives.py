@@ -37,7 +37,7 @@ class Alternative:
     mistakes: tuple[Text, ...] = ()
 
     def holds(self, number: Decimal) -> bool:
-        """Whether a number counts as this one."""
+        """True where a number counts as this one."""
         return abs(number - self.number) <= self.tolerance
 
 
@@ -106,14 +106,11 @@ def _told_apart(right: Sequence[Alternative], mistakes: Sequence[Alternative]) -
     for k, one in enumerate(apart):
         alike = [other for other in (*apart[k:], *near) if one.holds(other.number)]
         if not any(before.number == one.number and before.tolerance == one.tolerance for before in answers):
-            answers.append(_with_alike(one, alike))
+            ids = tuple(dict.fromkeys(name for other in alike for name in other.ids))
+            texts = tuple(text for other in alike for text in other.mistakes)
+            percent = max(other.percent for other in alike)
+            answers.append(Alternative(one.number, one.tolerance, percent, ids, texts))
     return tuple(answers)
-
-
-def _with_alike(one: Alternative, alike: Sequence[Alternative]) -> Alternative:
-    ids = tuple(dict.fromkeys(name for other in alike for name in other.ids))
-    texts = tuple(text for other in alike for text in other.mistakes)
-    return Alternative(one.number, one.tolerance, max(other.percent for other in alike), ids, texts)
 
 
 def _ring(one: Alternative, wrongs: Sequence[Alternative]) -> Alternative | None:

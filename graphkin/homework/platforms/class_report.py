@@ -22,7 +22,7 @@ RANGES = 10
 """Scores are counted in so many ranges of the same width."""
 _FAILED: tuple[Verdict, ...] = ("wrong", "missing")
 _ALWAYS: tuple[Verdict, ...] = ("right", "carried", *_FAILED)
-"""What is wrong comes before what is left out, which is normal on the way."""
+"""Wrong lines come before those that are left out, which is normal on the way."""
 
 
 @frozen

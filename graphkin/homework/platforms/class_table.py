@@ -15,7 +15,7 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang, NotAnOverride, Unreadable, Where
 from graphkin.homework.platforms.feedback import habit, suspected
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.result import Result, ResultLine, texts_in
+from graphkin.homework.platforms.result import Result, texts_in
 from graphkin.homework.platforms.tables import HUNDREDTH, Cell, columns_of, read_table
 from graphkin.say.catalogue import in_both, say
 from graphkin.say.verdicts import verdict
@@ -56,14 +56,10 @@ def _row(result: Result, names: tuple[str, ...], lang: Lang) -> list[Cell]:
         result.earned if marked else None, result.most, result.override, result.total,
         None if result.score is None else (result.score * 100).quantize(Decimal("0.01")),
     ]  # fmt: skip
-    by_name = {line.name: line for line in result.lines}
-    middle = [cell for name in names for cell in _cells(by_name.get(name), lang)]
+    by_name: dict[str, tuple[Cell, Cell]] = {line.name: (verdict(line, lang), line.points) for line in result.lines}
+    middle = [cell for name in names for cell in by_name.get(name, ("", None))]
     diagnosis = suspected(result.suspicions[0], lang) if result.suspicions else ""
     return [*front, *middle, diagnosis, texts_in([result.reason], lang)[0]]
-
-
-def _cells(line: ResultLine | None, lang: Lang) -> tuple[Cell, Cell]:
-    return ("", None) if line is None else (verdict(line, lang), line.points)
 
 
 def _habits(result: Result, lang: Lang) -> str:
@@ -131,18 +127,16 @@ def read_overrides(path: Path) -> Overrides:
 
 def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Override]:
     columns = columns_of(next(table, []))
-    student, file, override = (_column(columns, key) for key in ("student", "file", "override"))
+    student, file, override = (
+        next((columns[name] for name in in_both(f"platforms.column {key}").values() if name in columns), None)
+        for key in ("student", "file", "override")
+    )
     if override is None or (student is None and file is None):
         return
     for number, row in enumerate(table, 2):
         if text := _cell(row, override):
             points = _points(text, Where(str(path), number))
             yield Override(one_line(_cell(row, student)), one_line(_cell(row, file)), points)
-
-
-def _column(columns: dict[str, int], key: str) -> int | None:
-    """The column in either language."""
-    return next((columns[name] for name in in_both(f"platforms.column {key}").values() if name in columns), None)
 
 
 def _cell(row: list[str], column: int | None) -> str:

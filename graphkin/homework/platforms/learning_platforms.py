@@ -187,17 +187,16 @@ def _prairielearn(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence
         tests.append(_prairielearn_test(say("feedback.diagnosis", lang), 0.0, 0.0, text))
     return {
         "gradable": True, "score": float(result.score), "message": clean(texts[-1]), "output": clean("\n".join(texts)),
-        "images": [_image(picture) for picture in pictures if picture.data], "tests": tests, **mark,
+        "images": [
+            {"label": clean(each.label), "url": f"data:{each.kind};base64,{base64.b64encode(each.data).decode()}"}
+            for each in pictures if each.data
+        ],
+        "tests": tests, **mark,
     }  # fmt: skip
 
 
 def _prairielearn_test(name: str, earned: float, most: float, message: str) -> dict[str, object]:
     return {"name": clean(name), "points": earned, "max_points": most, "message": clean(message), "images": []}
-
-
-def _image(picture: ResultPicture) -> dict[str, str]:
-    data = base64.b64encode(picture.data).decode()
-    return {"label": clean(picture.label), "url": f"data:{picture.kind};base64,{data}"}
 
 
 def _bytes(file: dict[str, object]) -> bytes:

@@ -76,7 +76,7 @@ def member(name: str) -> zipfile.ZipInfo:
 
 
 def inside(name: str) -> bool:
-    """Whether a member of this name can be unpacked on any system, and stays inside the folder it is unpacked in."""
+    """True where a member of this name can be unpacked on any system, and stays inside the folder it is unpacked in."""
     return name.isprintable() and not set(name) & _NOWHERE and all(
         part and part == part.strip() and part.strip(".") for part in name.split("/")
     )

@@ -15,7 +15,7 @@ from graphkin.api import plan
 from graphkin.errors import CannotWrite, GraphkinError, Lang
 from graphkin.homework.grading import SetMarker, key_for, set_text
 from graphkin.homework.grading.keys import USUAL
-from graphkin.homework.platforms.question import ProblemSet, Question, question_of
+from graphkin.homework.platforms.question import ProblemSet, question_of
 from graphkin.homework.platforms.set_formats import SETS
 from graphkin.homework.problems import Template, Variant
 from graphkin.homework.problems.posed import shown_at
@@ -95,7 +95,7 @@ class NotASet(GraphkinError):
 
 
 def is_set(folder: Path) -> bool:
-    """Whether a problem set was written there."""
+    """True where a problem set was written there."""
     return (folder / LIST).is_file()
 
 
@@ -121,14 +121,13 @@ def told_of(folder: Path) -> str:
 
 def problem_set(template: Template, variants: Iterable[Variant], judge: SetMarker) -> ProblemSet:
     """The questions of a platform to each student, by the keys of the set. Raises what reading a key raises."""
-    return ProblemSet(template.name, [_question(variant, judge) for variant in variants])
-
-
-def _question(variant: Variant, judge: SetMarker) -> Question:
-    marker = judge.marker(variant.student.id)
-    assert marker is not None, "the set has a key for each of its students"
-    text = {lang: "\n".join(statement(variant.mechanism, lang, variant.drawn)) for lang in LANGUAGES}
-    return question_of(variant.student.id, marker.key, text)
+    questions = []
+    for variant in variants:
+        marker = judge.marker(variant.student.id)
+        assert marker is not None, "the set has a key for each of its students"
+        text = {lang: "\n".join(statement(variant.mechanism, lang, variant.drawn)) for lang in LANGUAGES}
+        questions.append(question_of(variant.student.id, marker.key, text))
+    return ProblemSet(template.name, questions)
 
 
 def file_of(folder: Path, kind: str) -> Path:
@@ -167,8 +166,8 @@ def _write(path: Path, text: str, force: bool) -> Path:
     return path
 
 
-def _listed(template: Template, found: tuple[Variant, ...], names: dict[str, str], seed: str, told: SetTold) -> str:
-    """What the set is: who has which numbers."""
+def _listed(template: Template, variants: tuple[Variant, ...], names: dict[str, str], seed: str, told: SetTold) -> str:
+    """The list of the set: the numbers of each student."""
     students = {
         variant.student.id: {
             "file": f"{names[variant.student.id]}.toml",
@@ -179,7 +178,7 @@ def _listed(template: Template, found: tuple[Variant, ...], names: dict[str, str
             },
             "shared": variant.shared,
         }
-        for variant in found
+        for variant in variants
     }
     whole: dict[str, object] = {"format": 1, "program": MARK, "template": template.name, "seed": seed}
     whole |= {"points": dict(template.points), "told": told_data(told), "students": students}

@@ -27,7 +27,7 @@ _META = "associatedcontent/imscc_xmlv1p1/learning-application-resource"
 
 def members(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes]]:
     """The files of the zip. Raises NotForPlatform where a right number would be rounded to 0."""
-    names = [_name(problems, question) for question in problems.questions]
+    names = ["g" + _digest(problems.name, question.id, "") for question in problems.questions]
     yield "imsmanifest.xml", xml(_manifest(problems, names))
     for name, question in zip(names, problems.questions, strict=True):
         title = one_line(say("platforms.problem title", lang, set=problems.name, id=question.id))
@@ -39,12 +39,8 @@ def members(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes]]:
         ))  # fmt: skip
 
 
-def _name(problems: ProblemSet, question: Question) -> str:
-    """An identifier that XML and folders take, whatever the names are."""
-    return "g" + _digest(problems.name, question.id, "")
-
-
 def _digest(*texts: str) -> str:
+    """Letters that XML and folders take, whatever the names are."""
     return hashlib.sha256("\0".join(texts).encode("utf-8", "surrogatepass")).hexdigest()[:31]
 
 

@@ -136,8 +136,10 @@ def _read(record: Mapping[str, Any]) -> Result:
     if record["format"] != FORMAT or record["status"] not in get_args(Status):
         raise ValueError(f"format {record['format']!r}, status {record['status']!r}")
     lines = tuple(_line(str(name), each) for name, each in record["quantities"].items())
+    reason = record.get("reason")  # it is written in one language
+    texts: Text = {} if reason in (None, "") else {"en": _string(reason), "zh": _string(reason)}
     return Result(
-        _string(record["student"]), _string(record["file"]), record["status"], _text(record.get("reason")), lines,
+        _string(record["student"]), _string(record["file"]), record["status"], texts, lines,
         tuple(_suspicion(each) for each in record["mistakes"]),
         sum((line.most for line in lines), Decimal(0)),
         tuple(_string(note) for note in record.get("notes", ())), drawn=drawn_of(record),
@@ -159,13 +161,12 @@ def _line(name: str, each: Mapping[str, Any]) -> ResultLine:
 
 
 def _suspicion(each: Mapping[str, Any]) -> Suspicion:
-    names = tuple(tuple(_name(name) for name in together) for together in each.get("names", ()))
-    return Suspicion(tuple(map(_string, each["ids"])), tuple(map(_string, each["explains"])), names)
-
-
-def _name(name: Mapping[str, Any]) -> Name:
-    id, way, of, form = (_string(name[key]) for key in ("id", "way", "of", "form"))
-    return id, way, of, form
+    keys = ("id", "way", "of", "form")
+    names: list[tuple[Name, ...]] = []
+    for together in each.get("names", ()):
+        texts = [[_string(name[key]) for key in keys] for name in together]
+        names.append(tuple((id, way, of, form) for id, way, of, form in texts))
+    return Suspicion(tuple(map(_string, each["ids"])), tuple(map(_string, each["explains"])), tuple(names))
 
 
 def _number(value: object) -> float | None:
@@ -184,9 +185,6 @@ def _string(value: object) -> str:
     return value
 
 
-def _text(value: object) -> Text:
-    """A reason, which is written in one language."""
-    return {} if value is None or value == "" else {"en": _string(value), "zh": _string(value)}
 
 
 def read_results(path: Path) -> tuple[Result, ...]:

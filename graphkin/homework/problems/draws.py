@@ -177,7 +177,7 @@ class _GivenOut:
         self.answers: list[_Answers] = []
 
     def have(self, numbers: tuple[int, ...], own: _Answers) -> bool:
-        """Whether another student has these numbers, or nearly these answers."""
+        """True where another student has these numbers, or nearly these answers."""
         if numbers in self.numbers:
             return True
         if not self.answers or not own.all.size:
@@ -189,7 +189,7 @@ class _GivenOut:
 
 
 def _any_alike(others: Array, own: Array, part: float, off: Array | float) -> bool:
-    """Whether all answers (n,) are those of one of the others (problems, n), but for a part of them or so much."""
+    """True where all answers (n,) are those of one of the others (problems, n), but for a part of them or so much."""
     reach = np.maximum(part * np.maximum(np.abs(others), np.abs(own)), off)
     return bool(np.any(np.all(np.abs(others - own) <= reach, axis=1)))
 
@@ -199,7 +199,7 @@ def _any_alike(others: Array, own: Array, part: float, off: Array | float) -> bo
 
 @frozen
 class DrawingSizes:
-    """How large a drawing is on paper [mm], by plane, as it usually comes out."""
+    """The usual size of a drawing on paper [mm], by plane."""
 
     sizes: Mapping[Plane, float]
 
@@ -219,7 +219,7 @@ class DrawingSizes:
 
 
 def _across(posed: PosedProblem, plane: Plane) -> float:
-    """How far apart the points of a plane are at most, along an axis [SI]; 1 where all are one."""
+    """The longest distance between points of a plane along an axis [SI]; 1 where all are one."""
     points = np.array([complex(z) for z in posed.drawn.points(plane).values()])
     points = points[np.isfinite(points)]
     return float(max(np.ptp(points.real), np.ptp(points.imag))) or 1.0 if points.size else 1.0

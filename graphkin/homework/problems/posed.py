@@ -68,7 +68,7 @@ def answers(posed: PosedProblem) -> Array:
 
 
 def _has_short_vector(method: Method, plot: Plot) -> bool:
-    """Whether an arrow that is read off is too small beside the largest, or there is none at all.
+    """True where an arrow that is read off is too small beside the largest, or there is none at all.
 
     Those that are 0 by what the mechanism is do not count, and those that are laid off may be short.
     """
@@ -87,7 +87,7 @@ def _has_short_vector(method: Method, plot: Plot) -> bool:
 
 
 def _turns_slowly(method: Method, plot: Plot) -> bool:
-    """Whether a rotation that is asked for is nearly nothing beside the fastest."""
+    """True where a rotation that is asked for is nearly nothing beside the fastest."""
     for question in method.mechanism.ask:
         quantity = read(method.mechanism, question)
         if isinstance(quantity, Rotation) and quantity.word != "theta":
@@ -113,7 +113,7 @@ def shown_at(method: Method, drawn: Plot) -> tuple[Plot, bool] | None:
 
 
 def _is_of_position(quantity: asked.Quantity | None) -> bool:
-    """Whether the position alone gives it."""
+    """True where the position alone gives it."""
     match quantity:
         case None | asked.Centre() | asked.Displacement() | asked.Place() | asked.Track() | Rotation(word="theta"):
             return True
