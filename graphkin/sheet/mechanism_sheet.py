@@ -66,11 +66,11 @@ def mechanism_sheet(
     if style == "given":
         drawing = Planes(method, plot, ("position",), style, lang)
         contents = SheetContents(drawing, [] if tight else given_tables(drawing.reading({})), tight)
-        return replace(arranged(contents, paper).lettered.sheet, given=True)
+        return replace(cheapest(contents, paper).lettered.sheet, given=True)
     method, plot = shown(method, plot)
     drawing = Planes(method, plot, _planes(only), style, lang, paths)
     contents = SheetContents(drawing, [] if tight else tables(method, plot, lang), tight)
-    return arranged(contents, paper).lettered.sheet if upto is None else next(_staged(contents, paper, [upto]))
+    return cheapest(contents, paper).lettered.sheet if upto is None else next(_staged(contents, paper, [upto]))
 
 
 def mechanism_step_sheets(
@@ -91,7 +91,7 @@ def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
 def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
     """The scales of the sheet."""
     contents = SheetContents(Planes(method, plot, PLANES, "construction", lang), tables(method, plot, lang))
-    return arranged(contents, None).layout.scales
+    return cheapest(contents, None).layout.scales
 
 
 # --- arrangements -----------------------------------------------------------------------------------------------------
@@ -175,7 +175,7 @@ class Arrangement:
         return self.contents.without_head(self.layout) if self.cost[0] else self.lettered.left_out
 
 
-def arranged(contents: SheetContents, paper: str | None) -> Arrangement:
+def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
     """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
     best = _on(Arrangement(contents, papers_for(paper)))
     if paper is None and not best.large and (best.cost[0] or best.cost[1] > _MANY_LEADERS):
@@ -201,7 +201,7 @@ def _on(first: Arrangement) -> Arrangement:
 
 def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
-    arrangement, drawing = arranged(contents, paper), contents.drawing
+    arrangement, drawing = cheapest(contents, paper), contents.drawing
     layout, whole = arrangement.layout, replace(arrangement, stages=True).lettered.sheet
     others = {} if contents.planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang)
     captions = Captions.of(drawing.reading({**others, **layout.scales}), contents.planes)
