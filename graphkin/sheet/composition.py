@@ -64,8 +64,8 @@ class Planes:
             return [*places(self.method, self.plot), *self.paths.places]
         points = self.plot.points(plane)
         names = {self.construction(plane).pole, *self.construction(plane).nodes}
-        found = [complex(v) for name, v in points.items() if name in names]
-        return found + [corner for image in self.gears(plane) for corner in image.corners]
+        values = [complex(v) for name, v in points.items() if name in names]
+        return values + [corner for image in self.gears(plane) for corner in image.corners]
 
     def gears(self, plane: Plane) -> list[GearImage]:
         return gear_images(self.method, self.plot) if plane == "velocity" else []

@@ -304,13 +304,13 @@ def _left_out(wanted: Sequence[LabelRequest], stands: Array, clashing: Sequence[
         return any(abs(places[label] - places[other]) < _NEIGHBOUR for other in others)
 
     spare = [k for k, want in enumerate(wanted) if want.spare and stands[k]]
-    found: list[int] = []
+    chosen: list[int] = []
     if len(clashing) > MANY:
         return [k for k in spare if k in clashing]
     for label in [k for k in spare if k in clashing] or [k for k in spare if close(k, clashing)]:
-        if not close(label, found):
-            found.append(label)
-    return found
+        if not close(label, chosen):
+            chosen.append(label)
+    return chosen
 
 
 def _leader(middle: Place, anchor: Place, half: complex, want: LabelRequest) -> Mark:

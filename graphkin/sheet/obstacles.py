@@ -81,25 +81,25 @@ class Areas:
 
     def _apart(self, areas: Array, low: Array, high: Array) -> Array:
         """The length by which each box would have to grow to reach the area it is paired with."""
-        found = beyond(self._low.take(areas, axis=1), self._high.take(areas, axis=1), low, high)
+        growth = beyond(self._low.take(areas, axis=1), self._high.take(areas, axis=1), low, high)
         shaped = np.flatnonzero(~self._plain[areas])
         if len(shaped):
             low, high, areas = low.take(shaped, axis=1), high.take(shaped, axis=1), areas[shaped]
-            found[shaped] = np.maximum(found[shaped], self._beyond_sides(areas, low, high))
-        return found
+            growth[shaped] = np.maximum(growth[shaped], self._beyond_sides(areas, low, high))
+        return growth
 
     def _beyond_sides(self, areas: Array, low: Array, high: Array) -> Array:
         """The length by which each box would have to grow to reach across all sides of the area it is paired with."""
-        found, (out, round_, counts) = np.empty(len(areas)), self._shapes
+        growth, (out, round_, counts) = np.empty(len(areas)), self._shapes
         for sides in counts:
             rows = np.flatnonzero(round_[areas] & (self._count[areas] == sides))
             edges = self._first[areas[rows]] + np.arange(sides)[:, None]
             corners = low.take(rows, axis=1)[:, None], high.take(rows, axis=1)[:, None]
-            found[rows] = self._edges.outside(edges, out.take(edges), *corners).max(axis=0)
+            growth[rows] = self._edges.outside(edges, out.take(edges), *corners).max(axis=0)
         rows = np.flatnonzero(~round_[areas])
         if len(rows):
-            found[rows] = self._from_edges(areas[rows], low.take(rows, axis=1), high.take(rows, axis=1))
-        return found
+            growth[rows] = self._from_edges(areas[rows], low.take(rows, axis=1), high.take(rows, axis=1))
+        return growth
 
     def _from_edges(self, areas: Array, low: Array, high: Array) -> Array:
         """The same of areas of any shape: what holds a box's middle, or has an edge there, is reached."""
@@ -165,15 +165,15 @@ class Obstacles:
             return [np.zeros(0, dtype=np.intp) for _ in margins]
         most = max(margins)
         blocks, within = Blocks.of(low - most, high + most), [margin - most for margin in margins]
-        found = [np.zeros(blocks.low.shape[1:], dtype=np.intp) for _ in margins]
+        counts = [np.zeros(blocks.low.shape[1:], dtype=np.intp) for _ in margins]
         for block, lines in blocks.beside(self._lines.low, self._lines.high):
             apart = self._lines.apart(lines[:, None], *blocks.taken(block))
-            for count, margin in zip(found, within, strict=True):
+            for count, margin in zip(counts, within, strict=True):
                 _add(count, block, apart <= margin)
         for boxes, apart in self._areas.touched(blocks):
-            for count, margin in zip(found, within, strict=True):
+            for count, margin in zip(counts, within, strict=True):
                 count += np.bincount(boxes[apart <= margin], minlength=count.size).reshape(count.shape)
-        return [blocks.back(count) for count in found]
+        return [blocks.back(count) for count in counts]
 
     def crossed(self, start: Array, end: Array) -> Array:
         """Rows of the lines start..end (n, 2) that touch something, once for each thing touched."""
@@ -181,20 +181,20 @@ class Obstacles:
             return np.zeros(0, dtype=np.intp)
         blocks = Blocks.of(np.minimum(start, end).T, np.maximum(start, end).T)
         start, end = start.T.take(blocks.order, axis=1), end.T.take(blocks.order, axis=1)
-        found = np.zeros(blocks.low.shape[1:], dtype=np.intp)
+        counts = np.zeros(blocks.low.shape[1:], dtype=np.intp)
         first, last = start.reshape(blocks.low.shape), end.reshape(blocks.low.shape)
         for block, lines in blocks.beside(self._lines.low, self._lines.high):
             met = self._lines.met(lines[:, None], first.take(block, axis=1), last.take(block, axis=1))
-            _add(found, block, met)
+            _add(counts, block, met)
         for met in self._areas.met(blocks, start, end):
-            found += np.bincount(met, minlength=found.size).reshape(found.shape)
-        return _rows(blocks.back(found))
+            counts += np.bincount(met, minlength=counts.size).reshape(counts.shape)
+        return _rows(blocks.back(counts))
 
 
-def _add(count: Array, blocks: Array, found: Array) -> None:
-    """Things found beside boxes of blocks (m, size), block by block, are counted."""
+def _add(count: Array, blocks: Array, hits: Array) -> None:
+    """Count the hits beside boxes of blocks (m, size), block by block."""
     first = np.flatnonzero(np.concatenate([[True], blocks[1:] != blocks[:-1]]))
-    count[blocks[first]] += np.add.reduceat(found, first, axis=0, dtype=np.intp)
+    count[blocks[first]] += np.add.reduceat(hits, first, axis=0, dtype=np.intp)
 
 
 def _rows(counts: Array) -> Array:

@@ -106,17 +106,17 @@ def _whole(cell: Label) -> float | None:
 # --- on paper ---------------------------------------------------------------------------------
 
 
-def arranged(found: list[Table], room: float) -> list[list[Table]]:
+def arranged(tables: list[Table], room: float) -> list[list[Table]]:
     """Tables side by side in `room` mm, in one or two tiers, whichever is lower; long ones cut.
 
     What has no room even so is left out, the last asked first.
     """
-    rows = sum(len(table.rows) for table in found)
+    rows = sum(len(table.rows) for table in tables)
 
     def cost(tiers: list[list[Table]]) -> float:
         return height_of(tiers) + 20 * (rows - sum(len(table.rows) for tier in tiers for table in tier))
 
-    splits = [(found[:split], found[split:]) for split in range(1, len(found) + 1)]
+    splits = [(tables[:split], tables[split:]) for split in range(1, len(tables) + 1)]
     return min(([_cut(tier, room) for tier in tiers if tier] for tiers in splits), key=cost, default=[])
 
 

@@ -7,15 +7,15 @@ tolerance, and the submissions themselves are not needed any more.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby
 from pathlib import Path
-from typing import Any
 
 from graphkin import errors
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, NoMarks, OwnFault, SaidBefore, Where
+from graphkin.homework import Record
 from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
 from graphkin.marking.graded import Drawn, Graded
 from graphkin.marking.marked import HandedNumber, Marked, StudentWork
@@ -64,7 +64,7 @@ class EarlierReading:
     drawn: Drawn
 
 
-def earlier_reading(record: Mapping[str, Any], where: Where) -> EarlierReading:
+def earlier_reading(record: Record, where: Where) -> EarlierReading:
     """The submission of a record. Raises NoMarks."""
     try:
         student, file, place = (str(record[key]) for key in ("student", "file", "place"))
@@ -78,7 +78,7 @@ def earlier_reading(record: Mapping[str, Any], where: Where) -> EarlierReading:
         raise NoMarks(where) from None
 
 
-def _number(each: Mapping[str, Any]) -> HandedNumber:
+def _number(each: Record) -> HandedNumber:
     points, measured = _POINTS.get(each["sense"]), bool(each.get("measured"))
     return HandedNumber(float(each["given"]), bool(each["unit_right"]), points, measured)
 

@@ -8,18 +8,18 @@ that were read then are marked anew; all else is read.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor
 from functools import partial
 from itertools import chain
 from pathlib import Path
 from types import TracebackType
-from typing import Any
 
 import graphkin
 from graphkin.base.parallel import ahead
 from graphkin.base.value import frozen
 from graphkin.errors import CannotWrite, NoMarks, OwnFault, Where
+from graphkin.homework import Record
 from graphkin.homework.grading.batch import (
     EarlierReading,
     Item,
@@ -153,7 +153,7 @@ class Journal:
     def __init__(self, path: Path, force: bool = False) -> None:
         """Raises FileInTheWay, NoFolder, CannotWrite."""
         self.path, self.beside = path, path.with_name(path.name + SUFFIX)
-        self.records: dict[str, Mapping[str, Any]] = {}
+        self.records: dict[str, Record] = {}
         refuse(path, force, MARKS)
         refuse(self.beside, force, [HEAD.strip().encode()])
 
@@ -175,7 +175,7 @@ class Journal:
             with contextlib.suppress(OSError):
                 self.beside.unlink()
 
-    def add(self, record: Mapping[str, Any]) -> None:
+    def add(self, record: Record) -> None:
         """Raises CannotWrite."""
         try:
             self._write(text(record) + "\n")
@@ -187,9 +187,9 @@ class Journal:
         self._new.flush()
 
 
-def _by_fingerprint(path: Path) -> dict[str, Mapping[str, Any]]:
+def _by_fingerprint(path: Path) -> dict[str, Record]:
     """The last record of each submission; a line that was cut or changed is none."""
-    records: dict[str, Mapping[str, Any]] = {}
+    records: dict[str, Record] = {}
     for _, record in records_in(path, errors="replace"):
         prints = None if record is None else record.get("fingerprints")
         if record is not None and isinstance(prints, list) and prints:
@@ -199,8 +199,8 @@ def _by_fingerprint(path: Path) -> dict[str, Mapping[str, Any]]:
 
 def resumed(
     judge: SetMarker, paths: Iterable[str | Path], journal: Journal, options: MarkingOptions,
-    written: Callable[[Graded], Mapping[str, Any]],
-) -> Iterator[Mapping[str, Any]]:  # fmt: skip
+    written: Callable[[Graded], Record],
+) -> Iterator[Record]:  # fmt: skip
     """The record of every submission, in order; what is new is in the journal before it is given out.
 
     written   makes the record of one, as `outputs.marks_json` does in a language, which `options.words` names

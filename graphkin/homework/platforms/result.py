@@ -8,11 +8,12 @@ from contextlib import contextmanager
 from dataclasses import field
 from decimal import Decimal
 from pathlib import Path
-from typing import Any, Literal, get_args
+from typing import Literal, get_args
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang, NoFile, NotAResult, Unreadable, Where
+from graphkin.homework import Record
 from graphkin.homework.platforms.question import Text
 from graphkin.homework.platforms.tables import points
 from graphkin.marking.habits import Habit, Trace
@@ -124,7 +125,7 @@ def texts_in(texts: Sequence[Text], lang: Lang) -> list[str]:
 # --- records ----------------------------------------------------------------------------------
 
 
-def from_record(record: Mapping[str, Any], where: Where) -> Result:
+def from_record(record: Record, where: Where) -> Result:
     """A result from its record, as `outputs.marks_json` writes it. Raises NotAResult."""
     try:
         return _read(record)
@@ -132,7 +133,7 @@ def from_record(record: Mapping[str, Any], where: Where) -> Result:
         raise NotAResult(where, f"{type(error).__name__}: {error}"[:200]) from None
 
 
-def _read(record: Mapping[str, Any]) -> Result:
+def _read(record: Record) -> Result:
     if record["format"] != FORMAT or record["status"] not in get_args(Status):
         raise ValueError(f"format {record['format']!r}, status {record['status']!r}")
     lines = tuple(_line(str(name), each) for name, each in record["quantities"].items())
@@ -146,7 +147,7 @@ def _read(record: Mapping[str, Any]) -> Result:
     )  # fmt: skip
 
 
-def _line(name: str, each: Mapping[str, Any]) -> ResultLine:
+def _line(name: str, each: Record) -> ResultLine:
     if each["verdict"] not in get_args(Verdict) or each["sense"] not in (None, "right", "wrong"):
         raise ValueError(f"{name}: verdict {each['verdict']!r}, sense {each['sense']!r}")
     worth, credit = _finite(each["points"]), _finite(each["credit"])
@@ -160,7 +161,7 @@ def _line(name: str, each: Mapping[str, Any]) -> ResultLine:
     )  # fmt: skip
 
 
-def _suspicion(each: Mapping[str, Any]) -> Suspicion:
+def _suspicion(each: Record) -> Suspicion:
     keys = ("id", "way", "of", "form")
     names: list[tuple[Name, ...]] = []
     for together in each.get("names", ()):
