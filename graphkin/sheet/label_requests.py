@@ -70,10 +70,6 @@ class LabelCandidates(NamedTuple):
         """True for those that have a leader."""
         return ~np.isnan(self.anchor)
 
-    def taken(self, rows: Array) -> LabelCandidates:
-        """Some of them."""
-        return LabelCandidates(self.middle[rows], self.cost[rows], self.anchor[rows])
-
     @classmethod
     def joined(cls, parts: Iterable[LabelCandidates]) -> LabelCandidates:
         return cls(*map(np.concatenate, zip(*parts, strict=True)))

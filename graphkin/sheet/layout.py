@@ -219,9 +219,7 @@ def _score(
     return np.asarray(total + _INK * np.log(inked))
 
 
-def _too_large(
-    extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper]
-) -> TooLargeForPaper:
+def _too_large(extents: Mapping[Plane, Extent], strip_height: Height, papers: Sequence[Paper]) -> TooLargeForPaper:
     """The given scale that does not fit, and the finest one that would."""
     given = [plane for plane, extent in extents.items() if extent.given is not None]
     area = max(paper.width * paper.height for paper in papers)

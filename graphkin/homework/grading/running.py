@@ -20,16 +20,8 @@ from graphkin.base.parallel import ahead
 from graphkin.base.value import frozen
 from graphkin.errors import CannotWrite, NoMarks, OwnFault, Where
 from graphkin.homework import Record
-from graphkin.homework.grading.batch import (
-    EarlierReading,
-    Item,
-    StoredRecord,
-    asked_print,
-    earlier_reading,
-    is_marks,
-    marked,
-    records_of,
-)
+from graphkin.homework.grading import batch as batches
+from graphkin.homework.grading.batch import EarlierReading, Item, StoredRecord, marked
 from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
 from graphkin.marking.graded import Graded
 from graphkin.marking.key import Key
@@ -89,7 +81,7 @@ def grade(
 def items(paths: Iterable[str | Path], options: MarkingOptions) -> Iterator[Handed | EarlierReading]:
     """Submissions, one after another, in the order of the files."""
     for path in paths:
-        yield from records_of(Path(path)) if is_marks(path) else handed_in([path], options.limits)
+        yield from batches.records_of(Path(path)) if batches.is_marks(path) else handed_in([path], options.limits)
 
 
 def run(
@@ -224,7 +216,7 @@ def _still_to_do(item: Handed | EarlierReading, judge: SetMarker, journal: Journ
     if there is None:
         return item
     try:
-        before = earlier_reading(there, Where(str(journal.path)))
+        before = batches.earlier_reading(there, Where(str(journal.path)))
     except NoMarks:
         return item
     if before.prints[:2] != (handed, reading) or len(before.prints) != len(("handed", "reading", "asked", "key")):
@@ -232,5 +224,5 @@ def _still_to_do(item: Handed | EarlierReading, judge: SetMarker, journal: Journ
     student = before.student
     if before.prints[3] == judge.key_print(student):
         return StoredRecord(student, before.file, before.place, before.reason is None, handed)
-    same = isinstance(item, Handed) and before.reason is None and before.prints[2] == asked_print(judge, student)
-    return before if same else item
+    same = before.reason is None and before.prints[2] == batches.asked_print(judge, student)
+    return before if same and isinstance(item, Handed) else item

@@ -32,9 +32,7 @@ def quantities(results: Iterable[Result]) -> tuple[str, ...]:
     return tuple(name for name, shown in met.items() if shown)
 
 
-def rows(
-    results: Iterable[Result], names: tuple[str, ...], lang: Lang, several: bool = False
-) -> Iterator[list[Cell]]:
+def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang, several: bool = False) -> Iterator[list[Cell]]:
     """The table with its head; with a last column, where this is one of several problems, for what shows in them."""
     pairs = [text for name in names for text in (name, say("platforms.column part earned", lang, name=name))]
     front, back = ([say(f"platforms.column {key}", lang) for key in keys] for keys in (_FRONT, _BACK))
