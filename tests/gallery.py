@@ -21,7 +21,7 @@ from graphkin import Drawing
 from graphkin.errors import Where
 from graphkin.files import library
 from graphkin.homework import grading, platforms
-from graphkin.homework.platforms.svg_page import drawing as page
+from graphkin.homework.platforms.pages import drawing as page
 from graphkin.outputs.marks_json import record
 from graphkin.outputs.svg import svg
 

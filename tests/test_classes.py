@@ -195,7 +195,7 @@ def test_another_way_of_reading_reads_anew(option: list[str], marked: list[str])
 def broken_off(path: Path, paths: list[str], after: int) -> None:
     """As `grade` does it, interrupted after so many."""
     with Journal(path) as journal:
-        records = resumed(judge_from("ex3-1"), paths, journal, running.Way(words="en"), record)
+        records = resumed(judge_from("ex3-1"), paths, journal, running.MarkingOptions(words="en"), record)
 
         def interrupted():
             yield from islice(records, after)

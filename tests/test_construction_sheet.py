@@ -23,9 +23,8 @@ from graphkin.running import replay_all
 from graphkin.say import derivation, vector_equations
 from graphkin.say.entry import Sentence
 from graphkin.sheet import Sheet, Style
-from graphkin.sheet.drafted import Drafted
-from graphkin.sheet.formula import formula
-from graphkin.sheet.lettering import Label
+from graphkin.sheet.construction_lines import PolygonConstruction
+from graphkin.sheet.lettering import Label, formula
 from graphkin.sheet.marks import ArcMark, Disc, PointMark, Stroke, Text, VectorMark
 
 SCALES = {"length": 0.001, "velocity": 0.01, "acceleration": 0.1}
@@ -211,7 +210,7 @@ def test_a_line_stops_before_letters() -> None:
     free = FreeRoom(LabelScene((), [Text(plain("xxxx"), 20 + 1j, 4.0)], Room(0, -10, 60, 10)))
     assert 18 < free.reach(0j, 1 + 0j, 50) < 20
     assert free.reach(0j, -1j, 8) == 8
-    assert Drafted.__doc__
+    assert PolygonConstruction.__doc__
 
 
 # --- other sheets -----------------------------------------------------------------------------

@@ -9,11 +9,11 @@ from collections.abc import Callable
 import pytest
 
 from graphkin.sheet.detail import detailed
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import Disc, VectorMark
 from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import Room
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 
 ROOM = Room(0.0, 0.0, 200.0, 160.0)

@@ -16,8 +16,7 @@ from graphkin.construction import Plot
 from graphkin.errors import Where
 from graphkin.files import library
 from graphkin.homework import grading, platforms
-from graphkin.homework.platforms.svg_page import drawing
-from graphkin.homework.platforms.web_page import html
+from graphkin.homework.platforms.pages import drawing, html
 from graphkin.marking import Rewrite, rewrites, rewritten
 from graphkin.marking.comparison import Beside, beside
 from graphkin.outputs import marks_json

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from graphkin.sheet.formula import formula
+from graphkin.sheet.lettering import formula
 
 
 def _set(text: str) -> str:

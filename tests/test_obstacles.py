@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import shapely
 
-from graphkin.sheet.held import Held
+from graphkin.sheet.boxes import OccupiedSquares
 from graphkin.sheet.lettering import plain
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Stroke, Text
 from graphkin.sheet.obstacles import arc_places, obstacles, places
@@ -81,11 +81,11 @@ def test_boxes_that_surely_hold_something_touch_something(cell: float) -> None:
     dice = np.random.default_rng(0)
     low = dice.uniform(-30, 110, (4000, 2))
     high = low + dice.uniform(0, 12 * cell, low.shape)
-    held = Held(places(marks), cell).within(low.T, high.T)
+    held = OccupiedSquares(places(marks), cell).within(low.T, high.T)
     touched = np.isin(np.arange(len(low)), obstacles(marks).touched(low, high))
     assert not (held & ~touched).any()
     assert held.sum() > touched.sum() / 3
 
 
 def test_nothing_is_held_where_nothing_is_drawn() -> None:
-    assert not Held(places([]), 1.0).within([np.zeros(2), np.zeros(2)], [np.ones(2), np.ones(2)]).any()
+    assert not OccupiedSquares(places([]), 1.0).within([np.zeros(2), np.zeros(2)], [np.ones(2), np.ones(2)]).any()

@@ -20,15 +20,13 @@ from graphkin.sheet import PAPERS, Sheet, sheet
 from graphkin.sheet.about_sheet import about_sheet
 from graphkin.sheet.centre_sheet import centre_sheet
 from graphkin.sheet.finding_sheet import positions_sheet
-from graphkin.sheet.fit import Extent, cut_out
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Stroke, Text
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.page import Page, Panel, step_sheets
-from graphkin.sheet.paper import Room
-from graphkin.sheet.scales import SERIES, finer
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Figure, Window
+from graphkin.sheet.paper import SERIES, Room, finer
+from graphkin.sheet.window import Extent, Figure, Window, cut_out
 from graphkin.studies.centres import centres
 from graphkin.studies.centres.about import about
 
@@ -76,7 +74,7 @@ def test_done_in_one_line_of_the_page(module: str, name: str, what: str):
 
 def test_a_figure_is_fitted_in_one_place():
     """Nobody else says through which window a figure is seen."""
-    assert {*calls("graphkin.sheet.window", "Window")} == {"sheet/fit.py"}
+    assert {*calls("graphkin.sheet.window", "Window")} == {"sheet/window.py"}
 
 
 def test_step_sheets_are_made_in_one_line_of_the_page():

@@ -32,10 +32,9 @@ from graphkin.homework.platforms import (
     write_class_figure,
     write_results,
 )
-from graphkin.homework.platforms.cells import harmless, unharmed
-from graphkin.homework.platforms.marked_up import one_line
-from graphkin.homework.platforms.platform_names import canvas, moodle
-from graphkin.homework.platforms.prairielearn import LARGEST
+from graphkin.homework.platforms.learning_platforms import LARGEST, canvas, moodle
+from graphkin.homework.platforms.markup import one_line
+from graphkin.homework.platforms.tables import harmless, unharmed
 from graphkin.outputs.files import FileInTheWay
 from graphkin.say import say
 

@@ -26,10 +26,9 @@ from graphkin.errors import GraphkinError, NotForPlatform
 from graphkin.homework import grading
 from graphkin.homework.platforms import SETS, Part, ProblemSet, Question, Wrong, alternatives, question_of, write_set
 from graphkin.homework.platforms.alternatives import most
-from graphkin.homework.platforms.cells import line, read_table, unharmed
-from graphkin.homework.platforms.marked_up import one_line
+from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.moodle_set import weights
-from graphkin.homework.platforms.numbers import points
+from graphkin.homework.platforms.tables import line, points, read_table, unharmed
 from graphkin.model.quantities import EDGE, read
 from graphkin.outputs.files import FileInTheWay
 

@@ -17,9 +17,9 @@ from graphkin.cli import main
 from graphkin.errors import NoKeyAtPosition, Where
 from graphkin.files import library
 from graphkin.homework.grading import OneKey, grade, judge_from, key_for
-from graphkin.homework.grading.positions import further_methods
+from graphkin.homework.grading.keys import further_methods
 from graphkin.homework.platforms import PolygonPictures
-from graphkin.homework.platforms.from_key import question_of
+from graphkin.homework.platforms.question import question_of
 from graphkin.homework.platforms.result import from_record
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker

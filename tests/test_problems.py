@@ -18,7 +18,7 @@ from graphkin.errors import GraphkinError, NoRange, NotATemplate, NoVariant, Out
 from graphkin.files import library
 from graphkin.homework.platforms import write_problems
 from graphkin.homework.problems import Student, draws, read_template, roster, variants, well_posed
-from graphkin.homework.problems.shown import shown_at
+from graphkin.homework.problems.posed import shown_at
 from graphkin.outputs.files import FileInTheWay
 from graphkin.planning import plan
 from graphkin.running import replay_all

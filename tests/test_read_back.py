@@ -40,7 +40,7 @@ from graphkin.errors import BadDrawing, DeadPoint
 from graphkin.files import loads
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.svg import svg
-from graphkin.sheet.scales import TooLargeForPaper
+from graphkin.sheet.paper import TooLargeForPaper
 
 FAMILIES: dict[str, Callable[[int], Mechanism]] = {
     **{kind: lambda seed, kind=kind: dyad(kind, seed) for kind in DYADS},

@@ -15,7 +15,7 @@ from graphkin.construction import Plot
 from graphkin.errors import Where
 from graphkin.files import library
 from graphkin.homework.grading import grade, key_drawn
-from graphkin.homework.grading.again import again
+from graphkin.homework.grading.batch import earlier_reading
 from graphkin.marking.consequences import rewrites, rewritten
 from graphkin.marking.graded import Drawn
 from graphkin.marking.marked import HandedNumber, StudentWork
@@ -160,7 +160,7 @@ def test_directions_stay_when_marks_are_made_anew(tmp_path: Path):
     points = next(points for rewrite, points in made("ex3-1") if rewrite.name[0] == "coriolis-reversed")
     (tmp_path / "s1.svg").write_text(svg(points, {"velocity": 0.005, "acceleration": 0.05}), encoding="utf-8")
     (found,) = grade(one.key, [tmp_path / "s1.svg"])
-    numbers = again(record(found), Where("")).work
+    numbers = earlier_reading(record(found), Where("")).work
     assert (numbers.numbers["a_k B3B2"].points, numbers.numbers["alpha 3"].measured) == (False, True)
     assert one.mark([numbers]) == [found.marked]
 

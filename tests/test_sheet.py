@@ -19,6 +19,7 @@ from graphkin.running import replay_all
 from graphkin.sheet import PAPERS, Sheet, TooLargeForPaper, UnknownPaper, sheet, step_sheets
 from graphkin.sheet.arrows import ASIDE
 from graphkin.sheet.label_candidates import LabelScene
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.labels import settle
 from graphkin.sheet.lettering import (
     Run,
@@ -34,9 +35,7 @@ from graphkin.sheet.lettering import (
 )
 from graphkin.sheet.marks import ArcMark, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import Room
-from graphkin.sheet.scales import finer, finest
-from graphkin.sheet.wanted import LabelRequest
+from graphkin.sheet.paper import Room, finer, finest
 
 
 @cache

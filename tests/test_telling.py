@@ -19,8 +19,8 @@ from graphkin.files import library
 from graphkin.homework.grading import key_for
 from graphkin.homework.grading.keys import marking_of
 from graphkin.homework.problems import draws, read_template, roster, variants, well_posed
-from graphkin.homework.problems.paper import DrawingSizes
-from graphkin.homework.problems.shown import shown_at
+from graphkin.homework.problems.draws import DrawingSizes
+from graphkin.homework.problems.posed import shown_at
 from graphkin.marking.key import KeyEntry
 from graphkin.marking.telling import Telling, compared, telling
 from graphkin.marking.told import Always, set_told

@@ -1,1 +1,9 @@
 """Homework: problem sets, grading, and the files of teaching platforms."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, TypeAlias
+
+Record: TypeAlias = Mapping[str, Any]
+"""The record of a submission in a file of marks, as JSON gives it."""

@@ -1,8 +1,8 @@
 """The sheet: a mechanism and what is found of it on paper, as a value in millimetres.
 
-    what a subject found -- a figure through a window --> Figure     marks, and labels that want a place
-    Figure -- fit, layout --> Panel                                  which paper, which scale, where on it
-    Panels, Strip -- page --> Sheet                                  labels settled, title and results, single steps
+    a subject's data -- a figure through a window --> Figure     marks, and labels that want a place
+    Figure -- window, layout --> Panel                           its paper, its scale, its room
+    Panels, Strip -- page --> Sheet                              labels settled, title and results, single steps
 
 `sheet(method, plot)` is the sheet of a mechanism with its polygons (`mechanism_sheet`); each other one is a small file
 of its own, `.._sheet`. A mechanism is drawn by `mechanism_figure` with the signs of `symbols`, for all of them. What
@@ -10,8 +10,8 @@ file a sheet goes into is `graphkin.outputs`' business.
 
 How to add a sheet:
  1. the figure: a function from a `Window` to a `Figure`, and the places it is to show [SI units];
- 2. its room: alone under a heading (`alone.place_for`, `.sheet`), or in cells over captions (`pictures.Picture`, whose
-    `Extent.of(places, draw)` says how large it is; `paper.Room.cells`, `.panel(cell, scale)`);
+ 2. its room: alone under a heading (`single_figure.place_for`, `.sheet`), or in cells over captions
+    (`single_figure.Picture` with its `Extent.of(places, draw)`; `paper.Room.cells`, `.panel(cell, scale)`);
  3. the page, unless it is alone: `Page(paper, panels, mechanism, drivers, lang, Strip(room, tables)).sheet()`, where
     `layout.papers_for` knows the paper and `layout.divided` parts it into field and strip (`titleblock.strip_height`);
  4. one sheet a step: number the marks (`step`), then `page.step_sheets(whole, numbers)`;
@@ -20,14 +20,13 @@ How to add a sheet:
 
 from __future__ import annotations
 
+from graphkin.sheet.composition import Style
 from graphkin.sheet.mechanism_sheet import mechanism_sheet as sheet
 from graphkin.sheet.mechanism_sheet import mechanism_step_sheets as step_sheets
 from graphkin.sheet.mechanism_sheet import scales_of
 from graphkin.sheet.page import Sheet
-from graphkin.sheet.paper import PAPERS, Paper
+from graphkin.sheet.paper import PAPERS, Paper, TooLargeForPaper, UnknownPaper
 from graphkin.sheet.path_figure import Paths
-from graphkin.sheet.planes import Style
-from graphkin.sheet.scales import TooLargeForPaper, UnknownPaper
 
 __all__ = [
     "PAPERS", "Paper", "Paths", "Sheet", "Style", "TooLargeForPaper", "UnknownPaper", "scales_of", "sheet",

@@ -1,4 +1,4 @@
-"""A detail: what of a polygon lies too close together for its letters, drawn once more beside it, magnified.
+"""Details: a part of a polygon that is too close together for its letters, drawn once more beside it, magnified.
 
 As drawing practice has it (ISO 128-3, GB/T 4458.1): a thin circle about that part, and the same part in a larger
 circle, both under a Roman numeral. What bears its letters in the detail has none in the circle. All arrows stay where
@@ -16,15 +16,14 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.sheet.fit import magnified
 from graphkin.sheet.free_room import FreeRoom
-from graphkin.sheet.lettering import Label, plain, width
+from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 from graphkin.sheet.obstacles import arc_places
 from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import BODY, Room
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Figure, Window
+from graphkin.sheet.window import Figure, Window, magnified
 
 _RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)
 """Of the circles that are tried about a part of a figure [mm]."""
@@ -34,13 +33,13 @@ _TIMES = (20.0, 10.0, 5.0, 4.0, 3.0, 2.5)
 _LARGEST = 45.0
 """Radius of a detail [mm]."""
 _AROUND, _HEAD = 8.0, 4.0
-"""What letters around a detail need, and its own heading over it [mm]."""
+"""Room for letters around a detail, and for its own heading over it [mm]."""
 _MANY = 150
 """More labels than this no detail relieves."""
 _SAVED = 4
 """A detail is drawn where it saves so many leaders, or labels without a place."""
 _EASIER = 0.5
-"""What a leader in a detail counts, where lines are wide apart."""
+"""The burden of a leader in a detail, where lines are wide apart."""
 _ON = 0.05
 """Nearer than this to a circle's rim is still in it [mm]."""
 _CROWD = 60
@@ -63,33 +62,33 @@ class _Circle:
         return all(abs(place - self.centre) <= self.radius + _ON for place in places)
 
     def names(self, want: LabelRequest) -> bool:
-        """Whether what a label names lies in it wholly."""
+        """True where what a label names lies in it wholly."""
         return self.holds(want.start, want.start if want.end is None else want.end)
 
     @property
     def room(self) -> Room:
-        """It, and what letters around it need."""
+        """Its room with that of letters around it."""
         far = self.radius + _AROUND
         left, top = self.centre.real - far, self.centre.imag - far
         return Room(left, top, left + 2 * far, top + 2 * far)
 
     def piece(self, start: Place, end: Place) -> tuple[Place, Place] | None:
-        """What of a line lies in it."""
-        way = end - start
-        if abs(way) < 1e-9:
+        """The piece of a line that lies in it."""
+        along = end - start
+        if abs(along) < 1e-9:
             return None
-        foot = ((self.centre - start) / way).real
-        aside = abs(start + foot * way - self.centre)
+        foot = ((self.centre - start) / along).real
+        aside = abs(start + foot * along - self.centre)
         if aside >= self.radius:
             return None
-        half = (self.radius**2 - aside**2) ** 0.5 / abs(way)
+        half = (self.radius**2 - aside**2) ** 0.5 / abs(along)
         first, last = max(0.0, foot - half), min(1.0, foot + half)
-        return (start + first * way, start + last * way) if first < last else None
+        return (start + first * along, start + last * along) if first < last else None
 
 
 @frozen
 class _View:
-    """A part of a panel, and where on paper it is shown: through which window, so many times as large as the figure."""
+    """A part of a panel, shown elsewhere through a window of its own, so many times as large as the figure."""
 
     part: _Circle
     shown: _Circle
@@ -113,7 +112,7 @@ class _DetailDrawing:
     """A panel with the details it has so far.
 
     prime  after their numerals
-    known  what its labels trouble the eye, as far as it is known before all are lettered
+    known  the burdens of its labels, as far as they are known before all are lettered
     """
 
     panel: Panel
@@ -124,37 +123,34 @@ class _DetailDrawing:
 
     def relieved(self) -> _DetailDrawing | None:
         """With the one more detail that relieves it most, None where none does."""
-        if not (views := self._possible()) or sum(self.burdens) < _SAVED:
+        if not (knots := list(_knots(self.panel.figure.wanted))):
             return None
-        tried = views if len(self.burdens) <= _CROWD else [max(views, key=self._troubled)]
-        found = [other for other in map(self._with, tried) if not other.emptied]
-        best = min(found, key=lambda other: sum(other.burdens), default=self)
+        free = FreeRoom(self.panel.scene)
+        views = [view for knot in knots if (view := self._view(knot, free)) is not None]
+        if not views or sum(self.burdens) < _SAVED:
+            return None
+
+        def burden(view: _View) -> float:
+            labels = zip(self.panel.figure.wanted, self.burdens, strict=True)
+            return sum(burden for want, burden in labels if view.part.names(want))
+
+        views = views if len(self.burdens) <= _CROWD else [max(views, key=burden)]
+        others = [other for other in map(self._with, views) if not other.emptied]
+        best = min(others, key=lambda other: sum(other.burdens), default=self)
         return best if sum(best.burdens) + _SAVED <= sum(self.burdens) else None
 
     @property
     def emptied(self) -> bool:
-        """Whether some detail has no letters of its own, because another shows what it shows."""
+        """True where some detail has no letters of its own, because another shows what it shows."""
         wanted = self.panel.figure.wanted
         return any(sum(map(view.shown.names, wanted)) < _OWN for view in self.views)
 
     @property
     def burdens(self) -> Sequence[float]:
-        """What each label troubles the eye: one on a leader, one without a place; both, where all are crammed."""
+        """The burden of each label on the eye: one on a leader, one without a place; both, where all are crammed."""
         if self.known is not None:
             return self.known
         return [2.0] * len(self.panel.figure.wanted) if self.panel.scene.crammed else _burdens(self.panel, 1.0)
-
-    def _possible(self) -> list[_View]:
-        """The details there is room for."""
-        if not (knots := list(_knots(self.panel.figure.wanted))):
-            return []
-        free = FreeRoom(self.panel.scene)
-        return [view for knot in knots if (view := self._view(knot, free)) is not None]
-
-    def _troubled(self, view: _View) -> float:
-        """What the labels trouble the eye of what a detail shows."""
-        labels = zip(self.panel.figure.wanted, self.burdens, strict=True)
-        return sum(burden for want, burden in labels if view.part.names(want))
 
     def _view(self, knot: _Circle, free: FreeRoom) -> _View | None:
         """A part of the figure, or of a detail, magnified as far as there is room for; None where there is none."""
@@ -171,19 +167,21 @@ class _DetailDrawing:
     def _with(self, view: _View) -> _DetailDrawing:
         """The letters of one circle left to the other, where that part is drawn once more.
 
-        What is left out is a trouble less, what the detail has to letter for itself a trouble more; that all else has
-        more room then is not counted, so that not all must be lettered anew for each detail that is tried.
+        Labels that are left out are a burden less, those that the detail has for itself a burden more; that all others
+        have more room then is not counted, so that not all must be lettered anew for each detail that is tried.
         """
         whole, figure = self.draw(view.window), self.panel.figure
         marks = [mark for each in whole.marks for mark in _clipped(each, view.shown)]
         named = [want for want in whole.wanted if view.shown.names(want)]
-        told = {want.of for want in named if want.of}
-        stay = [not (want.of in told if want.of else view.part.names(want)) for want in figure.wanted]
+        arrows = {want.of for want in named if want.of}
+        stay = [not (want.of in arrows if want.of else view.part.names(want)) for want in figure.wanted]
         step = min((mark.step for mark in marks if mark.step is not None), default=None)
         numeral = _NUMERALS[len(self.views)] + self.prime
         sign = LabelRequest(plain(numeral), view.part.centre, gap=view.part.radius, size=BODY, step=step)
         marks += [Disc(circle.centre, circle.radius, "thin", step=step) for circle in (view.part, view.shown)]
-        marks.append(_heading(plain(f"{numeral}  ({view.times:g} : 1)"), view.shown, step))
+        heading = plain(f"{numeral}  ({view.times:g} : 1)")
+        top = view.shown.centre - 1j * (view.shown.radius + _AROUND - 1.0)  # over what is written around it
+        marks.append(Text(heading, top - width(heading, BODY) / 2, BODY, step))
         alone = Panel(Figure(marks, named), view.window, view.shown.room)
         known = [*compress(self.burdens, stay), *_burdens(alone, _EASIER), 0.0]
         drawn = Figure([*figure.marks, *marks], [*compress(figure.wanted, stay), *named, sign])
@@ -191,13 +189,13 @@ class _DetailDrawing:
 
 
 def _burdens(panel: Panel, led: float) -> list[float]:
-    """What each label of a panel troubles the eye; `led`: one on a leader."""
-    found = [0.0] * len(panel.figure.wanted)
+    """The burden of each label of a panel on the eye; `led`: of one on a leader."""
+    burdens = [0.0] * len(panel.figure.wanted)
     for label in panel.near.led:
-        found[label] += led
+        burdens[label] += led
     for label in panel.near.clashing:
-        found[label] += 1.0
-    return found
+        burdens[label] += 1.0
+    return burdens
 
 
 def _knots(wanted: list[LabelRequest]) -> Iterator[_Circle]:
@@ -216,7 +214,7 @@ def _knots(wanted: list[LabelRequest]) -> Iterator[_Circle]:
 
 
 def _farthest(centres: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
-    """How far from places (c,) what labels name reaches, from start to end (w,): (c, w)."""
+    """Distances from places (c,) to the farther ends of what labels name, from start to end (w,): (c, w)."""
     return np.asarray(np.maximum(abs(start - centres[:, None]), abs(end - centres[:, None])))
 
 
@@ -231,14 +229,8 @@ def _middles(held: np.ndarray, centres: np.ndarray, start: np.ndarray, end: np.n
     return np.where(held.any(axis=1), x + 1j * y, centres)
 
 
-def _heading(label: Label, circle: _Circle, step: int | None) -> Text:
-    """Over the circle and what is written around it."""
-    top = circle.centre - 1j * (circle.radius + _AROUND - 1.0)
-    return Text(label, top - width(label, BODY) / 2, BODY, step)
-
-
 def _clipped(mark: Mark, circle: _Circle) -> Iterator[Mark]:
-    """What of a mark lies in the circle, as a part of no plane."""
+    """The part of a mark that lies in the circle, as a part of no plane."""
     match mark:
         case PointMark(at=at) if circle.holds(at):
             yield replace(mark, plane="detail")

@@ -1,4 +1,4 @@
-"""What comes last on a figure: it stands where lines and labels have left room, and is left out where they have not."""
+"""The free room of a figure: what comes last stands where lines and labels have left room, else it is left out."""
 
 from __future__ import annotations
 
@@ -7,32 +7,33 @@ from copy import copy
 from dataclasses import field
 from functools import cached_property
 from itertools import accumulate
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
-from graphkin.sheet.equation_rows import EquationBlock
-from graphkin.sheet.held import Held
+from graphkin.sheet.boxes import OccupiedSquares
 from graphkin.sheet.label_candidates import LabelScene
+from graphkin.sheet.label_requests import LabelCandidates, LabelRequest
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
-from graphkin.sheet.wanted import LabelCandidates, LabelRequest
+from graphkin.sheet.text_blocks import EquationBlock
 
 _CLEAR = 0.6
-"""What is added keeps this from everything there [mm]."""
+"""The distance of what is added from everything there [mm]."""
 _WORD = np.array((2.2, -0.6))
 """Letters beside others read as theirs when nearer; how far above or below they may be for that [mm]."""
 _EDGE, _GRID = 2.0, 3.0
-"""What a rectangle keeps from all others; how finely places for it are tried [mm]."""
+"""The distance of a rectangle from all others; the grid of the places that are tried for it [mm]."""
 _STEPS = 0.5
-"""How finely a line is shortened [mm]."""
+"""The steps in which a line is shortened [mm]."""
 
 
 @frozen
 class Annotations:
-    """What is drawn beneath a figure, and what over it; equations for which there is no room."""
+    """Marks beneath a figure and over it; equations for which there is no room."""
 
     under: list[Mark] = field(default_factory=list)
     over: list[Mark] = field(default_factory=list)
@@ -40,22 +41,22 @@ class Annotations:
 
 
 class FreeSpots(NamedTuple):
-    """Places of a label at what it names that were free when they were looked for.
+    """Places of a label at what it names that were free at a time.
 
     half           of the width and height of its box [mm]
     marks, letters  how many there were then
     """
 
-    middle: Any
-    cost: Any
+    middle: Array
+    cost: Array
     half: complex
     marks: int
     letters: int
 
     @property
-    def boxes(self) -> tuple[Any, Any]:
+    def boxes(self) -> tuple[Array, Array]:
         """Their corners (n, 2)."""
-        return _corners(self.middle, self.half)
+        return _corners(self.middle, np.asarray(self.half))
 
 
 class FreeRoom:
@@ -71,61 +72,61 @@ class FreeRoom:
         """These lie on the paper now, too."""
         self.marks += marks
         self._late = {}
-        vars(self).pop("_held", None)
+        vars(self).pop("_occupied", None)
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
 
     def _with(self, marks: Sequence[Mark]) -> FreeRoom:
         """As it would be with these."""
-        found = copy(self)
-        found.marks = [*self.marks]
-        found.add(marks)
-        return found
+        other = copy(self)
+        other.marks = [*self.marks]
+        other.add(marks)
+        return other
 
     def _added(self, first: int) -> list[Obstacles]:
-        """What came after so many marks, if anything; made when somebody asks what is free: much is added before."""
+        """Obstacles that came after so many marks, if any; made when they are asked for: much is added before."""
         if first < len(self.marks) and first not in self._late:
             self._late[first] = obstacles(self.marks[first:])
         return [self._late[first]] if first < len(self.marks) else []
 
-    def free(self, low: Any, high: Any) -> Any:
-        """Which of many boxes (n, 2) touch nothing and lie in the room."""
-        found = (low >= (self.room.left, self.room.top)) & (high <= (self.room.right, self.room.bottom))
-        return _clear(found[:, 0] & found[:, 1], low, high, [*self._standing, *self._added(self._first)])
+    def free(self, low: Array, high: Array) -> Array:
+        """True for those of many boxes (n, 2) that touch nothing and lie in the room."""
+        inside = (low >= (self.room.left, self.room.top)) & (high <= (self.room.right, self.room.bottom))
+        return _clear(inside[:, 0] & inside[:, 1], low, high, [*self._standing, *self._added(self._first)])
 
     def reach(self, start: Place, along: complex, most: float) -> float:
-        """How far a line may go on from a place without running into letters, or out of the room [mm]."""
-        way, bad = self._along(start, along, most)
-        return float(way[np.argmax(bad)] - _STEPS) if bad.any() else most
+        """The length of a line on from a place, without running into letters or out of the room [mm]."""
+        steps, bad = self._along(start, along, most)
+        return float(steps[np.argmax(bad)] - _STEPS) if bad.any() else most
 
     def pieces(self, start: Place, end: Place) -> list[tuple[Place, Place]]:
-        """What of a line lies clear of letters."""
+        """The pieces of a line that lie clear of letters."""
         length = abs(end - start)
         along = (end - start) / length
-        way, bad = self._along(start, along, length)
+        steps, bad = self._along(start, along, length)
         turns = np.flatnonzero(np.diff(np.concatenate([[True], bad, [True]])))
-        found: list[tuple[Place, Place]] = []
+        pieces: list[tuple[Place, Place]] = []
         for first, after in zip(turns[::2], turns[1::2], strict=True):
-            low, high = float(way[first]), float(way[after - 1]) if after < len(way) else length
+            low, high = float(steps[first]), float(steps[after - 1]) if after < len(steps) else length
             if high - low > _STEPS:
-                found.append((start + along * low, start + along * high))
-        return found
+                pieces.append((start + along * low, start + along * high))
+        return pieces
 
-    def _along(self, start: Place, along: complex, most: float) -> tuple[Any, Any]:
-        """How far on from a place, step by step [mm], and whether there are letters, or no room."""
-        way = np.arange(0.0, most + _STEPS / 2, _STEPS)
-        xs, ys, room, letters = start.real + along.real * way, start.imag + along.imag * way, self.room, self._letters
+    def _along(self, start: Place, along: complex, most: float) -> tuple[Array, Array]:
+        """Steps on from a place [mm], and whether there are letters, or no room."""
+        steps, room, letters = np.arange(0.0, most + _STEPS / 2, _STEPS), self.room, self._letters
+        xs, ys = start.real + along.real * steps, start.imag + along.imag * steps
         bad = (xs < room.left) | (xs > room.right) | (ys < room.top) | (ys > room.bottom)
         low, high = letters[:, 0, :, None] - _CLEAR, letters[:, 1, :, None] + _CLEAR
         within = (xs > low[:, 0]) & (xs < high[:, 0]) & (ys > low[:, 1]) & (ys < high[:, 1])
-        return way, bad | within.any(axis=0)
+        return steps, bad | within.any(axis=0)
 
     @cached_property
-    def _held(self) -> Held:
-        """What rectangles surely lie on."""
-        return Held(places(self.marks), _GRID)
+    def _occupied(self) -> OccupiedSquares:
+        """Squares that no free rectangle holds."""
+        return OccupiedSquares(places(self.marks), _GRID)
 
     def spots(self, wanted: Sequence[LabelRequest], halves: Sequence[complex]) -> list[FreeSpots]:
-        """Where many labels may stand at what they name, all looked at at once; half: of the size of each box [mm]."""
+        """The free places of many labels at what they name, all at once; half: of the size of each box [mm]."""
         if not wanted:
             return []
         near = [want.near(half) for want, half in zip(wanted, halves, strict=True)]
@@ -154,20 +155,20 @@ class FreeRoom:
         if not (len(xs) and len(ys)):
             return None
         near, far = (xs - _EDGE, ys[:, None] - _EDGE), (xs + size.real + _EDGE, ys[:, None] + size.imag + _EDGE)
-        rows, columns = np.nonzero(~self._held.within(near, far))
+        rows, columns = np.nonzero(~self._occupied.within(near, far))
         low = np.stack([xs[columns], ys[rows]], axis=1)
-        found = np.flatnonzero(self.free(low - _EDGE, low + np.array((size.real, size.imag)) + _EDGE))
-        if not len(found):
+        free = np.flatnonzero(self.free(low - _EDGE, low + np.array((size.real, size.imag)) + _EDGE))
+        if not len(free):
             return None
-        best = found[np.argmax(low[found, 1])] if from_below else found[0]
+        best = free[np.argmax(low[free, 1])] if from_below else free[0]
         return complex(*low[best])
 
     def letters(self, wanted: Sequence[LabelRequest]) -> Iterator[list[Mark]]:
         """Each label where there is room for it, one after the other, else nothing."""
         for want, spots in zip(wanted, self.spots(wanted, [_half(want) for want in wanted]), strict=True):
-            found = _lettered(want, self.place(spots))
-            self.add(found)
-            yield found
+            marks = _lettered(want, self.place(spots))
+            self.add(marks)
+            yield marks
 
     def letters_with(self, marks: Sequence[Mark], want: LabelRequest) -> list[Mark]:
         """A label where there would be room for it with some more marks, else nothing; nothing is added here."""
@@ -187,28 +188,28 @@ def _lettered(want: LabelRequest, middle: Place | None) -> list[Mark]:
     return [] if middle is None else [*want.texts(middle + complex(-wide / 2, (up - down) / 2))]
 
 
-def _clear(free: Any, low: Any, high: Any, lying: Sequence[Obstacles]) -> Any:
-    """Which of the boxes that are free as far as is known keep off all that lies there."""
+def _clear(free: Array, low: Array, high: Array, lying: Sequence[Obstacles]) -> Array:
+    """True for those of the boxes so far free that keep off all that lies there."""
     for each in lying:
         rows = np.flatnonzero(free)
         free[rows[each.touched(low[rows] - _CLEAR, high[rows] + _CLEAR)]] = False
     return free
 
 
-def _corners(middle: Any, half: Any) -> tuple[Any, Any]:
+def _corners(middle: Array, half: Array) -> tuple[Array, Array]:
     """Lower and upper corner (n, 2) of boxes about places (n,)."""
     middle, size = np.stack([middle.real, middle.imag], axis=-1), np.stack([np.real(half), np.imag(half)], axis=-1)
     return middle - size, middle + size
 
 
-def _beside(low: Any, high: Any, letters: Any) -> Any:
-    """Which of many boxes (n, 2) stand on a line with letters and so near that they read as a part of them."""
+def _beside(low: Array, high: Array, letters: Array) -> Array:
+    """True for boxes (n, 2) on a line with letters and so near that they read as a part of them."""
     least, most = letters[:, 0] - _WORD, letters[:, 1] + _WORD
     beside = [(low[:, k, None] < most[:, k]) & (high[:, k, None] > least[:, k]) for k in range(2)]
-    return (beside[0] & beside[1]).any(axis=1)
+    return np.asarray((beside[0] & beside[1]).any(axis=1))
 
 
-def _boxes(texts: Sequence[Text]) -> Any:
+def _boxes(texts: Sequence[Text]) -> Array:
     """Lower and upper corner of each text (n, 2, 2)."""
     sides = [bounds([text]) for text in texts]
     return np.array([((left, top), (right, bottom)) for left, top, right, bottom in sides]).reshape(-1, 2, 2)

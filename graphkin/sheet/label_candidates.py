@@ -1,4 +1,4 @@
-"""The places that labels of a figure might take, and what each has about it; looked at only where they are asked for.
+"""The candidate places of a figure's labels, and what lies about each; rated only where they are asked for.
 
 Most labels stand where they would like to. So the places at what they name come first, for all labels at once; those
 on a leader, and far off, only for labels that find none there.
@@ -6,32 +6,38 @@ on a leader, and far off, only for labels that find none there.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.base.value import filled
-from graphkin.sheet.held import Held
+from graphkin.sheet.boxes import OccupiedSquares
+from graphkin.sheet.label_requests import CRAMMED, LabelCandidates, LabelRequest, lettering
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Mark, Place, Text
-from graphkin.sheet.nearness import Arrows
+from graphkin.sheet.marks import Mark, Place, Text, VectorMark
 from graphkin.sheet.obstacles import Obstacles, obstacles, places
 from graphkin.sheet.paper import Room
-from graphkin.sheet.wanted import CRAMMED, LabelCandidates, LabelRequest, lettering
+
+_NEARER = 0.3
+"""By so much, to the eye [mm]."""
+_SHORTEST = 0.1
+"""Shorter arrows are points [mm]."""
+
 
 NEAR, LED, FAR, FARTHEST = range(4)
 """Places at what a label names, on a leader about that, and farther off."""
 MANY = 150
 """More labels than this are a crowd that far places do not relieve."""
 _FEWER = 6
-"""Of the places of a hopeless crowd one in so many is looked at."""
+"""Of the places of a crowd beyond help one in so many is rated."""
 _CELL = 1.0
-"""How finely it is looked for what surely lies there [mm]."""
+"""The size of the squares that surely hold something [mm]."""
 _CLEAR, _EASY = 0.45, 1.3
-"""What a label keeps from lines at least, and likes to keep [mm]."""
+"""The distance of a label from lines at least, and the one it likes [mm]."""
 
 
 class Boxes(NamedTuple):
@@ -40,23 +46,23 @@ class Boxes(NamedTuple):
     places  corners low and high of each, where its leader begins and ends (4, 2, n) [mm]; without one, the box's middle
     """
 
-    places: Any
-    led: Any
+    places: Array
+    led: Array
 
     @classmethod
-    def of(cls, spots: LabelCandidates, half: Any) -> Boxes:
+    def of(cls, spots: LabelCandidates, half: Array) -> Boxes:
         middle, half = _xy(spots.middle), _xy(half)
         low, high, anchor = middle - half, middle + half, _xy(np.where(spots.led, spots.anchor, spots.middle))
         return cls(np.array([low, high, np.clip(anchor, low, high), anchor]), spots.led)
 
-    def taken(self, rows: Any) -> Boxes:
+    def taken(self, rows: Array | list[int]) -> Boxes:
         """Some of them; numpy takes numbered columns several times as fast as it indexes them."""
         return Boxes(self.places.take(rows, axis=2), self.led.take(rows))
 
     def part(self, begin: int, end: int) -> Boxes:
         return Boxes(self.places[:, :, begin:end], self.led[begin:end])
 
-    def some(self, rows: Any) -> Boxes:
+    def some(self, rows: Array) -> Boxes:
         """The same; a single one is that of all rows."""
         return self if len(self.led) == 1 else self.taken(rows)
 
@@ -66,26 +72,26 @@ class Boxes(NamedTuple):
         return cls(np.concatenate(places, axis=-1), np.concatenate(led))
 
     @property
-    def low(self) -> Any:
-        return self.places[0]
+    def low(self) -> Array:
+        return np.asarray(self.places[0])
 
     @property
-    def high(self) -> Any:
-        return self.places[1]
+    def high(self) -> Array:
+        return np.asarray(self.places[1])
 
     @property
-    def leader(self) -> Any:
-        """From where to where it goes (2, 2, n)."""
-        return self.places[2:]
+    def leader(self) -> Array:
+        """Its two ends (2, 2, n)."""
+        return np.asarray(self.places[2:])
 
     @property
-    def reach(self) -> tuple[Any, Any]:
+    def reach(self) -> tuple[Array, Array]:
         """Corners of what boxes and leaders lie in (2, n)."""
         return np.minimum(self.low, self.places[3]), np.maximum(self.high, self.places[3])
 
 
 class Rated(NamedTuple):
-    """Candidates, row by row, and what is about them.
+    """Candidates, row by row, with their costs and their surroundings.
 
     cost      what each costs by itself; near: how many things are too near to it; hits: on how many it lies
     strange   nearer to another arrow than to its own; inside: in the room
@@ -93,15 +99,15 @@ class Rated(NamedTuple):
     """
 
     boxes: Boxes
-    cost: Any
-    near: Any
-    hits: Any
-    strange: Any
-    inside: Any
-    lettered: Any
-    lines: Any
+    cost: Array
+    near: Array
+    hits: Array
+    strange: Array
+    inside: Array
+    lettered: Array
+    lines: Array
 
-    def taken(self, rows: Any) -> Rated:
+    def taken(self, rows: Array) -> Rated:
         return Rated(self.boxes.taken(rows), *(each[rows] for each in self[1:]))
 
     @classmethod
@@ -111,7 +117,7 @@ class Rated(NamedTuple):
         boxes = Boxes.joined(part.boxes for part in parts)
         return cls(boxes, *map(np.concatenate, zip(*(part[1:] for part in parts), strict=True)))
 
-    def parted(self, counts: Any) -> Iterator[Rated]:
+    def parted(self, counts: Array | list[int]) -> Iterator[Rated]:
         """So many of them each time."""
         for end, count in zip(np.cumsum(counts), counts, strict=True):
             yield Rated(self.boxes.part(end - count, end), *(each[end - count : end] for each in self[1:]))
@@ -123,9 +129,9 @@ class Rated(NamedTuple):
         return self.taken(np.flatnonzero(self.inside)) if some else self
 
     @property
-    def free(self) -> Any:
-        """Which of them touch nothing."""
-        return (self.hits == 0) & self.inside & ~self.strange
+    def free(self) -> Array:
+        """Those that touch nothing."""
+        return np.asarray((self.hits == 0) & self.inside & ~self.strange)
 
 
 @filled
@@ -145,13 +151,13 @@ class LabelScene:
 
     @property
     def crammed(self) -> bool:
-        """Whether so much is to be lettered that some labels will lie on others."""
+        """True where so much is to be lettered that some labels will lie on others."""
         size = self.room.size
         return lettering(self.wanted) > CRAMMED * size.real * size.imag
 
     @cached_property
-    def hopeless(self) -> bool:
-        """Whether no care helps: very many labels, and no room for them."""
+    def beyond_help(self) -> bool:
+        """True where very many labels have no room, so that no care helps."""
         return len(self.wanted) > MANY and self.crammed
 
     @cached_property
@@ -159,31 +165,31 @@ class LabelScene:
         return obstacles(self.drawn)
 
     @cached_property
-    def held(self) -> Held:
-        """What labels that look farther off surely lie on."""
-        return Held(places(self.drawn), _CELL)
+    def occupied(self) -> OccupiedSquares:
+        """Squares that labels that look farther off need no closer look at."""
+        return OccupiedSquares(places(self.drawn), _CELL)
 
     @cached_property
     def letters(self) -> Obstacles:
-        """What lets no leader through."""
+        """Obstacles that let no leader through."""
         return obstacles(mark for mark in self.drawn if isinstance(mark, Text))
 
     @cached_property
     def arrows(self) -> Arrows:
         return Arrows(self.drawn)
 
-    def touched(self, low: Any, high: Any) -> Any:
+    def touched(self, low: Array, high: Array) -> Array:
         """Rows of the boxes low..high (n, 2) that touch something, once for each thing touched."""
-        found = self.known.touched(low, high)
-        return found if self.beneath is None else np.concatenate([found, self.beneath.touched(low, high)])
+        rows = self.known.touched(low, high)
+        return rows if self.beneath is None else np.concatenate([rows, self.beneath.touched(low, high)])
 
-    def crossed(self, start: Any, end: Any) -> Any:
+    def crossed(self, start: Array, end: Array) -> Array:
         """Rows of the leaders start..end (n, 2) that cross something, once for each thing crossed."""
-        found = self.known.crossed(start, end)
-        return found if self.beneath is None else np.concatenate([found, self.beneath.crossed(start, end)])
+        rows = self.known.crossed(start, end)
+        return rows if self.beneath is None else np.concatenate([rows, self.beneath.crossed(start, end)])
 
     @cached_property
-    def halves(self) -> Any:
+    def halves(self) -> Array:
         """Half the width and height of each label's box, complex [mm]."""
         boxes = (box(want.label, want.size) for want in self.wanted)
         return np.array([complex(wide, up + down) / 2 for wide, up, down in boxes], dtype=complex)
@@ -208,89 +214,103 @@ class LabelScene:
         if not labels:
             return
         if self.beneath is None:
-            counts, found = self._looked_at(labels, tier)
+            counts, rated = self._rated(labels, tier)
         else:
             self.beneath._see([label for label in labels if (label, tier) not in self.beneath._seen], tier)
             parts = [self.beneath._seen[label, tier] for label in labels]
-            counts, found = [len(part.cost) for part in parts], self._looked_at_again(Rated.joined(parts))
-        for label, part in zip(labels, found.parted(counts), strict=True):
+            counts, rated = np.array([len(part.cost) for part in parts]), Rated.joined(parts)
+            near, hits = self.known.around(rated.boxes.low, rated.boxes.high, (_EASY, _CLEAR))
+            rated = rated._replace(near=rated.near + near, hits=rated.hits + hits)
+        for label, part in zip(labels, rated.parted(counts), strict=True):
             self._seen[label, tier] = part
 
     def _cross(self, labels: Sequence[int], tier: int) -> None:
-        """What the leaders of candidates of one tier cross, of some labels at once; of boxes that lie on nothing."""
+        """Count the crossings of the leaders of one tier, of some labels at once; of boxes that lie on nothing."""
         if not labels:
             return
         parts = [self._seen[label, tier] for label in labels]
-        found = Rated.joined(parts)
-        rows = np.flatnonzero(found.inside & (found.hits == 0))
-        start, end = found.boxes.leader.take(rows, axis=2).swapaxes(1, 2)
-        lines = np.zeros(len(found.cost))
+        rated = Rated.joined(parts)
+        rows = np.flatnonzero(rated.inside & (rated.hits == 0))
+        start, end = rated.boxes.leader.take(rows, axis=2).swapaxes(1, 2)
+        lines = np.zeros(len(rated.cost))
         lines[rows] = np.bincount(self.crossed(start, end), minlength=len(rows))
-        found = found._replace(lines=lines)
-        for label, part in zip(labels, found.parted([len(part.cost) for part in parts]), strict=True):
+        rated = rated._replace(lines=lines)
+        for label, part in zip(labels, rated.parted([len(part.cost) for part in parts]), strict=True):
             self._seen[label, tier] = part
             self._crossing.add((label, tier))
 
-    def _looked_at(self, labels: Sequence[int], tier: int) -> tuple[Any, Rated]:
-        """How many each label has in the room, or anywhere where it has none there; and all of them. Farther off, none
-        that surely lies on something, where it has others."""
+    def _rated(self, labels: Sequence[int], tier: int) -> tuple[Array, Rated]:
+        """The number of candidates of each label in the room, or anywhere where it has none there; and all of them.
+        Farther off, none that surely lies on something, where it has others."""
         spots = [self._spots(label, tier) for label in labels]
         owner, every = np.repeat(labels, [len(each.cost) for each in spots]), LabelCandidates.joined(spots)
         boxes = Boxes.of(every, self.halves[owner])
         inside = self.inside(boxes)
-        clear = inside if tier == NEAR else inside & ~self.held.within(boxes.low, boxes.high)
+        clear = inside if tier == NEAR else inside & ~self.occupied.within(boxes.low, boxes.high)
         rows = np.flatnonzero(clear | ~np.isin(owner, owner[clear]))
         owner, inside, boxes = owner[rows], inside[rows], boxes.taken(rows)
-        near, hits = self._touching(boxes)
-        free = inside & (hits == 0)
-        strange, lettered = self._strange(owner, boxes, free, tier), self._lettered(boxes, free, tier)
-        found = Rated(boxes, every.cost[rows], near, hits, strange, inside, lettered, np.zeros(len(rows)))
-        return np.bincount(owner, minlength=len(self.wanted))[labels], found
+        near, hits = self.known.around(boxes.low, boxes.high, (_EASY, _CLEAR))
+        free = np.flatnonzero(inside & (hits == 0))
+        strange, lettered = np.zeros(len(rows), dtype=bool), np.zeros(len(rows), dtype=bool)
+        if tier == NEAR:  # a leader says whose a label is
+            strange[free] = self.arrows.strange(self.wanted, owner[free], boxes.low[:, free].T, boxes.high[:, free].T)
+        else:
+            start, end = boxes.leader.take(free, axis=2).swapaxes(1, 2)
+            lettered[free[self.letters.crossed(start, end)]] = True
+        rated = Rated(boxes, every.cost[rows], near, hits, strange, inside, lettered, np.zeros(len(rows)))
+        return np.bincount(owner, minlength=len(self.wanted))[labels], rated
 
-    def _looked_at_again(self, rated: Rated) -> Rated:
-        """The same candidates under some more lines."""
-        near, hits = self._touching(rated.boxes)
-        return rated._replace(near=rated.near + near, hits=rated.hits + hits)
-
-    def inside(self, boxes: Boxes) -> Any:
-        """Which lie in the room."""
+    def inside(self, boxes: Boxes) -> Array:
+        """Those in the room."""
         room, low, high = self.room, boxes.low, boxes.high
-        found = (low[0] >= room.left) & (low[1] >= room.top)
-        return found & (high[0] <= room.right) & (high[1] <= room.bottom)
+        below = (high[0] <= room.right) & (high[1] <= room.bottom)
+        return np.asarray((low[0] >= room.left) & (low[1] >= room.top) & below)
 
     def _spots(self, label: int, tier: int) -> LabelCandidates:
         want, half = self.wanted[label], complex(self.halves[label])
-        ways: tuple[Callable[[], LabelCandidates], ...] = (
-            lambda: want.near(half), lambda: want.led(half),
-            lambda: want.far(half, self.crowd), lambda: want.far(half, self.crowd, farthest=True),
-        )  # fmt: skip
-        found = ways[tier]()
-        return LabelCandidates(*(each[::_FEWER] for each in found)) if self.hopeless else found
-
-    def _touching(self, boxes: Boxes) -> tuple[Any, Any]:
-        """How much of what is drawn is too near to each box, and on how much it lies."""
-        near, hits = self.known.around(boxes.low, boxes.high, (_EASY, _CLEAR))
-        return near, hits
-
-    def _lettered(self, boxes: Boxes, free: Any, tier: int) -> Any:
-        """Whose leaders pass through letters; of boxes that lie on nothing."""
-        found = np.zeros(len(free), dtype=bool)
-        if tier != NEAR:
-            rows = np.flatnonzero(free)
-            start, end = boxes.leader.take(rows, axis=2).swapaxes(1, 2)
-            found[rows[self.letters.crossed(start, end)]] = True
-        return found
-
-    def _strange(self, owner: Any, boxes: Boxes, free: Any, tier: int) -> Any:
-        """Which stand nearer to another arrow than to their own, of those that lie on nothing; a leader says whose a
-        label is."""
-        found = np.zeros(len(owner), dtype=bool)
-        if tier == NEAR:
-            found[free] = self.arrows.strange(self.wanted, owner[free], boxes.low[:, free].T, boxes.high[:, free].T)
-        return found
+        if tier in (NEAR, LED):
+            spots = want.near(half) if tier == NEAR else want.led(half)
+        else:
+            spots = want.far(half, self.crowd, farthest=tier == FARTHEST)
+        return LabelCandidates(*(each[::_FEWER] for each in spots)) if self.beyond_help else spots
 
 
-def _xy(places: Any) -> Any:
+class Arrows:
+    """The arrows of a figure, by name: a label is to be nearer to its own than to all others."""
+
+    def __init__(self, drawn: Iterable[Mark]) -> None:
+        vectors = [mark for mark in drawn if isinstance(mark, VectorMark) and mark.length > _SHORTEST]
+        self.names = np.array([vector.name for vector in vectors])
+        self.start = np.array([vector.start for vector in vectors], dtype=complex)
+        self.end = np.array([vector.end for vector in vectors], dtype=complex)
+
+    def strange(self, wanted: Sequence[LabelRequest], owner: Array, low: Array, high: Array) -> Array:
+        """Boxes low..high of labels that stand nearer to an arrow that is not their owner's."""
+        strange = np.zeros(len(owner), dtype=bool)
+        for k, want in enumerate(wanted if len(self.names) > 1 else ()):
+            own = self.names == want.of
+            if want.of and own.any():
+                rows = np.flatnonzero(owner == k)
+                apart = self._apart(low[rows, None], high[rows, None])
+                strange[rows] = apart[:, own].min(axis=1) > apart[:, ~own].min(axis=1, initial=np.inf) - _NEARER
+        return strange
+
+    def _apart(self, low: Array, high: Array) -> Array:
+        """Distance of boxes (m, 1, 2) from the arrows (n,): (m, n); 0 where they meet."""
+        (left, top), (right, bottom) = np.moveaxis(low, -1, 0), np.moveaxis(high, -1, 0)
+        along = self.end - self.start
+        distances = []
+        for corner in (x + 1j * y for x in (left, right) for y in (top, bottom)):
+            off = corner - self.start
+            part = np.clip((off * along.conj()).real / (along * along.conj()).real, 0.0, 1.0)
+            distances.append(np.abs(off - part * along))
+        for end in (self.start, self.end):
+            across = np.maximum(np.maximum(left - end.real, end.real - right), 0.0)
+            distances.append(np.hypot(across, np.maximum(np.maximum(top - end.imag, end.imag - bottom), 0.0)))
+        return np.asarray(np.minimum.reduce(distances))
+
+
+def _xy(places: Array) -> Array:
     """Complex places (n,) as x and y of each (2, n)."""
     return np.array([places.real, places.imag])
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from functools import cache, lru_cache
 from typing import Literal, NamedTuple
 
-from graphkin.model.units import significant
+from graphkin.model.quantities.digits import significant
 
 SMALL = 0.68
 """Size of sub- and superscripts, against the letters they belong to."""
@@ -20,7 +20,7 @@ _LEAST = 2.5
 _DROP, _RISE = 0.22, -0.40
 _ASCENT, _DESCENT = 0.68, 0.20
 _BOLD = 1.08
-"""How much wider bold letters are."""
+"""The width of bold letters, as a part of plain ones."""
 
 _ROMAN = (
     "250 333 408 500 500 833 778 180 333 333 500 564 250 333 250 278 500 500 500 500 500 500 500 500 500 500 278 278 "
@@ -40,21 +40,15 @@ _OTHERS = (
 )
 
 
-def _table() -> dict[str, tuple[float, float]]:
-    """Roman and italic width of each letter [em]."""
-    table = {
-        chr(32 + k): (int(roman) / 1000, int(italic) / 1000)
-        for k, (roman, italic) in enumerate(zip(_ROMAN.split(), _ITALIC.split(), strict=True))
-    }
-    for entry in _OTHERS.split():
-        roman, italic = entry[1:].split(",")
-        table[entry[0]] = int(roman) / 1000, int(italic) / 1000
-    return table
-
-
-_WIDTHS = _table()
+_ALL = (
+    *((chr(32 + k), *pair) for k, pair in enumerate(zip(_ROMAN.split(), _ITALIC.split(), strict=True))),
+    *((entry[0], *entry[1:].split(",")) for entry in _OTHERS.split()),
+)
+_WIDTHS = {letter: (int(roman) / 1000, int(italic) / 1000) for letter, roman, italic in _ALL}
+"""Roman and italic width of each letter [em]."""
 _CORNER = re.compile(r"([a-z])_([^\W\d_]\w*?)(?:_(\d+))?('*)")
 _EQUIVALENT = re.compile(r"e [a-z]+(\d*)")
+"""A link of the lower-pair equivalent, which is written e, the second e2."""
 _WIDE = (("\u2160", "\u217f"), ("\u2460", "\u2473"), ("\u2e80", "\u9fff"), ("\uff00", "\uffef"))
 """Ranges of characters that are one em wide."""
 
@@ -83,7 +77,7 @@ def advance(text: str, italic: bool = False) -> float:
 
 
 def is_wide(letter: str) -> bool:
-    """Whether a character is as wide as high, as Chinese ones are."""
+    """True where a character is as wide as high, as Chinese ones are."""
     return letter > "\u2100" and any(first <= letter <= last for first, last in _WIDE)
 
 
@@ -93,7 +87,7 @@ def run_width(run: Run, size: float) -> float:
 
 
 def run_size(run: Run, size: float) -> float:
-    """How large a run of a label is lettered [mm]."""
+    """Size of the letters of a run of a label [mm]."""
     return size if run.place == "base" else max(SMALL * size, min(size, _LEAST))
 
 
@@ -128,13 +122,9 @@ def box(label: Label, size: float) -> tuple[float, float, float]:
     places = {run.place for run in label}
     small = run_size(Run("", place="sup"), size) / size
     up = _ASCENT if "sup" not in places else -_RISE + _ASCENT * small
-    down = _DROP + 0.05 if "sub" in places else (_DESCENT if _hangs(label) else 0.04)
+    hanging = any(letter in "fgjpqyμφψγ,;()Q" for run in label for letter in run.text)
+    down = _DROP + 0.05 if "sub" in places else (_DESCENT if hanging else 0.04)
     return width(label, size), up * size, down * size
-
-
-def _hangs(label: Label) -> bool:
-    """Whether a letter goes below the base line."""
-    return any(c in "fgjpqyμφψγ,;()Q" for run in label for c in run.text)
 
 
 # --- names ------------------------------------------------------------------------------------
@@ -165,7 +155,7 @@ def point_label(name: str) -> Label:
 
     Points have one letter, and primes before their link; at a corner the link's word follows the letter: `n_boom'`.
     """
-    name = _EQUIVALENT.sub(_equivalent, name)
+    name = _EQUIVALENT.sub(lambda match: f"@e{int(match[1] or 0) + 1}" if int(match[1] or 0) else "@e", name)
     if corner := _CORNER.fullmatch(name):
         letter, link, more, primes = corner.groups()
         low = f"{link},{more}" if more else link
@@ -178,12 +168,6 @@ def point_label(name: str) -> Label:
     return (*first, *_mixed(link, "sub"), *plain("′" * len(primes)))
 
 
-def _equivalent(found: re.Match[str]) -> str:
-    """A link of the lower-pair equivalent is written e, the second e2."""
-    number = int(found[1] or 0)
-    return f"@e{number + 1 if number else ''}"
-
-
 @lru_cache(4096)
 def vector_label(name: str) -> Label:
     """`v_CB`, `a^n_B3D`, `v_B@guide`: the part stands above the subscript; `v_DG+v_S4D` are two in one."""
@@ -193,13 +177,7 @@ def vector_label(name: str) -> Label:
     if match is None:
         return _mixed(name, "base")
     letter, part, low = match.groups()
-    label = (Run(letter, True), *_mixed(_spoken(low), "sub"))
-    return (*label, Run(part, True, "sup", back=True)) if part else label
-
-
-def _spoken(sites: str) -> str:
-    """Sites of links with words for names: `B@guide,B@ram` as `B guide, B ram`, in a subscript."""
-    return sites.replace(",", ", ").replace("@", " ")
+    return quantity_label(letter, low.replace(",", ", ").replace("@", " "), part or "")
 
 
 def link_label(name: str) -> Label:
@@ -227,3 +205,63 @@ def number(value: float, digits: int = 4) -> Label:
         return plain(mantissa)
     power = exponent.replace("+", "").replace("−0", "−").lstrip("0")
     return (Run("10" if mantissa == "1" else f"{mantissa}×10"), Run(power, place="sup"))
+
+
+_RAISED = dict(zip("ⁿᵗᵏʳ²³", "ntkr23", strict=True))
+_LOW = r"(?:[^\s()（）/|²³·、。，；：,;.]|[,.](?=\w))+"
+_SIGN = (
+    r"(?P<letter>[A-Za-zα-ωṡ]\u0308?)(?P<part>[ⁿᵗᵏʳ]*)"
+    rf"(?:_(?P<low>{_LOW})|(?P<digits>\d+))(?P<power>[²³]?)(?![A-Za-z])"
+)
+_POINT = re.compile(r"[A-Z][0-9]*′*")
+_POINTS = rf"(?:(?<=[⊥∥→·△])|(?<=× ))(?:{_POINT.pattern})+|(?<![A-Za-z_])(?:{_POINT.pattern})+(?=→| =)"
+_NUMBERED = rf"(?<![A-Za-z_])(?=[A-Z′]*\d)(?:{_POINT.pattern}){{2,}}(?![A-Za-z])"
+_NODE = re.compile(r"[a-z]\d*(?:,\d+(?=′))?′*")
+_STRETCH = (
+    r"(?<![A-Za-z])(?:[a-z](?=[a-z][\d′])|[a-z]\d*(?:,\d+)?′+|[a-z]\d+′*)+(?![A-Za-z²³])"
+    r"|(?<=[·△])(?:[a-z]\d*)+(?![A-Za-z])|(?<![A-Za-z/])(?<!\d )[a-z]{2}(?= = )"
+)
+_ANY = re.compile(f"(?P<points>{_POINTS}|{_NUMBERED}|{_STRETCH})|{_SIGN}")
+
+
+@lru_cache(4096)
+def formula(text: str) -> Label:
+    """Quantities with their subscripts, powers raised, points in italics; what is neither stays as it is."""
+    text = text.replace("\u2034", 3 * "\u2032").replace("\u2033", 2 * "\u2032")  # fonts have but one prime
+    runs: list[Run] = []
+    at = 0
+    for match in _ANY.finditer(text):
+        runs += plain(text[at : match.start()])
+        runs += _points(match["points"]) if match["points"] else _sign(match)
+        at = match.end()
+    return (*runs, *plain(text[at:]))
+
+
+def points_label(text: str) -> Label:
+    """`AB`, `O1B`: points one after another; a name in small letters as it is, in italics."""
+    return tuple(_points(text)) or (Run(text, True),)
+
+
+def _sign(match: re.Match[str]) -> list[Run]:
+    """A letter, its subscript, and its part or power above that.
+
+    Names and letters of a subscript are in italics; digits, Chinese and the words for least and greatest stand upright.
+    """
+    letter, part, low, digits, power = match.group("letter", "part", "low", "digits", "power")
+    below = re.findall(r"[^\W\d_]+|[^A-Za-z]+", _spaced(low or digits))
+    slanted = [piece.isalpha() and piece.isascii() and piece not in ("min", "max") for piece in below]
+    runs = [Run(letter, True), *(Run(piece, italic, "sub") for piece, italic in zip(below, slanted, strict=True))]
+    if part:
+        runs.append(Run("".join(_RAISED[c] for c in part), True, "sup", back=True))
+    return [*runs, Run(_RAISED[power], place="sup")] if power else runs
+
+
+def _spaced(low: str) -> str:
+    """Points that bear the number of their link after a digit of their own: `{B1_3,B1_2}` as the labels have it."""
+    return low.strip("{}").replace("_", " ").replace(",", ", ") if low.startswith("{") else low.replace("@", " ")
+
+
+def _points(text: str) -> list[Run]:
+    """`BD`, `O1B`, `n3′b3′`: each point with its digits below it."""
+    names = _POINT.findall(text) or _NODE.findall(text)
+    return [run for name in names for run in point_label(name.replace("′", "'").replace(",", "_"))]

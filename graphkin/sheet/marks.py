@@ -1,4 +1,4 @@
-"""What is on the paper, in millimetres: strokes, circles, letters, vectors and points.
+"""Marks on the paper, in millimetres: strokes, circles, letters, vectors and points.
 
 A place on paper is a complex number x + iy [mm] with y DOWN, as in SVG; the mechanism's own axes have y up.
 Marks are painted in their order, so a white circle hides the lines under it. `step` is the number of the
@@ -18,14 +18,14 @@ Place = complex
 Fill = Literal["none", "paper", "ink", "grey", "tint"]
 """A tint hides nothing under it."""
 Layer = Plane | Literal["centres", "detail"]
-"""What a mark belongs to: a plane of the construction, the instant centres over the mechanism, a detail of a plane."""
+"""The layer of a mark: a plane of the construction, the instant centres over the mechanism, a detail of a plane."""
 Half = Literal["", "left", "right"]
 Form = Literal["bar", "guide", "block", "slot", "wheel", "arc", "path", "omega", "alpha", "push", "ruler"]
 
 
 @frozen
 class Shows:
-    """What a line of a link says, so that a ruler can hold it against the link.
+    """The meaning of a line of a link, so that a ruler can hold it against the link.
 
     form    "bar": corners at `points`, one by one; "guide": on a line of the link, reaching over `points`;
             "block": about its point, sides along and across the line; "slot": its middle on the line, sides along it,
@@ -134,7 +134,7 @@ class VectorMark:
 
     @property
     def length(self) -> float:
-        """What a ruler reads [mm]."""
+        """Its length by a ruler [mm]."""
         return abs(self.end - self.start)
 
 

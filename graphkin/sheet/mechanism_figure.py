@@ -1,4 +1,4 @@
-"""The mechanism drawn to scale: which sign stands where, and what is lettered."""
+"""The mechanism drawn to scale: its signs and its letters."""
 
 from __future__ import annotations
 
@@ -7,18 +7,24 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
+from graphkin.base.geometry import place
+from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Cam, CircularSlot, Pair, Slide
 from graphkin.planning import Method
+from graphkin.planning.step_numbers import births
 from graphkin.sheet import symbols
-from graphkin.sheet.fixed_link import drives, grounds
+from graphkin.sheet.cams import equivalents, follower, profiles
+from graphkin.sheet.circular_slots import circular_slot
+from graphkin.sheet.drives import drives
+from graphkin.sheet.fixed_link import grounds
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, point_label
-from graphkin.sheet.marks import Fill, Mark, Place, PointMark, Shows, Stroke
+from graphkin.sheet.marks import Disc, Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton, hull, in_line
-from graphkin.sheet.specials import contacts, specials
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.wheels import circular_slot, equivalents, follower, profiles, wheels, wheels_of
-from graphkin.sheet.window import Figure
+from graphkin.sheet.specials import contacts, named_specials, specials
+from graphkin.sheet.wheels import rims, wheels, wheels_of
+from graphkin.sheet.window import Figure, Window
 
 Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]
 
@@ -72,15 +78,13 @@ def _bodies(skeleton: Skeleton) -> Figure:
 
 def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
     """The signs of all pairs of these kinds."""
-    return [
-        mark for kind, sign in signs.items() for pair in skeleton.mechanism.of(kind) for mark in sign(skeleton, pair)
-    ]
+    pairs = ((sign, pair) for kind, sign in signs.items() for pair in skeleton.mechanism.of(kind))
+    return [mark for sign, pair in pairs for mark in sign(skeleton, pair)]
 
 
 def _link(skeleton: Skeleton, link: str, figure: Figure) -> None:
     names = skeleton.named(link)
-    places = [skeleton.at(p) for p in names]
-    step = skeleton.step(*names)
+    places, step = [skeleton.at(p) for p in names], skeleton.step(*names)
     for slide in skeleton.guides(link):
         figure.marks += _guide(skeleton, slide)
     if len(names) > 1:
@@ -107,23 +111,19 @@ def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     """A moving guide's own bar, welded to the rest of its link."""
     origin, step = slide.line.origin, skeleton.step(slide.line.origin, slide.point)
     if skeleton.is_cylinder(slide):
-        return symbols.cylinder(skeleton.at(origin), skeleton.at(slide.point), _cylinder(slide), step)
+        assert slide.block is not None, slide
+        foot, tube = (Shows(slide.guide, "guide", points, slide.name) for points in ((origin,), ()))
+        rod = Shows(slide.block, "guide", (slide.point,), slide.name)  # it ends at the point that slides
+        return symbols.cylinder(skeleton.at(origin), skeleton.at(slide.point), (foot, tube, rod), step)
     start, end = skeleton.guide_bar(slide)
     marks = symbols.bar([start, end], Shows(slide.guide, "guide", (origin, slide.point), slide.name), step)
     if skeleton.is_welded(slide) and slide.line.named:
-        foot = skeleton.at(origin)
-        far = max((start, end), key=lambda p: abs(p - foot))
+        at = skeleton.at(origin)
+        far = max((start, end), key=lambda p: abs(p - at))
         others = [skeleton.at(p) for p in skeleton.named(slide.guide) if p != origin]
         for other in others[:1]:
-            marks += symbols.corner(foot, far, other, step)
+            marks += symbols.corner(at, far, other, step)
     return marks
-
-
-def _cylinder(slide: Slide) -> tuple[Shows, Shows, Shows]:
-    """Foot and tube of the guide; the rod, which ends at the point that slides."""
-    assert slide.block is not None, slide
-    foot, tube = (Shows(slide.guide, "guide", points, slide.name) for points in ((slide.line.origin,), ()))
-    return foot, tube, Shows(slide.block, "guide", (slide.point,), slide.name)
 
 
 def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
@@ -143,10 +143,7 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     return symbols.slot(at - reach * along, at + 9.0 * along, shows, step=step)
 
 
-OVER_LINKS: Signs = {
-    Cam: profiles,
-    Slide: _sliding,
-}
+OVER_LINKS: Signs = {Cam: profiles, Slide: _sliding}
 """The signs of pairs that stand over the links; hinges are points."""
 BEFORE_LINKS: Signs = {CircularSlot: circular_slot}
 """Those over which links are drawn, as they are over `wheels`."""
@@ -155,26 +152,26 @@ BEFORE_LINKS: Signs = {CircularSlot: circular_slot}
 def _through_bars(skeleton: Skeleton) -> list[Mark]:
     """A bar that goes on past a pivot, or past another's that does, is drawn over the circle; other bars end at it."""
     marks: list[Mark] = []
-    for point, (way, *others) in _passed(skeleton).items():
+    for point, (along, *others) in _passed(skeleton).items():
         if others or FRAME in skeleton.mechanism.owners[point]:
-            at, half = skeleton.at(point), way * symbols.HINGE
+            at, half = skeleton.at(point), along * symbols.HINGE
             marks += symbols.bar([at - half, at + half], None, skeleton.step(point))
     return marks
 
 
 def _passed(skeleton: Skeleton) -> dict[str, list[complex]]:
     """Hinges past which bars of links go on, with their directions."""
-    found: dict[str, list[complex]] = {}
+    directions: dict[str, list[complex]] = {}
     for link in skeleton.mechanism.moving:
         names = skeleton.named(link)
         places = [skeleton.at(p) for p in names]
         if len(names) < 3 or (ends := in_line(places)) is None:
             continue
-        way = places[ends[1]] - places[ends[0]]
+        along = places[ends[1]] - places[ends[0]]
         for k, point in enumerate(names):
             if k not in ends and len(skeleton.mechanism.owners[point]) > 1:
-                found.setdefault(point, []).append(way / abs(way))
-    return found
+                directions.setdefault(point, []).append(along / abs(along))
+    return directions
 
 
 # --- points and names -------------------------------------------------------------------------
@@ -187,9 +184,12 @@ def _hinges(skeleton: Skeleton) -> list[Mark]:
     for point in skeleton.points:
         step = skeleton.step(point)
         hinged = len(skeleton.mechanism.owners[point]) > 1 or _is_pin(skeleton, point)
-        ways = passed.get(point, [])
-        if hinged and len(ways) == 1 and _stands_free(skeleton, point):
-            marks += symbols.hinge_beside(skeleton.at(point), _ending_side(skeleton, point, ways[0]), step)
+        bars = passed.get(point, [])
+        if hinged and len(bars) == 1 and _stands_free(skeleton, point):
+            along = bars[0]
+            across = sum((off * along.conjugate()).imag for off in skeleton.directions(point))
+            side = along * (-1j if across < 0 else 1j)  # on which the links leave that end at it
+            marks += symbols.hinge_beside(skeleton.at(point), side, step)
             hinged = False
         radius = symbols.HINGE if hinged else 0.6
         fill: Fill = "paper" if hinged else "ink"
@@ -199,16 +199,10 @@ def _hinges(skeleton: Skeleton) -> list[Mark]:
 
 
 def _stands_free(skeleton: Skeleton, point: str) -> bool:
-    """Whether nothing but bars meets at a hinge: no ground, no block, no wheel."""
+    """True where nothing but bars meets at a hinge: no ground, no block, no wheel."""
     signs = {slide.point for slide in skeleton.mechanism.slides}
     signs |= {wheel.centre for wheel in wheels_of(skeleton.mechanism)}
     return FRAME not in skeleton.mechanism.owners[point] and not _is_pin(skeleton, point) and point not in signs
-
-
-def _ending_side(skeleton: Skeleton, point: str, way: complex) -> complex:
-    """On which side of a bar the links leave that end at it."""
-    across = sum((off * way.conjugate()).imag for off in skeleton.directions(point))
-    return way * (-1j if across < 0 else 1j)
 
 
 def _is_pin(skeleton: Skeleton, point: str) -> bool:
@@ -217,12 +211,11 @@ def _is_pin(skeleton: Skeleton, point: str) -> bool:
 
 def _names(skeleton: Skeleton) -> list[LabelRequest]:
     """The letters of the points; those at one place share a label."""
-    wanted: list[LabelRequest] = []
+    requests: list[LabelRequest] = []
     for point in skeleton.points:
-        away = -sum(skeleton.directions(point), 0j)
-        step = skeleton.step(point)
-        wanted.append(LabelRequest(point_label(point), skeleton.at(point), gap=symbols.HINGE, away=away, step=step))
-    return wanted
+        away, step = -sum(skeleton.directions(point), 0j), skeleton.step(point)
+        requests.append(LabelRequest(point_label(point), skeleton.at(point), gap=symbols.HINGE, away=away, step=step))
+    return requests
 
 
 def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int | None) -> Iterator[LabelRequest]:
@@ -242,8 +235,11 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
         corners = [places[k] for k in hull(places)]
         yield LabelRequest(label, sum(corners) / len(corners), gap=-2.6, step=step)
     elif len(places) > 1:
-        ends = _widest_gap(places)
-        yield LabelRequest(label, ends[0], ends[1], gap=1.2, step=step)
+        ends = in_line(places)
+        assert ends is not None, "others have corners"
+        order = sorted(places, key=lambda p: abs(p - places[ends[0]]))
+        longest = max(pairwise(order), key=lambda pair: abs(pair[1] - pair[0]))
+        yield LabelRequest(label, *longest, gap=1.2, step=step)
     else:
         for guide in skeleton.guides(link):
             yield LabelRequest(label, *_tube(skeleton, guide), gap=3.4, step=step)
@@ -253,14 +249,40 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
 
 
 def _tube(skeleton: Skeleton, slide: Slide) -> tuple[Place, Place]:
-    """Where a cylinder's tube begins and ends."""
+    """The two ends of a cylinder's tube."""
     foot, rod_end = skeleton.at(slide.line.origin), skeleton.at(slide.point)
     return foot, foot + symbols.TUBE * (rod_end - foot)
 
 
-def _widest_gap(places: list[Place]) -> tuple[Place, Place]:
-    """The longest stretch between neighbours of points on one line."""
-    ends = in_line(places)
-    assert ends is not None
-    order = sorted(places, key=lambda p: abs(p - places[ends[0]]))
-    return max(pairwise(order), key=lambda pair: abs(pair[1] - pair[0]))
+def mechanism_places(method: Method, plot: Plot) -> list[complex]:
+    """The places that the mechanism itself takes up [m]."""
+    machine, points = method.mechanism, {name: place(value) for name, value in plot.position.items()}
+    return [*(points[name] for name in machine.points if name in points), *rims(machine, points)]
+
+
+def shown_places(method: Method, plot: Plot) -> list[complex]:
+    """The places its figure shows: the mechanism's, and special points near it [m]."""
+    places = mechanism_places(method, plot)
+    return [*places, *named_specials(method, plot, places).values()]
+
+
+def plain_mechanism(method: Method, plot: Plot, window: Window) -> Figure:
+    """The mechanism's own figure with its points as circles."""
+    born = births(method, "position")
+    figure = mechanism_figure(Skeleton(method.mechanism, plot, window, born), method, shown_places(method, plot))
+    return Figure([plainly(mark) for mark in figure.marks], figure.wanted)
+
+
+def bare_figure(method: Method, skeleton: Skeleton) -> Figure:
+    """The mechanism as a problem gives it: no special points and no lower-pair equivalents, which a solution finds."""
+    whole, beside = mechanism_figure(skeleton, method, []), specials(method, skeleton, [])
+    left_out = [*beside.marks, *equivalents(skeleton)]
+    marks = [mark for mark in whole.marks if mark not in left_out]
+    return Figure(marks, [want for want in whole.wanted if want not in beside.wanted])
+
+
+def plainly(mark: Mark) -> Mark:
+    """A point as a circle and nothing more."""
+    if not isinstance(mark, PointMark):
+        return mark
+    return Disc(mark.at, mark.radius, "outline" if mark.fill == "paper" else "construction", mark.fill, step=mark.step)

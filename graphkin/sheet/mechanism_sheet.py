@@ -1,46 +1,55 @@
-"""The sheet of a mechanism: its figure and its polygons, drawn once to see how far they reach, laid out, lettered.
+"""The sheet of a mechanism: its figure and its polygons, laid out and lettered.
 
-Labels that find no place choose paper and scales, too: a division is lettered near by before it is taken, unless its
-figures are too small for so many labels.
+It is the cheapest of several arrangements. An arrangement is a paper and its division into rooms, by which all is
+composed; it costs the labels that find no place, then those at the end of a leader, and leaders count for more on a
+large paper. Arrangements are composed one after the other, each where it may mend a fault of the best so far: the
+smallest paper that holds all, other divisions of it, details, a larger paper.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 
+from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.drawn_position import shown
-from graphkin.sheet.composed import Composed, Composition
+from graphkin.planning.acts import Act
+from graphkin.planning.by_pose import shown
+from graphkin.say.catalogue import say
+from graphkin.say.entry import Sentence
+from graphkin.say.explained import derivation
+from graphkin.say.numbers import circled
+from graphkin.say.reading import Reading
+from graphkin.sheet.composition import Planes, SheetContents, Style
 from graphkin.sheet.layout import Layout, cut_to, papers_for
-from graphkin.sheet.page import Sheet
-from graphkin.sheet.paper import LARGE
+from graphkin.sheet.lettering import formula, plain
+from graphkin.sheet.marks import Mark, Place, Text
+from graphkin.sheet.page import Lettered, Page, Sheet
+from graphkin.sheet.paper import BODY, LARGE, Paper, Room, TooLargeForPaper
 from graphkin.sheet.path_figure import NONE, Paths
-from graphkin.sheet.planes import Planes, Style
-from graphkin.sheet.results import tables
-from graphkin.sheet.scales import TooLargeForPaper
+from graphkin.sheet.results import given_tables, tables
+from graphkin.sheet.text_blocks import LINE, EquationBlock, broken
+from graphkin.sheet.titleblock import tables_room
 from graphkin.sheet.window import PLANES
 
-_CROWDED, _EASED = 10, 2 / 3
-"""With more leaders than this a larger paper is tried, and taken where it leaves no more than such a part of them."""
+_MANY_LEADERS = 10
+"""With more of them a larger paper is tried."""
+_LARGE_PAPER = 1.2
+"""The weight of leaders on a large paper that nobody asked for."""
+_WEIGHTS = (2, 4)
+"""So many times its labels count for a plane where some found no place, in other divisions."""
 _TRIALS = 4
-"""How often equations are moved into the strip, whose height leaves figures less room."""
+"""So often equations are moved into the strip, whose height leaves figures less room."""
 
 
 def mechanism_sheet(
-    method: Method,
-    plot: Plot,
-    *,
-    paper: str | None = None,
-    lang: Lang = "en",
-    only: Plane | Collection[Plane] | None = None,
-    style: Style = "construction",
-    upto: int | None = None,
-    tight: bool = False,
-    paths: Paths = NONE,
-) -> Sheet:
+    method: Method, plot: Plot, *, paper: str | None = None, lang: Lang = "en",
+    only: Plane | Collection[Plane] | None = None, style: Style = "construction", upto: int | None = None,
+    tight: bool = False, paths: Paths = NONE,
+) -> Sheet:  # fmt: skip
     """Draw a mechanism and its polygons to scale.
 
     plot   the method replayed at one position
@@ -55,116 +64,180 @@ def mechanism_sheet(
     Raises TooLargeForPaper where a scale of the mechanism file is too fine for A3.
     """
     if style == "given":
-        return _given(Planes(method, plot, ("position",), style, lang), paper, tight)
+        drawing = Planes(method, plot, ("position",), style, lang)
+        contents = SheetContents(drawing, [] if tight else given_tables(drawing.reading({})), tight)
+        return replace(cheapest(contents, paper).lettered.sheet, given=True)
     method, plot = shown(method, plot)
     drawing = Planes(method, plot, _planes(only), style, lang, paths)
-    work = Composition(drawing, [] if tight else tables(method, plot, lang), tight)
-    if upto is not None:
-        return next(_staged(work, paper, [upto]))
-    return _whole(work, paper).lettered.sheet
-
-
-def _given(drawing: Planes, paper: str | None, tight: bool) -> Sheet:
-    """The mechanism alone, with what the problem gives and asks."""
-    from graphkin.sheet.given_tables import given_tables
-
-    work = Composition(drawing, [] if tight else given_tables(drawing.reading({})), tight)
-    return replace(_whole(work, paper).lettered.sheet, given=True)
-
-
-def _whole(work: Composition, paper: str | None) -> Composed:
-    """Divided best, and lettered as well as can be; equations for which figures have no room go into the strip.
-
-    Those that only a small paper had no room for come back where it turns out too small for the letters as well.
-    """
-    trials, large, every = 1 if work.tight else _TRIALS, None, work
-    while True:
-        whole = _cut(work, paper, large, trials > 1)
-        larger = paper is None and _is_large(whole.layout)
-        if larger and large is None and (work.apart or whole.homeless):
-            work, large = every, True
-        elif whole.homeless:
-            work = work.without(whole.homeless)
-        elif trials > 1 and (out := whole.left_out):
-            work, large, trials = replace(work.without(out), hopeless=whole.hopeless), larger, trials - 1
-        else:
-            return whole
+    contents = SheetContents(drawing, [] if tight else tables(method, plot, lang), tight)
+    return cheapest(contents, paper).lettered.sheet if upto is None else next(_staged(contents, paper, [upto]))
 
 
 def mechanism_step_sheets(
-    method: Method,
-    plot: Plot,
-    *,
-    paper: str | None = None,
-    lang: Lang = "en",
-    only: Plane | Collection[Plane] | None = None,
-    tight: bool = False,
-) -> Iterator[Sheet]:
+    method: Method, plot: Plot, *, paper: str | None = None, lang: Lang = "en",
+    only: Plane | Collection[Plane] | None = None, tight: bool = False,
+) -> Iterator[Sheet]:  # fmt: skip
     """One sheet a step, as `mechanism_sheet(.., upto=step)` gives them."""
     method, plot = shown(method, plot)
     drawing = Planes(method, plot, _planes(only), "construction", lang)
-    yield from _staged(Composition(drawing, [] if tight else tables(method, plot, lang), tight), paper)
+    yield from _staged(SheetContents(drawing, [] if tight else tables(method, plot, lang), tight), paper)
 
 
 def _planes(only: Plane | Collection[Plane] | None) -> tuple[Plane, ...]:
-    wanted = PLANES if only is None else (only,) if isinstance(only, str) else only
-    return tuple(plane for plane in PLANES if plane in wanted)
+    planes = PLANES if only is None else (only,) if isinstance(only, str) else only
+    return tuple(plane for plane in PLANES if plane in planes)
 
 
 def scales_of(method: Method, plot: Plot, lang: Lang) -> Mapping[Plane, float]:
     """The scales of the sheet."""
-    work = Composition(Planes(method, plot, PLANES, "construction", lang), tables(method, plot, lang))
-    return _whole(work, None).layout.scales
+    contents = SheetContents(Planes(method, plot, PLANES, "construction", lang), tables(method, plot, lang))
+    return cheapest(contents, None).layout.scales
 
 
-def _staged(work: Composition, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
+# --- arrangements -----------------------------------------------------------------------------------------------------
+
+
+@frozen
+class Arrangement:
+    """The contents of a sheet on one divided paper.
+
+    papers   the smallest of these that holds all is taken; weights: of planes in its division
+    details  what lies too close together is drawn once more, magnified
+    cut      the paper is cut to its only figure
+    stages   over the lines of the pencil, for single steps
+    """
+
+    contents: SheetContents
+    papers: Sequence[Paper]
+    weights: Mapping[Plane, int] | None = None
+    details: bool = False
+    cut: bool = False
+    stages: bool = False
+
+    @cached_property
+    def layout(self) -> Layout:
+        """Raises TooLargeForPaper."""
+        contents = self.contents
+        try:
+            layout = contents.layout(self.papers, self.weights or {})
+        except TooLargeForPaper as error:
+            raise error.at(contents.drawing.method.mechanism.where("scales", error.key)) from None
+        return cut_to(layout, contents.planes[0], contents.extent(layout, contents.planes[0])) if self.cut else layout
+
+    @property
+    def large(self) -> bool:
+        """True where its paper is a large one."""
+        return self.layout.paper.name in [paper.name for paper in LARGE]
+
+    @cached_property
+    def page(self) -> Page:
+        return self.contents.page(self.layout, self.stages, self.details)
+
+    @cached_property
+    def near(self) -> Lettered:
+        """Each label near what it names."""
+        return self.page.lettered(far=False)
+
+    @cached_property
+    def overfull(self) -> float:
+        """The part of its room for letters that the labels of the fullest figure take; above 1 some cannot
+        but lie on others, and no care helps."""
+        return max(self.contents.extents[plane].fullness(self.layout.rooms[plane]) for plane in self.contents.planes)
+
+    @cached_property
+    def cost(self) -> tuple[float, float]:
+        """Labels that find no place near by, and leaders; of an overfull one all labels, and by how much it is so."""
+        if self.overfull > 1:
+            return sum(extent.labels for extent in self.contents.extents.values()), self.overfull
+        dear = self.large and len(self.papers) > 1
+        return self.near.lost, self.near.crowded * (_LARGE_PAPER if dear else 1.0)
+
+    @cached_property
+    def lettered(self) -> Lettered:
+        """Its labels as well as can be: where some find no place near by, they go farther off."""
+        lettered = self.page.lettered(far=True) if self.cost[0] else self.near
+        return lettered.trimmed if self.contents.tight else lettered
+
+    @property
+    def settled(self) -> Arrangement:
+        """With the equations in the strip for which figures, and then their letters, leave no room."""
+        arrangement = self
+        for _ in range(0 if self.contents.tight else _TRIALS):
+            out = arrangement.contents.without_room(arrangement.layout) or arrangement.left_out
+            if not out:
+                break
+            arrangement = replace(arrangement, contents=arrangement.contents.moved(out))
+        return arrangement
+
+    @property
+    def left_out(self) -> Sequence[EquationBlock]:
+        """Equations for which there is no room among the letters."""
+        return self.contents.without_head(self.layout) if self.cost[0] else self.lettered.left_out
+
+
+def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
+    """The cheapest arrangement on the paper, or on one that is large enough; cut to a single figure."""
+    best = _on(Arrangement(contents, papers_for(paper)))
+    if paper is None and not best.large and (best.cost[0] or best.cost[1] > _MANY_LEADERS):
+        best = min(best, _on(Arrangement(contents, LARGE)), key=lambda each: each.cost)
+    cut = len(contents.planes) == 1 and (contents.tight or paper is None)
+    return replace(best, cut=True).settled if cut else best
+
+
+def _on(first: Arrangement) -> Arrangement:
+    """The cheapest on the papers of an arrangement."""
+    best = first.settled
+    for weight in _WEIGHTS:
+        if not best.cost[0] or best.overfull > 1:
+            break
+        crowded = [plane for plane, lost in zip(best.contents.planes, best.near.clashes, strict=True) if lost]
+        other = replace(first, weights=dict.fromkeys(crowded, weight))
+        best = min(best, other.settled if other.layout != best.layout else best, key=lambda each: each.cost)
+    return min(replace(best, details=True).settled, best, key=lambda each: each.cost) if any(best.cost) else best
+
+
+# --- single steps -----------------------------------------------------------------------------------------------------
+
+
+def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] = ()) -> Iterator[Sheet]:
     """The drawing as far as each act, or as some: the pencil's own lines are there too, and a sentence for results."""
-    from graphkin.sheet.captions import Captions  # all the words of a solution
-
-    found, drawing = _whole(work, paper), work.drawing
-    layout, whole = found.layout, replace(found, stages=True).lettered.sheet
-    others = {} if work.planes == PLANES else scales_of(drawing.method, drawing.plot, work.lang)
-    captions = Captions.of(drawing.reading({**others, **layout.scales}), work.planes)
-    strip = None if work.tight else layout.strip
+    arrangement, drawing = cheapest(contents, paper), contents.drawing
+    layout, whole = arrangement.layout, replace(arrangement, stages=True).lettered.sheet
+    others = {} if contents.planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang)
+    captions = Captions.of(drawing.reading({**others, **layout.scales}), contents.planes)
+    strip = None if contents.tight else layout.strip
     return (captions.sheet(whole, number, strip) for number in numbers or range(1, len(captions.acts) + 1))
 
 
-# --- which paper, how divided -----------------------------------------------------------------
+@frozen
+class Captions:
+    """The sentence of each act, in a strip. acts: those that are drawn."""
 
+    acts: Sequence[Act]
+    texts: Mapping[Act, str]
+    lang: Lang
 
-def _cut(work: Composition, paper: str | None, large: bool | None, trial: bool) -> Composed:
-    """On the paper divided; cut to a single figure, where the paper was not asked for."""
-    best = _divided(work, paper, large, trial)
-    if len(work.planes) > 1 or not (work.tight or paper is None):
-        return best
-    return replace(best, layout=cut_to(best.layout, work.planes[0], work.extent(best.layout, work.planes[0])))
+    @classmethod
+    def of(cls, reading: Reading, planes: Sequence[Plane]) -> Captions:
+        entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
+        texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
+        return cls([act for act in reading.method.acts if act.plane in planes], texts, reading.lang)
 
+    def sheet(self, whole: Sheet, number: int, strip: Room | None) -> Sheet:
+        """The drawing as far as one of the acts, counted from 1, with its sentence in the strip if there is one."""
+        act, drawn = self.acts[number - 1], whole.upto(self.acts[number - 1].page)
+        if strip is None:
+            return drawn
+        below, *others = drawn.layers
+        marks = self._marks(act, number, strip, tables_room(whole.paper))
+        return replace(drawn, layers=(replace(below, marks=(*below.marks, *marks)), *others))
 
-def _divided(work: Composition, paper: str | None, large: bool | None, trial: bool) -> Composed:
-    """On the paper divided best: the smallest that holds all and leaves its letters room.
-
-    large  whether a larger one was taken when this was tried before
-    trial  equations may still be moved into the strip: not lettered where some must be
-    """
-    papers = LARGE if large else papers_for(paper)
-    try:
-        layout = work.layout(papers)
-    except TooLargeForPaper as error:
-        raise error.at(work.drawing.method.mechanism.where("scales", error.key)) from None
-    small, best = paper is None and not _is_large(layout), Composed(work, layout, hopeless=work.hopeless)
-    if trial and not best.full and (homeless := work.homeless(layout)):
-        return replace(best, homeless=homeless)
-    if best.crammed:
-        return _divided(work, paper, True, trial) if small else replace(best, details=True, hopeless=True)
-    best = work.roomier(best, papers)
-    found = best.detailed
-    if small and (found.near.lost or (found.near.crowded > _CROWDED and large is None)):
-        larger = work.roomier(Composed(work, work.layout(LARGE)), LARGE).detailed
-        eased = larger.near.crowded <= _EASED * found.near.crowded
-        return larger if (larger.near.lost, not eased) < (found.near.lost, True) else found
-    return found
-
-
-def _is_large(layout: Layout) -> bool:
-    """Whether its paper is a large one; one that is cut tight has no margin."""
-    return layout.paper.name in [paper.name for paper in LARGE]
+    def _marks(self, act: Act, number: int, strip: Room, wide: float) -> Iterator[Mark]:
+        head = say("sheet.step", self.lang, number=number, count=len(self.acts))
+        at: Place = complex(strip.left + 3, strip.top + 6)
+        yield Text(plain(head), at, BODY)
+        sign = f"{circled(act.number)} " if act.numbered else ""
+        for line in broken(sign + self.texts.get(act, ""), wide, BODY):
+            at += 1j * LINE * BODY
+            if at.imag < strip.bottom - 9:
+                yield Text(formula(line), at, BODY)

@@ -1,11 +1,15 @@
 """A mechanism and its polygons through its whole motion: one sheet a position, all at the same scales.
 
 Where the first driver turns fully, once round; else as far as it gets to both sides, there and back. What would hop
-from side to side from one position to the next is drawn as it suits all of them: the ground, and letters.
+from side to side from one position to the next is drawn as it suits all of them: the ground, and letters. A letter
+keeps one side of what it names, on which it lies on the fewest lines and letters, all positions together; arrows are
+not lettered, as the letters at their ends say as much.
 """
 
 from __future__ import annotations
 
+import cmath
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -17,33 +21,30 @@ from graphkin.construction import Plane, Plot, replay
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.method import births
-from graphkin.running import replay_all
+from graphkin.planning.step_numbers import births
 from graphkin.running.path import along, stride
-from graphkin.sheet.composed import HEADINGS
-from graphkin.sheet.fit import Extent
-from graphkin.sheet.fixed_link import drives
+from graphkin.running.replaying import replay_all
+from graphkin.sheet.boxes import overlap
+from graphkin.sheet.drives import drives
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import Layout, lay_out, papers_for
-from graphkin.sheet.lettering import joined, plain, point_label
-from graphkin.sheet.marks import Text
-from graphkin.sheet.mechanism_figure import moving_figure
-from graphkin.sheet.page import Page, Panel, Sheet, heading
-from graphkin.sheet.paper import LABEL
-from graphkin.sheet.plain_mechanism import mechanism_places
+from graphkin.sheet.lettering import Label, box, joined, plain, point_label
+from graphkin.sheet.marks import Mark, Place, Text
+from graphkin.sheet.mechanism_figure import mechanism_places, moving_figure
+from graphkin.sheet.obstacles import Obstacles, obstacles
+from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
+from graphkin.sheet.paper import KEYS, LABEL, Room, TooLargeForPaper
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
-from graphkin.sheet.quiet_letters import lettered
-from graphkin.sheet.scales import KEYS, TooLargeForPaper
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, strip_height
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import PLANES, Figure, Window, constructions
+from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions
 from graphkin.studies.sweeps import Course, course, prove
 
 FRAMES = 60
 _SHORT_OF_STOP = 1e-3
-"""How near to a dead point the motion is shown [of the way between two of them]."""
+"""The distance from a dead point at which the motion ends [of the path between two of them]."""
 _ASIDE_DEG, _ASIDE_PART = 0.05, 0.001
-"""How far beside a change point its position is drawn, where the polygons would be 0/0."""
+"""The distance from a change point at which its position is drawn, where the polygons would be 0/0."""
 _ONE = 1e-6
 """Points of a polygon that are never farther apart are one [of its size]."""
 _LARGE, _ENDLESS = 4.0, 12.0
@@ -66,22 +67,21 @@ def motion_frames(
     replay_all(method)
     moved = course(method, ())
     prove(moved)
-    times = _times(moved, count)
-    plots = [_plot(method, moved, t) for t in times]
+    plots = [_plot(method, moved, t) for t in _times(moved, count)]
     frames = _Frames(method, plots, (only,) if only else PLANES, lang, bool(moved.path.stops) or not moved.angular)
     return list(frames.sheets(paper))
 
 
 def _times(moved: Course, count: int) -> list[float]:
-    """Where on the path the positions are, evenly."""
+    """The places of the positions on the path, evenly."""
     path, sense = moved.path, -1.0 if moved.driver.rate < 0 else 1.0
     if moved.full_turn:
         return [sense * float(t) for t in np.arange(count) * (2 * np.pi / count)]
     short = _SHORT_OF_STOP * (path.last - path.first)
     low, high = path.first + short, path.last - short
     ends = [0.0, high, low, 0.0] if sense > 0 else [0.0, low, high, 0.0]
-    way = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(ends)))])
-    return [float(t) for t in np.interp(np.arange(count) * (way[-1] / count), way, ends)]
+    passed = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(ends)))])
+    return [float(t) for t in np.interp(np.arange(count) * (passed[-1] / count), passed, ends)]
 
 
 def _plot(method: Method, moved: Course, t: float) -> Plot:
@@ -94,7 +94,7 @@ def _plot(method: Method, moved: Course, t: float) -> Plot:
 
 @frozen
 class _Frames:
-    """The positions with what is drawn of each; `back`: the mechanism goes there and back."""
+    """The positions and the planes that are drawn of each; `back`: the mechanism goes there and back."""
 
     method: Method
     plots: Sequence[Plot]
@@ -108,9 +108,11 @@ class _Frames:
         rooms = {plane: layout.rooms[plane].inset(1, 1, 1) for plane in self.planes}
         heads = {plane: heading(HEADINGS[self.lang][plane], plane, windows[plane].scale, layout.rooms[plane])
                  for plane in self.planes}  # fmt: skip
-        drawn = {plane: lettered(self._figures(plane, windows[plane]), rooms[plane], heads[plane])
-                 for plane in self.planes}  # fmt: skip
-        foot = Strip(layout.strip)
+        drawn: dict[Plane, list[list[Mark]]] = {}
+        for plane, shown in self._shown.items():
+            every = range(len(self.plots))
+            figures = [self._figure(plane, windows[plane], k) if k in shown else Figure() for k in every]
+            drawn[plane] = lettered(figures, rooms[plane], heads[plane])
         for k, plot in enumerate(self.plots):
             panels = []
             for plane in self.planes:
@@ -120,7 +122,8 @@ class _Frames:
                 elif plane == "position" and self.back:
                     figure.marks.append(self._note(BACK, heads[plane]))
                 panels.append(Panel(figure, windows[plane], rooms[plane], heads[plane], (), plane))
-            yield Page(layout.paper, panels, self.method.mechanism, plot.facts.values, self.lang, foot).sheet()
+            strip, values = Strip(layout.strip), plot.facts.values
+            yield Page(layout.paper, panels, self.method.mechanism, values, self.lang, strip).sheet()
 
     def _note(self, words: Mapping[Lang, str], head: Sequence[object]) -> Text:
         """Under a heading."""
@@ -144,14 +147,14 @@ class _Frames:
     @cached_property
     def _shown(self) -> dict[Plane, set[int]]:
         """The positions at which a plane is drawn: the first, and all others but those at which it is endless."""
-        found: dict[Plane, set[int]] = {}
+        shown: dict[Plane, set[int]] = {}
         for plane, values in self._values.items():
             sizes = np.array([max((abs(v) for v in at), default=0.0) for at in values])
             usual = float(np.median(sizes[np.isfinite(sizes)]))
             most = np.inf if plane == "position" else usual * (_LARGE if self.back else _ENDLESS)
             fits = np.isfinite(sizes) & (sizes <= max(most, sizes[0]))
-            found[plane] = set(np.flatnonzero(fits).tolist())
-        return found
+            shown[plane] = set(np.flatnonzero(fits).tolist())
+        return shown
 
     @cached_property
     def _extents(self) -> dict[Plane, Extent]:
@@ -167,8 +170,8 @@ class _Frames:
             figures = [self._figure(plane, window, k) for k in spread]
             return Figure([mark for figure in figures for mark in figure.marks], figures[0].wanted)
 
-        found = Extent.of(places, drawn, self.method.mechanism.scales.get(KEYS[plane]), letters=9.0)
-        return found if plane == "position" else replace(found, labels=_WORTH * found.labels)
+        extent = Extent.of(places, drawn, self.method.mechanism.scales.get(KEYS[plane]), letters=9.0)
+        return extent if plane == "position" else replace(extent, labels=_WORTH * extent.labels)
 
     def _layout(self, paper: str | None) -> Layout:
         """A given scale at which the whole motion does not fit is not kept."""
@@ -178,17 +181,13 @@ class _Frames:
             free = {plane: replace(extent, given=None) for plane, extent in self._extents.items()}
             return lay_out(free, strip_height, papers_for(paper))
 
-    # --- what is drawn ------------------------------------------------------------------------
-
-    def _figures(self, plane: Plane, window: Window) -> list[Figure]:
-        return [self._figure(plane, window, k) if k in self._shown[plane] else Figure() for k in range(len(self.plots))]
+    # --- figures ------------------------------------------------------------------------------
 
     def _figure(self, plane: Plane, window: Window, k: int) -> Figure:
         born = births(self.method, plane)
         if plane != "position":
-            polygon = PolygonFigure(
-                self.method.mechanism, constructions(self.method)[plane], self.plots[k], window, born
-            )
+            construction = constructions(self.method)[plane]
+            polygon = PolygonFigure(self.method.mechanism, construction, self.plots[k], window, born)
             return Figure(polygon_figure(polygon).marks, self._letters(polygon, self._as_one[plane]))
         first, here, *others = (
             Skeleton(self.method.mechanism, plot, window, born)
@@ -199,19 +198,19 @@ class _Frames:
     @cached_property
     def _as_one(self) -> dict[Plane, list[tuple[str, ...]]]:
         """The points of each polygon; those that never part are one, the pole and what is fixed first."""
-        found: dict[Plane, list[tuple[str, ...]]] = {}
+        as_one: dict[Plane, list[tuple[str, ...]]] = {}
         for plane in self.planes:
             construction = constructions(self.method)[plane]
             nodes = dict.fromkeys((construction.pole, *construction.nodes))
             names = [name for name in nodes if name in self.plots[0].points(plane)]
-            ways = {name: np.array([complex(plot.points(plane)[name]) for plot in self.plots]) for name in names}
-            size = max((float(np.nanmax(np.abs(way))) for way in ways.values()), default=0.0)
+            paths = {name: np.array([complex(plot.points(plane)[name]) for plot in self.plots]) for name in names}
+            size = max((float(np.nanmax(np.abs(path))) for path in paths.values()), default=0.0)
             groups: dict[str, list[str]] = {}
             for name in names:
-                alike = (one for one in groups if np.nanmax(np.abs(ways[one] - ways[name])) <= _ONE * size)
+                alike = (one for one in groups if np.nanmax(np.abs(paths[one] - paths[name])) <= _ONE * size)
                 groups.setdefault(next(alike, name), []).append(name)
-            found[plane] = [tuple(group) for group in groups.values()]
-        return found
+            as_one[plane] = [tuple(group) for group in groups.values()]
+        return as_one
 
     @staticmethod
     def _letters(polygon: PolygonFigure, groups: Sequence[tuple[str, ...]]) -> list[LabelRequest]:
@@ -227,6 +226,101 @@ class _Frames:
 
     @cached_property
     def _drives_stand(self) -> bool:
-        """Whether all drivers turn or slide at the frame: then their arrows stand still, too."""
+        """True where all drivers turn or slide at the frame: then their arrows stand still, too."""
         owners = self.method.mechanism.owners
         return all(d.vector is not None and FRAME in owners[d.vector[0]] for d in self.method.drivers)
+
+
+# --- letters that go along without hopping ----------------------------------------------------------------------------
+
+_SIDES = tuple(cmath.rect(1, math.tau * k / 12) for k in range(12))
+_RINGS = (0.0, 2.8)
+"""Distances of a letter from its sign: the farther gets it past a block [mm]."""
+_FARTHER = 0.15
+"""The cost of that in each position."""
+_ALONG = (0.5, 0.35, 0.65)
+"""The places beside a line for its number."""
+_CLEAR = 0.4
+"""The room that letters keep from lines [mm]."""
+_SELDOM = 0.1
+"""Letters that points share for a moment, where they lie on one another, flash up: those on fewer of the figures."""
+_OUTSIDE = 6.0
+"""Leaving its room counts like lying on so many lines."""
+_CHOICES = (1 + len(_SIDES)) * len(_RINGS)
+
+Boxes = tuple[np.ndarray, np.ndarray]
+"""Upper left and lower right corners (n, 2) [mm]."""
+
+
+def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list[list[Mark]]:
+    """The marks of each figure with their letters; `off`: what letters keep off, too."""
+    marks: list[list[Mark]] = [list(figure.marks) for figure in figures]
+    drawn = [obstacles([*figure.marks, *off]) for figure in figures]
+    letters: list[list[Boxes]] = [[] for _ in figures]
+    for wants in _by_label(figures).values():
+        middles = np.array([_middles(want) for want in wants.values()])
+        wide, up, down = box(*next((want.label, want.size) for want in wants.values()))
+        half = complex(wide, up + down) / 2
+        costs = [_costs(row, half, drawn[k], letters[k], room) for k, row in zip(wants, middles, strict=True)]
+        far = np.arange(_CHOICES) >= _CHOICES // len(_RINGS)
+        best = int(np.argmin(np.sum(costs, axis=0) + len(costs) * _FARTHER * far))
+        for (k, want), row in zip(wants.items(), middles, strict=True):
+            place = _boxes(row[best : best + 1], half)
+            if not any(_lies(place, other) for other in letters[k]):  # hidden while it would lie on another
+                at = complex(row[best]) + complex(-wide, up - down) / 2
+                marks[k].append(Text(want.label, at, want.size, want.step))
+                letters[k].append(place)
+    return marks
+
+
+def _by_label(figures: Sequence[Figure]) -> dict[tuple[Label, bool], dict[int, LabelRequest]]:
+    """Letters by what they say, and by figure; the most frequent come first, seldom ones not at all."""
+    wants: dict[tuple[Label, bool], dict[int, LabelRequest]] = {}
+    for k, figure in enumerate(figures):
+        for want in figure.wanted:
+            if not want.of:
+                wants.setdefault((want.label, want.end is None), {}).setdefault(k, want)
+    often = {label: own for label, own in wants.items() if len(own) >= _SELDOM * len(figures)}
+    return dict(sorted(often.items(), key=lambda entry: -len(entry[1])))
+
+
+def _middles(want: LabelRequest) -> list[Place]:
+    """Places of its middle: around its point, the side it likes among them, touched by a ring; or beside its line."""
+    wide, up, down = box(want.label, want.size)
+    half = complex(wide, up + down) / 2
+    if want.end is None or abs(want.end - want.start) < 1e-6:
+        away = want.away / abs(want.away) if abs(want.away) > 1e-9 else 1 + 0j
+        return [
+            want.place + side * (want.gap + 0.6 + far) + complex(_leaning(side.real) * half.real,
+                                                                  _leaning(side.imag) * half.imag)
+            for far in _RINGS for side in (away, *_SIDES)
+        ]  # fmt: skip
+    along = (want.end - want.start) / abs(want.end - want.start)
+    sides = [(want.start + (want.end - want.start) * t, along * turn) for t in _ALONG for turn in (-1j, 1j)]
+    places = [at + side * (abs(side.real) * half.real + abs(side.imag) * half.imag + want.gap) for at, side in sides]
+    return places + places[:1] * (_CHOICES - len(places))
+
+
+def _leaning(x: float) -> float:
+    return max(-1.0, min(1.0, x * 1.6))
+
+
+def _boxes(middles: np.ndarray, half: complex) -> Boxes:
+    places = np.stack([middles.real, middles.imag], axis=1)
+    reach = np.array([half.real + _CLEAR, half.imag + _CLEAR])
+    return places - reach, places + reach
+
+
+def _lies(one: Boxes, other: Boxes) -> np.ndarray:
+    """The boxes that lie on the other; what they keep from lines they need not keep twice from one another."""
+    return overlap(one[0].T, one[1].T, other[0].T + _CLEAR, other[1].T - _CLEAR)
+
+
+def _costs(middles: np.ndarray, half: complex, drawn: Obstacles, letters: Sequence[Boxes], room: Room) -> np.ndarray:
+    """The number of things on which each of the places lies."""
+    low, high = _boxes(middles, half)
+    cost = np.bincount(drawn.touched(low, high), minlength=len(middles)).astype(float)
+    for other in letters:
+        cost += _lies((low, high), other)
+    outside = (low < [room.left, room.top]).any(axis=1) | (high > [room.right, room.bottom]).any(axis=1)
+    return cost + _OUTSIDE * outside

@@ -18,23 +18,26 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
-from graphkin.sheet.equation_rows import EquationBlock
 from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import plain, width
 from graphkin.sheet.marks import Mark, Place, Stroke, Text
 from graphkin.sheet.obstacles import bounds
-from graphkin.sheet.paper import LABEL, Paper, Room
-from graphkin.sheet.scales import written
+from graphkin.sheet.paper import LABEL, Paper, Room, written
+from graphkin.sheet.text_blocks import EquationBlock
 from graphkin.sheet.titleblock import Strip, strip
 from graphkin.sheet.window import Figure, Window
 
+HEADINGS: dict[Lang, dict[Plane, str]] = {
+    "en": {"position": "Mechanism", "velocity": "Velocity polygon", "acceleration": "Acceleration polygon"},
+    "zh": {"position": "机构运动简图", "velocity": "速度多边形", "acceleration": "加速度多边形"},
+}
 HEAD_WIDTH = 76.0
 """A figure's heading with its scale beside it is no wider [mm]."""
 
 _EDGE = 3.0
-"""What stays free beyond the figures of a trimmed page [mm]."""
+"""The margin about the figures of a trimmed page [mm]."""
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
 _LAYERS: Mapping[Plane, LayerName] = {
     "position": "mechanism", "velocity": "velocity", "acceleration": "acceleration",
@@ -43,7 +46,7 @@ _LAYERS: Mapping[Plane, LayerName] = {
 
 @frozen
 class Layer:
-    """What a drawing program shows or hides as one; `plane`: whose colour its marks have."""
+    """Marks that a drawing program shows or hides as one; `plane`: whose colour they have."""
 
     name: LayerName
     marks: tuple[Mark, ...]
@@ -76,7 +79,7 @@ class Sheet:
         return tuple(mark for layer in self.layers for mark in layer.marks)
 
     def upto(self, step: int) -> Sheet:
-        """What is there after a step of the construction; its own marks are new."""
+        """The drawing after a step of the construction, whose own marks are new."""
 
         def drawn(mark: Mark) -> Mark | None:
             later = mark.step is not None and mark.step > step
@@ -86,10 +89,8 @@ class Sheet:
 
     def redrawn(self, change: Callable[[Mark], Mark | None]) -> Sheet:
         """Every mark changed, or left out."""
-        layers = []
-        for layer in self.layers:
-            changed = (change(mark) for mark in layer.marks)
-            layers.append(replace(layer, marks=tuple(mark for mark in changed if mark is not None)))
+        changed = [(layer, map(change, layer.marks)) for layer in self.layers]
+        layers = (replace(layer, marks=tuple(mark for mark in marks if mark is not None)) for layer, marks in changed)
         return replace(self, layers=tuple(layers))
 
 
@@ -99,16 +100,16 @@ def step_sheets(whole: Sheet, steps: Iterable[int]) -> Iterator[Sheet]:
 
 
 class Last(Protocol):
-    """What is drawn last on a figure; `loose`: equations among it that have no place of their own."""
+    """Marks that are drawn last on a figure; `loose`: equations among them that have no place of their own."""
 
     @property
     def loose(self) -> Sequence[EquationBlock]: ...
 
     def lines(self) -> list[Mark]:
-        """What labels should keep off, where that costs nothing."""
+        """Lines that labels should keep off, where that costs nothing."""
 
     def __call__(self, free: FreeRoom) -> Annotations:
-        """What there is room for, among figure and labels."""
+        """As many as there is room for, among figure and labels."""
 
 
 @frozen
@@ -137,26 +138,26 @@ class Panel:
 
     @cached_property
     def scene(self) -> LabelScene:
-        """What wants letters, and what they keep off."""
+        """Labels that want a place, and all that they keep off."""
         return LabelScene(self.figure.wanted, self.drawn, self.room)
 
     @cached_property
     def near(self) -> Settled:
         """Its labels near what they name; at once off the lines of what is drawn last where all find places so."""
         easy = None if self.scene.crammed else self.off
-        return self._settled(self.scene) if easy is None or easy.clashes or easy.led else easy
+        return _settled(self.scene) if easy is None or easy.clashes or easy.led else easy
 
     @cached_property
     def far(self) -> Settled:
-        """Where some find no place near what they name, all may go farther off."""
+        """Its labels farther off, where some find no place near what they name."""
         crowd = self.scene.crammed or self.near.clashes
-        return self._settled(self.scene, far=True) if crowd else self.near
+        return _settled(self.scene, far=True) if crowd else self.near
 
     @cached_property
     def off(self) -> Settled | None:
         """Near, and off the lines of what is drawn last, where there are such."""
         lines = self.more.lines() if self.more is not None else ()
-        return self._settled(self.scene.under(lines)) if lines else None
+        return _settled(self.scene.under(lines)) if lines else None
 
     def finished(self, settled: Settled) -> tuple[Settled, Annotations]:
         """Its labels, and what is drawn last where they have left room."""
@@ -166,9 +167,9 @@ class Panel:
             settled = self.off if _worth(self.off) <= _worth(settled) else settled
         return settled, self.more(FreeRoom(self.scene, [*settled.marks, *self.after]))
 
-    @staticmethod
-    def _settled(scene: LabelScene, far: bool = False) -> Settled:
-        return settle(scene, far)
+
+def _settled(scene: LabelScene, far: bool = False) -> Settled:
+    return settle(scene, far)
 
 
 @frozen
@@ -192,12 +193,12 @@ class Page:
 
     @property
     def windows(self) -> Mapping[Plane, Window]:
-        """Through which each plane is seen; the first, where several figures show it."""
-        told: dict[Plane, Window] = {}
+        """The window of each plane; the first, where several figures show it."""
+        windows: dict[Plane, Window] = {}
         for panel in self.panels:
             if panel.plane is not None:
-                told.setdefault(panel.plane, panel.window)
-        return told
+                windows.setdefault(panel.plane, panel.window)
+        return windows
 
     @property
     def scales(self) -> Mapping[Plane, float]:
@@ -220,7 +221,7 @@ class Lettered:
 
     @property
     def clashes(self) -> list[int]:
-        """How many labels of each panel found no place of their own."""
+        """The number of labels of each panel that found no place of their own."""
         return [settled.clashes for settled in self.labels]
 
     @property
@@ -229,29 +230,20 @@ class Lettered:
 
     @cached_property
     def crowded(self) -> int:
-        """How many labels stand off from what they name, at the end of a leader."""
+        """The number of labels that stand off from what they name, at the end of a leader."""
         return sum(map(_leaders, self.labels))
 
-    @property
+    @cached_property
     def finished(self) -> list[tuple[Settled, Annotations]]:
         """Each panel's labels, and what is drawn last where they have left room."""
-        return [self._finished(number) for number in range(len(self.labels))]
+        return [panel.finished(settled) for panel, settled in zip(self.page.panels, self.labels, strict=True)]
 
     @property
     def left_out(self) -> list[EquationBlock]:
         """Equations for which no figure has room."""
-        open_ = [number for number, panel in enumerate(self.page.panels) if panel.more is not None and panel.more.loose]
-        return [block for number in open_ for block in self._finished(number)[1].left_out]
-
-    def _finished(self, number: int) -> tuple[Settled, Annotations]:
-        """One panel, once."""
-        if number not in self._done:
-            self._done[number] = self.page.panels[number].finished(self.labels[number])
-        return self._done[number]
-
-    @cached_property
-    def _done(self) -> dict[int, tuple[Settled, Annotations]]:
-        return {}
+        if not any(panel.more is not None and panel.more.loose for panel in self.page.panels):
+            return []
+        return [block for _, added in self.finished for block in added.left_out]
 
     @property
     def trimmed(self) -> Lettered:
@@ -268,18 +260,13 @@ class Lettered:
     def sheet(self) -> Sheet:
         page = self.page
         return Sheet(
-            paper=page.paper,
-            layers=tuple(self._layers()),
-            scales=page.scales,
-            origins={plane: window.origin for plane, window in page.windows.items()},
-            mechanism=page.mechanism,
-            drivers=tuple(float(value) for value in page.drivers),
-            title=page.title or page.mechanism.headline(page.lang),
-            lang=page.lang,
-        )
+            page.paper, tuple(self._layers()), page.scales,
+            {plane: window.origin for plane, window in page.windows.items()}, page.mechanism,
+            tuple(float(value) for value in page.drivers), page.title or page.mechanism.headline(page.lang), page.lang,
+        )  # fmt: skip
 
     def _layers(self) -> Iterator[Layer]:
-        """What is under the figures, each plane's, and over all of it the leaders and the letters."""
+        """The sheet under the figures, each plane's figure, and over all of them the leaders and the letters."""
         page = self.page
         yield Layer("sheet", (*self._foot(), *page.base))
         drawn: dict[Plane, list[Mark]] = {}
@@ -291,8 +278,8 @@ class Lettered:
             letters += [(panel.plane, mark) for mark in (*settled.marks, *added.over)]
         for plane, marks in drawn.items():
             yield Layer(_LAYERS[plane], tuple(marks), plane)
-        led = (mark for settled, _ in self.finished for mark in settled.marks if not isinstance(mark, Text))
-        yield Layer("leaders", tuple(led))
+        leaders = (mark for settled, _ in self.finished for mark in settled.marks if not isinstance(mark, Text))
+        yield Layer("leaders", tuple(leaders))
         accented = (replace(mark, accent=mark.accent or plane) for plane, mark in letters if isinstance(mark, Text))
         yield Layer("labels", tuple(accented))
 
@@ -302,12 +289,9 @@ class Lettered:
         if page.strip is None:
             return []
         over = [mark for marks in (page.base, *(panel.before for panel in page.panels)) for mark in marks]
-        said = {mark.label for mark in over if isinstance(mark, Text)}
-        scales = {
-            plane: scale
-            for plane, scale in page.scales.items()
-            if written(plane, scale) not in said or plane in page.strip.notes
-        }
+        texts, notes = {mark.label for mark in over if isinstance(mark, Text)}, page.strip.notes
+        untold = [plane for plane, scale in page.scales.items() if written(plane, scale) not in texts or plane in notes]
+        scales = {plane: page.scales[plane] for plane in untold}
         return strip(page.strip, page.mechanism, page.paper, scales, page.lang)
 
 
@@ -321,7 +305,7 @@ def _worth(settled: Settled) -> tuple[int, int, int]:
 
 
 def heading(text: str, plane: Plane, scale: float, room: Room) -> tuple[Mark, ...]:
-    """What a figure is, and its scale, in the upper left corner of its room; one under the other in a narrow one."""
+    """The name of a figure and its scale, in the upper left corner of its room; one under the other in a narrow one."""
     label, at = plain(text), complex(room.left + 3, room.top + 5.5)
     beside = width(label, LABEL) + 4 if room.size.real >= HEAD_WIDTH else 5.5j
     return Text(label, at, LABEL), Text(written(plane, scale), at + beside, LABEL)

@@ -11,42 +11,40 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME, Link, Mechanism
 from graphkin.say.catalogue import in_both
 from graphkin.say.centre_about import pole_words
-from graphkin.sheet.fit import Extent
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import divided, papers_for
 from graphkin.sheet.lettering import Run, number, plain, point_label, quantity_label
 from graphkin.sheet.marks import Disc, Place, Stroke
 from graphkin.sheet.page import Page, Sheet
-from graphkin.sheet.pictures import Caption, Picture
-from graphkin.sheet.scales import finest
+from graphkin.sheet.paper import finest
+from graphkin.sheet.single_figure import Caption, Picture
 from graphkin.sheet.symbols import SWEEP, arrow_head, spin
-from graphkin.sheet.table import Table
-from graphkin.sheet.titleblock import Strip, strip_height
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Entry, Figure, Window
+from graphkin.sheet.titleblock import Strip, Table, strip_height
+from graphkin.sheet.window import Entry, Extent, Figure, Window
 from graphkin.studies.centres.two_velocities import TwoVelocities
 
 _ARROW = 45.0
 """The greater velocity is drawn no longer than this [mm]."""
 _BEYOND = 12.0
-"""How far lines go on [mm]; a line that meets none, so much more."""
+"""The length of lines past their points [mm]; a line that meets none, so much more."""
 _SQUARE, _RADIUS = 2.2, 9.0
 _FOOT = 24.0
 """Room for what is said under the figure [mm]."""
 
 
-def pole_sheet(found: TwoVelocities, lang: Lang = "en", *, paper: str | None = None) -> Sheet:
+def pole_sheet(velocities: TwoVelocities, lang: Lang = "en", *, paper: str | None = None) -> Sheet:
     """Raises UnknownPaper."""
     chosen = papers_for(paper or "A4-landscape")[0]
-    fastest = max(map(abs, found.velocities))
+    fastest = max(map(abs, velocities.velocities))
     speed = finest(complex(fastest, fastest), complex(_ARROW, _ARROW))
 
     def draw(window: Window) -> Figure:
-        return Figure.of(_drawn(found, window, speed))
+        return Figure.of(_entries(velocities, window, speed))
 
-    places = [*found.points, *([found.place] if cmath.isfinite(found.place) else [])]
-    caption = Caption(tuple(pole_words(found, lang)), _FOOT)
-    far = plain("\u221e" if cmath.isinf(found.place) else "")
-    tables = [Table((quantity_label("P", ""), far), tuple(_rows(found)))]
+    places = [*velocities.points, *([velocities.place] if cmath.isfinite(velocities.place) else [])]
+    caption = Caption(tuple(pole_words(velocities, lang)), _FOOT)
+    far = plain("\u221e" if cmath.isinf(velocities.place) else "")
+    tables = [Table((quantity_label("P", ""), far), tuple(_rows(velocities)))]
     field, foot = divided(chosen, strip_height(chosen, tables))
     picture = Picture(Extent.of(places, draw), draw, caption)
     strip = Strip(foot, tables, further={"velocity": speed} if fastest else {})
@@ -55,25 +53,25 @@ def pole_sheet(found: TwoVelocities, lang: Lang = "en", *, paper: str | None = N
     return Page(chosen, [picture.panel(field, picture.scale(field))], machine, (), lang, strip).sheet()
 
 
-def _rows(found: TwoVelocities) -> Iterator[tuple[tuple[Run, ...], tuple[Run, ...]]]:
-    if cmath.isfinite(found.place):
-        for letter, value in (("x", found.place.real), ("y", found.place.imag)):
+def _rows(velocities: TwoVelocities) -> Iterator[tuple[tuple[Run, ...], tuple[Run, ...]]]:
+    if cmath.isfinite(velocities.place):
+        for letter, value in (("x", velocities.place.real), ("y", velocities.place.imag)):
             yield quantity_label(letter, "P"), (*number(value * 1e3), Run(" mm"))
-    yield quantity_label("ω", ""), (*number(abs(found.omega)), Run(" rad/s"))
+    yield quantity_label("ω", ""), (*number(abs(velocities.omega)), Run(" rad/s"))
 
 
-def _drawn(found: TwoVelocities, window: Window, speed: float) -> Iterator[Entry]:
-    pole = window(found.place) if cmath.isfinite(found.place) else None
-    ends = [window(point) for point in found.points]
-    tips = [end + velocity.conjugate() / speed for end, velocity in zip(ends, found.velocities, strict=True)]
-    if found.case == "similar" and pole is not None:
+def _entries(velocities: TwoVelocities, window: Window, speed: float) -> Iterator[Entry]:
+    pole = window(velocities.place) if cmath.isfinite(velocities.place) else None
+    ends = [window(point) for point in velocities.points]
+    tips = [end + velocity.conjugate() / speed for end, velocity in zip(ends, velocities.velocities, strict=True)]
+    if velocities.case == "similar" and pole is not None:
         yield _line([*ends, pole])
         yield _line([*tips, pole])
-    elif found.case in ("meet", "infinity"):
+    elif velocities.case in ("meet", "infinity"):
         for end, tip in zip(ends, tips, strict=True):
             yield from _across(end, tip, pole)
     yield Stroke((ends[0], ends[1]), "visible")
-    for name, end, tip in zip(found.names, ends, tips, strict=True):
+    for name, end, tip in zip(velocities.names, ends, tips, strict=True):
         yield Disc(end, 0.6, "outline", "ink")
         yield LabelRequest(point_label(name), end, gap=0.9, away=end - tip)
         if abs(tip - end) > 1:
@@ -84,8 +82,8 @@ def _drawn(found: TwoVelocities, window: Window, speed: float) -> Iterator[Entry
     if pole is not None:
         yield Disc(pole, 0.9, "outline", "paper")
         yield LabelRequest(quantity_label("P", ""), pole, gap=1.2, away=pole - ends[0])
-        if found.omega:
-            start, sense = cmath.rect(1, math.radians(30)), math.copysign(1, found.omega)
+        if velocities.omega:
+            start, sense = cmath.rect(1, math.radians(30)), math.copysign(1, velocities.omega)
             yield from spin(pole, start, sense, _RADIUS)
             middle = start * cmath.rect(1, -sense * SWEEP / 2)
             yield LabelRequest(quantity_label("ω", ""), pole + middle * _RADIUS, gap=0.9, away=middle)
@@ -94,8 +92,8 @@ def _drawn(found: TwoVelocities, window: Window, speed: float) -> Iterator[Entry
 def _line(places: list[Place]) -> Stroke:
     """Through places on one line, and on past them."""
     one, other = max(((a, b) for a in places for b in places), key=lambda pair: abs(pair[1] - pair[0]))
-    way = (other - one) / (abs(other - one) or 1) * _BEYOND
-    return Stroke((one - way, other + way), "construction")
+    beyond = (other - one) / (abs(other - one) or 1) * _BEYOND
+    return Stroke((one - beyond, other + beyond), "construction")
 
 
 def _across(end: Place, tip: Place, pole: Place | None) -> Iterator[Stroke]:

@@ -6,18 +6,19 @@ from collections.abc import Collection, Iterator, Mapping
 from dataclasses import field, replace
 from functools import cached_property
 from itertools import chain
-from typing import Any
 
+from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site, Size
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.planning.at_rest import relabelled
+from graphkin.planning.held_still import relabelled
 from graphkin.sheet import gear_images
 from graphkin.sheet.gear_images import GearImage
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, plain, point_label, vector_label
 from graphkin.sheet.marks import Mark, Place, PointMark, Shows, Stroke, VectorMark
+from graphkin.sheet.paper import PenName
 from graphkin.sheet.skeleton import hull, in_line
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 
 _SAME = 0.15
@@ -36,7 +37,7 @@ _EXACT = 5
 class Arrow:
     """An arrow between two points of a polygon, wherever these lie.
 
-    sites  what it is the motion of, and what it is seen from; part, size: as in `Term`
+    sites  of the motion, and from which it is seen; part, size: as in `Term`
     of_equation  whether it is a term of the construction's; else an absolute motion that none of them is
     """
 
@@ -93,7 +94,7 @@ class PolygonFigure:
         """Every point of the polygon on paper, the pole first."""
         values = self.plot.points(self.construction.plane)
         names = dict.fromkeys((self.construction.pole, *self.construction.nodes))
-        return {name: self.window(values[name]) for name in names if name in values}
+        return {name: self.window(place(values[name])) for name in names if name in values}
 
     @property
     def named(self) -> dict[str, Place]:
@@ -113,41 +114,37 @@ class PolygonFigure:
         for one, *others in self._shared.values():
             start, end, step = self.points[one.tail], self.points[one.head], self.step(one.tail, one.head)
             vector = VectorMark(self.construction.plane, one.name, one.tail, one.head, start, end, step)
-            also, named = tuple(other.name for other in others), tuple(map(named_site, one.sites))
-            yield replace(vector, sites=named, also=also, part=one.part, **self._look(one, *others))
+            also, sites = tuple(other.name for other in others), tuple(map(named_site, one.sites))
+            sizes = [arrow.size for arrow in (one, *others) if arrow.of_equation] if self.solving else []
+            thin = bool(sizes) and None not in sizes and not isinstance(sizes[0], Drawn)
+            pen: PenName = "laid" if thin else "vector"
+            yield replace(vector, sites=sites, also=also, part=one.part, solved=None in sizes, pen=pen)
 
     @cached_property
     def _shared(self) -> dict[tuple[str, str], list[Arrow]]:
         """Arrows that have the same ends, as of points that move alike, by tail and head of the one found first."""
-        found: dict[tuple[object, ...], list[Arrow]] = {}
+        groups: dict[tuple[object, ...], list[Arrow]] = {}
         for arrow in self._arrows():
             start, end = self.points[arrow.tail], self.points[arrow.head]
             ends = tuple(round(side, _EXACT) for place in (start, end) for side in (place.real, place.imag))
-            found.setdefault(ends if abs(end - start) >= _NOTHING else (arrow.tail, arrow.head), []).append(arrow)
-        alike = (sorted(group, key=lambda arrow: self.step(arrow.tail, arrow.head) or 0) for group in found.values())
+            groups.setdefault(ends if abs(end - start) >= _NOTHING else (arrow.tail, arrow.head), []).append(arrow)
+        alike = (sorted(group, key=lambda arrow: self.step(arrow.tail, arrow.head) or 0) for group in groups.values())
         return {(group[0].tail, group[0].head): group for group in alike}
 
     def _arrows(self) -> Iterator[Arrow]:
-        """Without absolute motions that an equation's arrow is already told as: what is seen from a held point."""
+        """Without absolute motions that bear the name of an equation's arrow: what is seen from a held point."""
         every = list(arrows(self.mechanism, self.construction, self.points))
-        told = {(self.told(arrow.name), arrow.head) for arrow in every if arrow.of_equation}
-        return (arrow for arrow in every if arrow.of_equation or (arrow.name, arrow.head) not in told)
-
-    def _look(self, *alike: Arrow) -> dict[str, Any]:
-        """Where that is told: what the construction finds is as thick as arrows are, what is laid off is thin."""
-        told = [arrow.size for arrow in alike if arrow.of_equation] if self.solving else []
-        if None in told:
-            return {"solved": True}
-        return {"pen": "laid"} if told and not isinstance(told[0], Drawn) else {}
+        named = {(self.written(arrow.name), arrow.head) for arrow in every if arrow.of_equation}
+        return (arrow for arrow in every if arrow.of_equation or (arrow.name, arrow.head) not in named)
 
     def names(self, vector: VectorMark) -> list[tuple[Label, int | None]]:
-        """What is written at an arrow, name by name, and with which step each comes."""
+        """The names that are written at an arrow, and the step with which each comes."""
         first, *others = self._shared[vector.tail, vector.head]
-        written = [first, *sorted(others, key=lambda one: one.name not in self._carried)[: _NAMES - 1]]
-        told = [(vector_label(self.told(one.name)), self.step(one.tail, one.head)) for one in (first, *others)
-                if one in written]  # fmt: skip
-        more = [(plain("\u2026"), told[-1][1])] if len(others) >= _NAMES else []
-        return [told[0], *(((Run(" = "), *label), step) for label, step in told[1:] + more)]
+        most = [first, *sorted(others, key=lambda one: one.name not in self._carried)[: _NAMES - 1]]
+        names = [(vector_label(self.written(one.name)), self.step(one.tail, one.head)) for one in (first, *others)
+                 if one in most]  # fmt: skip
+        more = [(plain("\u2026"), names[-1][1])] if len(others) >= _NAMES else []
+        return [names[0], *(((Run(" = "), *label), step) for label, step in names[1:] + more)]
 
     @cached_property
     def _carried(self) -> set[str]:
@@ -157,12 +154,12 @@ class PolygonFigure:
         return {term.name(plane) for of, term in terms if term.of != of and not term.seen_from}
 
     def letters(self, name: str) -> str:
-        """What a point is called on paper: `d` of `d7` where a driver at rest holds D."""
+        """The name of a point on paper: `d` of `d7` where a driver at rest holds D."""
         of = self.of(name)
         return self.held[of].lower() + name[len(of) :] if of in self.held else name
 
-    def told(self, name: str) -> str:
-        """What an arrow is called on paper."""
+    def written(self, name: str) -> str:
+        """The name of an arrow on paper."""
         term = self.construction.vectors().get(name) if self.held else None
         plane = self.construction.plane
         return relabelled(term, plane, self.held).name(plane) if term is not None else name
@@ -183,8 +180,8 @@ class PolygonFigure:
                 if FRAME in owners:
                     names.append(pole)
                     continue
-                found = (sites[s] for s in sites if s.point == point and s.link in owners)
-                names += [name for name in found if name in self.points][:1]
+                own = (name for site, name in sites.items() if site.point == point and site.link in owners)
+                names += [name for name in own if name in self.points][:1]
             if len(set(names)) > 2:
                 yield link, list(dict.fromkeys(names))
 
@@ -216,7 +213,9 @@ def _image_lines(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[Mark
     marks: list[Mark] = []
     for link, names in polygon.images():
         places = [polygon.points[name] for name in names]
-        for a, b in _sides(places):
+        around = hull(places)
+        ends = in_line(places)  # of points on one line
+        for a, b in [ends] if ends is not None else zip(around, (*around[1:], around[0]), strict=True):
             pair = frozenset((names[a], names[b]))
             if pair not in drawn and abs(places[a] - places[b]) > _SAME:
                 drawn.add(pair)
@@ -224,14 +223,6 @@ def _image_lines(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[Mark
                 shows = Shows(link, "bar", (names[a], names[b]), plane=polygon.construction.plane)
                 marks.append(Stroke((places[a], places[b]), "thin", shows=shows, step=step))
     return marks
-
-
-def _sides(places: list[Place]) -> list[tuple[int, int]]:
-    """The outline of a figure: neighbours on its hull, or the two ends of points on one line."""
-    if (ends := in_line(places)) is not None:
-        return [ends]
-    around = hull(places)
-    return list(zip(around, (*around[1:], around[0]), strict=True))
 
 
 def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
@@ -246,33 +237,28 @@ def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
             places.append((at, [name]))
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
     fixed = gear_images.points(polygon.gears, polygon.window)
-    wanted: list[LabelRequest] = []
+    requests: list[LabelRequest] = []
     for at, names in places:
-        shown = dict.fromkeys(polygon.letters(name) for name in names)
-        labels = [point_label(name) for name in shown] + [label for name in names for label in fixed.get(name, ())]
-        written = labels if len(labels) <= _LETTERS else [*labels[: _LETTERS - 1], plain("…")]
-        wanted.append(LabelRequest(joined(written), at, gap=0.5, away=at - middle, step=polygon.step(names[0])))
-    return wanted
+        letters = dict.fromkeys(polygon.letters(name) for name in names)
+        labels = [point_label(name) for name in letters] + [label for name in names for label in fixed.get(name, ())]
+        labels = labels if len(labels) <= _LETTERS else [*labels[: _LETTERS - 1], plain("…")]
+        requests.append(LabelRequest(joined(labels), at, gap=0.5, away=at - middle, step=polygon.step(names[0])))
+    return requests
 
 
 def _vector_names(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[LabelRequest]:
     """A label for each arrow that has a length."""
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
-    told = {vector.name: polygon.told(vector.name) for vector in vectors}
-    twice = {name for name, shown in told.items() if shown != name and shown in told}
-    wanted: list[LabelRequest] = []
+    names = {vector.name: polygon.written(vector.name) for vector in vectors}
+    twice = {name for name, written in names.items() if written != name and written in names}
+    letter, requests = LETTER[polygon.construction.plane], list[LabelRequest]()
     for vector in vectors:
-        if vector.length >= _NOTHING and vector.name not in twice:
-            away, spare = (vector.start + vector.end) / 2 - middle, _told(polygon, vector)
-            names, ends = polygon.names(vector), (vector.start, vector.end)
-            label, parts = tuple(chain.from_iterable(name for name, _ in names)), tuple(names) if names[1:] else ()
-            wanted.append(
-                LabelRequest(label, *ends, away=away, step=vector.step, spare=spare, of=vector.name, parts=parts)
-            )
-    return wanted
-
-
-def _told(polygon: PolygonFigure, vector: VectorMark) -> bool:
-    """Whether an arrow is an absolute motion: its head bears the letter of the point, and says as much."""
-    at_pole = vector.tail == polygon.construction.pole and vector.head in polygon.named
-    return at_pole and vector.name == f"{LETTER[polygon.construction.plane]}_{polygon.of(vector.head)}"
+        if vector.length < _NOTHING or vector.name in twice:
+            continue
+        absolute = vector.tail == polygon.construction.pole and vector.head in polygon.named
+        spare = absolute and vector.name == f"{letter}_{polygon.of(vector.head)}"  # the letter at its head says as much
+        own, away = polygon.names(vector), (vector.start + vector.end) / 2 - middle
+        label, parts = tuple(chain.from_iterable(name for name, _ in own)), tuple(own) if own[1:] else ()
+        requests.append(LabelRequest(label, vector.start, vector.end, away=away, step=vector.step, spare=spare,
+                                     of=vector.name, parts=parts))  # fmt: skip
+    return requests

@@ -1,36 +1,41 @@
-"""The table of results on the sheet: what was asked in bold, the rest as far as there is room."""
+"""Tables of a sheet: results, those that were asked for in bold; or what a problem gives and asks."""
 
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import assert_never
 
+from graphkin.base.geometry import number as real
+from graphkin.base.geometry import place
 from graphkin.base.value import frozen
-from graphkin.construction import Node, Plot
+from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
-from graphkin.model.mechanism import FRAME, Usual
+from graphkin.model import quantities as asked
+from graphkin.model.mechanism import FRAME
+from graphkin.model.quantities.reading import read
+from graphkin.model.usual import Usual
 from graphkin.planning import Method
-from graphkin.sheet.lettering import (
-    Label,
-    Run,
-    bold,
-    link_label,
-    number,
-    plain,
-    point_label,
-    quantity_label,
-    vector_label,
-)
-from graphkin.sheet.table import Table
+from graphkin.say.catalogue import say
+from graphkin.say.dimensions import dimensions
+from graphkin.say.reading import Reading
+from graphkin.sheet import lettering
+from graphkin.sheet.lettering import Label, Run, bold, formula, number, plain, point_label, quantity_label
+from graphkin.sheet.text_blocks import WrittenLines
+from graphkin.sheet.titleblock import SIZE, Table
 
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
+_WIDE = 62.0
+"""Lines of what is given are no longer [mm]."""
 
 
-def _speed(usual: Usual, value: float) -> Label:
-    return number(usual.motion(value, "velocity"))
+# --- results, as far as there is room ---------------------------------------------------------------------------------
 
 
-def _acceleration(usual: Usual, value: float) -> Label:
-    return number(usual.motion(value, "acceleration"))
+def tables(method: Method, plot: Plot, lang: Lang) -> list[Table]:
+    """Links, points, coincident points, slides; empty ones left out."""
+    results = _Results(method, plot, lang, method.mechanism.usual)
+    every = (results.links(), results.points(), results.coincident_points(), results.slides())
+    return [table for table in every if table.rows]
 
 
 @frozen
@@ -43,13 +48,17 @@ class _Results:
     usual: Usual
 
     def asked(self, name: str, *quantities: str) -> bool:
-        """Whether the problem asks for one of these quantities of what bears the name."""
-        words = [text.replace("/", " ").split() for text in self.method.mechanism.ask]
-        return any(pair[0] in quantities and pair[1] == name for told in words for pair in pairwise(told))
+        """True where the problem asks for one of these quantities of what bears the name."""
+        texts = [text.replace("/", " ").split() for text in self.method.mechanism.ask]
+        return any(pair[0] in quantities and pair[1] == name for words in texts for pair in pairwise(words))
 
-    def told(self, name: str, label: Label, quantity: str) -> Label:
+    def emphasised(self, name: str, label: Label, *quantities: str) -> Label:
         """A value, in bold where it is asked for."""
-        return bold(label) if self.asked(name, quantity) else label
+        return bold(label) if self.asked(name, *quantities) else label
+
+    def size(self, value: float, plane: Plane) -> Label:
+        """A speed or an acceleration as a figure."""
+        return number(real(self.usual.motion(value, plane)))
 
     def links(self) -> Table:
         """Angular velocities and accelerations, and their sense in a column of its own."""
@@ -61,102 +70,106 @@ class _Results:
         rows = []
         for name in (name for name in machine.moving if name in plot.omega):
             called = machine.called(name)
-            label = link_label(called)
-            row = [bold(label) if self.asked(called, "omega", "alpha", "theta") else label]
-            turns = (self.usual.rate(float(plot.omega[name]), "velocity"),
-                     self.usual.rate(float(plot.alpha[name]), "acceleration"))  # fmt: skip
-            for kind, value in zip(("omega", "alpha"), turns, strict=True):
-                row += [self.told(called, one, kind) for one in self.turning(value)]
+            row = [self.emphasised(called, lettering.link_label(called), "omega", "alpha", "theta")]
+            turns = (("omega", self.usual.rate(plot.omega[name], "velocity")),
+                     ("alpha", self.usual.rate(plot.alpha[name], "acceleration")))  # fmt: skip
+            for kind, value in ((kind, real(rate)) for kind, rate in turns):
+                label, sense = (number(abs(value)), plain(_SENSE[self.lang][value < 0])) if value else (plain("0"), ())
+                row += [self.emphasised(called, label, kind), self.emphasised(called, sense, kind)]
             rows.append(tuple(row))
         return Table(head, tuple(rows))
 
-    def turning(self, value: float) -> tuple[Label, Label]:
-        """`3.919` and `cw`."""
-        if not value:
-            return plain("0"), ()
-        return number(abs(value)), plain(_SENSE[self.lang][value < 0])
-
     def points(self) -> Table:
-        """Speeds and accelerations of the moving points."""
+        """Speeds and accelerations of the named points of moving links."""
         word = {"en": "point", "zh": "点"}[self.lang]
         head = (plain(word), _unit(quantity_label("v", ""), "m/s"), _unit(quantity_label("a", ""), "m/s²"))
-        method, plot, usual = self.method, self.plot, self.usual
+        method, plot = self.method, self.plot
         primed = {node.of: name for name, node in method.acceleration.nodes.items() if node.site is not None}
         rows = []
         for node in method.velocity.nodes.values():
-            if node.of in primed and _moves(method, node):
-                label = point_label(node.of)
-                speed = _speed(usual, abs(plot.velocity[node.name]))
-                other = _acceleration(usual, abs(plot.acceleration[primed[node.of]]))
-                name = bold(label) if self.asked(node.of, "v", "a") else label
-                rows.append((name, self.told(node.of, speed, "v"), self.told(node.of, other, "a")))
+            if node.of not in primed or node.site is None or node.site.link == FRAME:
+                continue
+            if node.site.point not in method.mechanism.unnamed:
+                speed = self.size(abs(place(plot.velocity[node.name])), "velocity")
+                other = self.size(abs(place(plot.acceleration[primed[node.of]])), "acceleration")
+                name = self.emphasised(node.of, point_label(node.of), "v", "a")
+                rows.append((name, self.emphasised(node.of, speed, "v"), self.emphasised(node.of, other, "a")))
         return Table(head, tuple(rows))
 
-    def parts(self) -> Table:
+    def coincident_points(self) -> Table:
         """Relative motions of coincident points: velocity, Coriolis and relative acceleration."""
         head = (
             plain(""), _unit(quantity_label("v", "", "r"), "m/s"), _unit(quantity_label("a", "", "k"), "m/s²"),
             _unit(quantity_label("a", "", "r"), "m/s²"),
         )  # fmt: skip
-        found: list[tuple[Label, ...]] = []
-        arrows = self.method.acceleration.vectors()
-        at, usual = self.plot.acceleration, self.usual
+        rows: list[tuple[Label, ...]] = []
+        arrows, velocity, acceleration = self.method.acceleration.vectors(), self.plot.velocity, self.plot.acceleration
         for name, term in self.method.velocity.vectors().items():
             low = name.partition("_")[2]
             pair = [arrows.get(f"a^{part}_{low}") for part in ("k", "r")]
             if not any(pair):
                 continue
-            label, spoken = _pair_label(low), "".join(run.text for run in _pair_label(low))
-            speed = _speed(usual, abs(self.plot.velocity[term.head] - self.plot.velocity[term.tail]))
-            sizes = [_acceleration(usual, abs(at[t.head] - at[t.tail])) if t else plain("") for t in pair]
-            values = zip((speed, *sizes), ("v", "a_k", "a_r"), strict=True)
-            first = bold(label) if self.asked(spoken, "v", "a_k", "a_r") else label
-            found.append((first, *(self.told(spoken, value, kind) for value, kind in values)))
-        told = [k for k in range(len(head)) if not k or any(run.text for row in found for run in row[k])]
-        return Table(tuple(head[k] for k in told), tuple(tuple(row[k] for k in told) for row in found))
-
-    def slide(self, name: str) -> Label:
-        """What people call it; a name of the file in italics."""
-        title = self.method.mechanism.slide_title(name, self.lang)
-        return plain(title, title.isascii())
+            label = tuple(Run(run.text, run.italic) for run in lettering.vector_label(f"v_{low}")[1:])
+            spoken = "".join(run.text for run in label)
+            values = [self.size(abs(place(velocity[term.head] - velocity[term.tail])), "velocity")]
+            for arrow in pair:
+                size = abs(place(acceleration[arrow.head] - acceleration[arrow.tail])) if arrow else None
+                values.append(plain("") if size is None else self.size(size, "acceleration"))
+            cells = zip(values, ("v", "a_k", "a_r"), strict=True)
+            first = self.emphasised(spoken, label, "v", "a_k", "a_r")
+            rows.append((first, *(self.emphasised(spoken, value, kind) for value, kind in cells)))
+        filled = [k for k in range(len(head)) if not k or any(run.text for row in rows for run in row[k])]
+        return Table(tuple(head[k] for k in filled), tuple(tuple(row[k] for k in filled) for row in rows))
 
     def slides(self) -> Table:
-        """Displacements that have a name, with their rates."""
+        """Displacements that have a name, with their rates; a name of the file in italics."""
         head = (
             plain(""), _unit(plain("s", True), "mm"), _unit(plain("ds/dt", True), "m/s"),
             _unit(plain("d²s/dt²", True), "m/s²"),
         )  # fmt: skip
-        plot, usual = self.plot, self.usual
-        rows = (
-            (
-                bold(self.slide(slide.name)) if self.asked(slide.name, "s") else self.slide(slide.name),
-                self.told(slide.name, number(1000 * float(plot.s[slide.name])), "s"),
-                _speed(usual, float(plot.s_rate.get(slide.name, 0.0))),
-                _acceleration(usual, float(plot.s_acceleration.get(slide.name, 0.0))),
-            )
-            for slide in self.method.mechanism.slides
-            if slide.named and slide.name in plot.s
-        )
+        machine, plot, rows = self.method.mechanism, self.plot, []
+        for name in (slide.name for slide in machine.slides if slide.named and slide.name in plot.s):
+            title = machine.slide_title(name, self.lang)
+            rows.append((
+                self.emphasised(name, plain(title, title.isascii()), "s"),
+                self.emphasised(name, number(1000 * real(plot.s[name])), "s"),
+                self.size(real(plot.s_rate.get(name, 0.0)), "velocity"),
+                self.size(real(plot.s_acceleration.get(name, 0.0)), "acceleration"),
+            ))  # fmt: skip
         return Table(head, tuple(rows))
-
-
-def tables(method: Method, plot: Plot, lang: Lang) -> list[Table]:
-    """Links, points, coincident points, slides; empty ones left out."""
-    results = _Results(method, plot, lang, method.mechanism.usual)
-    found = (results.links(), results.points(), results.parts(), results.slides())
-    return [table for table in found if table.rows]
 
 
 def _unit(label: Label, unit: str) -> Label:
     return (*label, Run(f" [{unit}]"))
 
 
-def _moves(method: Method, node: Node) -> bool:
-    """Whether a point of the polygon is a named point of a moving link."""
-    unnamed = method.mechanism.unnamed
-    return node.site is not None and node.site.point not in unnamed and node.site.link != FRAME
+# --- what a problem gives and asks, of a sheet that shows nothing else ------------------------------------------------
 
 
-def _pair_label(low: str) -> Label:
-    """`B3B2` as a row's name: the subscript of a relative velocity."""
-    return tuple(Run(run.text, run.italic) for run in vector_label(f"v_{low}")[1:])
+def given_tables(reading: Reading) -> list[Table]:
+    """Dimensions and driven rates; what is asked for. Empty ones left out."""
+    given = WrittenLines.of([formula(text) for text in dimensions(reading)], _WIDE, SIZE).lines
+    questions = WrittenLines.of([_question(reading, text) for text in reading.mechanism.ask], _WIDE, SIZE).lines
+    every = ((say("sheet.given", reading.lang), given), (say("sheet.find", reading.lang), questions))
+    return [Table((plain(head),), tuple((line,) for line in lines)) for head, lines in every if lines]
+
+
+def _question(reading: Reading, text: str) -> Label:
+    """A question as the field writes it; what is no quantity, as the file does."""
+    quantity = read(reading.mechanism, text)
+    return plain(text) if quantity is None else label_of(quantity)
+
+
+def label_of(quantity: asked.Quantity, over: str = " / ") -> Label:
+    """A quantity as the field writes it: `theta 3` as θ₃, `a_k B3B2` as a with k above B3B2."""
+    match quantity:
+        case asked.Quotient():
+            return lettering.joined([label_of(half) for half in quantity.halves], over)
+        case asked.Centre():
+            return quantity_label("P", quantity.text.removeprefix("P"))
+        case (
+            asked.Rotation() | asked.Displacement() | asked.Place() | asked.Track() | asked.Moving() | asked.Component()
+        ):
+            return quantity_label(quantity.letter, quantity.of.replace(",", ", ").replace("@", " "), quantity.part)
+        case _:
+            assert_never(quantity)

@@ -1,22 +1,170 @@
-"""The strip at the foot of the sheet: results on the left, title, source and scales on the right, a check bar."""
+"""The strip at the foot of the sheet: tables on the left, title, source and scales on the right, a check bar."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import field
+from functools import cached_property, lru_cache
 from itertools import accumulate
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
-from graphkin.sheet.equation_rows import EquationBlock, flowed, head_of, laid_out
-from graphkin.sheet.lettering import Label, plain, width
+from graphkin.sheet.lettering import Label, Run, plain, width
 from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
-from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room
-from graphkin.sheet.paragraphs import Paragraphs
-from graphkin.sheet.scales import written
-from graphkin.sheet.table import Table, arranged, drawn_tables, height_of
+from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room, written
+from graphkin.sheet.text_blocks import EquationBlock, Paragraphs, flowed, head_of, laid_out
+
+PITCH = 4.2
+"""From base line to base line [mm]."""
+SIZE = 3.0
+"""Letters of the table [mm]."""
+_GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
+_MOST_ROWS = 12
+Cell = tuple[float | None, float]
+"""Widths of a number up to its point, None where it is no number, and of the whole of what is written [mm]."""
+_PLANES: dict[str, Plane] = {
+    "ω": "velocity", "v": "velocity", "ds/dt": "velocity", "α": "acceleration", "a": "acceleration",
+    "d²s/dt²": "acceleration",
+}  # fmt: skip
+"""The plane whose colour the values of a column have, by its letter."""
+
+
+@frozen
+class Table:
+    """A heading and rows of labels; numbers under one another stand point under point."""
+
+    head: tuple[Label, ...]
+    rows: tuple[tuple[Label, ...], ...]
+
+    @cached_property
+    def widths(self) -> list[float]:
+        """Width of each column [mm]."""
+        return self._widths(0, len(self.rows))
+
+    @cached_property
+    def wide(self) -> float:
+        """Width of the whole [mm]."""
+        return sum(self.widths) + sum(self.gaps)
+
+    @property
+    def gaps(self) -> list[float]:
+        """The gap after each column; less before a column without a heading [mm]."""
+        return [_GAP if label else _CLOSE for label in self.head[1:]] + [0.0]
+
+    def before(self, cell: Label, column: int) -> float:
+        """The room before a number, so that its point stands under the others' [mm]."""
+        own = _whole(cell)
+        return _point(self._cells[column][1]) - own if own is not None else 0.0
+
+    def cut(self, count: int) -> list[Table]:
+        """In parts of so many rows."""
+        return [Table(self.head, self.rows[k : k + count]) for k in range(0, len(self.rows), count)]
+
+    def wides(self, count: int) -> list[float]:
+        """The widths of the parts into which it would be cut [mm]; it is tried on many papers."""
+        if count not in self._wides:
+            parts, gaps = range(0, len(self.rows), count), sum(self.gaps)
+            self._wides[count] = [sum(self._widths(k, k + count)) + gaps for k in parts]
+        return self._wides[count]
+
+    @cached_property
+    def _wides(self) -> dict[int, list[float]]:
+        return {}
+
+    def _widths(self, first: int, last: int) -> list[float]:
+        """Width of each column, were there only some of the rows [mm]."""
+        widths = []
+        for head, cells in self._cells:
+            some = cells[first:last]
+            point = _point(some)
+            widths.append(max([head, *((point - own if own is not None else 0.0) + whole for own, whole in some)]))
+        return widths
+
+    @cached_property
+    def _cells(self) -> list[tuple[float, list[Cell]]]:
+        """Of each column: the width of its heading, and its cells."""
+        cells = [[(_whole(cell), width(cell, SIZE)) for cell in row] for row in self.rows]
+        return [(width(head, SIZE), [row[k] for row in cells]) for k, head in enumerate(self.head)]
+
+
+def _point(cells: list[Cell]) -> float:
+    """The width of the widest number before its point [mm]."""
+    return max((own or 0.0 for own, _ in cells), default=0.0)
+
+
+@lru_cache(4096)
+def _whole(cell: Label) -> float | None:
+    """Width of a number up to its point; of the whole number where it has none; None where it is no number [mm]."""
+    first = cell[0] if cell else Run("")
+    whole = re.match(r"−?\d+", first.text)
+    return width((first._replace(text=whole[0]),), SIZE) if whole is not None and not first.italic else None
+
+
+# --- on paper ---------------------------------------------------------------------------------
+
+
+def arranged(tables: list[Table], room: float) -> list[list[Table]]:
+    """Tables side by side in `room` mm, in one or two tiers, whichever is lower; long ones cut.
+
+    What has no room even so is left out, the last asked first.
+    """
+    rows = sum(len(table.rows) for table in tables)
+
+    def cost(tiers: list[list[Table]]) -> float:
+        return height_of(tiers) + 20 * (rows - sum(len(table.rows) for tier in tiers for table in tier))
+
+    splits = [(tables[:split], tables[split:]) for split in range(1, len(tables) + 1)]
+    return min(([_cut(tier, room) for tier in tiers if tier] for tiers in splits), key=cost, default=[])
+
+
+def _cut(tier: list[Table], room: float) -> list[Table]:
+    """Tables cut to as few rows as their room allows."""
+    for rows in range(3, _MOST_ROWS + 1):
+        if _across([wide for table in tier for wide in table.wides(rows)]) <= room:
+            return [part for table in tier for part in table.cut(rows)]
+    kept: list[Table] = []
+    for table in tier:
+        part = table.cut(_MOST_ROWS)[0]
+        if _across([each.wide for each in (*kept, part)]) <= room:
+            kept.append(part)
+    return kept
+
+
+def height_of(tiers: list[list[Table]]) -> float:
+    """Height of arranged tables [mm]."""
+    return sum(PITCH * (1 + max((len(table.rows) for table in tier), default=0)) + 2.5 for tier in tiers)
+
+
+def _across(wides: list[float]) -> float:
+    return sum(wides) + _BETWEEN * max(0, len(wides) - 1)
+
+
+def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
+    """Arranged tables from their upper left corner."""
+    marks: list[Mark] = []
+    for tier in tiers:
+        pen = corner
+        for part in tier:
+            marks += _drawn(part, pen)
+            pen += part.wide + _BETWEEN
+        corner += 1j * height_of([tier])
+    return marks
+
+
+def _drawn(table: Table, corner: Place) -> Iterator[Mark]:
+    for k, row in enumerate((table.head, *table.rows)):
+        pen = corner + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
+        for column, (cell, wide, gap) in enumerate(zip(row, table.widths, table.gaps, strict=True)):
+            if cell:
+                accent = _PLANES.get(table.head[column][0].text) if k and table.head[column] else None
+                yield Text(cell, pen + (table.before(cell, column) if k else 0), SIZE, accent=accent)
+            pen += wide + gap
+    under = corner + 1j * (PITCH * 1.05)
+    yield Stroke((under, under + table.wide), "thin")
+
 
 _WIDE = 64.0
 """Width of the title block [mm]."""
@@ -33,9 +181,9 @@ _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实�
 def strip_height(
     paper: Paper, found: Sequence[Table] = (), equations: Sequence[EquationBlock] = (), told: Sequence[str] = ()
 ) -> float:
-    """What the strip needs on a paper [mm]."""
+    """The height that the strip needs on a paper [mm]."""
     lines = sum(head_of(line)[0].imag for line in _lines(equations, paper))
-    words = _written(told, paper).height
+    words = Paragraphs.of(told, tables_room(paper), _SENTENCE).height
     return max(_LEAST_HEIGHT, height_of(arranged([*found], tables_room(paper))) + words + lines + 1 + _BAR)
 
 
@@ -46,10 +194,6 @@ def _lines(equations: Sequence[EquationBlock], paper: Paper) -> list[list[Equati
     return [line for line, end in zip(lines, reach, strict=True) if end <= _SHARE * paper.height]
 
 
-def _written(told: Sequence[str], paper: Paper) -> Paragraphs:
-    return Paragraphs.of(told, tables_room(paper), _SENTENCE)
-
-
 def tables_room(paper: Paper) -> float:
     """Width that the strip leaves beside the title [mm]."""
     return paper.frame.size.real - _WIDE - 6
@@ -57,9 +201,9 @@ def tables_room(paper: Paper) -> float:
 
 @frozen
 class Strip:
-    """What stands at the foot of a sheet beside title, source and scales.
+    """The contents of the foot of a sheet beside title, source and scales.
 
-    found  tables of results; notes: what stands beside a plane's scale; further: scales that no figure tells
+    found  tables of results; notes: words beside a plane's scale; further: scales that no figure tells
     told   sentences under the tables
     equations  those that have no room over their polygons
     """
@@ -83,7 +227,7 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
     tiers, corner = arranged([*asked.found], tables_room(paper)), complex(room.left + 3, room.top + 1.5)
     marks += drawn_tables(tiers, corner)
     corner += 1j * height_of(tiers)
-    words = _written(asked.told, paper)
+    words = Paragraphs.of(asked.told, tables_room(paper), _SENTENCE)
     marks += words.marks(corner)
     corner += 1j * words.height
     for line in _lines(asked.equations, paper):
@@ -114,13 +258,13 @@ def _check_bar(at: Place, lang: Lang) -> list[Mark]:
 def _words(
     machine: Mechanism, room: Room, scales: Mapping[Plane, float], notes: Mapping[Plane, Label], lang: Lang
 ) -> list[Mark]:
-    """Title, source, scales, and what drew it; each line shrunk or broken to the block."""
+    """Title, source, scales, and the program's name; each line shrunk or broken to the block."""
     marks: list[Mark] = []
     pen = complex(room.left, room.top) + 1.2j
     title = machine.headline(lang)
     large = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else 0.85 * TITLE
     for text, size in ((title, large), (machine.credit(lang), LEAST + 0.2)):
-        for line in broken(text, size, _WIDE - 6):
+        for line in two_lines(text, size, _WIDE - 6):
             pen += 1j * (size * 1.25)
             marks.append(Text(plain(line), pen, size))
     pen += 1.2j
@@ -129,12 +273,12 @@ def _words(
         marks.append(Text(written(plane, scale), pen, BODY))
         if plane in notes:
             marks.append(Text(notes[plane], pen + width(written(plane, scale), BODY) + 2.5, LEAST))
-    made: Label = plain("graphkin")
-    marks.append(Text(made, complex(room.right - width(made, LEAST), room.bottom), LEAST))
+    name = plain("graphkin")
+    marks.append(Text(name, complex(room.right - width(name, LEAST), room.bottom), LEAST))
     return marks
 
 
-def broken(text: str, size: float, room: float) -> list[str]:
+def two_lines(text: str, size: float, room: float) -> list[str]:
     """At most two lines that fit the room; what is longer ends in dots."""
     if width(plain(text), size) <= room:
         return [text] if text else []

@@ -1,15 +1,21 @@
-"""From SI to paper: where a plane's points lie on the sheet."""
+"""From SI to paper: the window through which a figure is seen, the room it wants, and its scale there."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import cmath
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field, replace
 
+import numpy as np
+
+from graphkin.base.geometry import Array
 from graphkin.base.value import filled, frozen
 from graphkin.construction import Construction, Plane
 from graphkin.planning import Method
+from graphkin.sheet.label_requests import CRAMMED, LabelRequest, lettering
 from graphkin.sheet.marks import Mark, Place
-from graphkin.sheet.wanted import LabelRequest
+from graphkin.sheet.obstacles import bounds
+from graphkin.sheet.paper import Room, Rooms, finest, finest_each
 
 Entry = Mark | LabelRequest
 PLANES: tuple[Plane, ...] = ("position", "velocity", "acceleration")
@@ -33,7 +39,7 @@ class Window:
 
 @filled
 class Figure:
-    """What one plane puts on paper: marks in the order of painting, and labels that want a place."""
+    """A figure on paper: marks in the order of painting, and labels that want a place."""
 
     marks: list[Mark] = field(default_factory=list)
     wanted: list[LabelRequest] = field(default_factory=list)
@@ -60,3 +66,146 @@ class Figure:
 
 def constructions(method: Method) -> dict[Plane, Construction]:
     return {"position": method.position, "velocity": method.velocity, "acceleration": method.acceleration}
+
+
+_TRIAL = 100.0
+"""Size of a figure when it is drawn to see how far its signs reach [mm]."""
+_LETTERS = 6.5
+"""Room for labels around a figure [mm]."""
+_LEAST = 5.0
+"""Points in less room than this are no figure [mm]."""
+_TOO_HIGH = 1e6
+"""Higher than any room [mm]."""
+_CLOSE = 1 + 1e-9
+"""A figure that is too large by rounding alone still fits."""
+
+Over = tuple[complex, complex]
+"""Width and height of what stands over a figure: side by side, and one under the other [mm]."""
+
+
+def height_over(over: Over, wide: Array) -> Array:
+    """Its height in rooms of this width [mm]; more than any has in those too narrow for it."""
+    beside, stacked = over
+    return np.where(wide >= beside.real, beside.imag, np.where(wide >= stacked.real, stacked.imag, _TOO_HIGH))
+
+
+@frozen
+class Extent:
+    """The extent of a figure: its places in SI units, and the reach of signs and labels beyond them [mm].
+
+    low, high  lower left and upper right corner of its places
+    left, top, right, bottom  the reaches
+    given   its scale where the file gives one
+    labels  their number; lettering: the room that they take [mm^2]; over: the size of what stands over it
+    """
+
+    low: complex
+    high: complex
+    left: float
+    top: float
+    right: float
+    bottom: float
+    given: float | None = None
+    labels: int = 10
+    lettering: float = 0.0
+    over: Over | None = None
+
+    @classmethod
+    def of(
+        cls, places: Sequence[complex], draw: Callable[[Window], Figure], given: float | None = None,
+        letters: float = _LETTERS, trial: float = _TRIAL,
+    ) -> Extent:  # fmt: skip
+        """Drawn once to see how far it reaches, at a given scale or as large as a trial is [mm].
+
+        letters  what labels need around it [mm]
+        """
+        low, high = corners(places)
+        scale = given or finest(high - low, complex(trial, trial))
+        figure = draw(Window(0j, scale))
+        left, top, right, bottom = bounds(figure.marks)
+        return cls(
+            low, high, max(0.0, low.real / scale - left) + letters, max(0.0, -high.imag / scale - top) + letters,
+            max(0.0, right - high.real / scale) + letters, max(0.0, bottom + low.imag / scale) + letters,
+            given, len(figure.wanted), lettering(figure.wanted),
+        )  # fmt: skip
+
+    @property
+    def size(self) -> complex:
+        """Of its places, in SI units."""
+        return self.high - self.low
+
+    @property
+    def longest(self) -> float:
+        """The larger side of its places, in SI units."""
+        return max(self.size.real, self.size.imag)
+
+    @property
+    def reach(self) -> complex:
+        return complex(self.left + self.right, self.top + self.bottom)
+
+    def fullness(self, room: Room) -> float:
+        """The part of a room's space for letters that its labels take; above 1 some of them will lie on others."""
+        return self.lettering / (CRAMMED * room.size.real * room.size.imag)
+
+    def scale(self, room: Room) -> float:
+        """The given scale where it fits one room at that, else the finest at which it does."""
+        return self.given if self.given is not None and self.fits(self.given, room) else self.finest(room)
+
+    def fits(self, scale: float, room: Room) -> bool:
+        whole, inner = self.size / scale, room.size - self.reach
+        return whole.real <= inner.real * _CLOSE and whole.imag <= inner.imag * _CLOSE
+
+    def finest(self, room: Room) -> float:
+        """The finest scale of the series at which it fits one room."""
+        inner = room.size - self.reach
+        return finest(self.size, complex(max(inner.real, 1.0), max(inner.imag, 1.0)))
+
+    def scales_in(self, room: Rooms) -> Array:
+        """The scale at which it fits each of many rooms, the given one if any; NaN where it does not fit."""
+        wide, high = room.right - room.left - self.reach.real, room.bottom - room.top - self.reach.imag
+        fits = (wide > _LEAST) & (high > _LEAST)
+        if self.given is None:
+            least = np.maximum(self.size.real / np.maximum(wide, _LEAST), self.size.imag / np.maximum(high, _LEAST))
+            return np.where(fits, finest_each(least), np.nan)
+        whole = self.size / self.given
+        return np.where(fits & (whole.real <= wide) & (whole.imag <= high), self.given, np.nan)
+
+    def window(self, room: Room, scale: float) -> Window:
+        """The window through which it is in the middle of a room with all its signs."""
+        whole = self.size / scale + self.reach
+        x = (room.left + room.right - whole.real) / 2 + self.left
+        y = (room.top + room.bottom - whole.imag) / 2 + self.top + self.size.imag / scale
+        return Window(complex(x, y) - self.low.conjugate() / scale, scale)
+
+
+def cut_out(draw: Callable[[Window], Figure], scale: float, margin: float) -> tuple[Window, Room]:
+    """The window through which a figure fills a paper cut to its size, with a margin [mm]; and the whole of it."""
+    left, top, right, bottom = bounds(draw(Window(0j, scale)).marks)
+    whole = Room(0.0, 0.0, right - left + 2 * margin, bottom - top + 2 * margin)
+    return Window(complex(margin - left, margin - top), scale), whole
+
+
+def magnified(window: Window, part: Place, shown: Place, times: float) -> Window:
+    """The window through which what lies at one place of the paper is seen at another, so many times as large."""
+    return Window(shown + (window.origin - part) * times, window.scale / times)
+
+
+def corners(places: Sequence[complex]) -> tuple[complex, complex]:
+    """Lower left and upper right corner of what holds all these places."""
+    xs, ys = [v.real for v in places] or [0.0], [v.imag for v in places] or [0.0]
+    return complex(min(xs), min(ys)), complex(max(xs), max(ys))
+
+
+def enlarged(places: Sequence[complex], more: Iterable[complex], factor: float) -> list[complex]:
+    """The places, and of more, in their order, those that leave the figure at most `factor` times as large."""
+    every = list(places)
+    size = _diagonal(every) or 1.0
+    for place in more:
+        if cmath.isfinite(place) and _diagonal([*every, place]) <= factor * size:
+            every.append(place)
+    return every
+
+
+def _diagonal(places: Sequence[complex]) -> float:
+    low, high = corners(places)
+    return abs(high - low)

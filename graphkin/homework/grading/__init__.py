@@ -2,40 +2,21 @@
 
     KEY --key_from--> Key --Marker--+
     files --submissions.handed_in--> Handed --`grade`, batch by batch, here or by workers--> Graded, one after another
-    file of marks --> Again: numbers that were read then --`grade`--> Graded, by another key or tolerance
+    file of marks --> EarlierReading: numbers that were read then --`grade`--> Graded, by another key or tolerance
     a folder of keys, a folder of files --problems_of--> Problems, each marked by itself
     files, Journal --`resumed`--> records, of which none that is there and holds is made twice
 
 `outputs` writes what comes out: JSON lines, text.
 """
 
-from graphkin.homework.grading.again import is_marks
-from graphkin.homework.grading.judges import judge_from
+from graphkin.homework.grading.batch import is_marks
 from graphkin.homework.grading.keys import USUAL, Pencils, key_drawn, key_for, key_from, marking_of
 from graphkin.homework.grading.problems import Problem, problems_of
-from graphkin.homework.grading.resuming import Journal, resumed
-from graphkin.homework.grading.running import Way, grade
-from graphkin.homework.grading.sets import KeySet, OneKey, SetMarker, set_text
+from graphkin.homework.grading.running import Journal, MarkingOptions, grade, resumed
+from graphkin.homework.grading.sets import KeySet, OneKey, SetMarker, judge_from, set_text
 from graphkin.marking.graded import Graded
 
 __all__ = [
-    "USUAL",
-    "Graded",
-    "Journal",
-    "KeySet",
-    "OneKey",
-    "Pencils",
-    "Problem",
-    "SetMarker",
-    "Way",
-    "grade",
-    "is_marks",
-    "judge_from",
-    "key_drawn",
-    "key_for",
-    "key_from",
-    "marking_of",
-    "problems_of",
-    "resumed",
-    "set_text",
+    "USUAL", "Graded", "Journal", "KeySet", "MarkingOptions", "OneKey", "Pencils", "Problem", "SetMarker", "grade",
+    "is_marks", "judge_from", "key_drawn", "key_for", "key_from", "marking_of", "problems_of", "resumed", "set_text",
 ]  # fmt: skip

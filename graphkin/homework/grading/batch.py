@@ -1,25 +1,103 @@
-"""A batch of submissions read and marked at once: what a worker does. It never raises."""
+"""A batch of submissions read and marked at once, as a worker does it; and records of earlier readings.
+
+A file of marks holds every number that was handed in, in SI: these are marked anew, by another key or another
+tolerance, and the submissions themselves are not needed any more.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import groupby
+from pathlib import Path
 
+from graphkin import errors
 from graphkin.base.value import frozen
-from graphkin.errors import GraphkinError, OwnFault, TookTooLong, UnknownStudent, Unreadable, WantsExtra, Where
-from graphkin.homework.grading.again import Again
-from graphkin.homework.grading.drawn import with_drawings
+from graphkin.errors import GraphkinError, NoMarks, OwnFault, SaidBefore, Where
+from graphkin.homework import Record
 from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
 from graphkin.marking.graded import Drawn, Graded
 from graphkin.marking.marked import HandedNumber, Marked, StudentWork
 from graphkin.marking.marker import Marker
+from graphkin.model.quantities import at_position, position_of
+from graphkin.outputs.marks_file import KIND, records_in
+from graphkin.outputs.marks_json import FORMAT, drawn_of
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
 
 _EACH = 0.1
 """A batch is marked at once in the time of one submission and so much more for each [s]."""
-_ONCE_MORE = (OwnFault, TookTooLong, Unreadable, WantsExtra)
+_ONCE_MORE = (OwnFault, errors.TookTooLong, errors.Unreadable, errors.WantsExtra)
 """Reasons that may be gone when it is tried again."""
+_GLANCE = 200
+_POINTS = {"right": True, "wrong": False}
+"""Of a drawn vector; of a number its sign says it again."""
+
+
+# --- records of before ------------------------------------------------------------------------------------------------
+
+
+def is_marks(path: str | Path) -> bool:
+    """True where a file is one of marks."""
+    try:
+        with Path(path).open("rb") as file:
+            start = file.read(_GLANCE)
+    except (OSError, ValueError):
+        return False
+    return start.lstrip().startswith(b"{") and f'"kind": "{KIND}"'.encode() in start
+
+
+@frozen
+class EarlierReading:
+    """One record of a file of marks: the numbers that were read of a submission then, or why none were.
+
+    prints   the record's fingerprints, empty where it has none
+    """
+
+    student: str
+    file: str
+    place: str
+    work: StudentWork
+    reason: SaidBefore | None
+    notes: tuple[SaidBefore, ...]
+    prints: tuple[str, ...]
+    drawn: Drawn
+
+
+def earlier_reading(record: Record, where: Where) -> EarlierReading:
+    """The submission of a record. Raises NoMarks."""
+    try:
+        student, file, place = (str(record[key]) for key in ("student", "file", "place"))
+        reason = None if record["status"] == "marked" else SaidBefore(str(record["reason"]))
+        notes = tuple(SaidBefore(str(note)) for note in record["notes"])
+        numbers = {text: _number(each) for text, each in record["quantities"].items() if each["given"] is not None}
+        prints = tuple(map(str, record.get("fingerprints", ())))
+        work = StudentWork(student, numbers)
+        return EarlierReading(student, file, place, work, reason, notes, prints, drawn_of(record))
+    except (KeyError, TypeError, ValueError, AttributeError):
+        raise NoMarks(where) from None
+
+
+def _number(each: Record) -> HandedNumber:
+    points, measured = _POINTS.get(each["sense"]), bool(each.get("measured"))
+    return HandedNumber(float(each["given"]), bool(each["unit_right"]), points, measured)
+
+
+def records_of(path: Path) -> Iterator[EarlierReading]:
+    """Those of a file of marks, in order. Raises NoFile, Unreadable, NoMarks."""
+    try:
+        for number, record in records_in(path):
+            where = Where(str(path), number)
+            if record is None or record.get("format") != FORMAT:
+                raise NoMarks(where)
+            yield earlier_reading(record, where)
+    except FileNotFoundError:
+        raise errors.NoFile(Where(str(path)), path.name, ()) from None
+    except (OSError, UnicodeDecodeError) as problem:
+        raise errors.Unreadable(Where(str(path)), getattr(problem, "strerror", None) or "UTF-8") from None
+
+
+# --- a batch ----------------------------------------------------------------------------------------------------------
 
 
 @frozen
@@ -33,14 +111,14 @@ class StoredRecord:
     handed: str
 
 
-Item = Handed | Again | StoredRecord
+Item = Handed | EarlierReading | StoredRecord
 
 
 def marked(some: list[Item], judge: SetMarker, limits: Limits, reading: str) -> list[Graded | StoredRecord]:
-    """What becomes of each, in order."""
-    read = [one if isinstance(one, StoredRecord) else _read(one, judge, limits, reading) for one in some]
-    marks = _marked(judge, [one for one in read if isinstance(one, Read) and one.reason is None], limits.seconds)
-    return [one if isinstance(one, StoredRecord) else _graded(one, one.reason or next(marks)) for one in read]
+    """The record of each, in order. It never raises."""
+    items = [one if isinstance(one, StoredRecord) else _read(one, judge, limits, reading) for one in some]
+    marks = _marked(judge, [one for one in items if isinstance(one, Read) and one.reason is None], limits.seconds)
+    return [one if isinstance(one, StoredRecord) else _graded(one, one.reason or next(marks)) for one in items]
 
 
 @frozen
@@ -56,32 +134,30 @@ class Read:
     drawn: Drawn
 
 
-def _read(item: Handed | Again, judge: SetMarker, limits: Limits, reading: str) -> Read:
-    if isinstance(item, Again):
-        return _again(item, judge)
-    asked = judge.asked if isinstance(judge, OneKey) else judge
-    one = read_one(item, asked, limits)
+def _read(item: Handed | EarlierReading, judge: SetMarker, limits: Limits, reading: str) -> Read:
+    if isinstance(item, EarlierReading):
+        return _read_before(item, judge)
+    one = read_one(item, judge.asked if isinstance(judge, OneKey) else judge, limits)
     prints = (item.digest[:16], reading, asked_print(judge, one.student), judge.key_print(one.student))
-    notes = (*one.notes, *(given.fault for given in one.values.values() if given.fault is not None))
+    notes = (*one.notes, *(value.fault for value in one.values.values() if value.fault is not None))
     work, more, reason = _work(one), list[GraphkinError](), one.reason
     try:
         with limited(limits.seconds, Where(one.file)):
-            work, more = with_drawings(work, one, judge)
+            work, more = _with_drawings(work, one, judge)
     except GraphkinError as problem:
         reason = problem
     except Exception as problem:
         reason = OwnFault(Where(one.file), type(problem).__name__)
-    again = isinstance(reason, _ONCE_MORE)
+    once_more = isinstance(reason, _ONCE_MORE)
     drawn = {} if one.drawn is None else one.drawn.in_si()
-    return Read(work, one.file, one.place, reason, (*notes, *more), () if again else prints, drawn)
+    return Read(work, one.file, one.place, reason, (*notes, *more), () if once_more else prints, drawn)
 
 
-def _again(item: Again, judge: SetMarker) -> Read:
-    """As it was read then."""
+def _read_before(item: EarlierReading, judge: SetMarker) -> Read:
     reason: GraphkinError | None = item.reason
     try:
         if reason is None and judge.marker(item.student) is None:
-            reason = UnknownStudent(Where(item.file), item.student)
+            reason = errors.UnknownStudent(Where(item.file), item.student)
     except GraphkinError as problem:
         reason = problem
     prints = (*item.prints[:2], asked_print(judge, item.student), judge.key_print(item.student)) if item.prints else ()
@@ -100,13 +176,13 @@ def asked_print(judge: SetMarker, student: str) -> str:
 
 
 def _work(submission: Submission) -> StudentWork:
-    """The numbers of a submission; what is no number was said by the reader."""
+    """The numbers of a submission; the reader has spoken of what is no number."""
     return StudentWork(
         submission.student,
         {
-            text: HandedNumber(given.value, given.fault is None, measured=given.ends is not None and not given.text)
-            for text, given in submission.values.items()
-            if given.value is not None and math.isfinite(given.value)
+            text: HandedNumber(value.value, value.fault is None, measured=value.ends is not None and not value.text)
+            for text, value in submission.values.items()
+            if value.value is not None and math.isfinite(value.value)
         },
     )
 
@@ -119,7 +195,44 @@ def _graded(one: Read, marks: Marked | GraphkinError) -> Graded:
     return Graded(student, file, place, marks, None, one.notes, one.drawn, one.prints)
 
 
-# --- marking ----------------------------------------------------------------------------------
+# --- drawings: what they determine beside the vectors that are measured on them ---------------------------------------
+
+
+def _with_drawings(work: StudentWork, one: Submission, judge: SetMarker) -> tuple[StudentWork, list[GraphkinError]]:
+    """With rotations and the like that are asked for and stand nowhere in numbers, and the senses of known arrows;
+    with notes that say so."""
+    marker = judge.marker(one.student) if one.drawings else None
+    notes: list[GraphkinError] = []
+    if marker is not None:
+        for at in one.drawings:
+            work, more = _with_drawing(work, one, at, marker)
+            notes += more
+    return work, notes
+
+
+def _with_drawing(
+    work: StudentWork, one: Submission, at: int, marker: Marker
+) -> tuple[StudentWork, list[GraphkinError]]:
+    """By the drawing of one position."""
+    here = {text: position_of(text)[0] for text in (*one.values, *work.numbers) if position_of(text)[1] == at}
+    vectors = {here[text]: v.vector for text, v in one.values.items() if text in here and v.vector is not None}
+    numbers = {here[text]: number.value for text, number in work.numbers.items() if text in here}
+    readings, points = marker.positions[at - 1].off_drawing(one.drawings[at].in_si(), vectors, numbers)
+    values = {at_position(text, at): value for text, value in readings.values.items()}
+    new = {text: HandedNumber(value, measured=True) for text, value in values.items() if text not in work.numbers}
+    senses = {
+        text: replace(work.numbers[text], points=good)
+        for bare, good in points.items()
+        if (text := at_position(bare, at)) in work.numbers
+    }
+    lost = tuple(text for bare in readings.no_sense if (text := at_position(bare, at)) not in work.numbers)
+    where = one.drawings[at].where
+    notes: list[GraphkinError] = [errors.OffTheDrawing(where, tuple(new))] if new else []
+    notes += [errors.NoSenseDrawn(where, lost)] if lost else []
+    return replace(work, numbers={**work.numbers, **new, **senses}), notes
+
+
+# --- marking ----------------------------------------------------------------------------------------------------------
 
 
 def _marked(judge: SetMarker, batch: Sequence[Read], seconds: float) -> Iterator[Marked | GraphkinError]:
@@ -136,10 +249,10 @@ def _marks(marker: Marker, batch: Sequence[Read], seconds: float) -> list[Marked
         with limited(seconds + _EACH * len(batch), Where(batch[0].file)):
             return list(marker.mark([one.work for one in batch]))
     except Exception:
-        return [_alone(marker, one, seconds) for one in batch]
+        return [_marks_of_one(marker, one, seconds) for one in batch]
 
 
-def _alone(marker: Marker, one: Read, seconds: float) -> Marked | GraphkinError:
+def _marks_of_one(marker: Marker, one: Read, seconds: float) -> Marked | GraphkinError:
     try:
         with limited(seconds, Where(one.file)):
             return marker.mark([one.work])[0]

@@ -1,31 +1,46 @@
-"""Keys: read from a file, or made of a mechanism at the scales of its sheet."""
+"""Keys: read from a file, or made of a mechanism at the scales of its sheet.
+
+With one for each further position that the problem asks for, of a mechanism that is drawn there.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from copy import deepcopy
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+
 from graphkin import api
+from graphkin.base.geometry import number, place
 from graphkin.base.value import frozen
-from graphkin.construction import Plane
-from graphkin.errors import BadKey, NoFile, NothingToMark, Unreadable, Where
-from graphkin.homework.grading.positions import further_methods
+from graphkin.construction import Plane, Plot
+from graphkin.errors import BadKey, GraphkinError, NoFile, NoKeyAtPosition, NothingToMark, Unreadable, Where
+from graphkin.files import from_dict
+from graphkin.marking.handed import asked_of
 from graphkin.marking.key import Key, Marking
 from graphkin.marking.making import make_key
-from graphkin.model.mechanism import Mechanism
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.model.quantities import Quantity
 from graphkin.planning import Method
+from graphkin.proof.readings import readings
 from graphkin.proof.roads import proved
+from graphkin.results import driver_values
+from graphkin.running import replay_all
 
 _LARGEST = 64 << 20
+_SAME = 1e-6
+"""Values of both mechanisms that differ by a smaller part, of the largest of their kind, are the same."""
 KEYS: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
 
 @frozen
 class Pencils:
-    """What a pencil errs by on paper, and what of it is allowed.
+    """The errors of a pencil on paper, and the part of them that is allowed.
 
     length_mm, angle_deg   standard deviations of a length laid off or read, and of a direction
     sigmas     how many standard deviations are right; relative: a part of the right value instead, where it is not 0
@@ -74,20 +89,20 @@ def key_drawn(
 
 def marking_of(method: Method, pencils: Pencils = USUAL, scales: Mapping[str, float] | None = None) -> Marking:
     """A pencil's errors at the scales of the mechanism's sheet, or at others."""
-    scales = scales or _scales(method)
+    scales = scales or _sheet_scales(method)
     lengths: dict[str, float] = {plane: pencils.length_mm * scales[key] for plane, key in KEYS.items()}
     return Marking(lengths, math.radians(pencils.angle_deg), dict(scales), pencils.sigmas, pencils.relative)
 
 
-def _scales(method: Method) -> dict[str, float]:
+def _sheet_scales(method: Method) -> dict[str, float]:
     """As the file gives them, else as the sheet is drawn."""
     given, plot = method.mechanism.scales, proved(method).plot
     if all(key in given for key in KEYS.values()):
         return {key: given[key] for key in KEYS.values()}
     from graphkin.sheet import scales_of
 
-    found = scales_of(method, plot, "en")
-    return {key: float(found[plane]) for plane, key in KEYS.items()}
+    scales = scales_of(method, plot, "en")
+    return {key: float(scales[plane]) for plane, key in KEYS.items()}
 
 
 def key_file(path: Path) -> Key:
@@ -110,3 +125,76 @@ def text_of(path: Path) -> str:
         raise Unreadable(where, problem.strerror or str(problem)) from None
     except UnicodeDecodeError as problem:
         raise BadKey(where, problem.reason) from None
+
+
+# --- further positions ------------------------------------------------------------------------------------------------
+
+
+def further_methods(method: Method) -> Iterator[Method]:
+    """One for each further position, in order: the same mechanism, drawn there, in the assembly it is moved into.
+
+    Raises NoKeyAtPosition for one that is not reached, or whose assembly no file can state.
+    """
+    for count, values in enumerate(list(driver_values(method))[1:], 2):
+        where = method.mechanism.where("driver", 0, "also")
+        try:
+            plot = replay_all(method, values)
+            there = api.plan(_moved(method, plot, values), method.structure.coincident)
+            same = _same(method, plot, there)
+        except GraphkinError as problem:
+            raise NoKeyAtPosition(where, count, problem) from None
+        if not same:
+            raise NoKeyAtPosition(where, count)
+        yield there
+
+
+def _moved(method: Method, plot: Plot, values: tuple[float, ...]) -> Mechanism:
+    """The mechanism file with its drivers, poses and sketch at another position."""
+    mechanism = method.mechanism
+    motions, document = readings(method, plot), deepcopy(tomllib.loads(mechanism.text))
+    for table, driver, value in zip(document["driver"], mechanism.drivers, values, strict=True):
+        table.pop("also", None)
+        if driver.value is not None:
+            _set(table, driver, value)
+    for table, pose in zip(document.get("pose", []), mechanism.poses, strict=True):
+        _set(table, pose, _pose_value(mechanism, motions, pose))
+    fixed = mechanism.named(FRAME)
+    places = {name: place(plot.position[name]) * 1000 for name in mechanism.points if name not in fixed}
+    document["sketch"] = {name: [point.real, point.imag] for name, point in places.items()}
+    return from_dict(document, name=mechanism.name)
+
+
+def _set(table: dict[str, object], one: Driver | Pose, value: float) -> None:
+    table["at" if one.kind == "slide" else "angle"] = value * 1000 if one.kind == "slide" else math.degrees(value)
+
+
+def _pose_value(mechanism: Mechanism, motions: Motions, pose: Pose) -> float:
+    """The angle or the displacement of a pose at a position [rad, m]."""
+    if pose.kind == "slide":
+        return number(motions.s[pose.link])
+    assert pose.vector is not None, "a pose is of a direction or of a slide"
+    angle = _direction(mechanism, motions, pose.link, pose.vector)
+    return angle - (_direction(mechanism, motions, pose.from_link, pose.from_vector) if pose.from_vector else 0.0)
+
+
+def _direction(mechanism: Mechanism, motions: Motions, link: str, vector: tuple[str, str]) -> float:
+    arm = mechanism.links[link].arm(*vector)
+    turned = 0.0 if link == FRAME else number(motions.theta[link])
+    return turned + math.atan2(arm.imag, arm.real)
+
+
+def _same(method: Method, plot: Plot, there: Method) -> bool:
+    """True where what is asked for is the same by both."""
+    asked = list(asked_of(method.mechanism).values())
+    one, other = (
+        [number(quantity.answer(motions).value) for quantity in asked]
+        for motions in (readings(method, plot), readings(there, replay_all(there)))
+    )
+    sizes = {q.unit: max(abs(v) for v, r in zip(one, asked, strict=True) if r.unit == q.unit) for q in asked}
+    off = np.array([_off(q, a, b) / (sizes[q.unit] or 1.0) for q, a, b in zip(asked, one, other, strict=True)])
+    return bool(np.all(off[~np.isnan(off)] < _SAME))
+
+
+def _off(quantity: Quantity, one: float, other: float) -> float:
+    """The difference of two answers, of angles but for whole turns."""
+    return abs(math.remainder(one - other, math.tau)) if quantity.unit == "rad" else abs(one - other)

@@ -33,37 +33,35 @@ def problems_of(key: str, submissions: Sequence[str]) -> tuple[Problem, ...]:
     what was handed in for it is NAME with any ending (a class table, an archive, a folder), among `submissions` or in
     folders of these. Raises NoSuchProblem, and NoFile where no submission is there.
     """
-    _refuse_missing(submissions)
+    if submissions and not any(map(os.path.exists, submissions)):  # written wrongly; one among several is a row
+        raise NoFile(Where(submissions[0]), Path(submissions[0]).name, ())
     keys = _keys(Path(key))
     if not keys:
         return (Problem("", key, tuple(submissions)),)
-    found: dict[str, list[str]] = {name: [] for name in keys}
+    paths: dict[str, list[str]] = {name: [] for name in keys}
     for path in _handed_in(submissions, keys):
-        found[_name(path, keys)].append(str(path))
-    if not any(found.values()):
+        name = next((name for name in (path.name, path.stem) if name in keys), None)
+        if name is None:
+            raise NoSuchProblem(Where(str(path)), path.stem, tuple(keys))
+        paths[name].append(str(path))
+    if not any(paths.values()):
         raise NoSuchProblem(Where(submissions[0]), Path(submissions[0]).name, tuple(keys))
-    return tuple(Problem(name, str(keys[name]), tuple(paths)) for name, paths in found.items() if paths)
-
-
-def _refuse_missing(submissions: Sequence[str]) -> None:
-    """A path that somebody wrote wrongly is no student who handed in nothing readable; one among several is a row."""
-    if submissions and not any(map(os.path.exists, submissions)):
-        raise NoFile(Where(submissions[0]), Path(submissions[0]).name, ())
+    return tuple(Problem(name, str(keys[name]), tuple(own)) for name, own in paths.items() if own)
 
 
 def _keys(folder: Path) -> Mapping[str, Path]:
     """The problems of a folder by name; none of one that is itself a set of problems, or that is no folder."""
     if not folder.is_dir() or (folder / _SET).exists():
         return {}
-    found: dict[str, Path] = {}
+    keys: dict[str, Path] = {}
     for path in sorted(folder.iterdir()):
         if path.name.endswith(_KEY):
-            found[path.name.removesuffix(_KEY)] = path
+            keys[path.name.removesuffix(_KEY)] = path
         elif (path / _SET).is_file():
-            found.setdefault(path.name, path)
+            keys.setdefault(path.name, path)
         elif path.suffix == ".toml":
-            found.setdefault(path.stem, path)
-    return found
+            keys.setdefault(path.stem, path)
+    return keys
 
 
 def _handed_in(submissions: Sequence[str], keys: Mapping[str, Path]) -> Iterator[Path]:
@@ -73,10 +71,3 @@ def _handed_in(submissions: Sequence[str], keys: Mapping[str, Path]) -> Iterator
         else:
             yield path
 
-
-def _name(path: Path, keys: Mapping[str, Path]) -> str:
-    """Whose problem it is."""
-    for name in (path.name, path.stem):
-        if name in keys:
-            return name
-    raise NoSuchProblem(Where(str(path)), path.stem, tuple(keys))

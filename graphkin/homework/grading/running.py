@@ -1,23 +1,33 @@
-"""Submissions marked batch by batch, here or by workers: memory stays flat, and one that fails stops no other."""
+"""Submissions marked batch by batch, here or by workers: memory stays flat, and one that fails stops no other.
+
+A marking that was broken off goes on from its journal, and nothing is marked twice. A record holds as long as what was
+handed in, the way it was read, and the key are the same. Where only the key is another, and asks the same, the numbers
+that were read then are marked anew; all else is read.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import contextlib
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor
 from functools import partial
 from itertools import chain
 from pathlib import Path
+from types import TracebackType
 
 import graphkin
+from graphkin.base.parallel import ahead
 from graphkin.base.value import frozen
-from graphkin.base.worklist import ahead
-from graphkin.errors import OwnFault, Where
-from graphkin.homework.grading.again import Again, is_marks, records_of
-from graphkin.homework.grading.batch import Item, StoredRecord, marked
+from graphkin.errors import CannotWrite, NoMarks, OwnFault, Where
+from graphkin.homework import Record
+from graphkin.homework.grading import batch as batches
+from graphkin.homework.grading.batch import EarlierReading, Item, StoredRecord, marked
 from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
 from graphkin.marking.graded import Graded
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
+from graphkin.outputs.files import refuse
+from graphkin.outputs.marks_file import MARKS, records_in, text
 from graphkin.submissions import FirstOnes, Handed, Limits, called, guarded, handed_in
 
 _BATCH, _BYTES = 64, 4 << 20
@@ -26,14 +36,14 @@ _AHEAD = 8
 
 
 @frozen
-class Way:
-    """How a marking is done.
+class MarkingOptions:
+    """Limits, workers and language of a marking.
 
-    limits    what is looked at of a submission
+    limits    of what is read of a submission
     workers   processes that read and mark, each submission within its time; 0: this one
     executor  does it instead, any of `concurrent.futures` or a cluster's; its workers must be able to import graphkin,
               and to reach the keys of a set
-    words     what the records that are written hang on beside: their language
+    words     the language of the records that are written
     """
 
     limits: Limits = Limits()
@@ -55,45 +65,42 @@ def grade(
 
     judge   one key for all, or each student's own
     paths   answers, drawings, class tables, archives, folders; or files of marks, whose numbers are marked anew
-    workers, executor   who reads and marks them, as in `Way`
+    workers, executor   who reads and marks them, as in `MarkingOptions`
 
     A submission that cannot be read or marked is a record with its reason; so is a second one of a student. Raises
     NoMarks, Unreadable of a file of marks.
     """
     judge = OneKey(Marker(judge)) if isinstance(judge, Key) else judge
-    way = Way(limits or Limits(), workers, executor)
+    options = MarkingOptions(limits or Limits(), workers, executor)
     paths = [*paths]
-    for graded in run(judge, items(paths, way), way, paths):
+    for graded in run(judge, items(paths, options), options, paths):
         assert isinstance(graded, Graded)
         yield graded
 
 
-def items(paths: Iterable[str | Path], way: Way) -> Iterator[Handed | Again]:
-    """What is to be marked, one after another, in the order of the files."""
+def items(paths: Iterable[str | Path], options: MarkingOptions) -> Iterator[Handed | EarlierReading]:
+    """Submissions, one after another, in the order of the files."""
     for path in paths:
-        if is_marks(path):
-            yield from records_of(Path(path))
-        else:
-            yield from handed_in([path], way.limits)
+        yield from batches.records_of(Path(path)) if batches.is_marks(path) else handed_in([path], options.limits)
 
 
 def run(
-    judge: SetMarker, some: Iterable[Item], way: Way, paths: Iterable[str | Path]
+    judge: SetMarker, some: Iterable[Item], options: MarkingOptions, paths: Iterable[str | Path]
 ) -> Iterator[Graded | StoredRecord]:
     """The result of each, in order; what is kept goes through as it is. `paths`: of all that was handed in."""
-    work = partial(marked, judge=judge, limits=way.limits, reading=way.reading)
-    if way.executor is not None:
-        return firsts(ahead(way.executor, work, _batches(some, _BATCH), _AHEAD), paths)
-    if way.workers:
-        seconds = way.limits.seconds
-        return firsts(guarded(work, _batches(some, _BATCH), way.workers, seconds, _failed), paths)
+    work = partial(marked, judge=judge, limits=options.limits, reading=options.reading)
+    if options.executor is not None:
+        return firsts(ahead(options.executor, work, _batches(some, _BATCH), _AHEAD), paths)
+    if options.workers:
+        seconds = options.limits.seconds
+        return firsts(guarded(work, _batches(some, _BATCH), options.workers, seconds, _failed), paths)
     return firsts(chain.from_iterable(map(work, _batches(some, _BATCH))), paths)
 
 
-def firsts(found: Iterable[Graded | StoredRecord], paths: Iterable[str | Path]) -> Iterator[Graded | StoredRecord]:
+def firsts(records: Iterable[Graded | StoredRecord], paths: Iterable[str | Path]) -> Iterator[Graded | StoredRecord]:
     """Of each student the first that was marked; a further one says so."""
     seen = FirstOnes(paths)
-    for one in found:
+    for one in records:
         if not one.marked:
             yield one
             continue
@@ -104,7 +111,7 @@ def firsts(found: Iterable[Graded | StoredRecord], paths: Iterable[str | Path]) 
 def _failed(item: Item, problem: str) -> Graded | StoredRecord:
     if isinstance(item, StoredRecord):
         return item
-    student = item.student if isinstance(item, Again) else item.owner.student
+    student = item.student if isinstance(item, EarlierReading) else item.owner.student
     return Graded(student, item.file, item.place, None, OwnFault(Where(item.file), problem))
 
 
@@ -120,3 +127,102 @@ def _batches(some: Iterable[Item], size: int) -> Iterator[list[Item]]:
             batch, held = [], 0
     if batch:
         yield batch
+
+
+# --- going on from what there is --------------------------------------------------------------------------------------
+
+SUFFIX = ".journal"
+HEAD = '{"kind": "graphkin journal", "format": 1}\n'
+
+
+class Journal:
+    """The records of a marking by fingerprint of what was handed in; new ones are added to a file, a line each.
+
+    The file is there as long as the marking is not whole: what was ended at any moment has lost at most the line it
+    was writing.
+    """
+
+    def __init__(self, path: Path, force: bool = False) -> None:
+        """Raises FileInTheWay, NoFolder, CannotWrite."""
+        self.path, self.beside = path, path.with_name(path.name + SUFFIX)
+        self.records: dict[str, Record] = {}
+        refuse(path, force, MARKS)
+        refuse(self.beside, force, [HEAD.strip().encode()])
+
+    def __enter__(self) -> Journal:
+        try:
+            for path in (self.path, self.beside):
+                self.records |= _by_fingerprint(path) if path.is_file() else {}
+            self._new = self.beside.open("a", encoding="utf-8", newline="\n")
+            self._write("\n" if self._new.tell() else HEAD)  # a line that was cut ends here
+        except OSError as error:
+            raise CannotWrite.by(self.beside, error) from None
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, _: TracebackType | None) -> None:
+        """Of a marking that is whole the records are in the file of marks; a broken-off journal stays, unless empty."""
+        with contextlib.suppress(OSError):
+            self._new.close()
+        if kind is None or self.beside.stat().st_size <= len(HEAD):
+            with contextlib.suppress(OSError):
+                self.beside.unlink()
+
+    def add(self, record: Record) -> None:
+        """Raises CannotWrite."""
+        try:
+            self._write(text(record) + "\n")
+        except OSError as error:
+            raise CannotWrite.by(self.beside, error) from None
+
+    def _write(self, line: str) -> None:
+        self._new.write(line)
+        self._new.flush()
+
+
+def _by_fingerprint(path: Path) -> dict[str, Record]:
+    """The last record of each submission; a line that was cut or changed is none."""
+    records: dict[str, Record] = {}
+    for _, record in records_in(path, errors="replace"):
+        prints = None if record is None else record.get("fingerprints")
+        if record is not None and isinstance(prints, list) and prints:
+            records[str(prints[0])] = record
+    return records
+
+
+def resumed(
+    judge: SetMarker, paths: Iterable[str | Path], journal: Journal, options: MarkingOptions,
+    written: Callable[[Graded], Record],
+) -> Iterator[Record]:  # fmt: skip
+    """The record of every submission, in order; what is new is in the journal before it is given out.
+
+    written   makes the record of one, as `outputs.marks_json` does in a language, which `options.words` names
+    """
+    paths = [*paths]
+    rest = (_still_to_do(item, judge, journal, options) for item in items(paths, options))
+    for one in run(judge, rest, options, paths):
+        if isinstance(one, StoredRecord):
+            yield journal.records[one.handed]
+            continue
+        new = written(one)
+        if one.prints:
+            journal.add(new)
+        yield new
+
+
+def _still_to_do(item: Handed | EarlierReading, judge: SetMarker, journal: Journal, options: MarkingOptions) -> Item:
+    """The submission, its record of before, or its numbers of before, whichever still holds."""
+    handed, reading = (item.digest[:16], options.reading) if isinstance(item, Handed) else item.prints[:2] or ("", "")
+    there = journal.records.get(handed) if handed else None
+    if there is None:
+        return item
+    try:
+        before = batches.earlier_reading(there, Where(str(journal.path)))
+    except NoMarks:
+        return item
+    if before.prints[:2] != (handed, reading) or len(before.prints) != len(("handed", "reading", "asked", "key")):
+        return item
+    student = before.student
+    if before.prints[3] == judge.key_print(student):
+        return StoredRecord(student, before.file, before.place, before.reason is None, handed)
+    same = before.reason is None and before.prints[2] == batches.asked_print(judge, student)
+    return before if same and isinstance(item, Handed) else item

@@ -1,4 +1,4 @@
-"""Whose key is whose: one for all, or one for each student, read when it is needed.
+"""The key of each student: one for all, or one for each, read when it is needed.
 
 A judge goes to other processes: one key as it is, a set by the place of its files, which they must reach; each process
 makes it ready once.
@@ -13,10 +13,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 
 from graphkin.errors import BadKey, Where
-from graphkin.homework.grading.keys import key_file, text_of
+from graphkin.homework.grading.keys import USUAL, Pencils, key_file, key_from, text_of
 from graphkin.marking.marker import Marker
 from graphkin.submissions import ReadableProblem
 
@@ -27,17 +26,15 @@ _KEPT = 32
 
 
 class SetMarker:
-    """Who marks a student's work: whichever key is theirs."""
+    """The markers of a class, by student."""
 
     def marker(self, student: str) -> Marker | None:
         raise NotImplementedError
 
     def __call__(self, student: str) -> ReadableProblem | None:
-        """What the student is asked; None for one who is not of this class."""
+        """The problem of the student; None for one who is not of this class."""
         marker = self.marker(student)
-        if marker is None:
-            return None
-        return asked_by(marker)
+        return None if marker is None else asked_by(marker)
 
     def key_print(self, student: str) -> str:
         """A fingerprint of the student's key."""
@@ -45,7 +42,7 @@ class SetMarker:
 
 
 def asked_by(marker: Marker) -> ReadableProblem:
-    """What a key asks, at all its positions."""
+    """The problem that a key asks, at all its positions."""
     first, *further = (
         ReadableProblem(each.method.mechanism, tuple(entry.text for entry in each.key.entries))
         for each in marker.positions
@@ -71,13 +68,12 @@ _READY: dict[tuple[str, ...], SetMarker] = {}
 
 def _ready(name: tuple[str, ...], made: Callable[[], SetMarker]) -> SetMarker:
     """The judge that was made ready here, or made now; the last few are kept."""
-    found = _READY.get(name)
-    if found is None:
-        found = _READY[name] = made()
+    judge = _READY.get(name)
+    if judge is None:
+        judge = _READY[name] = made()
         for old in list(_READY)[:-_KEPT]:
             _READY.pop(old, None)
-    return found
-
+    return judge
 
 
 class OneKey(SetMarker):
@@ -91,7 +87,7 @@ class OneKey(SetMarker):
 
     @cached_property
     def asked(self) -> ReadableProblem:
-        """What all are asked."""
+        """The problem that all are asked."""
         return asked_by(self._marker)
 
     def __call__(self, student: str) -> ReadableProblem:
@@ -125,20 +121,15 @@ class KeySet(SetMarker):
         self.path, self.files = path, dict(files)
         self._made: dict[str, Marker] = {}
 
-    @property
-    def folder(self) -> Path:
-        """Where the keys are."""
-        return self.path.parent
-
     def marker(self, student: str) -> Marker | None:
         if student not in self.files:
             return None
-        found = self._made.get(student)
-        if found is None:
-            found = self._made[student] = Marker(key_file(self.folder / self.files[student]))
+        marker = self._made.get(student)
+        if marker is None:
+            marker = self._made[student] = Marker(key_file(self.path.parent / self.files[student]))
             for old in list(self._made)[:-_KEPT]:
                 self._made.pop(old, None)
-        return found
+        return marker
 
     @cached_property
     def _print(self) -> str:
@@ -147,7 +138,7 @@ class KeySet(SetMarker):
     def key_print(self, student: str) -> str:
         """Of the key's file; of one who is not of the class, of the list of the class."""
         try:
-            return fingerprint((self.folder / self.files[student]).read_bytes())
+            return fingerprint((self.path.parent / self.files[student]).read_bytes())
         except (KeyError, OSError):
             return self._print
 
@@ -155,7 +146,7 @@ class KeySet(SetMarker):
         return _key_set, (str(self.path), self._print)
 
     @classmethod
-    def read(cls, path: Path, data: Mapping[str, Any]) -> KeySet:
+    def read(cls, path: Path, data: Mapping[str, object]) -> KeySet:
         """Raises BadKey."""
         students = data.get("students")
         if data.get("format") != FORMAT or not isinstance(students, dict):
@@ -174,3 +165,20 @@ def set_text(files: Mapping[str, str]) -> str:
     """The set's own file: whose key is which."""
     data = {"kind": KIND, "format": FORMAT, "students": dict(files)}
     return json.dumps(data, ensure_ascii=False, indent=1) + "\n"
+
+
+def judge_from(source: str, pencils: Pencils = USUAL) -> SetMarker:
+    """Of a key.json, a mechanism file, a library mechanism, or a folder with a set of problems.
+
+    Raises what loading and planning raise, BadKey, NothingToMark.
+    """
+    path = Path(source)
+    path = path / "key.json" if path.is_dir() else path
+    if path.suffix.lower() == ".json":
+        try:
+            data = json.loads(text_of(path))
+        except (ValueError, RecursionError):
+            data = None  # the reader of one key says what is wrong
+        if isinstance(data, dict) and data.get("kind") == KIND:
+            return KeySet.read(path, data)
+    return OneKey(Marker(key_from(str(path) if path.suffix else source, pencils)))

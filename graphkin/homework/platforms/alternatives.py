@@ -1,4 +1,4 @@
-"""What is answered to a number, in the order in which it is asked: the one value that every format of a set writes.
+"""The answers to a number, in the order in which they are tried: the one value that every format of a set writes.
 
 The first alternative within its tolerance counts, as in Moodle: right ones first, then a ring of half credit, then
 mistakes, the narrowest first. The ring leaves the middle half of a mistake, so that a mistake's number finds its words;
@@ -14,9 +14,9 @@ from decimal import ROUND_DOWN, Decimal
 from graphkin.base.value import frozen
 from graphkin.errors import Lang, NoRightNumber
 from graphkin.homework.platforms.feedback import joined
-from graphkin.homework.platforms.numbers import points, rounded, tolerated
 from graphkin.homework.platforms.question import Part, Question, Text, Wrong
 from graphkin.homework.platforms.result import texts_in
+from graphkin.homework.platforms.tables import points, rounded, tolerated
 from graphkin.say.catalogue import say
 
 RING = Decimal("2.5")
@@ -25,7 +25,7 @@ RING = Decimal("2.5")
 
 @frozen
 class Alternative:
-    """A number, what it is off by at most, its share of the points, and what is said to it.
+    """A number, its tolerance, and its share of the points.
 
     mistakes  in words, where it is one; more than one cannot be told apart at this number
     """
@@ -37,7 +37,7 @@ class Alternative:
     mistakes: tuple[Text, ...] = ()
 
     def holds(self, number: Decimal) -> bool:
-        """Whether a number counts as this one."""
+        """True where a number counts as this one."""
         return abs(number - self.number) <= self.tolerance
 
 
@@ -51,20 +51,20 @@ def alternatives(question: Question, part: Part) -> tuple[Alternative, ...]:
 
 
 def most(question: Question) -> Decimal:
-    """What a question is worth."""
+    """The points of a question."""
     return sum((points(part.points) for part in question.parts), Decimal(0))
 
 
 def sentence(alternative: Alternative, lang: Lang) -> str:
-    """What is said to a number."""
+    """The answer to a number, in words."""
     if not alternative.ids:
         return say("feedback.right" if alternative.percent == 100 else "feedback.ring", lang)
-    told = joined(texts_in(alternative.mistakes, lang), lang)
-    return say("feedback.stop", lang, text=say("feedback.number consistent", lang, mistake=told))
+    mistake = joined(texts_in(alternative.mistakes, lang), lang)
+    return say("feedback.stop", lang, text=say("feedback.number consistent", lang, mistake=mistake))
 
 
 def refuse(question: Question, part: Part) -> None:
-    """Whether a part has a right number, a tolerance and points. Raises NoRightNumber."""
+    """Raises NoRightNumber where a part has no right number, no tolerance or no points."""
     finite = all(map(math.isfinite, (part.number, part.tolerance, part.points, *part.also)))
     if not finite or part.tolerance < 0 or part.points < 0:
         raise NoRightNumber(question.id, part.name)
@@ -80,15 +80,15 @@ def _mistakes(wrongs: Iterable[Wrong]) -> list[Alternative]:
     A factor that one value is off by, that is carried on, and that all values of its unit are off by, is one and the
     same for one number: it is told once, in the fewest words.
     """
-    found: dict[tuple[object, ...], Alternative] = {}
+    mistakes: dict[tuple[object, ...], Alternative] = {}
     for k, wrong in enumerate(wrongs):
         if math.isfinite(wrong.number) and math.isfinite(wrong.tolerance) and wrong.tolerance >= 0:
             plain = _alternative(wrong.number, wrong.tolerance, wrong.percent)
             one = Alternative(plain.number, plain.tolerance, wrong.percent, wrong.ids, (wrong.mistake,))
             same = (wrong.ids, wrong.form, f"{wrong.number:.9g}") if wrong.form else (k,)
-            if same not in found or _length(one) < _length(found[same]):
-                found[same] = one
-    return sorted(found.values(), key=lambda one: one.tolerance)
+            if same not in mistakes or _length(one) < _length(mistakes[same]):
+                mistakes[same] = one
+    return sorted(mistakes.values(), key=lambda one: one.tolerance)
 
 
 def _length(one: Alternative) -> int:
@@ -100,19 +100,17 @@ def _told_apart(right: Sequence[Alternative], mistakes: Sequence[Alternative]) -
     apart: list[Alternative] = []
     near: list[Alternative] = []
     for one in mistakes:
-        (apart if all(_gap(one, good) > 0 for good in right) else near).append(one)
-    found: list[Alternative] = []
+        touching = any(abs(one.number - good.number) <= one.tolerance + good.tolerance for good in right)
+        (near if touching else apart).append(one)
+    answers: list[Alternative] = []
     for k, one in enumerate(apart):
         alike = [other for other in (*apart[k:], *near) if one.holds(other.number)]
-        if not any(before.number == one.number and before.tolerance == one.tolerance for before in found):
-            found.append(_joined(one, alike))
-    return tuple(found)
-
-
-def _joined(one: Alternative, alike: Sequence[Alternative]) -> Alternative:
-    ids = tuple(dict.fromkeys(name for other in alike for name in other.ids))
-    texts = tuple(text for other in alike for text in other.mistakes)
-    return Alternative(one.number, one.tolerance, max(other.percent for other in alike), ids, texts)
+        if not any(before.number == one.number and before.tolerance == one.tolerance for before in answers):
+            ids = tuple(dict.fromkeys(name for other in alike for name in other.ids))
+            texts = tuple(text for other in alike for text in other.mistakes)
+            percent = max(other.percent for other in alike)
+            answers.append(Alternative(one.number, one.tolerance, percent, ids, texts))
+    return tuple(answers)
 
 
 def _ring(one: Alternative, wrongs: Sequence[Alternative]) -> Alternative | None:
@@ -120,17 +118,8 @@ def _ring(one: Alternative, wrongs: Sequence[Alternative]) -> Alternative | None
     edges = [abs(one.number - wrong.number) - wrong.tolerance / 2 for wrong in wrongs]
     reach = one.tolerance * RING
     if edges and min(edges) <= reach:
-        reach = _below(min(edges), one.tolerance)
+        edge = min(edges)
+        step = Decimal(1).scaleb((one.tolerance or edge).adjusted() - 3)
+        reach = edge.quantize(step, ROUND_DOWN)
+        reach = reach if reach < edge else reach - step
     return Alternative(one.number, reach, 50) if reach > one.tolerance else None
-
-
-def _below(edge: Decimal, tolerance: Decimal) -> Decimal:
-    """The last number before an edge, in digits of the tolerance's size."""
-    step = Decimal(1).scaleb((tolerance or edge).adjusted() - 3)
-    reach = edge.quantize(step, ROUND_DOWN)
-    return reach if reach < edge else reach - step
-
-
-def _gap(one: Alternative, other: Alternative) -> Decimal:
-    """How far two intervals are apart; 0 or less where they touch."""
-    return abs(one.number - other.number) - one.tolerance - other.tolerance

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from graphkin.errors import Lang
 from graphkin.homework.platforms.class_report import RANGES, ClassReport
@@ -15,6 +15,7 @@ from graphkin.say.catalogue import say
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
     from matplotlib.figure import Figure
 
 _MM = 1 / 25.4
@@ -33,7 +34,7 @@ _VERDICTS = (
 def write_class_figure(path: Path, report: ClassReport, lang: Lang = "en", force: bool = False) -> NoChineseFont | None:
     """The figure as SVG, PNG or PDF, after the file's ending.
 
-    Returns what is to be said where there are no Chinese letters. Raises NotADiagram, FileInTheWay, NoFolder,
+    Returns a remark where there are no Chinese letters. Raises NotADiagram, FileInTheWay, NoFolder,
     CannotWrite.
     """
     kind = path.suffix.lower()
@@ -68,7 +69,7 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
     steps = report.steps[:_MOST]
     _title(axes, say("class_report.part steps", lang))
     if not steps:
-        _said(axes, say("class_report.nobody marked", lang))
+        _write_instead(axes, say("class_report.nobody marked", lang))
         return
     starts = [0] * len(steps)
     for k, (name, colour, hatch) in enumerate(_VERDICTS):
@@ -78,40 +79,37 @@ def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
         axes.barh(range(len(steps)), counts, left=starts, color=colour, hatch=hatch, edgecolor="black", linewidth=0.6,
                   label=say(f"verdicts.verdict {name}", lang))  # fmt: skip
         starts = [start + count for start, count in zip(starts, counts, strict=True)]
-    _rows(axes, [step.name for step in steps], lang)
+    _name_rows(axes, [step.name for step in steps], lang)
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(_VERDICTS), frameon=False, fontsize=8,
                 borderaxespad=0.2, handlelength=1.4, columnspacing=1.0)  # fmt: skip
 
 
 def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
-    found = report.mistakes[:_MOST]
+    mistakes = report.mistakes[:_MOST]
     _title(axes, say("class_report.part mistakes", lang))
-    if not found:
-        _said(axes, say("class_report.nothing diagnosed", lang), *_unexplained(report, lang))
+    if not mistakes:
+        texts = [say("class_report.unexplained", lang, count=report.unexplained)] if report.unexplained else []
+        _write_instead(axes, say("class_report.nothing diagnosed", lang), *texts)
         return
-    axes.barh(range(len(found)), [count for _, count in found], color="#bbbbbb", edgecolor="black", linewidth=0.6)
-    _rows(axes, [" / ".join(one.ids) or suspected(one, lang) for one, _ in found], lang)
+    axes.barh(range(len(mistakes)), [count for _, count in mistakes], color="#bbbbbb", edgecolor="black", linewidth=0.6)
+    _name_rows(axes, [" / ".join(one.ids) or suspected(one, lang) for one, _ in mistakes], lang)
 
 
 def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
     width = 100 / RANGES
     _title(axes, say("class_report.part distribution", lang))
     if not any(report.ranges):
-        _said(axes, say("class_report.nobody marked", lang))
+        _write_instead(axes, say("class_report.nobody marked", lang))
         return
     starts = [k * width for k in range(RANGES)]
     axes.bar(starts, report.ranges, width=width, align="edge", color="#bbbbbb", edgecolor="black", linewidth=0.6)
     axes.set_xlim(0, 100)
     axes.set_xlabel(say("platforms.column score percent", lang), fontsize=8)
     axes.set_ylabel(say("class_report.students", lang), fontsize=8)
-    _whole(axes.yaxis)
+    _count_in_wholes(axes.yaxis)
 
 
-def _unexplained(report: ClassReport, lang: Lang) -> list[str]:
-    return [say("class_report.unexplained", lang, count=report.unexplained)] if report.unexplained else []
-
-
-def _said(axes: Axes, *texts: str) -> None:
+def _write_instead(axes: Axes, *texts: str) -> None:
     """Words in place of a diagram of nothing."""
     axes.set_axis_off()
     axes.text(0.0, 1.0, "\n".join(texts), fontsize=8, va="top", parse_math=False, transform=axes.transAxes)
@@ -122,19 +120,16 @@ def _title(axes: Axes, title: str) -> None:
     axes.set_title(title, loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
 
 
-def _rows(axes: Axes, names: list[str], lang: Lang) -> None:
+def _name_rows(axes: Axes, names: list[str], lang: Lang) -> None:
     """Names beside the bars, the first above; in plain letters, whatever they are."""
-    axes.set_yticks(range(len(names)), [_short(writable(name)) for name in names], fontsize=8, parse_math=False)
+    texts = [name if len(name) <= _LONGEST else name[: _LONGEST - 2] + ".." for name in map(writable, names)]
+    axes.set_yticks(range(len(names)), texts, fontsize=8, parse_math=False)
     axes.set_ylim(max(len(names), 1) - 0.4, -0.6)
     axes.set_xlabel(say("class_report.students", lang), fontsize=8)
-    _whole(axes.xaxis)
+    _count_in_wholes(axes.xaxis)
 
 
-def _short(name: str) -> str:
-    return name if len(name) <= _LONGEST else name[: _LONGEST - 2] + ".."
-
-
-def _whole(axis: Any) -> None:
+def _count_in_wholes(axis: Axis) -> None:
     """Whole numbers alone: students are counted."""
     from matplotlib.ticker import MaxNLocator
 

@@ -1,4 +1,4 @@
-"""What a class did, as data: which step fails, which mistakes explain its numbers, how scores are spread."""
+"""The report of a class, as data: the steps that fail, the mistakes that explain its numbers, the spread of scores."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from decimal import Decimal
-from typing import Any, get_args
+from typing import get_args
 
+from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.feedback import habit, suspected
-from graphkin.homework.platforms.numbers import exponentless
 from graphkin.homework.platforms.result import Result, ResultLine, Suspicion
+from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.habits import Habit
 from graphkin.marking.marked import Verdict
 from graphkin.say.catalogue import say
@@ -21,7 +22,7 @@ RANGES = 10
 """Scores are counted in so many ranges of the same width."""
 _FAILED: tuple[Verdict, ...] = ("wrong", "missing")
 _ALWAYS: tuple[Verdict, ...] = ("right", "carried", *_FAILED)
-"""What is wrong comes before what is left out, which is normal on the way."""
+"""Wrong lines come before those that are left out, which is normal on the way."""
 
 
 @frozen
@@ -74,7 +75,7 @@ def class_report(results: Iterable[Result]) -> ClassReport:
 
 @frozen
 class _Count:
-    """What is counted while a class goes by."""
+    """The counts while a class goes by."""
 
     status: Counter[str] = field(default_factory=Counter)
     verdicts: dict[str, Counter[str]] = field(default_factory=dict)
@@ -90,11 +91,11 @@ class _Count:
         if result.score is not None:
             self.scores[result.score] += 1
         if result.status == "marked":
-            self._lines(result.lines)
-            self._suspicions(result)
+            self._add_lines(result.lines)
+            self._add_suspicions(result)
             self.habits.update(replace(one, weight=0.0) for one in result.habits)
 
-    def _lines(self, lines: tuple[ResultLine, ...]) -> None:
+    def _add_lines(self, lines: tuple[ResultLine, ...]) -> None:
         for line in lines:
             self.verdicts.setdefault(line.name, Counter())[line.verdict] += 1
             earned, most = self.points.get(line.name, (Decimal(0), Decimal(0)))
@@ -102,7 +103,7 @@ class _Count:
         failed = [line.name for verdict in _FAILED for line in lines if line.verdict == verdict]
         self.first.update(failed[:1])
 
-    def _suspicions(self, result: Result) -> None:
+    def _add_suspicions(self, result: Result) -> None:
         if result.suspicions:
             best = result.suspicions[0]
             same = tuple(sorted(best.ids))  # a set is one, whichever of it is likelier to one student
@@ -116,39 +117,26 @@ class _Count:
         every = (ReportStep(name, dict(each), self.first[name], *self.points[name]) for name, each in counts)
         steps = tuple(step for step in every if step.most or any(step.verdicts.get(verdict) for verdict in _FAILED))
         mistakes = sorted(self.mistakes.values(), key=lambda pair: (-pair[1], pair[0].ids))
-        told = self.status
+        ranges = [0] * RANGES
+        for score, count in self.scores.items():
+            ranges[min(int(score * RANGES), RANGES - 1)] += count
+        status = self.status
         return ClassReport(
-            told["marked"], told["not marked"], told["overridden"], steps, tuple(mistakes), told["unexplained"],
-            _ranges(self.scores), tuple(self.habits.most_common()), *_spread(self.scores),
+            status["marked"], status["not marked"], status["overridden"], steps, tuple(mistakes),
+            status["unexplained"], tuple(ranges), tuple(self.habits.most_common()), *_spread(self.scores),
         )  # fmt: skip
-
-
-def _ranges(scores: Counter[Decimal]) -> tuple[int, ...]:
-    found = [0] * RANGES
-    for score, count in scores.items():
-        found[min(int(score * RANGES), RANGES - 1)] += count
-    return tuple(found)
 
 
 def _spread(scores: Counter[Decimal]) -> Iterator[Decimal]:
     """Mean, median, lowest, highest; nothing of nothing."""
     if scores:
-        order, number = sorted(scores), scores.total()
+        order, number = sorted(scores.elements()), scores.total()
         yield sum((score * count for score, count in scores.items()), Decimal(0)) / number
-        yield (_ranked(scores, order, (number - 1) // 2) + _ranked(scores, order, number // 2)) / 2
+        yield (order[(number - 1) // 2] + order[number // 2]) / 2
         yield from (order[0], order[-1])
 
 
-def _ranked(scores: Counter[Decimal], order: list[Decimal], rank: int) -> Decimal:
-    """The score that has so many before it."""
-    for score in order:
-        rank -= scores[score]
-        if rank < 0:
-            return score
-    return order[-1]
-
-
-# --- in words, and for programs ----------------------------------------------------------------
+# --- in words, and for programs ---------------------------------------------------------------------------------------
 
 
 def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
@@ -156,21 +144,21 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
     yield say("class_report.marked", lang, marked=report.marked, unmarked=report.unmarked, overridden=report.overridden)
     spread = {key: getattr(report, key) for key in ("mean", "median", "lowest", "highest")}
     if report.mean is not None:
-        yield say("class_report.scores", lang, **{key: _percent(value) for key, value in spread.items()})
+        percent = {key: exponentless((value * 100).quantize(Decimal("0.1"))) for key, value in spread.items()}
+        yield say("class_report.scores", lang, **percent)
     parts = (("steps", _steps), ("mistakes", _mistakes), ("habits", _habits), ("distribution", _distribution))
     for title, lines in parts:
-        if told := [*lines(report, lang)]:
-            yield ""
-            yield say(f"class_report.part {title}", lang)
-            yield from (f"  {line}" for line in told)
+        if texts := [*lines(report, lang)]:
+            yield from ("", say(f"class_report.part {title}", lang))
+            yield from (f"  {text}" for text in texts)
 
 
 def _steps(report: ClassReport, lang: Lang) -> Iterator[str]:
     for step in report.steps:
         shown = [name for name in get_args(Verdict) if name in _ALWAYS or step.verdicts.get(name)]
         counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
-        told = say("common.list", lang).join(counts)
-        yield say("class_report.step", lang, name=step.name, verdicts=told, first=step.first)
+        verdicts = say("common.list", lang).join(counts)
+        yield say("class_report.step", lang, name=step.name, verdicts=verdicts, first=step.first)
 
 
 def _mistakes(report: ClassReport, lang: Lang) -> Iterator[str]:
@@ -191,11 +179,7 @@ def _distribution(report: ClassReport, lang: Lang) -> Iterator[str]:
         yield say("class_report.range", lang, low=k * width, high=(k + 1) * width, count=count)
 
 
-def _percent(score: Decimal) -> str:
-    return exponentless((score * 100).quantize(Decimal("0.1")))
-
-
-def report_record(report: ClassReport) -> dict[str, Any]:
+def report_record(report: ClassReport) -> dict[str, Plain]:
     """The report as a JSON object."""
     spread = {key: getattr(report, key) for key in ("mean", "median", "lowest", "highest")}
     return {

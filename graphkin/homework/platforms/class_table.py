@@ -1,17 +1,24 @@
-"""The class as a table: a row a submission, in the order of the results; what CSV and XLSX write."""
+"""The class as a table: a row a submission, in the order of the results, as CSV and XLSX write it; and overrides.
+
+An override is the teacher's own points: a column of the table that survives when the table is written anew.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from decimal import Decimal
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from decimal import ROUND_HALF_UP, Decimal, InvalidOperation
+from pathlib import Path
 
-from graphkin.errors import Lang
-from graphkin.homework.platforms.cells import Cell
+from graphkin.base.value import frozen
+from graphkin.errors import Lang, NotAnOverride, Unreadable, Where
 from graphkin.homework.platforms.feedback import habit, suspected
-from graphkin.homework.platforms.overrides import Overrides
-from graphkin.homework.platforms.result import Result, ResultLine, texts_in
-from graphkin.say.catalogue import say
-from graphkin.say.marks import verdict
+from graphkin.homework.platforms.markup import one_line
+from graphkin.homework.platforms.result import Result, texts_in
+from graphkin.homework.platforms.tables import HUNDREDTH, Cell, columns_of, read_table
+from graphkin.say.catalogue import in_both, say
+from graphkin.say.verdicts import verdict
 
 _FRONT = ("student", "file", "status", "earned", "most", "override", "total", "score percent")
 _BACK = ("diagnosis", "reason")
@@ -22,14 +29,14 @@ def quantities(results: Iterable[Result]) -> tuple[str, ...]:
     met: dict[str, bool] = {}
     for line in (line for result in results for line in result.lines):
         met[line.name] = met.get(line.name, False) or bool(line.most) or line.verdict == "wrong"
-    return tuple(name for name, told in met.items() if told)
+    return tuple(name for name, shown in met.items() if shown)
 
 
-def rows(
-    results: Iterable[Result], names: tuple[str, ...], lang: Lang, several: bool = False
-) -> Iterator[list[Cell]]:
+def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang, several: bool = False) -> Iterator[list[Cell]]:
     """The table with its head; with a last column, where this is one of several problems, for what shows in them."""
-    yield [*_head(names, lang), *([say("platforms.column habits", lang)] if several else [])]
+    pairs = [text for name in names for text in (name, say("platforms.column part earned", lang, name=name))]
+    front, back = ([say(f"platforms.column {key}", lang) for key in keys] for keys in (_FRONT, _BACK))
+    yield [*front, *pairs, *back, *([say("platforms.column habits", lang)] if several else [])]
     for result in results:
         yield [*_row(result, names, lang), *([_habits(result, lang)] if several else [])]
 
@@ -40,39 +47,112 @@ def absent(overrides: Overrides, names: tuple[str, ...]) -> Iterator[list[Cell]]
         yield [each.student, each.file, "", None, None, each.points, *[None] * (2 + 2 * len(names) + len(_BACK))]
 
 
-def _head(names: tuple[str, ...], lang: Lang) -> list[Cell]:
-    front = [say(f"platforms.column {key}", lang) for key in _FRONT]
-    middle = [text for name in names for text in (name, say("platforms.column part earned", lang, name=name))]
-    return [*front, *middle, *(say(f"platforms.column {key}", lang) for key in _BACK)]
-
-
 def _row(result: Result, names: tuple[str, ...], lang: Lang) -> list[Cell]:
     marked = result.status == "marked"
     front: list[Cell] = [
         result.student, result.file, say(f"verdicts.status {result.status}", lang),
-        result.earned if marked else None, result.most, result.override, result.total, _percent(result.score),
+        result.earned if marked else None, result.most, result.override, result.total,
+        None if result.score is None else (result.score * 100).quantize(Decimal("0.01")),
     ]  # fmt: skip
-    by_name = {line.name: line for line in result.lines}
-    middle = [cell for name in names for cell in _cells(by_name.get(name), lang)]
-    return [*front, *middle, _diagnosis(result, lang), texts_in([result.reason], lang)[0]]
-
-
-def _percent(score: Decimal | None) -> Decimal | None:
-    return None if score is None else (score * 100).quantize(Decimal("0.01"))
-
-
-def _cells(line: ResultLine | None, lang: Lang) -> tuple[Cell, Cell]:
-    return ("", None) if line is None else (verdict(line, lang), line.points)
+    by_name: dict[str, tuple[Cell, Cell]] = {line.name: (verdict(line, lang), line.points) for line in result.lines}
+    middle = [cell for name in names for cell in by_name.get(name, ("", None))]
+    diagnosis = suspected(result.suspicions[0], lang) if result.suspicions else ""
+    return [*front, *middle, diagnosis, texts_in([result.reason], lang)[0]]
 
 
 def _habits(result: Result, lang: Lang) -> str:
     """With the evidence of all problems together."""
-    told = (
+    habits = (
         say("platforms.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), evidence=f"{one.weight:.1f}")
         for one in result.habits
     )
-    return say("common.semicolon", lang).join(told)
+    return say("common.semicolon", lang).join(habits)
 
 
-def _diagnosis(result: Result, lang: Lang) -> str:
-    return suspected(result.suspicions[0], lang) if result.suspicions else ""
+# --- overrides --------------------------------------------------------------------------------------------------------
+
+_LARGEST = Decimal(10**6)
+
+
+@frozen
+class Override:
+    """The points of one submission by the teacher."""
+
+    student: str
+    file: str
+    points: Decimal
+
+
+class Overrides:
+    """Overrides by student and file. A spreadsheet may have spoilt an id (`007`): then by the file alone."""
+
+    def __init__(self, kept: Sequence[Override] = ()) -> None:
+        self.kept = tuple(kept)
+        self._exact = {(each.student, each.file): each for each in kept}
+        self._by_file = _unique((each.file, each) for each in kept)
+        self._by_student = _unique((each.student, each) for each in kept)
+        self._met: set[Override] = set()
+
+    def of(self, result: Result) -> Decimal | None:
+        """The points that a teacher has given."""
+        student, file = one_line(result.student), one_line(result.file)
+        override = self._exact.get((student, file)) or self._by_student.get(student) or self._by_file.get(file)
+        if override is None:
+            return None
+        self._met.add(override)
+        return override.points
+
+    def rest(self) -> tuple[Override, ...]:
+        """Those that were asked for by no result so far."""
+        return tuple(each for each in self.kept if each not in self._met)
+
+
+def overridden(results: Iterable[Result], overrides: Overrides) -> Iterator[Result]:
+    """The results with the teacher's points."""
+    for result in results:
+        yield replace(result, override=overrides.of(result))
+
+
+def read_overrides(path: Path) -> Overrides:
+    """The column `override` of a class table; none where there is no table. Raises Unreadable, NotAnOverride."""
+    try:
+        return Overrides(tuple(_rows(path, read_table(path))))
+    except FileNotFoundError:
+        return Overrides()
+    except OSError as error:
+        raise Unreadable(Where(str(path)), error.strerror or str(error)) from None
+
+
+def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Override]:
+    columns = columns_of(next(table, []))
+    student, file, override = (
+        next((columns[name] for name in in_both(f"platforms.column {key}").values() if name in columns), None)
+        for key in ("student", "file", "override")
+    )
+    if override is None or (student is None and file is None):
+        return
+    for number, row in enumerate(table, 2):
+        if text := _cell(row, override):
+            points = _points(text, Where(str(path), number))
+            yield Override(one_line(_cell(row, student)), one_line(_cell(row, file)), points)
+
+
+def _cell(row: list[str], column: int | None) -> str:
+    return row[column].strip() if column is not None and column < len(row) else ""
+
+
+def _points(text: str, where: Where) -> Decimal:
+    try:
+        points = Decimal(text.replace(",", "."))
+        if 0 <= points <= _LARGEST:
+            return points.quantize(HUNDREDTH, ROUND_HALF_UP)
+    except InvalidOperation:
+        pass
+    raise NotAnOverride(where, text)
+
+
+def _unique(pairs: Iterable[tuple[str, Override]]) -> dict[str, Override]:
+    """By name, those whose name no other has."""
+    named = [pair for pair in pairs if pair[0]]
+    counts = Counter(name for name, _ in named)
+    return {name: each for name, each in named if counts[name] == 1}

@@ -14,9 +14,9 @@ from math import gcd
 
 from graphkin.errors import Lang
 from graphkin.homework.platforms.alternatives import Alternative, alternatives, sentence
-from graphkin.homework.platforms.marked_up import element, in_html, one_line, xml
-from graphkin.homework.platforms.numbers import exponentless, points, printed
+from graphkin.homework.platforms.markup import element, in_html, one_line, xml
 from graphkin.homework.platforms.question import Part, ProblemSet, Question
+from graphkin.homework.platforms.tables import exponentless, points, printed
 from graphkin.say.catalogue import say
 
 _BRACES = str.maketrans({"{": "&#123;", "}": "&#125;"})
@@ -31,8 +31,7 @@ def cloze(problems: ProblemSet, lang: Lang) -> bytes:
 
 def numerical(problems: ProblemSet, lang: Lang) -> bytes:
     """One `numerical` question for each number of each student."""
-    found = [_numerical(problems, one, part, lang) for one in problems.questions for part in one.parts]
-    return _quiz(problems, found)
+    return _quiz(problems, [_numerical(problems, one, part, lang) for one in problems.questions for part in one.parts])
 
 
 def weights(parts: Sequence[Part]) -> tuple[int, ...]:
@@ -59,17 +58,12 @@ def _question(kind: str, name: str, text: str) -> ET.Element:
 
 
 def _cloze(problems: ProblemSet, question: Question, lang: Lang) -> ET.Element:
-    lines = [f"<p>{_text(question, lang)}</p>"]
+    lines = [f"<p>{in_html(question.text[lang]).translate(_BRACES)}</p>"]  # no brace of the text opens a field
     for part, weight in zip(question.parts, weights(question.parts), strict=True):
         field = "~".join(_in_braces(one, lang) for one in alternatives(question, part))
         lines.append(f"<p>{in_html(part.heading).translate(_BRACES)} = {{{weight}:NUMERICAL:{field}}}</p>")
     name = say("platforms.problem title", lang, set=problems.name, id=question.id)
     return _question("cloze", name, "\n".join(lines))
-
-
-def _text(question: Question, lang: Lang) -> str:
-    """The problem as HTML in which no brace opens a field."""
-    return in_html(question.text[lang]).translate(_BRACES)
 
 
 def _in_braces(one: Alternative, lang: Lang) -> str:
@@ -85,11 +79,11 @@ def _in_braces(one: Alternative, lang: Lang) -> str:
 def _numerical(problems: ProblemSet, question: Question, part: Part, lang: Lang) -> ET.Element:
     title = say("platforms.problem title", lang, set=problems.name, id=question.id)
     text = f"<p>{in_html(question.text[lang])}</p>\n<p>{in_html(part.heading)} = ?</p>"
-    made = _question("numerical", f"{title}, {part.name}", text)
-    made.append(element("defaultgrade", exponentless(points(part.points))))
-    made.extend([_answer(one, lang) for one in alternatives(question, part)])
-    made.extend((element("unitgradingtype", "0"), element("unitpenalty", "0"), element("showunits", "3")))
-    return made
+    whole = _question("numerical", f"{title}, {part.name}", text)
+    whole.append(element("defaultgrade", exponentless(points(part.points))))
+    whole.extend([_answer(one, lang) for one in alternatives(question, part)])
+    whole.extend((element("unitgradingtype", "0"), element("unitpenalty", "0"), element("showunits", "3")))
+    return whole
 
 
 def _answer(one: Alternative, lang: Lang) -> ET.Element:

@@ -8,9 +8,7 @@ the right drawing stands beside it.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from functools import cached_property
 
-from graphkin.construction import Plot
 from graphkin.errors import Lang, OwnFault, Where
 from graphkin.homework.grading import SetMarker
 from graphkin.homework.platforms.feedback import Reveal
@@ -21,9 +19,8 @@ from graphkin.marking.key import Name
 from graphkin.marking.marker import Marker
 from graphkin.model.quantities import position_of
 from graphkin.outputs.svg import inline
-from graphkin.planning import Method
 from graphkin.say.catalogue import say
-from graphkin.say.marks import mistakes_together
+from graphkin.say.mistakes import together
 from graphkin.sheet.mistake_sheet import mistake_sheet
 
 _KEPT = 64
@@ -33,12 +30,13 @@ _SAME = 8
 
 
 class PolygonPictures:
-    """Makes the pictures of each result, by whoever's key it was marked."""
+    """Makes the pictures of each result, by the key it was marked with."""
 
     def __init__(self, judge: SetMarker) -> None:
         self._judge = judge
         self._marker: Marker | None = None
         self._ready: dict[tuple[object, ...], list[ResultPicture]] = {}
+        self._rewrites: dict[int, Mapping[Name, Rewrite]] = {}
 
     def __call__(self, result: Result, lang: Lang, reveal: Reveal) -> Sequence[ResultPicture]:
         if reveal == "hint" or result.status != "marked" or not (result.suspicions or result.drawn):
@@ -47,24 +45,58 @@ class PolygonPictures:
         if marker is None:
             return ()
         if marker is not self._marker:
-            self._marker, self._ready = marker, {}
-            self._problem = _Problem([_Position(each, at) for at, each in enumerate(marker.positions, 1)])
+            self._marker, self._ready, self._rewrites = marker, {}, {}
         if result.drawn:
-            return self._drawn(result, lang, reveal)
-        asked = (lang, reveal, *((one.names[:_SAME], _position(one)) for one in result.suspicions))
-        if asked not in self._ready:
+            return self._pictures(marker, result, lang, reveal)
+        key = (lang, reveal, *((one.names[:_SAME], _position(one)) for one in result.suspicions))
+        if key not in self._ready:
             if len(self._ready) >= _KEPT:
                 self._ready.pop(next(iter(self._ready)))
-            self._ready[asked] = self._drawn(result, lang, reveal)
-        return self._ready[asked]
+            self._ready[key] = self._pictures(marker, result, lang, reveal)
+        return self._ready[key]
 
-    def _drawn(self, result: Result, lang: Lang, reveal: Reveal) -> list[ResultPicture]:
-        """An error of ours costs the picture, not the page, and is said there."""
+    def _pictures(self, marker: Marker, result: Result, lang: Lang, reveal: Reveal) -> list[ResultPicture]:
+        """One for each explanation; where there is none, the student's drawing over the right one.
+
+        An error of ours costs the picture, not the page, and is said there.
+        """
+        explanations = [(one.names, _position(one)) for one in result.suspicions] or [((), 1)]
         try:
-            return self._problem.pictures(result, lang, reveal)
+            pictures = [self._picture(marker, at, names, result, lang, reveal) for names, at in explanations]
+            return [picture for picture in pictures if picture is not None]
         except Exception as problem:
             reason = OwnFault(Where(result.file), type(problem).__name__).message(lang)
             return [ResultPicture(say("pictures.none", lang, reason=reason), "", b"")]
+
+    def _picture(
+        self, marker: Marker, at: int, names: Sequence[tuple[Name, ...]], result: Result, lang: Lang, reveal: Reveal
+    ) -> ResultPicture | None:
+        """The drawing at a position; the student's own is of the first."""
+        here = marker.positions[at - 1]
+        mistake, changed = self._otherwise(here, at, names)
+        answer, own = reveal == "answer", result.drawn if at == 1 else {}
+        sheet = mistake_sheet(here.method, here.plot, found=changed, own=own, answer=answer, lang=lang)
+        if sheet is None:
+            return ResultPicture(say("pictures.nothing", lang), "", b"") if mistake else None
+        label = [say("pictures.position", lang, at=at)] if at > 1 else []
+        label += [] if changed is None else _of_mistake(mistake, changed, answer, lang)
+        label += [say("pictures.dashed", lang)] if own else []
+        return ResultPicture(say("pictures.between", lang).join(label), "image/svg+xml", inline(sheet).encode())
+
+    def _otherwise(
+        self, here: Marker, at: int, names: Sequence[tuple[Name, ...]]
+    ) -> tuple[tuple[Name, ...], Beside | None]:
+        """The first of the mistakes that draws something otherwise, and its drawing; else the first known."""
+        if at not in self._rewrites:
+            every = rewrites(here.method, here.plot, here.quantities, here.key.marking.scales)
+            self._rewrites[at] = {one.name: one for one in every}
+        own = self._rewrites[at]
+        known = [mistake for mistake in names[:_SAME] if mistake and all(name in own for name in mistake)]
+        for mistake in known:
+            changed = beside(here.method, here.plot, [own[name] for name in mistake])
+            if changed.planes:
+                return mistake, changed
+        return next(iter(known), ()), None
 
 
 def _position(one: Suspicion) -> int:
@@ -72,64 +104,8 @@ def _position(one: Suspicion) -> int:
     return position_of(one.explains[0])[1] if one.explains else 1
 
 
-class _Problem:
-    """One key's positions; what a student has drawn is of the first."""
-
-    def __init__(self, positions: Sequence[_Position]) -> None:
-        self.positions = positions
-
-    def pictures(self, result: Result, lang: Lang, reveal: Reveal) -> list[ResultPicture]:
-        """One for each explanation; where there is none, the student's drawing over the right one."""
-        told = [(one.names, _position(one)) for one in result.suspicions] or [((), 1)]
-        found = (self.positions[at - 1].picture(names, result, lang, reveal) for names, at in told)
-        return [picture for picture in found if picture is not None]
-
-
-class _Position:
-    """One position, and what can go wrong at it."""
-
-    def __init__(self, marker: Marker, at: int) -> None:
-        self.marker, self.at = marker, at
-
-    @property
-    def method(self) -> Method:
-        return self.marker.method
-
-    @property
-    def plot(self) -> Plot:
-        return self.marker.plot
-
-    @cached_property
-    def rewrites(self) -> Mapping[Name, Rewrite]:
-        marker = self.marker
-        every = rewrites(self.method, self.plot, marker.quantities, marker.key.marking.scales)
-        return {one.name: one for one in every}
-
-    def picture(
-        self, names: Sequence[tuple[Name, ...]], result: Result, lang: Lang, reveal: Reveal
-    ) -> ResultPicture | None:
-        made, found = self._otherwise(names)
-        answer, own = reveal == "answer", result.drawn if self.at == 1 else {}
-        sheet = mistake_sheet(self.method, self.plot, found=found, own=own, answer=answer, lang=lang)
-        if sheet is None:
-            return ResultPicture(say("pictures.nothing", lang), "", b"") if made else None
-        told = [say("pictures.position", lang, at=self.at)] if self.at > 1 else []
-        told += [] if found is None else _of_mistake(made, found, answer, lang)
-        told += [say("pictures.dashed", lang)] if own else []
-        return ResultPicture(say("pictures.between", lang).join(told), "image/svg+xml", inline(sheet).encode())
-
-    def _otherwise(self, names: Sequence[tuple[Name, ...]]) -> tuple[tuple[Name, ...], Beside | None]:
-        """The first of the mistakes that draws something otherwise, and what; where none does, the first known."""
-        known = [made for made in names[:_SAME] if made and all(name in self.rewrites for name in made)]
-        for made in known:
-            found = beside(self.method, self.plot, [self.rewrites[name] for name in made])
-            if found.planes:
-                return made, found
-        return next(iter(known), ()), None
-
-
-def _of_mistake(made: tuple[Name, ...], found: Beside, answer: bool, lang: Lang) -> list[str]:
-    told = [say("pictures.shows", lang, mistake=mistakes_together(made, lang))]
-    if any(found.arrows.values()) or any(found.images.values()):
-        told.append(say("pictures.thick", lang))
-    return told if answer else [*told, say("pictures.no scale", lang)]
+def _of_mistake(mistake: tuple[Name, ...], changed: Beside, answer: bool, lang: Lang) -> list[str]:
+    label = [say("pictures.shows", lang, mistake=together(mistake, lang))]
+    if any(changed.arrows.values()) or any(changed.images.values()):
+        label.append(say("pictures.thick", lang))
+    return label if answer else [*label, say("pictures.no scale", lang)]

@@ -1,5 +1,6 @@
 """A problem set in graphkin's own folder: each student's mechanism, problem, figure and key, all or nothing a file; and
-what the set tells of mistakes."""
+the mistakes that the set tells apart. The same set for a platform: each student's own key and statement.
+"""
 
 from __future__ import annotations
 
@@ -12,22 +13,24 @@ from typing import ClassVar
 
 from graphkin.api import plan
 from graphkin.errors import CannotWrite, GraphkinError, Lang
-from graphkin.homework.grading import key_for, set_text
+from graphkin.homework.grading import SetMarker, key_for, set_text
 from graphkin.homework.grading.keys import USUAL
+from graphkin.homework.platforms.question import ProblemSet, question_of
+from graphkin.homework.platforms.set_formats import SETS
 from graphkin.homework.problems import Template, Variant
-from graphkin.homework.problems.shown import shown_at
-from graphkin.marking.key import Key
+from graphkin.homework.problems.posed import shown_at
 from graphkin.marking.marker import Marker
 from graphkin.marking.power import alarms
 from graphkin.marking.told import SetTold, set_told
 from graphkin.outputs.files import beside, refuse
 from graphkin.outputs.key_json import key_text
-from graphkin.outputs.study_json import told_data
 from graphkin.outputs.svg import inline
+from graphkin.outputs.tolerance_json import told_data
 from graphkin.running import replay_all
-from graphkin.say.problems import MADE, problem
-from graphkin.say.tolerances import discriminability_lines
-from graphkin.sheet.problem_sheet import problem_sheet
+from graphkin.say.catalogue import LANGUAGES
+from graphkin.say.problems import MADE, problem, statement
+from graphkin.say.told import told_lines
+from graphkin.sheet.single_figure import problem_sheet
 from graphkin.submissions import safe_name
 
 MARK = "graphkin problems"
@@ -43,7 +46,7 @@ _MARKS = [MARK.encode(), b'"kind": "graphkin key']
 
 
 def write_problems(
-    folder: Path, template: Template, found: tuple[Variant, ...], seed: str, lang: Lang, force: bool = False,
+    folder: Path, template: Template, variants: tuple[Variant, ...], seed: str, lang: Lang, force: bool = False,
     keys: bool = True,
 ) -> Iterator[Path]:  # fmt: skip
     """Writes NAME.toml, .txt, .svg and .key.json for each student, then key.json, by which the whole set is marked,
@@ -51,7 +54,7 @@ def write_problems(
 
     Raises FileInTheWay before anything is written, CannotWrite.
     """
-    names = file_names(variant.student.id for variant in found)
+    names = {variant.student.id: safe_name(variant.student.id) for variant in variants}  # alike on no disk
     suffixes = (".toml", ".txt", FIGURE, *((KEY,) if keys else ()))
     paths = [folder / f"{name}{suffix}" for name in names.values() for suffix in suffixes]
     paths += [folder / "key.json", folder / TOLD] if keys else []
@@ -62,20 +65,21 @@ def write_problems(
     for path in (*paths, folder / LIST):
         refuse(path, force, _MARKS)
     rates: list[tuple[float, float]] = []
-    for variant in found:
+    for variant in variants:
         name = names[variant.student.id]
         for suffix, text in _handed_out(template, variant, name, lang).items():
-            yield _written(folder / f"{name}{suffix}", text, force)
+            yield _write(folder / f"{name}{suffix}", text, force)
         if keys:
             key = key_for(variant.mechanism, points=template.points or None)
-            rates += [_alarms(key)] if len(rates) < _TRIED else []
-            yield _written(folder / f"{name}{KEY}", key_text(key), force)
-    told = set_told([variant.told for variant in found], (USUAL.length_mm, USUAL.angle_deg), rates)
+            if len(rates) < _TRIED:  # right work by pencil, what is asked handed in: parts judged wrong, and mistaken
+                rates.append(alarms(Marker(key), [entry.text for entry in key.entries if entry.points]))
+            yield _write(folder / f"{name}{KEY}", key_text(key), force)
+    power = set_told([variant.told for variant in variants], (USUAL.length_mm, USUAL.angle_deg), rates)
     if keys:
-        yield _written(folder / TOLD, "\n".join((*discriminability_lines(told, lang), "", MADE, "")), force)
+        yield _write(folder / TOLD, "\n".join((*told_lines(power, lang), "", MADE, "")), force)
         index = {student: f"{name}{KEY}" for student, name in names.items()}
-        yield _written(folder / "key.json", set_text(index), force)
-    yield _written(folder / LIST, _listed(template, found, names, seed, told), force)
+        yield _write(folder / "key.json", set_text(index), force)
+    yield _write(folder / LIST, _listed(template, variants, names, seed, power), force)
 
 
 class NotASet(GraphkinError):
@@ -91,7 +95,7 @@ class NotASet(GraphkinError):
 
 
 def is_set(folder: Path) -> bool:
-    """Whether a problem set was written there."""
+    """True where a problem set was written there."""
     return (folder / LIST).is_file()
 
 
@@ -102,28 +106,44 @@ def students_of(folder: Path) -> tuple[str, list[tuple[str, Path]]]:
     try:
         whole = json.loads(listed.read_text("utf-8"))
         seed, students = str(whole["seed"]), whole["students"].items()
-        entries = [(" ".join((id, *map(str, each["names"].values()))), str(each["file"])) for id, each in students]
+        files = [(" ".join((id, *map(str, each["names"].values()))), str(each["file"])) for id, each in students]
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise NotASet(str(listed)) from None
-    if any(Path(name).name != name or not (folder / name).is_file() for _, name in entries):
+    if any(Path(name).name != name or not (folder / name).is_file() for _, name in files):
         raise NotASet(str(listed))
-    return seed, [(who, folder / name) for who, name in entries]
+    return seed, [(who, folder / name) for who, name in files]
 
 
 def told_of(folder: Path) -> str:
-    """What a written set tells of mistakes, in the words of its folder."""
+    """The mistakes that a written set tells apart, in the words of its folder."""
     return (folder / TOLD).read_text("utf-8").removesuffix(f"\n{MADE}\n").rstrip()
 
 
+def problem_set(template: Template, variants: Iterable[Variant], judge: SetMarker) -> ProblemSet:
+    """The questions of a platform to each student, by the keys of the set. Raises what reading a key raises."""
+    questions = []
+    for variant in variants:
+        marker = judge.marker(variant.student.id)
+        assert marker is not None, "the set has a key for each of its students"
+        text = {lang: "\n".join(statement(variant.mechanism, lang, variant.drawn)) for lang in LANGUAGES}
+        questions.append(question_of(variant.student.id, marker.key, text))
+    return ProblemSet(template.name, questions)
+
+
+def file_of(folder: Path, kind: str) -> Path:
+    """The file of a set of problems: `set-moodle.xml`, `set-qti.zip`."""
+    return folder / f"set-{kind}{SETS[kind].suffix}"
+
+
 def _handed_out(template: Template, variant: Variant, name: str, lang: Lang) -> dict[str, str]:
-    """What the student gets, by the suffix of the file: mechanism, problem and figure."""
+    """The files that the student gets, by suffix: mechanism, problem and figure."""
     head = f"# {MARK}: {template.name}, {variant.student.id}\n"
     own, figure = variant.student, _figure(variant, lang)
     shown = ("", True) if figure is None else (f"{name}{FIGURE}", figure[1])
     others = [text for _, text in own.names]
     text = problem(variant.mechanism, own.id, others, template.points, lang, variant.drawn, *shown)
-    drawn = {} if figure is None else {FIGURE: figure[0]}
-    return {".toml": head + template.text(variant.numbers), ".txt": text, **drawn}
+    drawing = {} if figure is None else {FIGURE: figure[0]}
+    return {".toml": head + template.text(variant.numbers), ".txt": text, **drawing}
 
 
 def _figure(variant: Variant, lang: Lang) -> tuple[str, bool] | None:
@@ -137,17 +157,7 @@ def _figure(variant: Variant, lang: Lang) -> tuple[str, bool] | None:
     return head + inline(problem_sheet(method, plot, lang)) + "\n", there
 
 
-def _alarms(key: Key) -> tuple[float, float]:
-    """Right work by pencil, what is asked handed in: part with a value judged wrong, and part that gets a mistake."""
-    return alarms(Marker(key), [entry.text for entry in key.entries if entry.points])
-
-
-def file_names(students: Iterable[str]) -> dict[str, str]:
-    """A file's name for each id; no two alike on a disk that knows no capitals."""
-    return {student: safe_name(student) for student in students}
-
-
-def _written(path: Path, text: str, force: bool) -> Path:
+def _write(path: Path, text: str, force: bool) -> Path:
     with beside(path, force, _MARKS) as draft, draft.open("w", encoding="utf-8", newline="\n") as stream:
         stream.write(text)
         stream.flush()
@@ -156,8 +166,8 @@ def _written(path: Path, text: str, force: bool) -> Path:
     return path
 
 
-def _listed(template: Template, found: tuple[Variant, ...], names: dict[str, str], seed: str, told: SetTold) -> str:
-    """What the set is: who has which numbers."""
+def _listed(template: Template, variants: tuple[Variant, ...], names: dict[str, str], seed: str, told: SetTold) -> str:
+    """The list of the set: the numbers of each student."""
     students = {
         variant.student.id: {
             "file": f"{names[variant.student.id]}.toml",
@@ -168,7 +178,7 @@ def _listed(template: Template, found: tuple[Variant, ...], names: dict[str, str
             },
             "shared": variant.shared,
         }
-        for variant in found
+        for variant in variants
     }
     whole: dict[str, object] = {"format": 1, "program": MARK, "template": template.name, "seed": seed}
     whole |= {"points": dict(template.points), "told": told_data(told), "students": students}

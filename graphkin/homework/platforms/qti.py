@@ -13,9 +13,9 @@ from decimal import Decimal
 
 from graphkin.errors import Lang, NotForPlatform
 from graphkin.homework.platforms.alternatives import Alternative, alternatives, most
-from graphkin.homework.platforms.marked_up import element, in_html, one_line, xml
-from graphkin.homework.platforms.numbers import exponentless, points, printed
+from graphkin.homework.platforms.markup import element, in_html, one_line, xml
 from graphkin.homework.platforms.question import Part, ProblemSet, Question
+from graphkin.homework.platforms.tables import exponentless, points, printed
 from graphkin.say.catalogue import say
 
 SMALLEST = Decimal("0.0001")
@@ -27,24 +27,25 @@ _META = "associatedcontent/imscc_xmlv1p1/learning-application-resource"
 
 def members(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes]]:
     """The files of the zip. Raises NotForPlatform where a right number would be rounded to 0."""
-    names = [_name(problems, question) for question in problems.questions]
+    names = ["g" + _digest(problems.name, question.id, "") for question in problems.questions]
     yield "imsmanifest.xml", xml(_manifest(problems, names))
     for name, question in zip(names, problems.questions, strict=True):
         title = one_line(say("platforms.problem title", lang, set=problems.name, id=question.id))
         yield f"{name}/{name}.xml", xml(_assessment(name, title, question, lang))
-        yield f"{name}/assessment_meta.xml", xml(_meta(name, title, question))
+        yield f"{name}/assessment_meta.xml", xml(element(
+            "quiz", element("title", title), element("description"), element("quiz_type", "assignment"),
+            element("points_possible", exponentless(most(question))), element("allowed_attempts", "1"),
+            identifier=name, xmlns=_CANVAS,
+        ))  # fmt: skip
 
 
-def _name(problems: ProblemSet, question: Question, part: str = "") -> str:
-    """An identifier that XML and folders take, whatever the names are."""
-    told = "\0".join((problems.name, question.id, part)).encode("utf-8", "surrogatepass")
-    return "g" + hashlib.sha256(told).hexdigest()[:31]
+def _digest(*texts: str) -> str:
+    """Letters that XML and folders take, whatever the names are."""
+    return hashlib.sha256("\0".join(texts).encode("utf-8", "surrogatepass")).hexdigest()[:31]
 
 
 def _manifest(problems: ProblemSet, names: list[str]) -> ET.Element:
-    about = element(
-        "metadata", element("schema", "IMS Content"), element("schemaversion", "1.1.3"),
-    )  # fmt: skip
+    about = element("metadata", element("schema", "IMS Content"), element("schemaversion", "1.1.3"))
     resources = element("resources")
     for name in names:
         resources.append(element(
@@ -53,16 +54,8 @@ def _manifest(problems: ProblemSet, names: list[str]) -> ET.Element:
         ))  # fmt: skip
         meta = f"{name}/assessment_meta.xml"
         resources.append(element("resource", element("file", href=meta), identifier=f"{name}m", type=_META, href=meta))
-    told = hashlib.sha256("\0".join((problems.name, *names)).encode("utf-8", "surrogatepass")).hexdigest()[:31]
-    return element("manifest", about, element("organizations"), resources, identifier=f"m{told}", xmlns=_PACKAGE)
-
-
-def _meta(name: str, title: str, question: Question) -> ET.Element:
-    return element(
-        "quiz", element("title", title), element("description"), element("quiz_type", "assignment"),
-        element("points_possible", exponentless(most(question))), element("allowed_attempts", "1"),
-        identifier=name, xmlns=_CANVAS,
-    )  # fmt: skip
+    ident = f"m{_digest(problems.name, *names)}"
+    return element("manifest", about, element("organizations"), resources, identifier=ident, xmlns=_PACKAGE)
 
 
 def _assessment(name: str, title: str, question: Question, lang: Lang) -> ET.Element:
@@ -104,11 +97,10 @@ def _right(question: Question, part: Part) -> Iterator[Alternative]:
 
 def _condition(one: Alternative) -> ET.Element:
     low, high = exponentless(one.number - one.tolerance), exponentless(one.number + one.tolerance)
-    between = element("and", _bound("vargte", low), _bound("varlte", high))
-    either = element("or", _bound("varequal", exponentless(one.number)), between)
+    least, largest, right = (
+        element(kind, number, respident="response1")
+        for kind, number in (("vargte", low), ("varlte", high), ("varequal", exponentless(one.number)))
+    )
+    either = element("or", right, element("and", least, largest))
     score = element("setvar", "100", action="Set", varname="SCORE")
     return element("respcondition", element("conditionvar", either), score, _continue="No")
-
-
-def _bound(kind: str, number: str) -> ET.Element:
-    return element(kind, number, respident="response1")

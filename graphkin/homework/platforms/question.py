@@ -1,11 +1,18 @@
-"""A problem as a platform asks it: text, and numbers in the units that a student types them in."""
+"""A problem as a platform asks it: text, and numbers in the units that a student types them in; made of a key."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
+from graphkin.marking.key import Key, KeyEntry
+from graphkin.model.quantities import EDGE, at_position
+from graphkin.say.catalogue import LANGUAGES
+from graphkin.say.mistakes import mistake
 
 Text = Mapping[Lang, str]
 """A text in each language."""
@@ -67,3 +74,32 @@ class ProblemSet:
 
     name: str
     questions: Sequence[Question]
+
+
+def question_of(id: str, key: Key, text: Text) -> Question:
+    """The questions of a key. id: the student's or the variant's; text: the problem in words."""
+    parts = (_part(each, at, n) for at, each in enumerate(key.positions, 1) for n in range(len(each.entries)))
+    return Question(id, text, tuple(part for part in parts if part.points))
+
+
+def _part(key: Key, at: int, column: int) -> Part:
+    """A quantity at a position; an angle is as right with a turn more or less."""
+    entry = key.entries[column]
+    unit = EDGE[entry.unit]
+    also = (entry.right - math.copysign(math.tau, entry.right),) if entry.sort == "angle" else ()
+    return Part(
+        at_position(entry.text, at), entry.right * unit.factor, entry.allowed * unit.factor, unit.sign, entry.points,
+        tuple(_wrongs(key, column, entry)), tuple(number * unit.factor for number in also),
+    )  # fmt: skip
+
+
+def _wrongs(key: Key, column: int, entry: KeyEntry) -> Iterator[Wrong]:
+    """The number that each mistake gives for this quantity, as far as it gives one."""
+    factor, mistakes = EDGE[entry.unit].factor, key.singles
+    columns = zip(mistakes.names, mistakes.values[:, column], mistakes.scatters[:, column], strict=True)
+    for names, value, scatter in columns:
+        if np.isfinite(value) and np.isfinite(scatter):
+            number = abs(float(value)) if entry.sort == "size" else float(value)
+            words = {lang: mistake(names[0], lang) for lang in LANGUAGES}
+            yield Wrong((names[0][0],), number * factor, key.marking.sigmas * float(scatter) * factor, words,
+                        form=names[0][3])  # fmt: skip

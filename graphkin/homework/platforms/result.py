@@ -1,21 +1,25 @@
-"""A marked submission: graphkin's own record as a value, with points that are rounded once."""
+"""A marked submission: graphkin's own record as a value, with points that are rounded once; and files of these."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import field
 from decimal import Decimal
-from typing import Any, Literal, get_args
+from pathlib import Path
+from typing import Literal, get_args
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.errors import Lang, NotAResult, Where
-from graphkin.homework.platforms.numbers import points
+from graphkin.errors import Lang, NoFile, NotAResult, Unreadable, Where
+from graphkin.homework import Record
 from graphkin.homework.platforms.question import Text
-from graphkin.marking.habits import Habit
+from graphkin.homework.platforms.tables import points
+from graphkin.marking.habits import Habit, Trace
 from graphkin.marking.key import Name
 from graphkin.marking.marked import Verdict
+from graphkin.outputs.marks_file import END, HEAD, record_of, records_in
 from graphkin.outputs.marks_json import drawn_of
 
 FORMAT = 1
@@ -60,7 +64,7 @@ class Suspicion:
 
 @frozen
 class ResultPicture:
-    """A picture on a page or a platform: what is said of it, its kind ("image/svg+xml"), its bytes.
+    """A picture on a page or a platform: its label, its kind ("image/svg+xml"), its bytes.
 
     Without bytes there is nothing to be seen, and `label` says why.
     """
@@ -121,7 +125,7 @@ def texts_in(texts: Sequence[Text], lang: Lang) -> list[str]:
 # --- records ----------------------------------------------------------------------------------
 
 
-def from_record(record: Mapping[str, Any], where: Where) -> Result:
+def from_record(record: Record, where: Where) -> Result:
     """A result from its record, as `outputs.marks_json` writes it. Raises NotAResult."""
     try:
         return _read(record)
@@ -129,19 +133,21 @@ def from_record(record: Mapping[str, Any], where: Where) -> Result:
         raise NotAResult(where, f"{type(error).__name__}: {error}"[:200]) from None
 
 
-def _read(record: Mapping[str, Any]) -> Result:
+def _read(record: Record) -> Result:
     if record["format"] != FORMAT or record["status"] not in get_args(Status):
         raise ValueError(f"format {record['format']!r}, status {record['status']!r}")
     lines = tuple(_line(str(name), each) for name, each in record["quantities"].items())
+    reason = record.get("reason")  # it is written in one language
+    texts: Text = {} if reason in (None, "") else {"en": _string(reason), "zh": _string(reason)}
     return Result(
-        _string(record["student"]), _string(record["file"]), record["status"], _text(record.get("reason")), lines,
+        _string(record["student"]), _string(record["file"]), record["status"], texts, lines,
         tuple(_suspicion(each) for each in record["mistakes"]),
         sum((line.most for line in lines), Decimal(0)),
         tuple(_string(note) for note in record.get("notes", ())), drawn=drawn_of(record),
     )  # fmt: skip
 
 
-def _line(name: str, each: Mapping[str, Any]) -> ResultLine:
+def _line(name: str, each: Record) -> ResultLine:
     if each["verdict"] not in get_args(Verdict) or each["sense"] not in (None, "right", "wrong"):
         raise ValueError(f"{name}: verdict {each['verdict']!r}, sense {each['sense']!r}")
     worth, credit = _finite(each["points"]), _finite(each["credit"])
@@ -155,14 +161,13 @@ def _line(name: str, each: Mapping[str, Any]) -> ResultLine:
     )  # fmt: skip
 
 
-def _suspicion(each: Mapping[str, Any]) -> Suspicion:
-    names = tuple(tuple(_name(name) for name in together) for together in each.get("names", ()))
-    return Suspicion(tuple(map(_string, each["ids"])), tuple(map(_string, each["explains"])), names)
-
-
-def _name(name: Mapping[str, Any]) -> Name:
-    id, way, of, form = (_string(name[key]) for key in ("id", "way", "of", "form"))
-    return id, way, of, form
+def _suspicion(each: Record) -> Suspicion:
+    keys = ("id", "way", "of", "form")
+    names: list[tuple[Name, ...]] = []
+    for together in each.get("names", ()):
+        texts = [[_string(name[key]) for key in keys] for name in together]
+        names.append(tuple((id, way, of, form) for id, way, of, form in texts))
+    return Suspicion(tuple(map(_string, each["ids"])), tuple(map(_string, each["explains"])), tuple(names))
 
 
 def _number(value: object) -> float | None:
@@ -181,6 +186,48 @@ def _string(value: object) -> str:
     return value
 
 
-def _text(value: object) -> Text:
-    """A reason, which is written in one language."""
-    return {} if value is None or value == "" else {"en": _string(value), "zh": _string(value)}
+
+
+def read_results(path: Path) -> tuple[Result, ...]:
+    """The results in a file of marks: after its head, a record a line. Raises NoFile, Unreadable, NotAResult."""
+    with _refused(path):
+        text = path.read_text(encoding="utf-8")
+    head, begins, rest = text.partition(HEAD)
+    if head or not begins:
+        raise NotAResult(Where(str(path), 1), text[:80])
+    records, ends, _ = rest.rpartition(f"\n{END}")
+    if not ends:
+        raise NotAResult(Where(str(path)), END)
+    results: list[Result] = []
+    for number, line in enumerate(records.split("\n")[1:], HEAD.count("\n") + 2):
+        record = record_of(line)
+        if record is None:
+            raise NotAResult(Where(str(path), number), "JSON")
+        results.append(from_record(record, Where(str(path), number)))
+    return tuple(results)
+
+
+def read_traces(path: Path) -> dict[str, Trace]:
+    """The evidence of each student's mistakes in a file of marks. Raises NoFile, Unreadable, NotAResult."""
+    traces: dict[str, Trace] = {}
+    with _refused(path):
+        for number, record in records_in(path):
+            try:
+                if record is not None and record["status"] == "marked":
+                    named = dict.fromkeys(str(id) for one in record["mistakes"][:1] for id in one["ids"])
+                    weights = {str(id): float(weight) for id, weight in record["evidence"].items()}
+                    traces[record["student"]] = Trace(tuple(named), weights)
+            except (ValueError, KeyError, TypeError, AttributeError):
+                raise NotAResult(Where(str(path), number), "evidence") from None
+    return traces
+
+
+@contextmanager
+def _refused(path: Path) -> Iterator[None]:
+    """An unreadable file becomes an error of graphkin's own."""
+    try:
+        yield
+    except FileNotFoundError:
+        raise NoFile(Where(str(path)), path.name, ()) from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise Unreadable(Where(str(path)), getattr(error, "strerror", None) or "UTF-8") from None

@@ -12,17 +12,17 @@ from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import CannotWrite, Lang
-from graphkin.homework.platforms import canvas_results, class_table, gradescope, moodle_results, prairielearn, xlsx
-from graphkin.homework.platforms.archive import ZIP_MARKS, pack
-from graphkin.homework.platforms.cells import BOM, Cell, line, write_lines
+from graphkin.homework.platforms import class_table
+from graphkin.homework.platforms import learning_platforms as platform_files
 from graphkin.homework.platforms.class_figure import write_class_figure
-from graphkin.homework.platforms.class_report import ClassReport, class_report, report_record, report_text
+from graphkin.homework.platforms.class_report import class_report, report_record, report_text
+from graphkin.homework.platforms.class_table import Overrides, overridden, read_overrides
 from graphkin.homework.platforms.feedback import Feedback, Reveal
-from graphkin.homework.platforms.marked_up import clean
-from graphkin.homework.platforms.overrides import Overrides, overridden, read_overrides
-from graphkin.homework.platforms.platform_names import Named, canvas, moodle
+from graphkin.homework.platforms.learning_platforms import Named, canvas, moodle
+from graphkin.homework.platforms.markup import ZIP_MARKS, clean, pack
+from graphkin.homework.platforms.pages import PAGE, html
 from graphkin.homework.platforms.result import Result, ResultPicture
-from graphkin.homework.platforms.web_page import PAGE, html
+from graphkin.homework.platforms.tables import BOM, Cell, line, workbook_files, write_lines
 from graphkin.marking.habits import Trace, habits
 from graphkin.outputs.files import beside
 from graphkin.say.catalogue import in_both, say
@@ -36,7 +36,7 @@ _REPORT = tuple(title.encode() for title in in_both("class_report.title").values
 
 @frozen
 class WrittenResults:
-    """What was written, and what could not be, in words."""
+    """The files that were written, and what could not be, in words."""
 
     paths: tuple[Path, ...]
     left_out: tuple[str, ...] = ()
@@ -47,11 +47,11 @@ Pictures = Callable[[Result, Lang, Reveal], Sequence[ResultPicture]]
 
 @frozen
 class Order:
-    """What is to be written.
+    """Results to be written into a folder.
 
     results   gone through as often as a format needs it
     pictures  makes those of a student's page of feedback
-    several   what the results of each student say of mistakes, in all problems of which this is one
+    several   the mistakes that the results of each student speak for, in all problems of which this is one
     """
 
     folder: Path
@@ -71,8 +71,8 @@ class Order:
             own = [traces[result.student] for traces in self.several if result.lines and result.student in traces]
             yield replace(result, most=result.most if result.lines else self.most, habits=habits(own))
 
-    def told(self, result: Result) -> Feedback:
-        """What a student is told, with pictures."""
+    def page(self, result: Result) -> Feedback:
+        """A student's feedback, with pictures."""
         return Feedback(result, self.lang, self.reveal, self.pictures(result, self.lang, self.reveal))
 
     def lines(self, name: str, lines: Iterable[str], marks: Sequence[bytes]) -> Path:
@@ -107,8 +107,7 @@ def write_results(
     """
     overrides = prepared(folder)
     most = max((result.most for result in results), default=Decimal(0))
-    order = Order(folder, results, lang, reveal, assignment, pictures, force, overrides, most, several)
-    return RESULTS[kind](order)
+    return RESULTS[kind](Order(folder, results, lang, reveal, assignment, pictures, force, overrides, most, several))
 
 
 def prepared(folder: Path) -> Overrides:
@@ -141,7 +140,7 @@ def _csv(order: Order) -> WrittenResults:
 
 
 def _xlsx(order: Order) -> WrittenResults:
-    members = xlsx.members(_table(order), say("class_report.title", order.lang))
+    members = workbook_files(_table(order), say("class_report.title", order.lang))
     return WrittenResults((order.packed("class.xlsx", members),), _kept(order))
 
 
@@ -152,55 +151,45 @@ def _kept(order: Order) -> tuple[str, ...]:
 
 def _moodle(order: Order) -> WrittenResults:
     grades = order.lines(
-        "moodle-grades.csv", moodle_results.grades(order, order.lang, order.reveal), (b"Identifier,Full name,",),
+        "moodle-grades.csv", platform_files.moodle_grades(order, order.lang, order.reveal), (b"Identifier,Full name,",),
     )  # fmt: skip
-    members = moodle_results.feedback(order, order.told)
-    out = tuple(_unnamed(order, moodle, "Moodle"))
-    return WrittenResults((grades, order.packed("moodle-feedback.zip", members)), out)
+    feedback = order.packed("moodle-feedback.zip", platform_files.moodle_feedback(order, order.page))
+    return WrittenResults((grades, feedback), tuple(_unnamed(order, moodle, "Moodle")))
 
 
 def _canvas(order: Order) -> WrittenResults:
     grades = order.lines(
-        "canvas-grades.csv", canvas_results.grades(order, order.assignment, order.most), (b"Points Possible,",),
+        "canvas-grades.csv", platform_files.canvas_grades(order, order.assignment, order.most), (b"Points Possible,",),
     )  # fmt: skip
-    members = canvas_results.feedback(order, order.told)
-    return WrittenResults((grades, order.packed("canvas-feedback.zip", members)), tuple(_without_canvas(order)))
-
-
-def _without_canvas(order: Order) -> Iterator[str]:
-    """What does not go back to Canvas: files without its names, and those of kinds that nothing writes."""
-    yield from _unnamed(order, canvas, "Canvas")
-    kinds: Counter[str] = Counter()
-    for result in order.results:
-        named = canvas(result.file)
-        if named is not None and canvas_results.kind(named.name) is None:
-            kinds[Path(named.name).suffix] += 1
-    for suffix, count in kinds.items():
-        yield say("platforms.no feedback in kind", order.lang, count=count, kind=suffix or "?")
+    feedback = order.packed("canvas-feedback.zip", platform_files.canvas_feedback(order, order.page))
+    named = (name for result in order.results if (name := canvas(result.file)) is not None)
+    kinds = Counter(Path(name.name).suffix for name in named if platform_files.canvas_page(name.name) is None)
+    unwritten = (
+        say("platforms.no feedback in kind", order.lang, count=count, kind=suffix or "?")
+        for suffix, count in kinds.items()
+    )
+    return WrittenResults((grades, feedback), (*_unnamed(order, canvas, "Canvas"), *unwritten))
 
 
 def _unnamed(order: Order, named: Callable[[str], Named | None], platform: str) -> Iterator[str]:
     """That some files have no name of the platform; the first of them as an example."""
-    first, count = "", 0
-    for result in order.results:
-        if named(result.file) is None:
-            first, count = first or result.file, count + 1
-    if count:
-        yield say("platforms.no platform name", order.lang, count=count, file=first, platform=platform)
+    files = [result.file for result in order.results if named(result.file) is None]
+    if files:
+        yield say("platforms.no platform name", order.lang, count=len(files), file=files[0], platform=platform)
 
 
 def _gradescope(order: Order) -> WrittenResults:
-    return _each(order, "gradescope", lambda result: gradescope.results_json(result, order.lang, order.reveal))
+    return _each(order, "gradescope", lambda result: platform_files.gradescope_json(result, order.lang, order.reveal))
 
 
 def _prairielearn(order: Order) -> WrittenResults:
-    def made(result: Result) -> bytes:
-        return prairielearn.results_json(result, order.lang, order.reveal, order.told(result).pictures)
+    def write(result: Result) -> bytes:
+        return platform_files.prairielearn_json(result, order.lang, order.reveal, order.page(result).pictures)
 
-    return _each(order, "prairielearn", made)
+    return _each(order, "prairielearn", write)
 
 
-def _named(order: Order) -> Iterator[tuple[str, Result]]:
+def _with_file_names(order: Order) -> Iterator[tuple[str, Result]]:
     """Every result with a name of its own for its file."""
     taken: set[str] = set()
     for result in order:
@@ -213,39 +202,35 @@ def _named(order: Order) -> Iterator[tuple[str, Result]]:
 def _pages(order: Order) -> WrittenResults:
     """A page of feedback each."""
     folder = _made(order.folder / "pages")
-    for name, result in _named(order):
+    for name, result in _with_file_names(order):
         with beside(folder / f"{name}.html", order.force, [PAGE]) as draft:
-            draft.write_bytes(html(order.told(result)))
+            draft.write_bytes(html(order.page(result)))
     return WrittenResults((folder,))
 
 
-def _each(order: Order, platform: str, made: Callable[[Result], bytes]) -> WrittenResults:
+def _each(order: Order, platform: str, write: Callable[[Result], bytes]) -> WrittenResults:
     """`results.json` in the folder where there is one submission; else in a folder each, within the platform's."""
     alone = len([*islice(order.results, 2)]) == 1
     any_there = False
-    for name, result in _named(order):
+    for name, result in _with_file_names(order):
         any_there = True
         folder = order.folder if alone else _made(order.folder / platform / name)
         with beside(folder / "results.json", order.force, [f'"platform": "{platform}"'.encode()]) as draft:
-            draft.write_bytes(made(result))
-    return WrittenResults(
-        (order.folder / "results.json",) if alone else (order.folder / platform,) if any_there else ()
-    )
+            draft.write_bytes(write(result))
+    if alone:
+        return WrittenResults((order.folder / "results.json",))
+    return WrittenResults((order.folder / platform,) if any_there else ())
 
 
 def _report(order: Order) -> WrittenResults:
     """The class in words, as data and as a figure."""
     report = class_report(order)
-    words = order.lines("class-report.txt", (f"{line}\n" for line in _report_lines(report, order.lang)), _REPORT)
+    lines = (say("class_report.title", order.lang), *map(clean, report_text(report, order.lang)))
+    words = order.lines("class-report.txt", (f"{line}\n" for line in lines), _REPORT)
     data = order.lines("class-report.json", [json.dumps(report_record(report), ensure_ascii=True) + "\n"], _JSON)
     figure = order.folder / "class-report.svg"
     remark = write_class_figure(figure, report, order.lang, order.force)
     return WrittenResults((words, data, figure), () if remark is None else (remark.message(order.lang),))
-
-
-def _report_lines(report: ClassReport, lang: Lang) -> Iterator[str]:
-    yield say("class_report.title", lang)
-    yield from map(clean, report_text(report, lang))
 
 
 RESULTS: Mapping[str, Callable[[Order], WrittenResults]] = {

@@ -1,26 +1,90 @@
-"""The formats of problem sets by name, and their files: each beside, then renamed."""
+"""The formats of problem sets by name, and their files: each beside, then renamed.
+
+Here are two of them. As a table there is a row an answer, with its share of the points and what is said to it. As a
+Word file for 学习通 (Chaoxing) a question a number: `1.【填空题】题干`, then `答案：1.25`; the layout is that of an
+exporter, not an official one, and has no tolerance: the text says how exact a number is to be.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from decimal import ROUND_HALF_UP, Decimal
 from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.homework.platforms import csv_set, moodle_set, qti, xuexitong
-from graphkin.homework.platforms.alternatives import refuse
-from graphkin.homework.platforms.archive import ZIP_MARKS, pack
-from graphkin.homework.platforms.cells import write_lines
+from graphkin.homework.platforms import moodle_set, qti
+from graphkin.homework.platforms.alternatives import Alternative, alternatives, refuse, sentence
+from graphkin.homework.platforms.markup import ZIP_MARKS, element, office_package, one_line, pack, xml
 from graphkin.homework.platforms.question import ProblemSet
+from graphkin.homework.platforms.tables import BOM, exponentless, line, points, printed, write_lines
 from graphkin.outputs.files import beside
-from graphkin.say.catalogue import LANGUAGES
+from graphkin.say.catalogue import LANGUAGES, say
+
+CSV_HEADERS = (
+    "student", "text", "quantity", "unit", "points", "percent", "number", "tolerance", "mistakes", "sentence",
+)  # fmt: skip
+_WORD = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
+_MAIN = "application/vnd.openxmlformats-officedocument.wordprocessingml.document.main+xml"
+
+
+def csv_head(lang: Lang) -> str:
+    """The names of the columns."""
+    return BOM + line(say(f"platforms.column {name}", lang) for name in CSV_HEADERS)
+
+
+def csv_lines(problems: ProblemSet, lang: Lang) -> Iterator[str]:
+    """The table, row by row."""
+    yield csv_head(lang)
+    for question in problems.questions:
+        for part in question.parts:
+            for one in alternatives(question, part):
+                yield line((
+                    question.id, question.text[lang], part.name, part.unit, points(part.points), one.percent,
+                    one.number, one.tolerance, " ".join(one.ids), sentence(one, lang),
+                ))  # fmt: skip
+
+
+# --- 学习通 ----------------------------------------------------------------------------------------------------------
+
+
+def word_files(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes]]:
+    """The files of the .docx."""
+    yield from office_package([("/word/document.xml", _MAIN)], "word/document.xml")
+    texts = (element("w:t", text, **{"xml:space": "preserve"}) for text in word_paragraphs(problems, lang))
+    body = element("w:body", *(element("w:p", element("w:r", text)) for text in texts))
+    yield "word/document.xml", xml(element("w:document", body, **{"xmlns:w": _WORD}))
+
+
+def word_paragraphs(problems: ProblemSet, lang: Lang) -> Iterator[str]:
+    """The lines of the file: a question, its answer, and so on."""
+    number = 0
+    for question in problems.questions:
+        title = say("platforms.problem title", lang, set=problems.name, id=question.id)
+        for part in question.parts:
+            number += 1
+            right = alternatives(question, part)[0]
+            blank = f"{part.heading} = ____ (±{printed(right.tolerance)})"
+            yield one_line(f"{number}.【填空题】{title}  {question.text[lang]} {blank}")
+            yield f"答案：{_answer(right)}"
+
+
+def _answer(right: Alternative) -> str:
+    """The right number to a tenth of its tolerance, as one would write it."""
+    if not right.tolerance:
+        return exponentless(right.number)
+    step = Decimal(1).scaleb(right.tolerance.adjusted() - 1)
+    return exponentless(right.number.quantize(step, ROUND_HALF_UP))
+
+
+# --- the formats ------------------------------------------------------------------------------------------------------
 
 Writer = Callable[[Path, ProblemSet, Lang], None]
 
 
 @frozen
 class SetFormat:
-    """How a set is written: the file's suffix, and what writes it; by `marks` graphkin knows a file of its own."""
+    """The writer of a kind of set and the file's suffix; by `marks` graphkin knows a file of its own."""
 
     suffix: str
     write: Writer
@@ -43,10 +107,10 @@ SETS: Mapping[str, SetFormat] = {
     "moodle-numerical": SetFormat(".xml", _whole(moodle_set.numerical), (b"$course$/graphkin/",)),
     "qti": SetFormat(".zip", _packed(qti.members), ZIP_MARKS),
     "csv": SetFormat(
-        ".csv", lambda path, problems, lang: write_lines(path, csv_set.lines(problems, lang)),
-        tuple(csv_set.head(lang).encode() for lang in LANGUAGES),
+        ".csv", lambda path, problems, lang: write_lines(path, csv_lines(problems, lang)),
+        tuple(csv_head(lang).encode() for lang in LANGUAGES),
     ),
-    "xuexitong": SetFormat(".docx", _packed(xuexitong.members), ZIP_MARKS),
+    "xuexitong": SetFormat(".docx", _packed(word_files), ZIP_MARKS),
 }  # fmt: skip
 """By name, as `graphkin problems --format` has them."""
 
@@ -56,6 +120,5 @@ def write_set(path: Path, problems: ProblemSet, kind: str, lang: Lang = "en", fo
     for question in problems.questions:
         for part in question.parts:
             refuse(question, part)
-    how = SETS[kind]
-    with beside(path, force, how.marks) as draft:
-        how.write(draft, problems, lang)
+    with beside(path, force, SETS[kind].marks) as draft:
+        SETS[kind].write(draft, problems, lang)

@@ -13,13 +13,6 @@ from graphkin.homework.problems.roster import Student, roster
 from graphkin.homework.problems.template import Template, TemplateRange, read_template
 
 __all__ = [
-    "PosedProblem",
-    "Student",
-    "Template",
-    "TemplateRange",
-    "Variant",
-    "read_template",
-    "roster",
-    "variants",
+    "PosedProblem", "Student", "Template", "TemplateRange", "Variant", "read_template", "roster", "variants",
     "well_posed",
-]
+]  # fmt: skip

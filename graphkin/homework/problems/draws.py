@@ -7,21 +7,24 @@ from __future__ import annotations
 
 import hashlib
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
+from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, NoVariant, Where
-from graphkin.homework.problems.paper import DrawingSizes
+from graphkin.homework.grading.keys import KEYS, marking_of
 from graphkin.homework.problems.posed import PosedProblem, Refused, answers, well_posed
 from graphkin.homework.problems.roster import Student
 from graphkin.homework.problems.template import Template
+from graphkin.marking.key import Marking
 from graphkin.marking.telling import Telling, telling
 from graphkin.marking.told import LOOKED_AT, Always, Discriminability
 from graphkin.model.mechanism import Mechanism
-from graphkin.running.drawn_sides import DrawnSides, drawn_sides
+from graphkin.running.assembled import DrawnSides, assembled
 
 _TRIES = 200
 _HOPELESS = 20
@@ -34,6 +37,8 @@ _FAILS = 0.02
 """Where more of the drawings with a pencil do not close, a dead point is too near."""
 _SAMPLE, _SAMPLE_TRIES = 9, 60
 """So many problems show how well mistakes can be told apart in a template; of so many draws at most."""
+_LAID_OUT = 3
+"""So many sheets of the sample are laid out, for the usual size of a drawing."""
 
 
 @frozen
@@ -56,54 +61,62 @@ class Variant:
 
 def variants(template: Template, students: Sequence[Student], seed: str) -> tuple[Variant, ...]:
     """In the order of the students. Raises NoVariant, and what is wrong with the template itself."""
-    turns = sorted(students, key=lambda student: hashlib.sha256(_bytes(seed, student.id)).digest())
-    taken, goal = _Taken(), _Goal.of(template, seed)
-    drawn = {student.id: _drawn(template, student, seed, taken, goal) for student in turns}
-    return tuple(drawn[student.id] for student in students)
+    order = sorted(students, key=lambda student: hashlib.sha256(_bytes(seed, student.id)).digest())
+    others, goal = _GivenOut(), _Goal.of(template, seed)
+    own = {student.id: _variant(template, student, seed, others, goal) for student in order}
+    return tuple(own[student.id] for student in students)
 
 
-def _drawn(template: Template, student: Student, seed: str, taken: _Taken, goal: _Goal) -> Variant:
+def _variant(template: Template, student: Student, seed: str, others: _GivenOut, goal: _Goal) -> Variant:
+    """The student's draw that is unlike the others' and hides the fewest mistakes."""
     refused: Counter[Refused] = Counter()
     good: list[tuple[Variant, _Answers]] = []
     for attempt in range(_TRIES):
         numbers = _numbers(template, student.id, seed, attempt)
-        if attempt < _APART and numbers in taken.numbers:
-            refused["taken"] += 1
+        draw = _posed(template, student, numbers, others, goal, attempt < _APART)
+        if isinstance(draw, str):
+            refused[draw] += 1
+            if draw == "assembly" and attempt + 1 == refused[draw] == _HOPELESS:
+                well_posed(template.mechanism(numbers))  # raises what is wrong with the template
             continue
-        if numbers in taken.refused:
-            refused[taken.refused[numbers]] += 1
-            continue
-        try:
-            mechanism = template.mechanism(numbers)
-            found = well_posed(mechanism)
-        except GraphkinError:
-            refused["assembly"] += 1
-            if attempt + 1 == refused["assembly"] == _HOPELESS:
-                raise
-            continue
-        if isinstance(found, str) or (tells := goal.telling(found)).failed > _FAILS:
-            taken.refused[numbers] = found if isinstance(found, str) else "dead point"
-            refused[taken.refused[numbers]] += 1
-            continue
-        own = _Answers(answers(found), tells.right, tells.tolerance)
-        there = taken.has(numbers, own)
-        if there and attempt < _APART:
-            refused["taken"] += 1
-            continue
-        seen = drawn_sides(found.method, found.drawn)
-        good.append((Variant(student, numbers, mechanism, seen, goal.always.told(tells), there), own))
-        if there or len(good) == LOOKED_AT or good[-1][0].told.lost <= goal.lost:
+        good.append(draw)
+        if draw[0].shared or len(good) == LOOKED_AT or draw[0].told.lost <= goal.lost:
             break
     if not good:
         raise NoVariant(Where(template.file), student.id[:60], _TRIES, tuple(refused.most_common()))
-    best, own = min(good, key=lambda one: (one[0].shared, one[0].told.lost))
-    taken.add(best.numbers, own)
+    best, own = min(good, key=lambda pair: (pair[0].shared, pair[0].told.lost))
+    others.numbers.add(best.numbers)
+    others.answers.append(own)
     return best
+
+
+def _posed(
+    template: Template, student: Student, numbers: tuple[int, ...], others: _GivenOut, goal: _Goal, apart: bool
+) -> tuple[Variant, _Answers] | Refused:
+    """The problem with these numbers, or what is against it; apart: no other student may have it."""
+    if apart and numbers in others.numbers:
+        return "taken"
+    if numbers in others.refused:
+        return others.refused[numbers]
+    try:
+        mechanism = template.mechanism(numbers)
+        posed = well_posed(mechanism)
+    except GraphkinError:
+        return "assembly"
+    if isinstance(posed, str) or (tells := goal.telling(posed)).failed > _FAILS:
+        others.refused[numbers] = posed if isinstance(posed, str) else "dead point"
+        return others.refused[numbers]
+    own = _Answers(answers(posed), tells.right, tells.tolerance)
+    shared = others.have(numbers, own)
+    if shared and apart:
+        return "taken"
+    sides = assembled(posed.method, posed.drawn)
+    return Variant(student, numbers, mechanism, sides, goal.always.told(tells), shared), own
 
 
 @frozen
 class _Goal:
-    """What a template can do: its paper, mistakes that are always the same, how many its better problems lose."""
+    """The best a template can do: its paper, mistakes that are always the same, how many its better problems lose."""
 
     paper: DrawingSizes
     always: Always
@@ -112,15 +125,15 @@ class _Goal:
     @classmethod
     def of(cls, template: Template, seed: str) -> _Goal:
         """By problems that are nobody's."""
-        some = list(islice(_sample(template, seed), _SAMPLE))
-        paper = DrawingSizes.of(some)
-        found = [telling(one.method, one.drawn, paper.marking(one)) for one in some]
-        always = Always(found)
-        lost = sorted(always.told(one).lost for one in found)
+        sample = list(islice(_sample(template, seed), _SAMPLE))
+        paper = DrawingSizes.of(sample)
+        tellings = [telling(posed.method, posed.drawn, paper.marking(posed)) for posed in sample]
+        always = Always(tellings)
+        lost = sorted(always.told(each).lost for each in tellings)
         return cls(paper, always, lost[(len(lost) - 1) // 3] if lost else 0)
 
     def telling(self, posed: PosedProblem) -> Telling:
-        """What the answers at the drawn position tell."""
+        """The mistakes that the answers at the drawn position tell apart."""
         return telling(posed.method, posed.drawn, self.paper.marking(posed))
 
 
@@ -150,12 +163,12 @@ def _bytes(*parts: str) -> bytes:
 class _Answers:
     """The answers of one problem at all positions, and those at the drawn one with what paper allows of them."""
 
-    all: np.ndarray
-    right: np.ndarray
-    tolerance: np.ndarray
+    all: Array
+    right: Array
+    tolerance: Array
 
 
-class _Taken:
+class _GivenOut:
     """Numbers and answers that other students have; and numbers that are no good problem, each with why."""
 
     def __init__(self) -> None:
@@ -163,22 +176,50 @@ class _Taken:
         self.numbers: set[tuple[int, ...]] = set()
         self.answers: list[_Answers] = []
 
-    def has(self, numbers: tuple[int, ...], own: _Answers) -> bool:
+    def have(self, numbers: tuple[int, ...], own: _Answers) -> bool:
+        """True where another student has these numbers, or nearly these answers."""
         if numbers in self.numbers:
             return True
         if not self.answers or not own.all.size:
             return False
         last = self.answers[-2000:]
-        return _alike(np.array([one.all for one in last]), own.all, _DISTINCT, 0.0) or (
-            own.right.size > 0 and _alike(np.array([one.right for one in last]), own.right, 0.0, own.tolerance)
+        return _any_alike(np.array([one.all for one in last]), own.all, _DISTINCT, 0.0) or (
+            own.right.size > 0 and _any_alike(np.array([one.right for one in last]), own.right, 0.0, own.tolerance)
         )
 
-    def add(self, numbers: tuple[int, ...], own: _Answers) -> None:
-        self.numbers.add(numbers)
-        self.answers.append(own)
 
-
-def _alike(others: np.ndarray, own: np.ndarray, part: float, off: np.ndarray | float) -> bool:
-    """Whether the answers (n,) are all as another problem's (problems, n), but for a part of them or so much."""
+def _any_alike(others: Array, own: Array, part: float, off: Array | float) -> bool:
+    """True where all answers (n,) are those of one of the others (problems, n), but for a part of them or so much."""
     reach = np.maximum(part * np.maximum(np.abs(others), np.abs(own)), off)
     return bool(np.any(np.all(np.abs(others - own) <= reach, axis=1)))
+
+
+# --- the paper that a template's problems fit on, without laying out the sheet of each --------------------------------
+
+
+@frozen
+class DrawingSizes:
+    """The usual size of a drawing on paper [mm], by plane."""
+
+    sizes: Mapping[Plane, float]
+
+    @classmethod
+    def of(cls, some: Sequence[PosedProblem]) -> DrawingSizes:
+        """Of the sheets of a few problems."""
+        laid_out = [(one, marking_of(one.method).scales) for one in some[:_LAID_OUT]]
+        return cls({
+            plane: float(np.median([_across(one, plane) / scales[key] for one, scales in laid_out] or [100.0]))
+            for plane, key in KEYS.items()
+        })  # fmt: skip
+
+    def marking(self, posed: PosedProblem) -> Marking:
+        """The pencil's errors at the file's scales or at those that make this problem's drawings as large."""
+        own = {key: _across(posed, plane) / self.sizes[plane] for plane, key in KEYS.items()}
+        return marking_of(posed.method, scales={**own, **posed.method.mechanism.scales})
+
+
+def _across(posed: PosedProblem, plane: Plane) -> float:
+    """The longest distance between points of a plane along an axis [SI]; 1 where all are one."""
+    points = np.array([complex(z) for z in posed.drawn.points(plane).values()])
+    points = points[np.isfinite(points)]
+    return float(max(np.ptp(points.real), np.ptp(points.imag))) or 1.0 if points.size else 1.0

@@ -6,8 +6,9 @@ from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import NoFile, NoStudents, OutOfRange, StudentTwice, Unreadable, Where
-from graphkin.submissions.documents import IDS, csv_cells, student_of
-from graphkin.submissions.submission import Limits, tidy_id
+from graphkin.submissions.class_names import tidy_id
+from graphkin.submissions.submission import Limits
+from graphkin.submissions.tables import IDS, csv_cells, student_of
 
 MOST = 100_000
 
@@ -21,7 +22,7 @@ class Student:
 
 
 def roster(given: str) -> tuple[Student, ...]:
-    """The students of a CSV (UTF-8 with or without its mark, UTF-16, GBK), or s1 .. sN for a number N.
+    """The students of a CSV file (UTF-8 with or without its mark, UTF-16, GBK), or s1 .. sN for a number N.
 
     Raises NoFile, Unreadable, OutOfRange, StudentTwice, NoStudents.
     """

@@ -14,11 +14,10 @@ import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
-from typing import Any
 
 from graphkin import files as loading
 from graphkin.base.value import frozen
-from graphkin.errors import BrokenToml, GraphkinError, NoRange, NotATemplate, OutOfRange, UnknownQuantity, Where
+from graphkin.errors import BrokenToml, NoRange, NotATemplate, OutOfRange, UnknownQuantity, Where
 from graphkin.files.source import read_text, read_toml
 from graphkin.model.mechanism import Mechanism
 
@@ -103,17 +102,17 @@ def read_template(path: Path) -> Template:
 
 
 def _ranges_in(text: str) -> Iterator[tuple[int, int]]:
-    """Where ranges stand, outside of comments."""
-    for found in _SPAN.finditer(text):
-        line = text[text.rfind("\n", 0, found.start()) + 1 : found.start()]
+    """The start and end of each range, outside of comments."""
+    for match in _SPAN.finditer(text):
+        line = text[text.rfind("\n", 0, match.start()) + 1 : match.start()]
         if "#" in re.sub(r""""[^"\n]*"|'[^'\n]*'""", "", line):
             continue
         try:
-            table = tomllib.loads(f"x = {found.group()}")["x"]
+            table = tomllib.loads(f"x = {match.group()}")["x"]
         except tomllib.TOMLDecodeError:
             continue
         if {"from", "to"} <= table.keys() <= {"from", "to", "step"}:
-            yield found.span()
+            yield match.span()
 
 
 def _places(text: str, spans: Sequence[tuple[int, int]], file: str) -> list[tuple[str | int, ...]]:
@@ -122,23 +121,23 @@ def _places(text: str, spans: Sequence[tuple[int, int]], file: str) -> list[tupl
     for k, (start, stop) in enumerate(spans):
         marked, end = f"{marked}{text[end:start]}{_MARK + k}", stop
     try:
-        found = dict(_numbers(tomllib.loads(marked + text[end:]), ()))
+        paths = dict(_marked_numbers(tomllib.loads(marked + text[end:]), ()))
     except (tomllib.TOMLDecodeError, RecursionError) as problem:
         raise BrokenToml(Where(file), str(problem)) from None
-    if set(found) != set(range(len(spans))):
+    if set(paths) != set(range(len(spans))):
         raise NoRange(Where(file))
-    return [found[k] for k in range(len(spans))]
+    return [paths[k] for k in range(len(spans))]
 
 
-def _numbers(value: Any, path: tuple[str | int, ...]) -> Iterator[tuple[int, tuple[str | int, ...]]]:
+def _marked_numbers(value: object, path: tuple[str | int, ...]) -> Iterator[tuple[int, tuple[str | int, ...]]]:
     if isinstance(value, dict | list):
         for key, inner in value.items() if isinstance(value, dict) else enumerate(value):
-            yield from _numbers(inner, (*path, key))
+            yield from _marked_numbers(inner, (*path, key))
     elif type(value) is int and value >= _MARK:
         yield value - _MARK, path
 
 
-def _range(table: Mapping[str, Any], path: tuple[str | int, ...], where: Where) -> TemplateRange:
+def _range(table: Mapping[str, object], path: tuple[str | int, ...], where: Where) -> TemplateRange:
     try:
         (first, unit), (last, other), (step, third) = (_sized(table.get(key, 1)) for key in ("from", "to", "step"))
     except (InvalidOperation, ValueError):
@@ -153,13 +152,13 @@ def _sized(value: object) -> tuple[Decimal, str]:
     """A number and its unit. Raises ValueError, InvalidOperation."""
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         raise ValueError
-    found = _NUMBER.fullmatch(str(value))
-    if found is None or len(found[1]) > 30:
+    match = _NUMBER.fullmatch(str(value))
+    if match is None or len(match[1]) > 30:
         raise ValueError
-    number = Decimal(found[1])
+    number = Decimal(match[1])
     if not abs(number) < Decimal(10) ** 12:
         raise ValueError
-    return number, found[2]
+    return number, match[2]
 
 
 # --- the points -------------------------------------------------------------------------------
@@ -174,18 +173,14 @@ def _without_points(text: str) -> str:
     return text[: start.start()] + (text[after.start() :] if after is not None else "")
 
 
-def _worth(points: object, document: Mapping[str, Any], where: Where) -> dict[str, float]:
-    asked = [question for question in document.get("ask", []) if isinstance(question, str)]
+def _worth(points: object, document: Mapping[str, object], where: Where) -> dict[str, float]:
+    asks = document.get("ask", [])
+    asked = [question for question in asks if isinstance(question, str)] if isinstance(asks, list) else []
     if not isinstance(points, dict):
         raise OutOfRange(where, str(points)[:40])
-    problems: list[GraphkinError] = [
-        UnknownQuantity(where, name, tuple(asked)) for name in points if name not in asked
-    ]  # fmt: skip
-    problems += [
-        OutOfRange(where, str(worth)[:40])
-        for worth in points.values()
-        if isinstance(worth, bool) or not isinstance(worth, int | float) or not 0 <= worth < 1e6
-    ]
-    if problems:
-        raise problems[0]
+    if unknown := [name for name in points if name not in asked]:
+        raise UnknownQuantity(where, unknown[0], tuple(asked))
+    for worth in points.values():
+        if isinstance(worth, bool) or not isinstance(worth, int | float) or not 0 <= worth < 1e6:
+            raise OutOfRange(where, str(worth)[:40])
     return {question: float(points.get(question, 1.0)) for question in asked}

@@ -1,6 +1,6 @@
-"""What stands on the mechanism beside its own signs: lengths that are measured, rotations found, and what is given.
+"""Annotations of the mechanism beside its own signs: lengths that are measured, rotations, and what is given.
 
-It is drawn last, where signs and labels have left room; what has none is left out.
+They are drawn last, where signs and labels have left room; what has none is left out.
 """
 
 from __future__ import annotations
@@ -17,27 +17,25 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Rotation, read
-from graphkin.planning.method import rate_found
-from graphkin.say.dimensions import dimensions, length_text, measured_lengths
+from graphkin.planning.step_numbers import rate_found
+from graphkin.say.dimensions import dimensions, length, measured_lengths
 from graphkin.say.reading import Reading
-from graphkin.sheet.equation_rows import EquationBlock
-from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Annotations, FreeRoom
-from graphkin.sheet.lettering import quantity_label
+from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.lettering import formula, quantity_label
 from graphkin.sheet.marks import ArcMark, Form, Mark, Shows, Stroke, Text
 from graphkin.sheet.paper import LEAST
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.written_lines import WrittenLines
+from graphkin.sheet.text_blocks import EquationBlock, WrittenLines
 
 _RADII = (7.0, 9.5, 12.0, 15.0)
 """Of the arcs that show how a link turns [mm]."""
 _ROUND = tuple(cmath.rect(1, math.tau * k / 48) for k in range(48))
 _TURNS, _SWEPT = _ROUND[::2], 1 + round(48 * SWEEP / math.tau)
-"""Where places are looked at round a point; in which of these directions an arc may start, and how many it passes."""
+"""Directions round a point in which places are tried; those in which an arc may start, and the number it passes."""
 _NARROWER = (75.0, 50.0, 30.0, 20.0)
-"""What is given is written in shorter lines where long ones have no room [mm]."""
+"""Given dimensions are written in shorter lines where long ones have no room [mm]."""
 _SHORT = 5.0
 """A shorter length is told by words alone [mm]."""
 _TRIED = 12
@@ -48,8 +46,8 @@ _LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": 
 
 
 @frozen
-class Annotated:
-    """A mechanism with what the solution reads off it.
+class MechanismNotes:
+    """Annotations of a mechanism with what the solution reads off it.
 
     planes  of which results may be shown; none where only what is given is drawn
     """
@@ -66,37 +64,28 @@ class Annotated:
         """All of it among what stands there."""
         added = Annotations()
         for one, other in measured_lengths(self.reading) if self.planes else ():
-            self._length(one, other, free, added)
-        for rotation in self._asked():
-            added.over.extend(self._arc(rotation, free))
+            self._add_length(one, other, free, added)
+        machine = self.reading.mechanism
+        asked = [quantity for text in machine.ask if (quantity := read(machine, text)) is not None]
+        for half in dict.fromkeys(half for quantity in asked for half in quantity.halves):
+            if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
+                added.over.extend(self._arc(half, free))
         if self.planes:
-            added.over.extend(_written(dimensions(self.reading), free))
+            added.over.extend(_in_lines(dimensions(self.reading), free))
         return added
 
-    # --- lengths ----------------------------------------------------------------------------------
-
-    def _length(self, one: str, other: str, free: FreeRoom, added: Annotations) -> None:
+    def _add_length(self, one: str, other: str, free: FreeRoom, added: Annotations) -> None:
         """A thin line between two points with the length it has, where there is room for its letters."""
         start, end = self.skeleton.at(one), self.skeleton.at(other)
         if abs(end - start) < _SHORT or not (pieces := free.pieces(start, end)):
             return
         step = self.skeleton.step(one, other)
-        want = LabelRequest(formula(length_text(self.reading, one, other)), start, end, gap=0.5, size=LEAST, step=step)
+        want = LabelRequest(formula(length(self.reading, one, other)), start, end, gap=0.5, size=LEAST, step=step)
         if letters := next(free.letters([want])):
             added.over.extend(letters)
             lines = [Stroke(piece, "measured", step=step) for piece in pieces]
             added.under.extend(lines)
             free.add(lines)
-
-    # --- rotations --------------------------------------------------------------------------------
-
-    def _asked(self) -> Iterator[Rotation]:
-        """The rates of links that are asked for, and that the planes drawn give."""
-        machine = self.reading.mechanism
-        asked = [quantity for text in machine.ask if (quantity := read(machine, text)) is not None]
-        for half in dict.fromkeys(half for quantity in asked for half in quantity.halves):
-            if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
-                yield half
 
     def _arc(self, rotation: Rotation, free: FreeRoom) -> list[Mark]:
         """An arc in the sense in which the link turns, about one of its points, with its letter."""
@@ -115,13 +104,13 @@ class Annotated:
             want = LabelRequest(label, at + middle * radius, gap=0.9, away=middle, step=step)
             arc = [_accented(mark, plane) for mark in spin(at, start, sense, radius, step, shows)]
             if letters := free.letters_with(arc, want):
-                found = [*arc, *(_accented(mark, plane) for mark in letters)]
-                free.add(found)
-                return found
+                marks = [*arc, *(_accented(mark, plane) for mark in letters)]
+                free.add(marks)
+                return marks
         return []
 
     def _places(self, link: str, sense: float, free: FreeRoom) -> Iterator[tuple[str, float, complex]]:
-        """Where such an arc has room: point it is about, radius, direction in which it starts; fixed points first."""
+        """Places with room for such an arc: its point, radius, direction in which it starts; fixed points first."""
         owners, skeleton = self.reading.mechanism.owners, self.skeleton
         points = sorted(skeleton.named(link), key=lambda point: FRAME not in owners[point])
         swept = (2 * np.arange(len(_TURNS))[:, None] - int(sense) * np.arange(_SWEPT)) % len(_ROUND)
@@ -138,12 +127,12 @@ def _accented(mark: Mark, plane: Plane) -> Mark:
     return replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
 
 
-def _written(texts: Sequence[str], free: FreeRoom) -> list[Mark]:
-    """What is given, in lines at the foot of the figure; nothing where it has no room."""
+def _in_lines(texts: Sequence[str], free: FreeRoom) -> list[Mark]:
+    """Given dimensions in lines at the foot of the figure; nothing where it has no room."""
     for wide in (free.room.size.real - 8, *_NARROWER):
         lines = WrittenLines.of([formula(text) for text in texts], wide, LEAST)
         if lines.lines and (corner := free.corner(lines.size, from_below=True)) is not None:
-            found: list[Mark] = [*lines.marks(corner)]
-            free.add(found)
-            return found
+            marks: list[Mark] = [*lines.marks(corner)]
+            free.add(marks)
+            return marks
     return []

@@ -1,32 +1,35 @@
 """The construction of a polygon: direction lines with their marks, right angles, and the numbers of what was drawn.
 
 It is drawn last, where labels leave room: a line is shortened before it runs into letters, and a mark or a number for
-which there is no room is left out. The numbers are those of the sentences that tell of the same acts.
+which there is no room is left out. The numbers are those of the sentences that tell of the same acts. On the mechanism
+the pencil's own lines and arcs are shown in the drawings of single steps.
 """
 
 from __future__ import annotations
 
 import cmath
+import math
 from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import pairwise
 
+from graphkin.base.geometry import place
 from graphkin.base.value import frozen
-from graphkin.construction import Drawn, Image, LayOff, Meet, Ray, Term
-from graphkin.planning.method import Act
+from graphkin.construction import Arc, Construction, Drawn, Image, LayOff, Meet, Plane, Plot, Ray, Step, Term
+from graphkin.planning.acts import Act
 from graphkin.say.plane import PolygonReading
-from graphkin.sheet.equation_rows import EquationBlock
-from graphkin.sheet.formula import formula
 from graphkin.sheet.free_room import Annotations, FreeRoom
-from graphkin.sheet.lettering import box, plain
-from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
+from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.lettering import box, formula, plain
+from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import LEAST
 from graphkin.sheet.polygons import PolygonFigure, arrows
-from graphkin.sheet.wanted import LabelRequest
+from graphkin.sheet.text_blocks import EquationBlock
+from graphkin.sheet.window import Window
 
 _BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
-"""How far a direction line goes on past where it meets the other; where labels keep off it if they can; shorter than
+"""Lengths of a direction line past where it meets the other; for labels to keep off if they can; shorter than
 this it says nothing [mm]."""
 _SQUARE = 1.9
 """Side of the square in a right angle [mm]."""
@@ -40,7 +43,7 @@ _RIGHT = (("n", "t"), ("k", "r"), ("rn", "rt"))
 
 @frozen
 class _Line:
-    """A direction line from its foot to where it meets another, and what is written at its end."""
+    """A direction line from its foot to where it meets another, and the text at its end."""
 
     foot: Place
     meeting: Place
@@ -49,15 +52,15 @@ class _Line:
     page: int
 
     @property
-    def ways(self) -> list[complex]:
-        """On past the meeting point; either way where the line starts there."""
-        way = self.meeting - self.foot
-        ahead = (self.along.conjugate() * way).real
-        return [self.along * (1 if ahead > 0 else -1)] if abs(way) > _NOTHING else [self.along, -self.along]
+    def sides(self) -> list[complex]:
+        """Its direction past the meeting point; either one where the line starts there."""
+        off = self.meeting - self.foot
+        ahead = (self.along.conjugate() * off).real
+        return [self.along * (1 if ahead > 0 else -1)] if abs(off) > _NOTHING else [self.along, -self.along]
 
 
 @frozen
-class Drafted:
+class PolygonConstruction:
     """A polygon's construction.
 
     spoken  the same polygon as it is worded; acts: those of its plane
@@ -71,7 +74,7 @@ class Drafted:
 
     def lines(self) -> list[Mark]:
         """The direction lines as far as they like to go on past where they meet, for labels to keep off."""
-        sides = [(line, side) for line in self._lines() for side in line.ways]
+        sides = [(line, side) for line in self._lines() for side in line.sides]
         on = [Stroke((line.foot, line.meeting, line.meeting + side * _LIKED), "construction") for line, side in sides]
         return [*on, *(Stroke((start, end), "measured") for start, end, _ in self._carried())]
 
@@ -80,7 +83,7 @@ class Drafted:
         added = Annotations()
         marked: list[tuple[_Line, Place]] = []
         for line in self._lines():
-            tip = _drawn(line, free, added)
+            tip = _lay(line, free, added)
             marked += [(line, tip)] if tip is not None else []
         added.under.extend(square for square in self._squares() if _clear(square, free))
         for start, end, page in self._carried():
@@ -112,19 +115,14 @@ class Drafted:
             for ray in (step.first, step.second):
                 if isinstance(ray, Ray) and ray.through in points:
                     along = self.polygon.window.turned(complex(self.polygon.plot.direction(ray.direction)))
-                    text = self.spoken.line_direction(ray.direction, self._terms(step))
+                    closed = (each for each in self.polygon.construction.equations if step in each.steps)
+                    terms = next((equation.left + equation.right for equation in closed), ())
+                    text = self.spoken.line_direction(ray.direction, terms)
                     if not cmath.isnan(along):
                         yield _Line(points[ray.through], points[step.point], along, text, act.page)
 
-    def _terms(self, step: Meet) -> tuple[Term, ...]:
-        """The terms of the equation that a crossing closes."""
-        for equation in self.polygon.construction.equations:
-            if step in equation.steps:
-                return equation.left + equation.right
-        return ()
-
     def _carried(self) -> Iterator[tuple[Place, Place, int]]:
-        """Where an arrow that was found elsewhere is laid off once more: from where to where, and in which act."""
+        """The ends of arrows that were found elsewhere and are laid off once more, and the act in which they are."""
         points = self.polygon.points
         drawn = {frozenset((a.tail, a.head)) for a in arrows(self.polygon.mechanism, self.polygon.construction, points)}
         for act in self.acts:
@@ -138,7 +136,7 @@ class Drafted:
     # --- right angles -----------------------------------------------------------------------------
 
     def _squares(self) -> Iterator[Stroke]:
-        """Where a normal and a tangential part join, or what slides and its Coriolis acceleration."""
+        """Right angles between a normal and a tangential part, or of what slides and its Coriolis acceleration."""
         for equation in self.polygon.construction.equations:
             for chain in (equation.left, equation.right):
                 for one, other in pairwise(chain):
@@ -163,20 +161,24 @@ class Drafted:
 
     def _numbers(self, free: FreeRoom) -> Iterator[Mark]:
         """A number in a circle beside each thing that was drawn: what has no room at one thing has it at the next."""
-        left = [wanted for act in self.acts if (wanted := [*self._beside(act)])]
-        while left:
-            spots = free.spots([first for first, *_ in left], [complex(_RING, _RING)] * len(left))
-            others, left = left, []
-            for wanted, free_ones in zip(others, spots, strict=True):
+        waiting = [requests for act in self.acts if (requests := [*self._beside(act)])]
+        while waiting:
+            spots = free.spots([first for first, *_ in waiting], [complex(_RING, _RING)] * len(waiting))
+            tried, waiting = waiting, []
+            for requests, free_ones in zip(tried, spots, strict=True):
                 if (middle := free.place(free_ones)) is not None:
-                    found = _numbered(wanted[0], middle)
-                    free.add(found)
-                    yield from found
-                elif wanted[1:]:
-                    left.append(wanted[1:])
+                    request = requests[0]
+                    wide, up, down = box(request.label, request.size)
+                    at = middle + complex(-wide / 2, (up - down) / 2)
+                    marks: list[Mark] = [Disc(middle, _RING, "construction", step=request.step)]
+                    marks.append(Text(request.label, at, request.size, request.step))
+                    free.add(marks)
+                    yield from marks
+                elif requests[1:]:
+                    waiting.append(requests[1:])
 
     def _beside(self, act: Act) -> Iterator[LabelRequest]:
-        """Where its number may stand: at what it finds first, then at each arrow that comes with it."""
+        """Requests for its number: at what it finds first, then at each arrow that comes with it."""
         points, label = self.polygon.points, plain(str(act.number))
         match act.done:
             case LayOff(term, _, tip) if tip in (term.head, term.tail) and {term.tail, term.head} <= points.keys():
@@ -186,29 +188,22 @@ class Drafted:
                 yield LabelRequest(label, end, gap=0.8, size=LEAST, step=act.page)
             case Meet(point=point) | Image(point=point) if point in points:
                 yield LabelRequest(label, points[point], gap=0.8, size=LEAST, step=act.page)
-                for start, end in self._found[act.page]:
+                for start, end in self._arrows_of_acts[act.page]:
                     yield LabelRequest(label, start, end, gap=0.6, size=LEAST, step=act.page)
 
     @cached_property
-    def _found(self) -> Mapping[int | None, list[tuple[Place, Place]]]:
+    def _arrows_of_acts(self) -> Mapping[int | None, list[tuple[Place, Place]]]:
         """The ends of the arrows that come with each act."""
-        found: dict[int | None, list[tuple[Place, Place]]] = defaultdict(list)
+        ends: dict[int | None, list[tuple[Place, Place]]] = defaultdict(list)
         for vector in self.polygon.vectors():
             if vector.length > _NOTHING:
-                found[vector.step].append((vector.start, vector.end))
-        return found
+                ends[vector.step].append((vector.start, vector.end))
+        return ends
 
 
-def _numbered(want: LabelRequest, middle: Place) -> list[Mark]:
-    """A number in its circle."""
-    wide, up, down = box(want.label, want.size)
-    at = middle + complex(-wide / 2, (up - down) / 2)
-    return [Disc(middle, _RING, "construction", step=want.step), Text(want.label, at, want.size, want.step)]
-
-
-def _drawn(line: _Line, free: FreeRoom, added: Annotations) -> Place | None:
-    """The line from its foot past the meeting point; where it ends if it goes on far enough to bear its mark."""
-    reach, on = max(((free.reach(line.meeting, side, _BEYOND), side) for side in line.ways), key=lambda found: found[0])
+def _lay(line: _Line, free: FreeRoom, added: Annotations) -> Place | None:
+    """Add the line from its foot past the meeting point; its end if it goes on far enough to bear its mark."""
+    reach, on = max(((free.reach(line.meeting, side, _BEYOND), side) for side in line.sides), key=lambda pair: pair[0])
     tip = line.meeting + on * reach if reach >= _SHORT else line.meeting
     start = line.meeting - on * max(0.0, free.reach(line.meeting, -on, abs(line.meeting - line.foot)))
     if abs(tip - start) > _NOTHING:
@@ -217,7 +212,51 @@ def _drawn(line: _Line, free: FreeRoom, added: Annotations) -> Place | None:
 
 
 def _clear(stroke: Stroke, free: FreeRoom) -> bool:
-    """Whether no letters stand where a small sign would be drawn."""
+    """True where no letters stand where a small sign would be drawn."""
     first, corner, last = stroke.places
     sides = ((first, corner), (last, corner))
     return all(free.reach(a, (b - a) / abs(b - a), abs(b - a)) >= abs(b - a) for a, b in sides)
+
+
+Pages = Mapping[tuple[Plane, Step], int]
+_RAY_BEYOND = 9.0
+"""The length of a direction line past its points [mm]."""
+_SWING, _STROKE = math.radians(22), 12.0
+"""Half of an arc: this angle, or this length [mm] if that is less."""
+
+
+def pencil_lines(construction: Construction, plot: Plot, window: Window, pages: Pages) -> list[Mark]:
+    """Each ray and arc from where it starts past where it meets another, with the number of its act."""
+    ends: dict[Ray | Arc, list[str]] = {}
+    for step in construction.steps:
+        if isinstance(step, Meet):
+            ends.setdefault(step.first, []).append(step.point)
+            ends.setdefault(step.second, []).append(step.point)
+    points = plot.points(construction.plane)
+    marks: list[Mark] = []
+    for step in construction.steps:
+        number = pages.get((construction.plane, step))
+        if isinstance(step, Ray | Arc):
+            foot = window(place(points[step.through if isinstance(step, Ray) else step.about]))
+            tips = [window(place(points[name])) for name in ends.get(step, ()) if name in points]
+            marks += (
+                _ray(step, foot, tips, plot, window, number) if isinstance(step, Ray) else _arcs(foot, tips, number)
+            )
+    return marks
+
+
+def _ray(ray: Ray, foot: Place, tips: list[Place], plot: Plot, window: Window, number: int | None) -> Iterator[Mark]:
+    """A thin line through its point in its direction, past where it meets the other."""
+    along = window.turned(complex(plot.direction(ray.direction)))
+    if cmath.isnan(along):
+        return
+    stops = [(along.conjugate() * (tip - foot)).real for tip in tips] or [0.0]
+    low, high = min(0.0, *stops) - _RAY_BEYOND, max(0.0, *stops) + _RAY_BEYOND
+    yield Stroke((foot + along * low, foot + along * high), "construction", step=number)
+
+
+def _arcs(foot: Place, tips: list[Place], number: int | None) -> Iterator[Mark]:
+    """A short arc around each place where the circle is crossed."""
+    for tip in tips:
+        half = min(_SWING, _STROKE / max(abs(tip - foot), 1e-9))
+        yield ArcMark(foot, abs(tip - foot), cmath.phase(tip - foot) - half, 2 * half, "construction", step=number)

@@ -1,49 +1,50 @@
-"""A label that wants a place, and where it may stand: around its point, along its line, or far off on a leader."""
+"""A label that wants a place, and its candidates: around its point, along its line, or far off on a leader."""
 
 from __future__ import annotations
 
 import cmath
 import math
 from collections.abc import Iterable, Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
+from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.sheet.lettering import Label, box, width
 from graphkin.sheet.marks import Place, Text
 from graphkin.sheet.paper import LABEL
 
 
-def _leaning(turns: Any) -> Any:
-    """How far to its side, and up or down, a box stands from what it touches, of its half width and height, in each
+def _leaning(turns: Array) -> Array:
+    """The distance of a box to its side, and up or down, from what it touches, of its half width and height, in each
     direction; in four of eight its corners come to the ring."""
     return np.clip(turns.real * 1.6, -1.0, 1.0) + 1j * np.clip(turns.imag * 1.6, -1.0, 1.0)
 
 
 _RINGS, _LED = np.array([0.0, 1.0, 2.2]), np.array([4.0, 6.5, 9.5, 13.0])
-"""How far from its sign a letter may stand, and from where on a leader is drawn [mm]."""
+"""Distances of a letter from its sign, and those from which on a leader is drawn [mm]."""
 _TURNS = np.array([cmath.rect(1, math.tau * k / 16) for k in range(16)])
 _LEANING = _leaning(_TURNS)
 _LITTLE = np.array([0.05 * ((k - 14) % 16) for k in range(16)])
-"""What a direction costs where none is liked: above and to the right first."""
+"""The cost of a direction where none is liked: above and to the right first."""
 _NOWHERE = complex("nan")
 _FAR, _FARTHEST = np.array([17.0, 21.5, 26.5]), np.array([32.0, 38.0, 44.5, 51.5, 59.0])
-"""Where labels of a crowd go when nothing nearer is free [mm]."""
+"""Distances of labels of a crowd when nothing nearer is free [mm]."""
 _LEADER, _FARTHER = 6.0, 1.6
-"""What a leader costs, and each millimetre from the sign."""
+"""The cost of a leader, and of each millimetre from the sign."""
 LEAST = (0.0, *(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR, _FARTHEST)))
 """No place of the tiers costs less: near, led, far, farthest."""
 _FAR_TURNS = np.array([cmath.rect(1, math.tau * k / 32) for k in range(32)])
 _FAR_LEANING = _leaning(_FAR_TURNS)
 _ANCHORS = (0.5, 0.3, 0.7)
-"""Where along a line a far leader may end."""
+"""Places along a line for the end of a far leader."""
 _LED_ALONG = (0.3, 0.7)
-"""Where else than at its middle a leader may meet an arrow."""
+"""Places beside its middle for the end of a leader at an arrow."""
 _OFF_MIDDLE = 0.5
 _ALONG = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82])
 _OFF = np.array([0.0, 0.75, 1.65])[:, None]
-"""How much farther than it need a label may stand from its line [mm]."""
+"""Distances of a label from its line beyond what it needs [mm]."""
 _SPACE = 2.0
 """Beside and over a label [mm]."""
 CRAMMED = 0.2
@@ -53,25 +54,21 @@ _POINT = 1.5
 
 
 class LabelCandidates(NamedTuple):
-    """Where a label may stand, all as arrays (n,).
+    """Candidate places of a label, all as arrays (n,).
 
     middle  of the label's box, complex [mm]
     cost    what it costs
     anchor  where a leader would go, complex; nan where none is drawn
     """
 
-    middle: Any
-    cost: Any
-    anchor: Any
+    middle: Array
+    cost: Array
+    anchor: Array
 
     @property
-    def led(self) -> Any:
-        """Which of them have a leader."""
+    def led(self) -> Array:
+        """True for those that have a leader."""
         return ~np.isnan(self.anchor)
-
-    def taken(self, rows: Any) -> LabelCandidates:
-        """Some of them."""
-        return LabelCandidates(self.middle[rows], self.cost[rows], self.anchor[rows])
 
     @classmethod
     def joined(cls, parts: Iterable[LabelCandidates]) -> LabelCandidates:
@@ -108,17 +105,17 @@ class LabelRequest:
 
     @property
     def place(self) -> Place:
-        """What it names, as one point."""
+        """The point or line that it names, as one point."""
         return self.start if self.end is None else (self.start + self.end) / 2
 
     def near(self, half: complex) -> LabelCandidates:
-        """Where it may stand at what it names; half: of the width and height of its box [mm]."""
+        """Its places at what it names; half: of the width and height of its box [mm]."""
         if self.end is None or abs(self.end - self.start) <= _POINT:
             return _around(self.start, half, self, _RINGS)
         return _beside(self.start, self.end, half, self)
 
     def led(self, half: complex) -> LabelCandidates:
-        """Where a leader may keep it to what it names."""
+        """Its places on a leader about what it names."""
         start, end = self.start, self.end
         if end is None or abs(end - start) <= _POINT:
             return _around(start, half, self, _LED)
@@ -135,12 +132,12 @@ class LabelRequest:
 
 
 def lettering(wanted: Iterable[LabelRequest]) -> float:
-    """How much room labels take, with what is usually free about them [mm^2]."""
+    """The room that labels take, with what is usually free about them [mm^2]."""
     boxes = (box(want.label, want.size) for want in wanted)
     return sum((wide + _SPACE) * (up + down + _SPACE) for wide, up, down in boxes)
 
 
-def _around(point: Place, half: complex, want: LabelRequest, rings: Any) -> LabelCandidates:
+def _around(point: Place, half: complex, want: LabelRequest, rings: Array) -> LabelCandidates:
     """Rings about a point; a box touches the ring with its near side or corner."""
     away = want.away.conjugate() / abs(want.away) if want.away else 0j
     liking = 0.8 * (1 - (_TURNS * away).real) if away else _LITTLE
@@ -149,7 +146,7 @@ def _around(point: Place, half: complex, want: LabelRequest, rings: Any) -> Labe
     return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, point if rings is _LED else _NOWHERE))
 
 
-def _far(anchor: Place, crowd: Place, sides: Any, gap: float, rings: Any) -> LabelCandidates:
+def _far(anchor: Place, crowd: Place, sides: Array, gap: float, rings: Array) -> LabelCandidates:
     """Wide rings about a point; sides: from what a box touches to its middle, in each direction."""
     away = (anchor - crowd).conjugate() / max(abs(anchor - crowd), 1e-9)
     liking = 5.0 * (1 - (_FAR_TURNS * away).real)
@@ -158,7 +155,7 @@ def _far(anchor: Place, crowd: Place, sides: Any, gap: float, rings: Any) -> Lab
     return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, anchor))
 
 
-def _sides(leaning: Any, half: complex) -> Any:
+def _sides(leaning: Array, half: complex) -> Array:
     """From what a box touches to its middle, in each direction."""
     return leaning.real * half.real + 1j * (leaning.imag * half.imag)
 

@@ -1,7 +1,8 @@
-"""Vector equations on the sheet: terms in columns, under each what is known of its direction and its size."""
+"""Text on paper in lines: labels, sentences, and vector equations with what is known under each term."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -9,10 +10,95 @@ from itertools import chain
 
 from graphkin.base.value import frozen
 from graphkin.say.entry import Entry, Sentence, VectorEquation
-from graphkin.sheet.formula import formula
-from graphkin.sheet.lettering import Label, plain, width
+from graphkin.sheet.lettering import Label, formula, joined, plain, width
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.paper import BODY, LEAST
+
+_PITCH = 1.45
+"""From base line to base line, as a part of the letters' size."""
+
+
+@frozen
+class WrittenLines:
+    """Lines of letters of one size [mm]."""
+
+    lines: tuple[Label, ...]
+    letters: float
+
+    @classmethod
+    def of(cls, labels: Sequence[Label], room: float, letters: float, between: str = ",  ") -> WrittenLines:
+        """As many labels on each line as fit its width [mm]."""
+        lines: list[list[Label]] = []
+        for label in labels:
+            if lines and width(joined([*lines[-1], label], between), letters) <= room:
+                lines[-1].append(label)
+            else:
+                lines.append([label])
+        return cls(tuple(joined(line, between) for line in lines), letters)
+
+    @property
+    def size(self) -> complex:
+        """Width and height [mm]."""
+        wide = max((width(line, self.letters) for line in self.lines), default=0.0)
+        return complex(wide, _PITCH * self.letters * len(self.lines))
+
+    def marks(self, corner: Place, step: int | None = None) -> Iterator[Text]:
+        """From their upper left corner."""
+        for k, line in enumerate(self.lines):
+            yield Text(line, corner + 1j * self.letters * (_PITCH * k + 1.0), self.letters, step)
+
+
+LINE = 1.4
+"""From base line to base line, as a part of the letters' size."""
+_INDENT = 2.5
+"""The indent of the further lines of a sentence [mm]."""
+_MOST = 16
+"""Lines in a strip; what is longer is cut."""
+_STOPS = r"[\u3001\u3002\uff0c\uff1b\uff09]?"
+_WORD = r"[^\s\u2e80-\uffef]+"
+_PIECE = rf"{_WORD}(?: [=≈<>] {_WORD})*{_STOPS}|[\u2e80-\uffef]{_STOPS}|\s+"
+
+
+def broken(text: str, room: float, size: float) -> Iterator[str]:
+    """Lines that fit a width [mm]: broken at blanks, and between Chinese characters."""
+    line = ""
+    for piece in re.findall(_PIECE, text):
+        if line and width(formula((line + piece).rstrip()), size) > room:
+            yield line.rstrip()
+            line = piece.lstrip()
+        else:
+            line += piece
+    if line.strip():
+        yield line.rstrip()
+
+
+@frozen
+class Paragraphs:
+    """Lines with how far each stands in [mm], in letters of one size."""
+
+    lines: tuple[tuple[str, float], ...]
+    letters: float
+
+    @classmethod
+    def of(cls, texts: Sequence[str], room: float, letters: float) -> Paragraphs:
+        """Sentences in a width [mm]; a blank at a text's beginning sets all of it in."""
+        lines: list[tuple[str, float]] = []
+        for text in texts:
+            own = _INDENT if text != text.lstrip() else 0.0
+            pieces = broken(text.strip(), room - own - _INDENT, letters)
+            lines += [(line, own + (_INDENT if k else 0.0)) for k, line in enumerate(pieces)]
+        return cls(tuple(lines if len(lines) <= _MOST else [*lines[: _MOST - 1], ("…", 0.0)]), letters)
+
+    @property
+    def height(self) -> float:
+        """[mm]"""
+        return LINE * self.letters * len(self.lines)
+
+    def marks(self, corner: Place) -> Iterator[Text]:
+        """From their upper left corner."""
+        for k, (line, into) in enumerate(self.lines):
+            yield Text(formula(line), corner + into + 1j * self.letters * (LINE * k + 1.1), self.letters)
+
 
 _SIZES = (BODY, LEAST, LEAST)
 _LINES = (3.2, 7.3, 11.2)
@@ -52,17 +138,13 @@ def equation_blocks(entries: Iterable[Entry], rows: tuple[str, str]) -> list[Equ
 
     rows  what stands before the rows
     """
-    found: list[EquationBlock] = []
+    blocks: list[EquationBlock] = []
     for entry in entries:
         if isinstance(entry, VectorEquation):
-            found.append(_block(entry, rows))
-        elif isinstance(entry, Sentence) and entry.act is not None and found and found[-1].page is None:
-            found[-1] = replace(found[-1], page=entry.act.page)
-    return found
-
-
-def _block(equation: VectorEquation, rows: tuple[str, str]) -> EquationBlock:
-    return EquationBlock((((), plain(rows[0]), plain(rows[1])), *_columns(equation)))
+            blocks.append(EquationBlock((((), plain(rows[0]), plain(rows[1])), *_columns(entry))))
+        elif isinstance(entry, Sentence) and entry.act is not None and blocks and blocks[-1].page is None:
+            blocks[-1] = replace(blocks[-1], page=entry.act.page)
+    return blocks
 
 
 def _columns(equation: VectorEquation) -> Iterator[tuple[Label, Label, Label]]:
@@ -78,7 +160,7 @@ def _columns(equation: VectorEquation) -> Iterator[tuple[Label, Label, Label]]:
 
 
 def head_of(blocks: Sequence[EquationBlock]) -> tuple[complex, complex]:
-    """What all of them take side by side, and one under the other [mm]."""
+    """The size of all of them side by side, and one under the other [mm]."""
     sizes = [block.size for block in blocks]
     beside = complex(sum(size.real for size in sizes) + _BETWEEN * (len(sizes) - 1), max(s.imag for s in sizes))
     return beside, complex(max(size.real for size in sizes), sum(size.imag for size in sizes))
@@ -100,7 +182,7 @@ def flowed(blocks: Sequence[EquationBlock], room: float) -> list[list[EquationBl
     What is still wider than that is left out.
     """
     lines: list[list[EquationBlock]] = []
-    for block in chain.from_iterable(_broken(whole, room) for whole in blocks):
+    for block in chain.from_iterable(_before_equals(whole, room) for whole in blocks):
         if block.size.real > room:
             continue
         if lines and head_of([*lines[-1], block])[0].real <= room:
@@ -110,7 +192,7 @@ def flowed(blocks: Sequence[EquationBlock], room: float) -> list[list[EquationBl
     return lines
 
 
-def _broken(block: EquationBlock, room: float) -> tuple[EquationBlock, ...]:
+def _before_equals(block: EquationBlock, room: float) -> tuple[EquationBlock, ...]:
     head, *columns = block.columns
     cut = max(k for k, (label, _, _) in enumerate(columns) if label == plain("="))
     if block.size.real <= room or not cut:

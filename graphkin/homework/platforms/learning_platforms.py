@@ -1,0 +1,212 @@
+"""Results as learning platforms read them back: Moodle, Canvas, Gradescope, PrairieLearn.
+
+Who a file is from stands in the name that Moodle or Canvas gave it in a download; the same name takes feedback back.
+Moodle: `First Last_123_assignsubmission_file_/a.svg`, or all in one name. Canvas: `lastfirst_3143_207797_a.svg`: of the
+pieces between underscores, the first two that are numbers are the student and the file.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from decimal import Decimal
+from pathlib import PurePosixPath
+from typing import TypeVar
+
+from graphkin.base.plain import Plain
+from graphkin.base.value import frozen
+from graphkin.errors import Lang
+from graphkin.homework.platforms.feedback import Feedback, Reveal, diagnosis, lines, override, quantity, reason, total
+from graphkin.homework.platforms.markup import clean, in_html, inside
+from graphkin.homework.platforms.pages import KINDS, Page, html
+from graphkin.homework.platforms.result import FORMAT, Result, ResultLine, ResultPicture
+from graphkin.homework.platforms.tables import line
+from graphkin.say.catalogue import say
+
+_MOODLE = re.compile(r"(?P<who>[^_/]*)_(?P<id>[0-9]{1,18})_(?P<plugin>assignsubmission_[a-z]+).*", re.S)
+_ARCHIVE = re.compile(r"^.*?\.zip!", re.S | re.I)
+"""Before the name of a member of an archive: `class.zip!name`."""
+HEADERS = (
+    "Identifier", "Full name", "Status", "Grade", "Maximum grade", "Last modified (grade)", "Feedback comments",
+)  # fmt: skip
+"""Of the worksheet, as an English Moodle reads them."""
+_CANVAS_FRONT = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
+LARGEST = 1_000_000
+"""Bytes of PrairieLearn's file at most."""
+_SHORTER = (20_000, 2_000, 200, 20)
+T = TypeVar("T")
+
+
+# --- names ------------------------------------------------------------------------------------------------------------
+
+
+@frozen
+class Named:
+    """A name of a platform.
+
+    name  as it goes back
+    id    of the participant or the user; `who`: as far as the platform's name says
+    """
+
+    name: str
+    id: str
+    who: str
+
+
+def moodle(file: str) -> Named | None:
+    """The member of a Moodle download, feedback as HTML beside it; None where it is not named so."""
+    pieces = _ARCHIVE.sub("", file, count=1).split("/")
+    for k, piece in enumerate(pieces):
+        if match := _MOODLE.fullmatch(piece):
+            folder, slash, last = "/".join(pieces[k:]).rpartition("/")
+            name = f"{folder}{slash}{last.rpartition('.')[0] or last}.html"
+            return Named(name, match["id"], match["who"]) if inside(name) else None
+    return None
+
+
+def canvas(file: str) -> Named | None:
+    """The member of a Canvas download; None where it is not named so."""
+    name = _ARCHIVE.sub("", file, count=1).rpartition("/")[2]
+    pieces = name.split("_")
+    numbers = [k for k, piece in enumerate(pieces) if re.fullmatch("[0-9]{1,18}", piece)]
+    if len(numbers) < 2 or not numbers[0] or not inside(name):
+        return None
+    who = "_".join(piece for piece in pieces[: numbers[0]] if piece != "LATE")
+    return Named(name, pieces[numbers[0]], who)
+
+
+# --- Moodle and Canvas: a table of grades, and a zip of feedback under the names of the download ----------------------
+
+
+def moodle_grades(results: Iterable[Result], lang: Lang, reveal: Reveal) -> Iterator[str]:
+    """The grading worksheet, row by row, without files that Moodle has not named; an empty grade stays as it is."""
+    yield line(HEADERS)
+    for result in results:
+        if (named := moodle(result.file)) is not None:
+            comment = "<br>".join(in_html(text) for text in lines(result, lang, reveal))
+            yield line((f"Participant {named.id}", named.who, "", result.total, result.most, "", comment))
+
+
+def moodle_feedback(results: Iterable[Result], page: Callable[[Result], Feedback]) -> Iterator[tuple[str, bytes]]:
+    """The pages of the zip."""
+    for result in results:
+        if (named := moodle(result.file)) is not None:
+            yield named.name, html(page(result))
+
+
+def canvas_grades(results: Iterable[Result], assignment: str, most: Decimal) -> Iterator[str]:
+    """The gradebook, row by row, without files that Canvas has not named."""
+    yield line((*_CANVAS_FRONT, assignment))
+    yield line(("    Points Possible", "", "", "", "", most))
+    for result in results:
+        if (named := canvas(result.file)) is not None:
+            yield line((named.who, named.id, "", "", "", result.total))
+
+
+def canvas_feedback(results: Iterable[Result], page: Callable[[Result], Feedback]) -> Iterator[tuple[str, bytes]]:
+    """The files of the zip: Canvas shows each under the name that was handed in, so it is of the same kind."""
+    for result in results:
+        named = canvas(result.file)
+        if named is not None and (write := canvas_page(named.name)) is not None:
+            yield named.name, write(page(result))
+
+
+def canvas_page(name: str) -> Page | None:
+    """The writer of feedback of the kind of a file; None where there is none."""
+    return KINDS.get(PurePosixPath(name).suffix.lower())
+
+
+# --- Gradescope and PrairieLearn: a file `results.json` a submission --------------------------------------------------
+
+
+def gradescope_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
+    """The file of a Gradescope autograder: every test has its `status`.
+
+    What was not marked has no score, so that Gradescope shows a failed run and no zero.
+    """
+    tests = [_gradescope_line(result, each, lang, reveal) for each in result.lines]
+    if text := " ".join(diagnosis(result, lang, reveal)):
+        tests.append(_gradescope_test(say("feedback.diagnosis", lang), text, "failed"))
+    if result.status == "not marked":
+        tests.append(_gradescope_test(say("verdicts.status not marked", lang), reason(result, lang), "failed"))
+    output = reason(result, lang) if result.total is None else "\n".join(_points(result, lang))
+    mark: dict[str, Plain] = {"platform": "gradescope", "format": FORMAT}
+    mark |= {"student": result.student, "status": result.status}
+    file: dict[str, Plain] = {
+        "output": clean(output), "output_format": "text", "visibility": "visible", "tests": tests,
+        "extra_data": {"graphkin": mark},
+    }  # fmt: skip
+    if result.total is not None:
+        file["score"] = float(result.total)
+    return (json.dumps(file, ensure_ascii=True, allow_nan=False, indent=1) + "\n").encode()
+
+
+def _points(result: Result, lang: Lang) -> list[str]:
+    return [text for text in (override(result, lang), total(result, lang)) if text]
+
+
+def _gradescope_line(result: Result, each: ResultLine, lang: Lang, reveal: Reveal) -> dict[str, Plain]:
+    good = each.verdict not in ("wrong", "missing") and each.points >= each.most
+    test = _gradescope_test(each.name, quantity(result, each, lang, reveal), "passed" if good else "failed")
+    return {**test, "score": float(each.points), "max_score": float(each.most)} if each.most else test
+
+
+def _gradescope_test(name: str, output: str, status: str) -> dict[str, Plain]:
+    shown = {"output": clean(output), "output_format": "text", "visibility": "visible"}
+    return {"name": clean(name), "status": status, **shown}
+
+
+def prairielearn_json(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[ResultPicture] = ()) -> bytes:
+    """The file of PrairieLearn's external grading, under 1 MB: without its last pictures, then with shorter texts.
+
+    A file that could not be marked is not gradable: no points are lost, and no attempt. A test that is worth nothing
+    (the diagnosis, a value on the way) is shown as information.
+    """
+    for count in range(len(pictures), -1, -1):
+        if len(data := _bytes(_prairielearn(result, lang, reveal, pictures[:count]))) < LARGEST:
+            return data
+    for most in _SHORTER:
+        shortened = _shortened(_prairielearn(result, lang, reveal, ()), most)
+        if len(data := _bytes(shortened)) < LARGEST:
+            return data
+    return _bytes({**shortened, "tests": []})
+
+
+def _prairielearn(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence[ResultPicture]) -> dict[str, object]:
+    mark = {"graphkin": {"platform": "prairielearn", "format": FORMAT, "status": result.status}}
+    if result.score is None:
+        return {"gradable": False, "format_errors": [clean(reason(result, lang))], **mark}
+    texts = _points(result, lang)
+    tests = [
+        _prairielearn_test(each.name, float(each.points), float(each.most), quantity(result, each, lang, reveal))
+        for each in result.lines
+    ]
+    if text := " ".join(diagnosis(result, lang, reveal)):
+        tests.append(_prairielearn_test(say("feedback.diagnosis", lang), 0.0, 0.0, text))
+    return {
+        "gradable": True, "score": float(result.score), "message": clean(texts[-1]), "output": clean("\n".join(texts)),
+        "images": [
+            {"label": clean(each.label), "url": f"data:{each.kind};base64,{base64.b64encode(each.data).decode()}"}
+            for each in pictures if each.data
+        ],
+        "tests": tests, **mark,
+    }  # fmt: skip
+
+
+def _prairielearn_test(name: str, earned: float, most: float, message: str) -> dict[str, object]:
+    return {"name": clean(name), "points": earned, "max_points": most, "message": clean(message), "images": []}
+
+
+def _bytes(file: dict[str, object]) -> bytes:
+    return (json.dumps(file, ensure_ascii=True, allow_nan=False) + "\n").encode()
+
+
+def _shortened(value: T, most: int) -> T:
+    """The same with every text cut."""
+    if isinstance(value, str):
+        return value if len(value) <= most else type(value)(value[: most - 2] + "..")
+    if isinstance(value, dict):
+        return type(value)({key: _shortened(each, most) for key, each in value.items()})
+    return type(value)([_shortened(each, most) for each in value]) if isinstance(value, list) else value

@@ -1,0 +1,129 @@
+"""Sheets of single figures: a mechanism under a heading with more around it, or figures in cells over captions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+
+from graphkin.base.value import frozen
+from graphkin.construction import Plane, Plot
+from graphkin.errors import Lang
+from graphkin.planning import Method
+from graphkin.sheet.layout import HEAD, Layout, alone
+from graphkin.sheet.lettering import formula, width
+from graphkin.sheet.marks import Mark, Text
+from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places, plain_mechanism, plainly
+from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
+from graphkin.sheet.paper import BODY, Room
+from graphkin.sheet.skeleton import Skeleton
+from graphkin.sheet.titleblock import Strip, Table, strip_height, two_lines
+from graphkin.sheet.window import Extent, Figure, Window
+
+_LABELS = 20
+"""The number of labels by which upright paper or paper on its side is chosen."""
+
+
+@frozen
+class SingleFigure:
+    """A figure alone on its page: its room [mm], and its window from SI to paper.
+
+    found, told  tables and sentences of its strip
+    """
+
+    method: Method
+    layout: Layout
+    window: Window
+    found: Sequence[Table] = ()
+    told: Sequence[str] = ()
+
+    @property
+    def room(self) -> Room:
+        return self.layout.rooms["position"].inset(1, HEAD, 1)
+
+    def mechanism(self, plot: Plot) -> Figure:
+        """In no step of any construction."""
+        return plain_mechanism(self.method, plot, self.window).numbered(None)
+
+    def sheet(
+        self, plot: Plot, words: str, figure: Figure, lang: Lang, further: Mapping[Plane, float] | None = None,
+        after: Sequence[Mark] = (),
+    ) -> Sheet:  # fmt: skip
+        """The sheet; words: the heading, further: scales to be told beside the figure's own, after: over all else."""
+        head = heading(words, "position", self.window.scale, self.layout.rooms["position"])
+        panel = Panel(figure, self.window, self.room, before=head, after=tuple(after))
+        foot = Strip(self.layout.strip, self.found, further=further or {}, told=self.told)
+        return Page(self.layout.paper, [panel], self.method.mechanism, plot.facts.values, lang, foot).sheet()
+
+
+def place_for(
+    method: Method, plots: Sequence[Plot], places: Sequence[complex], paper: str | None,
+    found: Sequence[Table] = (), told: Sequence[str] = (),
+) -> SingleFigure:  # fmt: skip
+    """On the smallest paper where these places [m] fit; a given scale that is too fine is not kept.
+
+    plots  at which the mechanism is to be drawn; found, told: tables and sentences for the strip.
+    Raises UnknownPaper.
+    """
+
+    def drawn(window: Window) -> Figure:
+        return sum((plain_mechanism(method, plot, window) for plot in plots), Figure())
+
+    extent = replace(Extent.of(places, drawn), given=method.mechanism.scales.get("length"), labels=_LABELS)
+    layout = alone(extent, partial(strip_height, found=found, told=told), paper)
+    return SingleFigure(method, layout, layout.window("position", extent), found, told)
+
+
+@frozen
+class Caption:
+    """Lines in the middle under a figure.
+
+    height  of the room for them; first: from its top to the first base line; pitch: from line to line
+    sides   what stays free beside them [mm]
+    """
+
+    texts: tuple[str, ...]
+    height: float
+    first: float = 5.0
+    pitch: float = 1.35 * BODY
+    sides: float = 3.0
+
+    def drawn(self, cell: Room) -> Iterator[Text]:
+        pen = cell.bottom - self.height + self.first
+        for text in self.texts:
+            for line in two_lines(text, BODY, cell.size.real - 2 * self.sides):
+                label = formula(line)
+                yield Text(label, complex((cell.left + cell.right - width(label, BODY)) / 2, pen), BODY)
+                pen += self.pitch
+
+
+@frozen
+class Picture:
+    """A figure that wants a cell: its extent, its drawing through a window, its caption."""
+
+    extent: Extent
+    draw: Callable[[Window], Figure]
+    caption: Caption
+
+    def captioned(self, start: str) -> Picture:
+        """With a word before its caption."""
+        first, *others = self.caption.texts
+        return replace(self, caption=replace(self.caption, texts=(start + first, *others)))
+
+    def scale(self, cell: Room) -> float:
+        """The scale at which it fits a cell over its caption [m/mm]."""
+        return self.extent.scale(cell.inset(0, 0, self.caption.height))
+
+    def panel(self, cell: Room, scale: float) -> Panel:
+        """On paper."""
+        window = self.extent.window(cell.inset(0, 0, self.caption.height), scale)
+        room = cell.inset(1, 1, self.caption.height)
+        return Panel(self.draw(window), window, room, after=tuple(self.caption.drawn(cell)))
+
+
+def problem_sheet(method: Method, plot: Plot, lang: Lang) -> Sheet:
+    """The figure of a problem at the position of a plot: the mechanism with its letters, and nothing that is found."""
+    alone = place_for(method, [plot], mechanism_places(method, plot), None)
+    bare = bare_figure(method, Skeleton(method.mechanism, plot, alone.window, {}))
+    figure = Figure([plainly(mark) for mark in bare.marks], bare.wanted)
+    return alone.sheet(plot, HEADINGS[lang]["position"], figure, lang)
