@@ -24,7 +24,7 @@ from graphkin.outputs.diagram import fonts
 from graphkin.outputs.diagram.curves import Curves, curves, span
 from graphkin.outputs.diagram.panels import division, panels
 from graphkin.outputs.files import FileInTheWay
-from graphkin.sheet.given_tables import label_of
+from graphkin.sheet.results import label_of
 from graphkin.studies import sweeps
 from graphkin.studies.sweeps import Course
 

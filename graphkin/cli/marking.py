@@ -17,7 +17,7 @@ from graphkin.cli.shared import DriverOptions
 from graphkin.errors import BadPencil, Lang, Where
 
 if TYPE_CHECKING:
-    from graphkin.homework.grading import Pencils, Problem, SetMarker, Way
+    from graphkin.homework.grading import MarkingOptions, Pencils, Problem, SetMarker
     from graphkin.homework.platforms import Reveal
     from graphkin.marking.graded import Graded
 
@@ -198,7 +198,7 @@ class _Grading:
             else:
                 click.echo("\n".join(grade_lines(graded, self.lang)))
 
-    def _write_records(self, path: Path, judge: SetMarker, problem: Problem, settings: Way) -> None:
+    def _write_records(self, path: Path, judge: SetMarker, problem: Problem, settings: MarkingOptions) -> None:
         """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
         from graphkin.homework import grading, platforms
         from graphkin.outputs import marks_json

@@ -14,17 +14,14 @@ from graphkin.equations.model import Model
 from graphkin.equations.polygons import LinkVector
 from graphkin.errors import Lang
 from graphkin.sheet import Sheet
-from graphkin.sheet.fit import corners, cut_out
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.marks import ArcMark, Place, Stroke, VectorMark
-from graphkin.sheet.mechanism_figure import mechanism_figure
+from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places
 from graphkin.sheet.page import Page, Panel
-from graphkin.sheet.paper import Paper
-from graphkin.sheet.plain_mechanism import mechanism_places
-from graphkin.sheet.scales import finest
+from graphkin.sheet.paper import Paper, finest
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Figure, Window
+from graphkin.sheet.window import Figure, Window, corners, cut_out
 
 _ROOM = complex(130.0, 95.0)
 """The largest the mechanism's points may reach [mm]."""

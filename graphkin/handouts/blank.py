@@ -14,9 +14,8 @@ from graphkin.handouts.problem import ROOM, HandoutProblem
 from graphkin.model.quantities import EDGE, Centre, Rotation
 from graphkin.say.catalogue import say
 from graphkin.say.entry import VectorEquation
-from graphkin.sheet.fit import corners
-from graphkin.sheet.formula import formula
-from graphkin.sheet.lettering import Label, plain, point_label
+from graphkin.sheet.lettering import Label, formula, plain, point_label
+from graphkin.sheet.window import corners
 
 _MORE = 1.2
 _EDGE, _GRID = 4.0, 5.0

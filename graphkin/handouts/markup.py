@@ -34,8 +34,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.explained import derivation
 from graphkin.sheet import scales_of
 from graphkin.sheet.lettering import Label, Run
-from graphkin.sheet.paper import PAPERS
-from graphkin.sheet.scales import KEYS
+from graphkin.sheet.paper import KEYS, PAPERS
 
 MARK = "graphkin solution"
 """By this graphkin knows a written solution of its own; a handout's page says `graphkin handout`."""

@@ -16,10 +16,9 @@ from graphkin.say import entry
 from graphkin.say.explained import derivation
 from graphkin.say.reading import Reading
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
-from graphkin.sheet.fit import corners
-from graphkin.sheet.planes import Planes
-from graphkin.sheet.scales import KEYS, finest
-from graphkin.sheet.window import PLANES
+from graphkin.sheet.composition import Planes
+from graphkin.sheet.paper import KEYS, finest
+from graphkin.sheet.window import PLANES, corners
 
 ROOM = complex(160.0, 120.0)
 """Of any polygon that is drawn as large as a handout draws it [mm]."""

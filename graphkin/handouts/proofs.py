@@ -23,8 +23,7 @@ from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.marks import mistake
 from graphkin.say.numbers import number
-from graphkin.sheet.formula import formula
-from graphkin.sheet.lettering import Label, plain
+from graphkin.sheet.lettering import Label, formula, plain
 
 _SHOWN = 3
 

@@ -28,12 +28,11 @@ from graphkin.handouts.problem import HandoutProblem, Section, drawn_problem
 from graphkin.model.mechanism import Mechanism
 from graphkin.say import entry
 from graphkin.say.catalogue import say
-from graphkin.sheet.composed import HEADINGS
-from graphkin.sheet.formula import formula
-from graphkin.sheet.lettering import Label, plain
+from graphkin.sheet.composition import Style
+from graphkin.sheet.lettering import Label, formula, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
-from graphkin.sheet.planes import Style
-from graphkin.sheet.scales import written
+from graphkin.sheet.page import HEADINGS
+from graphkin.sheet.paper import written
 
 
 def handout(

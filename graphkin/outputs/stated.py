@@ -11,7 +11,7 @@ from graphkin.base.plain import seal
 from graphkin.outputs.typesetting import lettered
 from graphkin.sheet import Sheet
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Shows, Stroke, Text, VectorMark
-from graphkin.sheet.scales import KEYS
+from graphkin.sheet.paper import KEYS
 
 
 def stated(mark: Mark) -> dict[str, str]:

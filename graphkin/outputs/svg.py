@@ -22,10 +22,9 @@ from graphkin.outputs.paint import Colours, Ink
 from graphkin.outputs.stated import kind, stated, statement
 from graphkin.outputs.typesetting import LATIN, mm, runs, short
 from graphkin.sheet import Sheet
-from graphkin.sheet.composed import HEADINGS
 from graphkin.sheet.marks import ArcMark, Disc, Half, Mark, Place, PointMark, Stroke, Text, VectorMark
-from graphkin.sheet.page import Layer
-from graphkin.sheet.scales import written
+from graphkin.sheet.page import HEADINGS, Layer
+from graphkin.sheet.paper import written
 
 _INKSCAPE = "http://www.inkscape.org/namespaces/inkscape"
 _CONTROL = "[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]"

@@ -16,20 +16,18 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.say import numbers
 from graphkin.say.centre_about import bobillier_words, link_words
-from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.centre_places import coordinates
-from graphkin.sheet.fit import enlarged
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, quantity_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
+from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet, step_sheets
-from graphkin.sheet.paper import PenName, Room
+from graphkin.sheet.paper import PenName, Room, finest
 from graphkin.sheet.path_figure import circle, clipped
-from graphkin.sheet.plain_mechanism import shown_places
-from graphkin.sheet.scales import finest
+from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.symbols import arrow_head
-from graphkin.sheet.table import Table
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Entry, Figure
+from graphkin.sheet.titleblock import Table
+from graphkin.sheet.window import Entry, Figure, enlarged
 from graphkin.studies.centres.about import About, CarriedPoint, Circle, InflectionLine
 from graphkin.studies.centres.about_bobillier import Bobillier
 
@@ -107,7 +105,7 @@ class _LinkDrawing:
     """A link on a page: its marks and labels in the order of painting."""
 
     link: About
-    on: Alone
+    on: SingleFigure
     lang: Lang
 
     @property
@@ -280,7 +278,7 @@ class _BobillierDrawing:
     """The construction on a page. new: its point is a place of the plane, no point of the mechanism."""
 
     solution: Bobillier
-    on: Alone
+    on: SingleFigure
     new: bool
 
     def lines(self) -> Iterator[Mark]:

@@ -17,8 +17,8 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Rotation, read
-from graphkin.planning.step_numbers import rate_found
-from graphkin.say.dimensions import dimensions, length, measured_lengths
+from graphkin.planning.method import rate_found
+from graphkin.say.dimensions import dimensions, length_text, measured_lengths
 from graphkin.say.reading import Reading
 from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_requests import LabelRequest
@@ -80,7 +80,7 @@ class MechanismNotes:
         if abs(end - start) < _SHORT or not (pieces := free.pieces(start, end)):
             return
         step = self.skeleton.step(one, other)
-        want = LabelRequest(formula(length(self.reading, one, other)), start, end, gap=0.5, size=LEAST, step=step)
+        want = LabelRequest(formula(length_text(self.reading, one, other)), start, end, gap=0.5, size=LEAST, step=step)
         if letters := next(free.letters([want])):
             added.over.extend(letters)
             lines = [Stroke(piece, "measured", step=step) for piece in pieces]

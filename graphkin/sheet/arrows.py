@@ -16,8 +16,8 @@ from itertools import count
 import numpy as np
 
 from graphkin.base.geometry import Array
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.marks import Half, Mark, PointMark, VectorMark
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
 ASIDE = 1.2

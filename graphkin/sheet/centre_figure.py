@@ -10,14 +10,14 @@ import numpy as np
 from graphkin.base.geometry import place
 from graphkin.construction.drafting import Far
 from graphkin.sheet.centre_places import SAME, CentreLine, Laid, OnPaper, Spot, centre_label, clipped, coordinates
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, plain
 from graphkin.sheet.marks import Disc, Mark, Place, PointMark, Stroke, VectorMark
+from graphkin.sheet.mechanism_figure import bare_figure, mechanism_places
 from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.paper import PenName
-from graphkin.sheet.plain_mechanism import bare_figure, mechanism_places
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import BLOCK, HINGE
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.centres import Centres
 

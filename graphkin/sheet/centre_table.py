@@ -16,7 +16,7 @@ from graphkin.sheet.lettering import Label, Run, link_label, number, plain, poin
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke, Text
 from graphkin.sheet.paper import LABEL, LEAST, PenName, Room
 from graphkin.sheet.skeleton import off_stretch
-from graphkin.sheet.table import PITCH, SIZE, Table, height_of
+from graphkin.sheet.titleblock import PITCH, SIZE, Table, height_of
 from graphkin.studies.centres import Centres
 
 _PENS: dict[str, PenName] = {

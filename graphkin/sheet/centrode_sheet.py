@@ -11,16 +11,15 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.running.path import along
 from graphkin.say.centre_about import curves_met
-from graphkin.sheet.alone import Alone, place_for
-from graphkin.sheet.fit import corners, enlarged
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, link_label, plain, quantity_label
 from graphkin.sheet.marks import Disc, Place, Stroke
+from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import PenName
 from graphkin.sheet.path_figure import clipped
-from graphkin.sheet.plain_mechanism import shown_places
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Figure
+from graphkin.sheet.single_figure import SingleFigure, place_for
+from graphkin.sheet.window import Figure, corners, enlarged
 from graphkin.studies.centres.centrodes import Centrodes
 
 FRAMES = 48
@@ -73,7 +72,7 @@ def centrode_frames(
     yield from (page.sheet(float(t), lettered=False) for t in times)
 
 
-def _page(curves: Centrodes, times: Sequence[float], paper: str | None, told: Sequence[str] = ()) -> Alone:
+def _page(curves: Centrodes, times: Sequence[float], paper: str | None, told: Sequence[str] = ()) -> SingleFigure:
     """A page with room for the mechanism at all these t, and for the curves near it; told: sentences in its strip."""
     method = curves.found.method
     plots = [along(method, curves.path, t) for t in times]
@@ -110,7 +109,7 @@ class _CentrodePage:
     """Curves on a page, with the mechanism at any t along the motion."""
 
     curves: Centrodes
-    on: Alone
+    on: SingleFigure
     lang: Lang
 
     def sheet(self, t: float, lettered: bool) -> Sheet:

@@ -11,12 +11,12 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Fit, Plane, Plot, Simultaneous
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.held_still import held_labels
-from graphkin.planning.needed import Fact, at_rest
-from graphkin.planning.step_numbers import births, pages
+from graphkin.planning.at_rest import at_rest, held_labels
+from graphkin.planning.method import births, pages
+from graphkin.planning.needed import Fact
 from graphkin.say.catalogue import say
 from graphkin.say.plane import PolygonReading
-from graphkin.say.polygons import polygon as polygon_entries
+from graphkin.say.polygons import polygon_entries as polygon_entries
 from graphkin.say.reading import Reading
 from graphkin.sheet.annotations import MechanismNotes
 from graphkin.sheet.arrows import heads_apart, side_by_side

@@ -17,7 +17,7 @@ from itertools import pairwise
 from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import Arc, Construction, Drawn, Image, LayOff, Meet, Plane, Plot, Ray, Step, Term
-from graphkin.planning.acts import Act
+from graphkin.planning.method import Act
 from graphkin.say.plane import PolygonReading
 from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_requests import LabelRequest

@@ -16,12 +16,12 @@ from graphkin.base import geometry
 from graphkin.base.value import frozen
 from graphkin.construction import drafting
 from graphkin.construction.drafting import Bisector, Board, ChosenPoint, Drafting, LineStep, Step
-from graphkin.sheet.alone import Alone
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
 from graphkin.sheet.marks import ArcMark, Disc, Place, Stroke
 from graphkin.sheet.paper import BODY, PenName
 from graphkin.sheet.path_figure import clipped
-from graphkin.sheet.wanted import LabelRequest
+from graphkin.sheet.single_figure import SingleFigure
 from graphkin.sheet.window import Entry, Figure
 from graphkin.studies.design import Family, Solution
 
@@ -44,7 +44,7 @@ class DesignFigure:
     """A solution on a page."""
 
     solution: Solution
-    on: Alone
+    on: SingleFigure
     families: tuple[Family, ...] = ()
 
     @property

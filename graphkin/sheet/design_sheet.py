@@ -16,15 +16,15 @@ from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.proof.roads import proved
 from graphkin.say.design import error, mechanism_of
-from graphkin.sheet.alone import Alone, place_for
 from graphkin.sheet.design_figure import DesignFigure
-from graphkin.sheet.fit import enlarged
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
 from graphkin.sheet.marks import Text
+from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet, step_sheets
 from graphkin.sheet.paper import LABEL
-from graphkin.sheet.plain_mechanism import shown_places
-from graphkin.sheet.wanted import LabelRequest
+from graphkin.sheet.single_figure import SingleFigure, place_for
+from graphkin.sheet.window import enlarged
 from graphkin.studies.design import Design, Solution
 
 _COLUMN, _LINE = 42.0, 6.2
@@ -72,7 +72,7 @@ def design_step_sheets(
     yield from step_sheets(whole, sorted({mark.step for mark in whole.marks if mark.step is not None}))
 
 
-def _page(one: Solution, method: Method, plot: Plot, paper: str | None) -> Alone:
+def _page(one: Solution, method: Method, plot: Plot, paper: str | None) -> SingleFigure:
     """Room for the linkage at all positions, the construction's points, and its circle if that is not too large."""
     board = one.board()
     values = shown_places(method, plot)

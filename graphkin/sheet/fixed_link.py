@@ -10,10 +10,10 @@ from graphkin.base.value import filled
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Slide
 from graphkin.sheet import symbols
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import between, joined, link_label, quantity_label
 from graphkin.sheet.marks import Mark, Place, Shows
 from graphkin.sheet.skeleton import Skeleton, off_stretch
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.wheels import circles, follower, wheels_of
 from graphkin.sheet.window import Figure
 

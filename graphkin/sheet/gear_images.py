@@ -12,10 +12,10 @@ from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.planning.method import rate_found
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, point_label
 from graphkin.sheet.marks import Disc, Place, VectorMark
 from graphkin.sheet.skeleton import off_stretch
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window
 

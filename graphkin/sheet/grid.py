@@ -15,9 +15,8 @@ from graphkin.sheet.layout import divided
 from graphkin.sheet.marks import Mark
 from graphkin.sheet.page import Page, Panel
 from graphkin.sheet.paper import Paper, Room
-from graphkin.sheet.pictures import Picture
-from graphkin.sheet.table import Table
-from graphkin.sheet.titleblock import Strip, strip_height
+from graphkin.sheet.single_figure import Picture
+from graphkin.sheet.titleblock import Strip, Table, strip_height
 
 
 @frozen

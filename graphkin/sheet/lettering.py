@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from functools import cache, lru_cache
 from typing import Literal, NamedTuple
 
-from graphkin.model.quantities.digits import significant
+from graphkin.model.units import significant
 
 SMALL = 0.68
 """Size of sub- and superscripts, against the letters they belong to."""

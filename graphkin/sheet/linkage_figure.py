@@ -11,17 +11,15 @@ from itertools import combinations
 
 from graphkin.model.mechanism import FRAME
 from graphkin.sheet import symbols
-from graphkin.sheet.fit import Extent
 from graphkin.sheet.fixed_link import away_from, grounds
-from graphkin.sheet.formula import points_label
-from graphkin.sheet.lettering import Label, Run, point_label
+from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.lettering import Label, Run, point_label, points_label
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke
 from graphkin.sheet.mechanism_figure import moving_links
 from graphkin.sheet.paper import BODY
-from graphkin.sheet.pictures import Caption, Picture
+from graphkin.sheet.single_figure import Caption, Picture
 from graphkin.sheet.skeleton import Skeleton
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Figure, Window
+from graphkin.sheet.window import Extent, Figure, Window
 from graphkin.studies.linkages import Linkage, Report
 from graphkin.studies.linkages.assembled import posed
 from graphkin.studies.linkages.linkage import LinkagePosition

@@ -12,18 +12,15 @@ from graphkin.construction import Plot
 from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Cam, CircularSlot, Pair, Slide
 from graphkin.planning import Method
-from graphkin.planning.step_numbers import births
+from graphkin.planning.method import births
 from graphkin.sheet import symbols
-from graphkin.sheet.cams import equivalents, follower, profiles
-from graphkin.sheet.circular_slots import circular_slot
-from graphkin.sheet.drives import drives
-from graphkin.sheet.fixed_link import grounds
+from graphkin.sheet.fixed_link import drives, grounds
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label, point_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, PointMark, Shows, Stroke
 from graphkin.sheet.skeleton import Skeleton, hull, in_line
 from graphkin.sheet.specials import contacts, named_specials, specials
-from graphkin.sheet.wheels import rims, wheels, wheels_of
+from graphkin.sheet.wheels import circular_slot, equivalents, follower, profiles, rims, wheels, wheels_of
 from graphkin.sheet.window import Figure, Window
 
 Signs = Mapping[type[Pair], Callable[[Skeleton, Any], list[Mark]]]

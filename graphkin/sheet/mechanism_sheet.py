@@ -16,8 +16,8 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
-from graphkin.planning.acts import Act
-from graphkin.planning.by_pose import shown
+from graphkin.planning.drawn_position import shown
+from graphkin.planning.method import Act
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation

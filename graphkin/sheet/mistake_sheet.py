@@ -19,18 +19,16 @@ from graphkin.errors import Lang
 from graphkin.marking.comparison import Beside
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
-from graphkin.sheet.composed import HEADINGS
-from graphkin.sheet.fit import Extent, enlarged
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import HEAD
 from graphkin.sheet.lettering import joined, plain, point_label
 from graphkin.sheet.marks import Disc, Mark, PointMark, Stroke, VectorMark
-from graphkin.sheet.page import Page, Panel, Sheet, heading
+from graphkin.sheet.mechanism_figure import plain_mechanism, shown_places
+from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import Paper, Room
-from graphkin.sheet.pictures import Caption, Picture
-from graphkin.sheet.plain_mechanism import plain_mechanism, shown_places
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import PLANES, Figure, Window, constructions
+from graphkin.sheet.single_figure import Caption, Picture
+from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions, enlarged
 
 Own = Mapping[Plane, Mapping[str, complex]]
 """A student's drawing as it was measured: points of each plane by their letters, SI, from any of them."""

@@ -21,11 +21,11 @@ from graphkin.construction import Plane, Plot, replay
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
-from graphkin.planning.step_numbers import births
+from graphkin.planning.method import births
+from graphkin.running import replay_all
 from graphkin.running.path import along, stride
-from graphkin.running.replaying import replay_all
 from graphkin.sheet.boxes import overlap
-from graphkin.sheet.drives import drives
+from graphkin.sheet.fixed_link import drives
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.layout import Layout, lay_out, papers_for
 from graphkin.sheet.lettering import Label, box, joined, plain, point_label

@@ -12,13 +12,11 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.say.catalogue import say
-from graphkin.sheet.formula import points_label
-from graphkin.sheet.lettering import Label, number, plain, point_label
+from graphkin.sheet.label_requests import LabelRequest
+from graphkin.sheet.lettering import Label, number, plain, point_label, points_label
 from graphkin.sheet.marks import Disc, Place, Shows, Stroke, Text
-from graphkin.sheet.paper import LEAST, PenName, Room
-from graphkin.sheet.scales import finest
+from graphkin.sheet.paper import LEAST, PenName, Room, finest
 from graphkin.sheet.symbols import arrow
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Entry, Figure, Window
 
 if TYPE_CHECKING:

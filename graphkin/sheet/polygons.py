@@ -11,7 +11,7 @@ from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import LETTER, Construction, Drawn, Given, Plot, Site, Size
 from graphkin.model.mechanism import FRAME, Mechanism
-from graphkin.planning.held_still import relabelled
+from graphkin.planning.at_rest import relabelled
 from graphkin.sheet import gear_images
 from graphkin.sheet.gear_images import GearImage
 from graphkin.sheet.label_requests import LabelRequest

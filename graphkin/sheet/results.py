@@ -11,9 +11,8 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.model import quantities as asked
-from graphkin.model.mechanism import FRAME
+from graphkin.model.mechanism import FRAME, Usual
 from graphkin.model.quantities.reading import read
-from graphkin.model.usual import Usual
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
 from graphkin.say.dimensions import dimensions

@@ -11,14 +11,13 @@ from graphkin.construction import Along, Arc, Meet, Plot, Ray, Site, Touch
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.planning.method import pages
-from graphkin.sheet.fit import corners
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import plain, point_label
 from graphkin.sheet.marks import Place, PointMark, Stroke
 from graphkin.sheet.polygons import named_site
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import arrow_head
-from graphkin.sheet.wanted import LabelRequest
-from graphkin.sheet.window import Figure
+from graphkin.sheet.window import Figure, corners
 
 _BEYOND = 6.0
 """How far a leg's line goes on past the special point [mm]."""

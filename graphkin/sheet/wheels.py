@@ -12,10 +12,10 @@ from graphkin.base.value import frozen
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, Rod, RollingContact, Slide, Slot
 from graphkin.sheet import symbols
+from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import link_label
 from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.skeleton import OVERRUN, Skeleton
-from graphkin.sheet.wanted import LabelRequest
 from graphkin.sheet.window import Figure
 
 _RIM = 3.0

@@ -21,8 +21,7 @@ from graphkin.marking.graded import Drawn, Graded
 from graphkin.marking.marked import HandedNumber, Marked, StudentWork
 from graphkin.marking.marker import Marker
 from graphkin.model.quantities import at_position, position_of
-from graphkin.outputs.marks_file import KIND, records_in
-from graphkin.outputs.marks_json import FORMAT, drawn_of
+from graphkin.outputs.marks_json import FORMAT, KIND, drawn_of, records_in
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
 
 _EACH = 0.1

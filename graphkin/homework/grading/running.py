@@ -16,8 +16,8 @@ from pathlib import Path
 from types import TracebackType
 
 import graphkin
-from graphkin.base.parallel import ahead
 from graphkin.base.value import frozen
+from graphkin.base.worklist import ahead
 from graphkin.errors import CannotWrite, NoMarks, OwnFault, Where
 from graphkin.homework import Record
 from graphkin.homework.grading import batch as batches
@@ -27,7 +27,7 @@ from graphkin.marking.graded import Graded
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
 from graphkin.outputs.files import refuse
-from graphkin.outputs.marks_file import MARKS, records_in, text
+from graphkin.outputs.marks_json import MARKS, records_in, text
 from graphkin.submissions import FirstOnes, Handed, Limits, called, guarded, handed_in
 
 _BATCH, _BYTES = 64, 4 << 20

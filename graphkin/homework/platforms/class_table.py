@@ -18,7 +18,7 @@ from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.result import Result, texts_in
 from graphkin.homework.platforms.tables import HUNDREDTH, Cell, columns_of, read_table
 from graphkin.say.catalogue import in_both, say
-from graphkin.say.verdicts import verdict
+from graphkin.say.marks import verdict
 
 _FRONT = ("student", "file", "status", "earned", "most", "override", "total", "score percent")
 _BACK = ("diagnosis", "reason")

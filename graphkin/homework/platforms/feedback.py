@@ -13,12 +13,11 @@ from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.habits import Habit
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
-from graphkin.model.quantities.typed import rewritten
+from graphkin.model.quantities.reading import respelled
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import hint, kind, once, together
-from graphkin.say.names import asked
+from graphkin.say.marks import distinct_mistakes, mistake_hint, mistake_kind, mistakes_together, verdict
+from graphkin.say.names import symbols
 from graphkin.say.numbers import number
-from graphkin.say.verdicts import verdict
 
 Reveal = Literal["hint", "mistake", "answer"]
 """A hint: the verdicts, and where to look again; a mistake: what the numbers are consistent with; the right values."""
@@ -58,7 +57,7 @@ def _in_signs(result: Result, text: str) -> str:
     """A text with the quantities of the problem as the sheets write them: ω3, aᵏ_B3B2."""
     known = {name for line in result.lines for name in (line.name, line.name.split(" #")[0].split(" @")[0])}
     turning = ("theta ", "omega ", "alpha ")
-    return rewritten(text, lambda typed: asked(typed) if typed in known or typed.startswith(turning) else typed)
+    return respelled(text, lambda typed: symbols(typed) if typed in known or typed.startswith(turning) else typed)
 
 
 def under_table(page: Feedback) -> Iterator[str]:
@@ -152,22 +151,22 @@ def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
 
 def habit(one: Habit, lang: Lang) -> str:
     """The mistakes in words, whatever they were made with."""
-    return joined([kind(id, lang) for id in one.ids], lang)
+    return joined([mistake_kind(id, lang) for id in one.ids], lang)
 
 
 def _hints(one: Suspicion | Habit, lang: Lang) -> list[str]:
     topics = dict.fromkeys(MISTAKES[id].topic for id in one.ids if id in MISTAKES)
-    return [hint(topic, lang) for topic in topics]
+    return [mistake_hint(topic, lang) for topic in topics]
 
 
 def suspected(one: Suspicion, lang: Lang) -> str:
     """The mistakes in words, or by their ids."""
-    return joined([together(names, lang) for names in one.names] or list(one.ids), lang)
+    return joined([mistakes_together(names, lang) for names in one.names] or list(one.ids), lang)
 
 
 def joined(texts: list[str], lang: Lang) -> str:
     """Mistakes that cannot be told apart, as one."""
-    each = once(text.strip().rstrip(".。") for text in texts)
+    each = distinct_mistakes(text.strip().rstrip(".。") for text in texts)
     if len(each) == 1:
         return each[0]
     more = [say("marks.more", lang, count=len(each) - SETS)] if len(each) > SETS else []

@@ -20,7 +20,7 @@ from graphkin.marking.marker import Marker
 from graphkin.model.quantities import position_of
 from graphkin.outputs.svg import inline
 from graphkin.say.catalogue import say
-from graphkin.say.mistakes import together
+from graphkin.say.marks import mistakes_together
 from graphkin.sheet.mistake_sheet import mistake_sheet
 
 _KEPT = 64
@@ -105,7 +105,7 @@ def _position(one: Suspicion) -> int:
 
 
 def _of_mistake(mistake: tuple[Name, ...], changed: Beside, answer: bool, lang: Lang) -> list[str]:
-    label = [say("pictures.shows", lang, mistake=together(mistake, lang))]
+    label = [say("pictures.shows", lang, mistake=mistakes_together(mistake, lang))]
     if any(changed.arrows.values()) or any(changed.images.values()):
         label.append(say("pictures.thick", lang))
     return label if answer else [*label, say("pictures.no scale", lang)]

@@ -24,12 +24,12 @@ from graphkin.marking.power import alarms
 from graphkin.marking.told import SetTold, set_told
 from graphkin.outputs.files import beside, refuse
 from graphkin.outputs.key_json import key_text
+from graphkin.outputs.study_json import told_data
 from graphkin.outputs.svg import inline
-from graphkin.outputs.tolerance_json import told_data
 from graphkin.running import replay_all
 from graphkin.say.catalogue import LANGUAGES
 from graphkin.say.problems import MADE, problem, statement
-from graphkin.say.told import told_lines
+from graphkin.say.tolerances import discriminability_lines
 from graphkin.sheet.single_figure import problem_sheet
 from graphkin.submissions import safe_name
 
@@ -76,7 +76,7 @@ def write_problems(
             yield _write(folder / f"{name}{KEY}", key_text(key), force)
     power = set_told([variant.told for variant in variants], (USUAL.length_mm, USUAL.angle_deg), rates)
     if keys:
-        yield _write(folder / TOLD, "\n".join((*told_lines(power, lang), "", MADE, "")), force)
+        yield _write(folder / TOLD, "\n".join((*discriminability_lines(power, lang), "", MADE, "")), force)
         index = {student: f"{name}{KEY}" for student, name in names.items()}
         yield _write(folder / "key.json", set_text(index), force)
     yield _write(folder / LIST, _listed(template, variants, names, seed, power), force)

@@ -12,7 +12,7 @@ from graphkin.errors import Lang
 from graphkin.marking.key import Key, KeyEntry
 from graphkin.model.quantities import EDGE, at_position
 from graphkin.say.catalogue import LANGUAGES
-from graphkin.say.mistakes import mistake
+from graphkin.say.marks import mistake
 
 Text = Mapping[Lang, str]
 """A text in each language."""

@@ -19,8 +19,7 @@ from graphkin.homework.platforms.tables import points
 from graphkin.marking.habits import Habit, Trace
 from graphkin.marking.key import Name
 from graphkin.marking.marked import Verdict
-from graphkin.outputs.marks_file import END, HEAD, record_of, records_in
-from graphkin.outputs.marks_json import drawn_of
+from graphkin.outputs.marks_json import END, HEAD, drawn_of, record_of, records_in
 
 FORMAT = 1
 Status = Literal["marked", "not marked"]

@@ -24,7 +24,7 @@ from graphkin.marking.key import Marking
 from graphkin.marking.telling import Telling, telling
 from graphkin.marking.told import LOOKED_AT, Always, Discriminability
 from graphkin.model.mechanism import Mechanism
-from graphkin.running.assembled import DrawnSides, assembled
+from graphkin.running.drawn_sides import DrawnSides, drawn_sides
 
 _TRIES = 200
 _HOPELESS = 20
@@ -110,7 +110,7 @@ def _posed(
     shared = others.have(numbers, own)
     if shared and apart:
         return "taken"
-    sides = assembled(posed.method, posed.drawn)
+    sides = drawn_sides(posed.method, posed.drawn)
     return Variant(student, numbers, mechanism, sides, goal.always.told(tells), shared), own
 
 

@@ -21,7 +21,7 @@ from graphkin.proof.readings import readings
 from graphkin.proof.roads import proved
 from graphkin.results import driver_values
 from graphkin.running import replay_all
-from graphkin.running.assembled import assembled
+from graphkin.running.drawn_sides import drawn_sides
 
 Refused = Literal["assembly", "dead point", "short", "taken"]
 
@@ -137,6 +137,6 @@ def _moved(method: Method, drawn: Plot, by: float) -> Plot | None:
         plot = replay_all(method, values)
     except GraphkinError:
         return None
-    sides = assembled(method, drawn).lies  # what the text says must be true of the figure
+    sides = drawn_sides(method, drawn).lies  # what the text says must be true of the figure
     finite = all(np.isfinite(point) for point in plot.position.values())
     return plot if finite and all(side.holds(plot) for side in sides) else None

@@ -6,9 +6,8 @@ from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import NoFile, NoStudents, OutOfRange, StudentTwice, Unreadable, Where
-from graphkin.submissions.class_names import tidy_id
-from graphkin.submissions.submission import Limits
-from graphkin.submissions.tables import IDS, csv_cells, student_of
+from graphkin.submissions.documents import IDS, csv_cells, student_of
+from graphkin.submissions.submission import Limits, tidy_id
 
 MOST = 100_000
 

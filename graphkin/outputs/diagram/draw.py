@@ -25,8 +25,8 @@ from graphkin.outputs.diagram.panels import (
     upright_label,
 )
 from graphkin.say.catalogue import say
-from graphkin.sheet.given_tables import label_of
 from graphkin.sheet.lettering import Label, joined, width
+from graphkin.sheet.results import label_of
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

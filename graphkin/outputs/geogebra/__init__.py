@@ -22,8 +22,8 @@ from graphkin.outputs.geogebra.steps import Draughtsman, Nearly
 from graphkin.outputs.typesetting import ggb_text
 from graphkin.planning import Method
 from graphkin.sheet.lettering import point_label, vector_label
+from graphkin.sheet.paper import LETTERS, UNITS
 from graphkin.sheet.polygons import arrows
-from graphkin.sheet.scales import LETTERS, UNITS
 from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.window import PLANES
 
