@@ -19,7 +19,7 @@ from graphkin.homework import grading, platforms
 from graphkin.homework.platforms.svg_page import drawing
 from graphkin.homework.platforms.web_page import html
 from graphkin.marking import Rewrite, rewrites, rewritten
-from graphkin.marking.comparison import Beside, beside
+from graphkin.marking.consequences import Beside, beside
 from graphkin.outputs import marks_file
 from graphkin.outputs.marks_json import drawn_of, record
 from graphkin.outputs.svg import inline, svg

@@ -17,16 +17,15 @@ from graphkin import api
 from graphkin.errors import NOWHERE
 from graphkin.files import library
 from graphkin.homework.grading import key_for, marking_of
-from graphkin.marking.explaining import Explainer
+from graphkin.marking.diagnosis import Explainer
+from graphkin.marking.discriminability import observed
 from graphkin.marking.key import Hypotheses, Key, KeyEntry, Marking
-from graphkin.marking.making import drawings_of, pencil_of
-from graphkin.marking.marked import HandedNumber, StudentWork
 from graphkin.marking.marker import Marker
+from graphkin.marking.pencil import Slips
 from graphkin.marking.power import power
-from graphkin.marking.right_ways import other_methods
-from graphkin.marking.scatter import Drawings
-from graphkin.marking.slips import Slips
-from graphkin.marking.tellable import observed
+from graphkin.marking.records import HandedNumber, StudentWork
+from graphkin.marking.synonyms import other_methods
+from graphkin.marking.tolerances import Drawings, drawings_of, pencil_of
 from graphkin.marking.weights import ONE
 from graphkin.outputs.key_json import key_data, key_of
 

@@ -21,9 +21,8 @@ from graphkin.homework.grading.keys import marking_of
 from graphkin.homework.problems import draws, read_template, roster, variants, well_posed
 from graphkin.homework.problems.paper import DrawingSizes
 from graphkin.homework.problems.shown import shown_at
+from graphkin.marking.discriminability import Always, Telling, compared, set_told, telling
 from graphkin.marking.key import KeyEntry
-from graphkin.marking.telling import Telling, compared, telling
-from graphkin.marking.told import Always, set_told
 from graphkin.running import replay_all
 from graphkin.say.told import told_lines
 

@@ -26,8 +26,8 @@ from graphkin.errors import BadPencil, Lang, Where
 if TYPE_CHECKING:
     from graphkin.homework.grading import Pencils, Problem, SetMarker, Way
     from graphkin.homework.platforms import PolygonPictures, Result, Reveal
-    from graphkin.marking.graded import Graded
-    from graphkin.marking.habits import Trace
+    from graphkin.marking.diagnosis import Trace
+    from graphkin.marking.records import Graded
 
 _Record = TypeVar("_Record")
 

@@ -11,8 +11,7 @@ from graphkin.analytic import motion
 from graphkin.errors import Lang
 from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Paragraph
 from graphkin.handouts.told import HandoutProblem
-from graphkin.marking.key import Key, KeyEntry
-from graphkin.marking.verdicts import columns, upright
+from graphkin.marking.key import Key, KeyEntry, columns, upright
 from graphkin.marking.weights import shifts
 from graphkin.model.quantities import EDGE, Centre
 from graphkin.model.quantities.typed import rewritten

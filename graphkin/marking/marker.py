@@ -13,22 +13,16 @@ import numpy as np
 from graphkin import files as loading
 from graphkin import planning
 from graphkin.construction import Plot
-from graphkin.marking.arrows_astray import as_drawn, turned_by
-from graphkin.marking.at_positions import joined, parted
-from graphkin.marking.carrying import Carried, CarriedProblem
+from graphkin.marking.answers import readable
 from graphkin.marking.consequences import rewrites
 from graphkin.marking.diagnosis import Diagnosis, diagnoses
-from graphkin.marking.graded import Drawn
-from graphkin.marking.handed import readable
-from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name
-from graphkin.marking.making import make_key
-from graphkin.marking.marked import Judged, Marked, StudentWork, Verdict
-from graphkin.marking.own_scatter import ways_of
-from graphkin.marking.pairing import pairs_of
-from graphkin.marking.read_off import OffDrawing, pointing, read_off
+from graphkin.marking.follow_through import Carried, CarriedProblem
+from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name, agrees, columns, sense_only
+from graphkin.marking.key_making import by_other_methods, make_key, pairs_of
+from graphkin.marking.read_off import OffDrawing, as_drawn, pointing, read_off, turned_by
+from graphkin.marking.records import Drawn, Judged, Marked, StudentWork, Verdict, as_one, by_position
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import called_as_asked, same_answers
-from graphkin.marking.verdicts import agrees, columns, sense_only
 from graphkin.model.quantities import Moving, Quantity, Rotation
 from graphkin.planning import Method
 from graphkin.running import replay_all
@@ -92,8 +86,8 @@ class Marker:
         return pairs_of(self.method, self.plot, self.key, self.quantities)
 
     @cached_property
-    def ways(self) -> Hypotheses:
-        return ways_of(self.method, self.key, self.quantities)
+    def other_methods(self) -> Hypotheses:
+        return by_other_methods(self.method, self.key, self.quantities)
 
     @cached_property
     def positions(self) -> tuple[Marker, ...]:
@@ -103,9 +97,9 @@ class Marker:
     def mark(self, works: Sequence[StudentWork]) -> list[Marked]:
         """The marks of some students, in their order; they hang on nobody else's work."""
         if self.key.further:
-            parts = zip(*(parted(work, len(self.positions)) for work in works), strict=True)
+            parts = zip(*(by_position(work, len(self.positions)) for work in works), strict=True)
             marks = (marker._mark_here(list(part)) for marker, part in zip(self.positions, parts, strict=bool(works)))
-            return [joined(work.student, some) for work, *some in zip(works, *marks, strict=True)]
+            return [as_one(work.student, some) for work, *some in zip(works, *marks, strict=True)]
         return self._mark_here(works)
 
     def _mark_here(self, works: Sequence[StudentWork]) -> list[Marked]:
@@ -189,7 +183,7 @@ class Marker:
         patterns, number = np.unique(np.isfinite(given[off]), axis=0, return_inverse=True)
         for k in range(len(patterns)):
             some = off[number.reshape(-1) == k]
-            each = diagnoses(self.key, self.table, given[some], wrong[some], lambda: self.pairs, lambda: self.ways)
+            each = diagnoses(self.key, self.table, given[some], wrong[some], lambda: self.pairs, lambda: self.other_methods)
             for row, one in zip(some, each, strict=True):
                 found[row] = one
         return found

@@ -8,14 +8,13 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.marking.consequences import rewrites
-from graphkin.marking.explaining import Explainer
+from graphkin.marking.diagnosis import Explainer
+from graphkin.marking.discriminability import Observed, observed
 from graphkin.marking.key import Name
-from graphkin.marking.making import pencil_of
 from graphkin.marking.marker import Marker
+from graphkin.marking.pencil import Slips, seed_of
 from graphkin.marking.rewrite import Rewrite
-from graphkin.marking.scatter import Drawings
-from graphkin.marking.slips import Slips, seed_of
-from graphkin.marking.tellable import Observed, observed
+from graphkin.marking.tolerances import Drawings, pencil_of
 from graphkin.marking.weights import MOVED, ONE, shifts
 
 _Parts = tuple[Observed, float, float, float]
@@ -121,7 +120,7 @@ def _parts(
 ) -> list[_Parts]:
     """The same of those who hand in the same quantities; `drawn`: who does at all (rows, trials)."""
     key, given, of = marker.key, given[drawn], np.nonzero(drawn)[0]
-    explainer = Explainer(key, marker.table, there, key.singles, ONE, lambda: marker.ways)
+    explainer = Explainer(key, marker.table, there, key.singles, ONE, lambda: marker.other_methods)
     known = explainer.names
     ids = np.array([names[0][0] for names in known], dtype=object)
     mine = np.array([[names == key.singles.names[row] for names in known] for row in rows])

@@ -10,6 +10,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import (
     Construction,
@@ -27,7 +28,7 @@ from graphkin.construction import (
     Step,
     Term,
 )
-from graphkin.marking.asked import ArrowPlaces, arrows_of
+from graphkin.marking.answers import ArrowPlaces, arrows_of
 from graphkin.marking.rewrite import Rewrite
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
@@ -67,46 +68,43 @@ class Scene:
     def construction(self, plane: Plane) -> Construction:
         return self.method.velocity if plane == "velocity" else self.method.acceleration
 
-    def steps(self, plane: Plane) -> Iterator[tuple[int, Step]]:
-        """Every step with its number."""
-        return enumerate(self.construction(plane).steps)
+    def steps(self, plane: Plane) -> tuple[Step, ...]:
+        return self.construction(plane).steps
 
     def measures(self, plane: Plane) -> Iterator[Measure]:
         """Every rotation read off."""
-        return (s for _, s in self.steps(plane) if isinstance(s, Measure) and s.quantity in ("omega", "alpha"))
+        return (s for s in self.steps(plane) if isinstance(s, Measure) and s.quantity in ("omega", "alpha"))
 
     def sized(self, plane: Plane, kind: type[Known]) -> dict[Known, str]:
         """Known sizes of a kind, with the name of the arrow: those laid off, then those solved together."""
         found: dict[Known, str] = {}
-        for _, step in self.steps(plane):
+        for step in self.steps(plane):
             if isinstance(step, LayOff) and isinstance(step.term.size, kind):
                 found.setdefault(step.term.size, step.term.name(plane))
-        for _, step in self.steps(plane):
+        for step in self.steps(plane):
             if isinstance(step, Simultaneous):
                 for chain in step.chains:
                     found = {size: "" for size, _ in chain.known if isinstance(size, kind)} | found
         return found
 
     def laid_off(self, plane: Plane) -> Iterator[LayOff]:
-        return (step for _, step in self.steps(plane) if isinstance(step, LayOff))
+        return (step for step in self.steps(plane) if isinstance(step, LayOff))
 
     def images(self, plane: Plane) -> dict[str, list[Image]]:
         """Further points by image, by link."""
         found: dict[str, list[Image]] = {}
-        for _, step in self.steps(plane):
+        for step in self.steps(plane):
             if isinstance(step, Image):
                 found.setdefault(step.link, []).append(step)
         return found
 
-    def meets(self, plane: Plane) -> Iterator[tuple[int, Meet, Equation | None]]:
-        """Every crossing with its step's number and the equation it closes."""
-        number = 0
+    def meets(self, plane: Plane) -> Iterator[tuple[Meet, Equation | None]]:
+        """Every crossing with the equation it closes."""
         for part in self.construction(plane).parts:
-            steps = part.steps if isinstance(part, Equation) else (part,)
-            for step in steps:
+            equation = part if isinstance(part, Equation) else None
+            for step in part.steps if isinstance(part, Equation) else (part,):
                 if isinstance(step, Meet):
-                    yield number, step, part if isinstance(part, Equation) else None
-                number += 1
+                    yield step, equation
 
     def terms(self, plane: Plane) -> Iterator[Term]:
         """Every arrow of the equations, and those laid off alone."""
@@ -164,7 +162,7 @@ class Scene:
     def drawn_before(self, step: Step, plane: Plane) -> set[str]:
         """The corners of a polygon that are there when a step is done."""
         drawn = {self.construction(plane).pole}
-        for _, earlier in self.steps(plane):
+        for earlier in self.steps(plane):
             if earlier is step:
                 break
             drawn.update(drawn_by(earlier))
@@ -176,7 +174,7 @@ class Scene:
     # --- lengths ------------------------------------------------------------------------------
 
     def length(self, first: str, second: str) -> float:
-        return float(abs(self.plot.arm(first, second)))
+        return abs(place(self.plot.arm(first, second)))
 
     def other_lengths(self, link: str, lever: tuple[str, str]) -> dict[str, float]:
         """Lengths that may be taken for that of a lever [m], by name: of its link, of the links it is hinged to."""

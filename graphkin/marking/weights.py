@@ -13,8 +13,7 @@ from math import lgamma
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.marking.key import Hypotheses, Key
-from graphkin.marking.verdicts import Columns, columns_of, differences, upright
+from graphkin.marking.key import Columns, Hypotheses, Key, columns_of, differences, upright
 
 _RIGHT, ONE, TWO, _NONE = np.log((0.05, 0.35, 0.05, 0.1))
 """How often one mistake, two mistakes and other work are met where a value is beyond its tolerance, and right work:

@@ -9,8 +9,7 @@ from typing import Any, get_args
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.marking.diagnosis import Explanation
-from graphkin.marking.graded import Graded
-from graphkin.marking.marked import Judged, Marked
+from graphkin.marking.records import Graded, Judged, Marked
 
 FORMAT = 1
 Json = dict[str, Any]

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from graphkin.marking.discriminability import SetTold
+from graphkin.marking.pencil import Mark
 from graphkin.marking.power import Power
-from graphkin.marking.slips import Mark
-from graphkin.marking.told import SetTold
 from graphkin.marking.tolerances import Tolerances
 
 Json = dict[str, Any]

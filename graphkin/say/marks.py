@@ -7,8 +7,7 @@ from pathlib import Path
 
 from graphkin.errors import Lang
 from graphkin.marking.diagnosis import Explanation
-from graphkin.marking.graded import Graded
-from graphkin.marking.marked import Judged, Marked
+from graphkin.marking.records import Graded, Judged, Marked
 from graphkin.model.quantities import EDGE
 from graphkin.say.catalogue import say
 from graphkin.say.mistakes import once, together

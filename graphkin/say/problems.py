@@ -9,7 +9,7 @@ from typing import Any, assert_never
 
 from graphkin.errors import Lang
 from graphkin.files.names import split_points
-from graphkin.marking.handed import asked_of
+from graphkin.marking.answers import asked_of
 from graphkin.model.mechanism import Driver, Mechanism
 from graphkin.model.quantities import (
     Centre,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from graphkin.errors import Lang
-from graphkin.marking.told import LOOKED_AT, SetTold
+from graphkin.marking.discriminability import LOOKED_AT, SetTold
 from graphkin.say.catalogue import say
 from graphkin.say.marks import table
 from graphkin.say.numbers import number

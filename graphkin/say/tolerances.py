@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from graphkin.errors import Lang
+from graphkin.marking.discriminability import WELL
 from graphkin.marking.key import Marking
 from graphkin.marking.power import MistakePower, Power
-from graphkin.marking.tellable import WELL
 from graphkin.marking.tolerances import Cost, Tolerances
 from graphkin.model.quantities import EDGE
 from graphkin.say.catalogue import is_phrase, say

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal, Protocol
 
 from graphkin.errors import Lang
-from graphkin.marking.marked import Verdict
+from graphkin.marking.records import Verdict
 from graphkin.say.catalogue import say
 
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane, Plot
 from graphkin.errors import Lang
-from graphkin.marking.comparison import Beside
+from graphkin.marking.consequences import Beside
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
 from graphkin.sheet.composed import HEADINGS

@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import assert_never
 
 from graphkin.base.value import frozen
-from graphkin.construction.drafting.projective import Homogeneous
+from graphkin.construction.drafting.board import Homogeneous
 
 # --- points -----------------------------------------------------------------------------------
 
@@ -256,7 +256,7 @@ class Drafting:
 
     given: Mapping[str, float]
     stages: tuple[Stage, ...]
-    points: Mapping[str, Homogeneous] = field(default_factory=dict)
+    points: Mapping[str, Homogeneous | tuple[float, float, float]] = field(default_factory=dict)
 
     @property
     def steps(self) -> Iterator[Step]:

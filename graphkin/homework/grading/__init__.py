@@ -16,7 +16,7 @@ from graphkin.homework.grading.problems import Problem, problems_of
 from graphkin.homework.grading.resuming import Journal, resumed
 from graphkin.homework.grading.running import Way, grade
 from graphkin.homework.grading.sets import KeySet, OneKey, SetMarker, set_text
-from graphkin.marking.graded import Graded
+from graphkin.marking.records import Graded
 
 __all__ = [
     "USUAL",

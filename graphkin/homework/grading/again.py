@@ -11,8 +11,7 @@ from typing import Any
 
 from graphkin.base.value import frozen
 from graphkin.errors import NoFile, NoMarks, SaidBefore, Unreadable, Where
-from graphkin.marking.graded import Drawn
-from graphkin.marking.marked import HandedNumber, StudentWork
+from graphkin.marking.records import Drawn, HandedNumber, StudentWork
 from graphkin.outputs.marks_file import KIND, records_in
 from graphkin.outputs.marks_json import FORMAT, drawn_of
 

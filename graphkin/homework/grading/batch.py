@@ -11,9 +11,8 @@ from graphkin.errors import GraphkinError, OwnFault, TookTooLong, UnknownStudent
 from graphkin.homework.grading.again import Again
 from graphkin.homework.grading.drawn import with_drawings
 from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
-from graphkin.marking.graded import Drawn, Graded
-from graphkin.marking.marked import HandedNumber, Marked, StudentWork
 from graphkin.marking.marker import Marker
+from graphkin.marking.records import Drawn, Graded, HandedNumber, Marked, StudentWork
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
 
 _EACH = 0.1

@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from graphkin.errors import GraphkinError, NoSenseDrawn, OffTheDrawing
 from graphkin.homework.grading.sets import SetMarker
-from graphkin.marking.marked import HandedNumber, StudentWork
 from graphkin.marking.marker import Marker
+from graphkin.marking.records import HandedNumber, StudentWork
 from graphkin.model.quantities import at_position, position_of
 from graphkin.submissions import Submission
 

@@ -13,7 +13,7 @@ from graphkin.construction import Plane
 from graphkin.errors import BadKey, NoFile, NothingToMark, Unreadable, Where
 from graphkin.homework.grading.positions import further_methods
 from graphkin.marking.key import Key, Marking
-from graphkin.marking.making import make_key
+from graphkin.marking.key_making import make_key
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import Quantity
 from graphkin.planning import Method

@@ -14,7 +14,7 @@ from graphkin import api
 from graphkin import files as loading
 from graphkin.construction import Plot
 from graphkin.errors import GraphkinError, NoKeyAtPosition
-from graphkin.marking.handed import asked_of
+from graphkin.marking.answers import asked_of
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.model.quantities import Quantity

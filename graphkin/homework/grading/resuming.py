@@ -17,7 +17,7 @@ from graphkin.homework.grading.again import Again, again
 from graphkin.homework.grading.batch import Item, StoredRecord, asked_print
 from graphkin.homework.grading.running import Way, items, run
 from graphkin.homework.grading.sets import SetMarker
-from graphkin.marking.graded import Graded
+from graphkin.marking.records import Graded
 from graphkin.outputs.files import refuse
 from graphkin.outputs.marks_file import MARKS, records_in, text
 from graphkin.submissions import Handed

@@ -15,9 +15,9 @@ from graphkin.errors import OwnFault, Where
 from graphkin.homework.grading.again import Again, is_marks, records_of
 from graphkin.homework.grading.batch import Item, StoredRecord, marked
 from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
-from graphkin.marking.graded import Graded
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
+from graphkin.marking.records import Graded
 from graphkin.submissions import FirstOnes, Handed, Limits, called, guarded, handed_in
 
 _BATCH, _BYTES = 64, 4 << 20

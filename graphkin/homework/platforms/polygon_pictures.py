@@ -16,7 +16,7 @@ from graphkin.homework.grading import SetMarker
 from graphkin.homework.platforms.feedback import Reveal
 from graphkin.homework.platforms.result import Result, ResultPicture, Suspicion
 from graphkin.marking import Rewrite, rewrites
-from graphkin.marking.comparison import Beside, beside
+from graphkin.marking.consequences import Beside, beside
 from graphkin.marking.key import Name
 from graphkin.marking.marker import Marker
 from graphkin.model.quantities import position_of

@@ -16,10 +16,10 @@ from graphkin.homework.grading import key_for, set_text
 from graphkin.homework.grading.keys import USUAL
 from graphkin.homework.problems import Template, Variant
 from graphkin.homework.problems.shown import shown_at
+from graphkin.marking.discriminability import SetTold, set_told
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
 from graphkin.marking.power import alarms
-from graphkin.marking.told import SetTold, set_told
 from graphkin.outputs.files import beside, refuse
 from graphkin.outputs.key_json import key_text
 from graphkin.outputs.svg import inline

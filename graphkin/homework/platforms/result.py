@@ -13,9 +13,9 @@ from graphkin.construction import Plane
 from graphkin.errors import Lang, NotAResult, Where
 from graphkin.homework.platforms.numbers import points
 from graphkin.homework.platforms.question import Text
-from graphkin.marking.habits import Habit
+from graphkin.marking.diagnosis import Habit
 from graphkin.marking.key import Name
-from graphkin.marking.marked import Verdict
+from graphkin.marking.records import Verdict
 from graphkin.outputs.marks_json import drawn_of
 
 FORMAT = 1

@@ -23,7 +23,7 @@ from graphkin.homework.platforms.overrides import Overrides, overridden, read_ov
 from graphkin.homework.platforms.platform_names import Named, canvas, moodle
 from graphkin.homework.platforms.result import Result, ResultPicture
 from graphkin.homework.platforms.web_page import PAGE, html
-from graphkin.marking.habits import Trace, habits
+from graphkin.marking.diagnosis import Trace, habits
 from graphkin.outputs.files import beside
 from graphkin.say.catalogue import in_both, say
 from graphkin.submissions import safe_name

@@ -9,7 +9,7 @@ from typing import Any
 
 from graphkin.errors import NoFile, NotAResult, Unreadable, Where
 from graphkin.homework.platforms.result import Result, from_record
-from graphkin.marking.habits import Trace
+from graphkin.marking.diagnosis import Trace
 from graphkin.outputs.marks_file import END, HEAD, record_of, records_in
 
 

@@ -18,8 +18,7 @@ from graphkin.homework.problems.paper import DrawingSizes
 from graphkin.homework.problems.posed import PosedProblem, Refused, answers, well_posed
 from graphkin.homework.problems.roster import Student
 from graphkin.homework.problems.template import Template
-from graphkin.marking.telling import Telling, telling
-from graphkin.marking.told import LOOKED_AT, Always, Discriminability
+from graphkin.marking.discriminability import LOOKED_AT, Always, Discriminability, Telling, telling
 from graphkin.model.mechanism import Mechanism
 from graphkin.running.assembled import DrawnSides, assembled
 

@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from math import pi
 
-from graphkin.marking.mistakes.rotations import measured, reading
+from graphkin.marking.mistakes.readings import measured, reading
 from graphkin.marking.rewrite import Edit, Rewrite, RewrittenValue, times
 from graphkin.marking.scene import Scene, mistake
 from graphkin.model.quantities import Moving, Quantity, Rotation
-
-__all__: list[str] = []
 
 TURNS = {"30/π": 30 / pi, "60": 60.0, "1/60": 1 / 60, "2π": 2 * pi, "1/2π": 1 / (2 * pi), "180/π": 180 / pi}
 THOUSANDS = {"10³": 1e3, "10⁻³": 1e-3}

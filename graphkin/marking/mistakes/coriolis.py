@@ -12,8 +12,6 @@ from graphkin.marking.hand import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
-__all__: list[str] = []
-
 RULE = "3-2.1 (3-4)"
 
 

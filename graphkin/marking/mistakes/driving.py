@@ -13,8 +13,6 @@ from graphkin.marking.rewrite import Change, Edit, Rewrite, times
 from graphkin.marking.scene import Scene, mistake
 from graphkin.model.mechanism import FRAME
 
-__all__: list[str] = []
-
 
 @mistake("driver-reversed", "driver", "3-2.1 (3-1)")
 def reversed_(scene: Scene) -> Iterator[Rewrite]:

@@ -13,12 +13,10 @@ import numpy as np
 
 from graphkin.base.geometry import Value
 from graphkin.base.value import frozen
-from graphkin.construction.chains import chains, settle_rates
-from graphkin.construction.fitting import reach, settle_all, unknowns_of
+from graphkin.construction.fitting import reach, settle_all
 from graphkin.construction.kinds import Closure, Fit, Simultaneous
-from graphkin.construction.linear import Row, two
+from graphkin.construction.linear import Row, chains, in_step, settle_rates, two, unknowns_of
 from graphkin.construction.plot import Plot, slide_key
-from graphkin.construction.rolling import in_step
 from graphkin.construction.terms import Arm, Plane, Slid
 from graphkin.running.program.tape import CannotRecord
 

@@ -32,7 +32,7 @@ from graphkin.construction.drafting import (
     draw,
     ruled,
 )
-from graphkin.construction.drafting.projective import Homogeneous, product
+from graphkin.construction.drafting.board import Homogeneous, product
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.proof.readings import readings

@@ -12,7 +12,7 @@ from itertools import combinations
 import numpy as np
 
 from graphkin.construction.drafting import Drafting, DraftMeet, LineStep, Stage, drawn_through, ruled
-from graphkin.construction.drafting.projective import product
+from graphkin.construction.drafting.board import product
 from graphkin.studies.centres.instant_centres import Centres
 from graphkin.studies.centres.search import WELL_APART, Centring, lines_to
 

@@ -1,20 +1,95 @@
-"""Whether the mistakes of a problem can be told apart by its answers, and how well its template can do at all.
+"""Discriminability of mistakes: which of them the answers to a problem tell apart, as far as paper allows.
 
-Some mistakes give the same answers whatever the numbers: these are one set, and count for nothing here. What else lies
-within the tolerance, of each other or of the right answers, depends on the numbers: such problems are avoided.
+Mistakes of one kind count as one wherever they are made: to tell them apart helps nobody. Some give the same answers
+whatever the numbers: these are one set, and count for nothing. What else lies within the tolerance, of each other or of
+the right answers, depends on the numbers: such problems are avoided.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from operator import add
 
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.marking.key import Name
-from graphkin.marking.telling import Telling
+from graphkin.construction import Plot
+from graphkin.marking.consequences import SAME, combined, rewrites
+from graphkin.marking.diagnosis import Explainer
+from graphkin.marking.key import Columns, KeyEntry, Marking, Name, columns, columns_of, differences, upright
+from graphkin.marking.key_making import asked_alone
+from graphkin.planning import Method
+
+
+@frozen
+class Telling:
+    """What the answers to one problem tell of its mistakes.
+
+    right, tolerance  of the answers (n,)
+    names   of the mistakes that say anything of an answer (m,)
+    seen    whether one puts an answer beyond its tolerance (m,)
+    still   whether one leaves all answers as they are (m,)
+    near    which two of different kinds that are seen lie within the tolerance in all answers (m, m)
+    same    which two of different kinds give the very same answers (m, m)
+    failed  part of the drawings with a pencil whose links do not meet
+    """
+
+    right: np.ndarray
+    tolerance: np.ndarray
+    names: tuple[Name, ...]
+    seen: np.ndarray
+    still: np.ndarray
+    near: np.ndarray
+    same: np.ndarray
+    failed: float = 0.0
+
+
+def telling(method: Method, plot: Plot, marking: Marking) -> Telling:
+    """By what a mechanism asks for, at the position of a plot."""
+    quantities, entries, failed = asked_alone(method, plot, marking)
+    found = rewrites(method, plot, quantities, marking.scales)
+    values = combined(method, plot, quantities, [(one,) for one in found]).values
+    return replace(compared(entries, [one.name for one in found], values), failed=failed)
+
+
+def compared(entries: Sequence[KeyEntry], names: Sequence[Name], values: np.ndarray) -> Telling:
+    """What mistakes give for answers: values (mistakes, answers), NaN where one says nothing of an answer."""
+    table = columns(entries)
+    rows: list[int] = np.flatnonzero(np.isfinite(values).any(axis=1)).tolist()
+    values = upright(table, values[rows])
+    with np.errstate(invalid="ignore"):
+        off = np.abs(differences(table, values, table.right))
+        seen = (off > table.tolerance).any(axis=1)
+        still = ~(off > SAME * np.maximum(np.abs(table.right), table.tolerance)).any(axis=1)
+    near, same = _rivals(table, values)
+    kinds = np.array([names[row][0] for row in rows])
+    others = kinds[:, None] != kinds
+    kept = tuple(names[row] for row in rows)
+    return Telling(table.right, table.tolerance, kept, seen, still, near & others & seen[:, None] & seen, same & others)
+
+
+def _rivals(table: Columns, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Which two rows are within the tolerance, and which are equal; of what one does not judge it says nothing.
+
+    A value that is larger than the right one may be off by as much more.
+    """
+    near, same = (np.ones((len(values), len(values)), dtype=bool) for _ in range(2))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        times = np.nan_to_num(np.abs(values) / np.abs(table.right), nan=1.0, posinf=1.0)
+        reach = np.where(table.angle, table.tolerance, table.tolerance * np.maximum(times, 1.0))
+        for k in range(values.shape[1]):
+            one, value = columns_of(table, np.arange(len(table.right)) == k), values[:, k : k + 1]
+            off = np.abs(differences(one, value[:, None], value))[..., 0]
+            near &= ~(off > np.maximum(reach[:, None, k], reach[:, k]))
+            larger = np.maximum(np.abs(value), np.abs(value[:, 0]))
+            same &= ~(off > SAME * np.maximum(larger, one.tolerance))
+    return near, same
+
+
+# --- problems of one template ------------------------------------------------------------------
+
 
 LOOKED_AT = 6
 """So many problems are looked at for one that does as well as the best third of a sample; then the best of them."""
@@ -134,3 +209,44 @@ def set_told(
         {pair: n / count for pair, n in rivals.most_common()},
         len(alarms), (wrong, named),
     )  # fmt: skip
+
+
+# --- an observer of one mistake ----------------------------------------------------------------
+
+
+WELL = 0.95
+"""What part of the students who make a mistake should be told of it."""
+_TRIALS = 400
+
+
+@frozen
+class Observed:
+    """What an observer sees of a mistake.
+
+    beyond  part of the students who have a value beyond its tolerance, where values are normal
+    found   part of them in whom he finds the mistake; drawn: the same, where values are as they are drawn
+    """
+
+    beyond: float
+    found: float
+    drawn: float
+
+    @property
+    def tellable(self) -> bool:
+        return max(self.found, self.drawn) >= WELL
+
+
+Wrong = Callable[[np.ndarray], np.ndarray]
+"""Which values (students, quantities) are beyond their tolerance."""
+
+
+def observed(explainer: Explainer, k: int, drawn: np.ndarray, wrong: Wrong) -> Observed:
+    """Of explanation k; drawn: values of students who make this mistake (students, quantities)."""
+    count = int(explainer.there.sum())
+    normal = explainer.drawn(k, np.random.default_rng(count).standard_normal((_TRIALS, count)))
+    given = np.concatenate([normal, drawn])
+    beyond = wrong(given)
+    found = np.concatenate([best.given for best in explainer.only(k).best(given, beyond)])
+    return Observed(
+        float(beyond[:_TRIALS].any(axis=1).mean()), float(found[:_TRIALS].mean()), float(found[_TRIALS:].mean())
+    )
