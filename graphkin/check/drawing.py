@@ -13,8 +13,8 @@ from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 
 from graphkin import files as loading
 from graphkin.base.value import frozen
+from graphkin.check.outlines import Unread
 from graphkin.check.shown import ShownMark, Sight, seen_in
-from graphkin.check.transforms import Unread
 from graphkin.construction import Plane
 from graphkin.errors import BadDrawing, NoDrawing, NothingToMeasure, Where
 from graphkin.model.mechanism import Mechanism

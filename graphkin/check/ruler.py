@@ -11,18 +11,13 @@ from typing import Literal
 from graphkin.analytic import Motion, motion
 from graphkin.base.value import frozen
 from graphkin.check.centre_measure import CENTRES, parted, seen_arrows, seen_centres, ways_to_move
-from graphkin.check.claims import changed
+from graphkin.check.claims import changed, judged
 from graphkin.check.drawing import UNITS, DrawingFile, Fault, mechanism_of, numbers, plane_of, read, scales_of
-from graphkin.check.ends import loose_ends
-from graphkin.check.expected import is_called_so, is_named_so, point_value, vector_value
-from graphkin.check.heads import wrong_heads
-from graphkin.check.hidden import Layers
-from graphkin.check.links import link_name, worst_place
-from graphkin.check.point_paths import worst_of_path
+from graphkin.check.expected import Widened, is_called_so, is_named_so, point_value, vector_value, widened
+from graphkin.check.links import link_name, worst_of_path, worst_place
+from graphkin.check.mark_faults import Layers, loose_ends, wrong_heads
+from graphkin.check.outlines import Unread
 from graphkin.check.shown import ShownMark
-from graphkin.check.signs import judged
-from graphkin.check.transforms import Unread
-from graphkin.check.widened import Widened, widened
 from graphkin.construction import Plane
 from graphkin.errors import BadDrawing, Where
 from graphkin.model.mechanism import Mechanism

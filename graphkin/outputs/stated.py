@@ -95,7 +95,7 @@ def _is_sign(mark: Mark, placed: bool) -> bool:
 
 
 def _ends(mark: Mark) -> tuple[Place, Place]:
-    """Where a sign begins, and its middle corner or, of a circle, its middle, as `graphkin.check.signs` sees them."""
+    """Where a sign begins, and its middle corner or, of a circle, its middle, as `graphkin.check.claims` sees them."""
     match mark:
         case Stroke():
             corners = (*mark.places, *mark.places[: mark.closed])
