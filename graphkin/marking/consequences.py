@@ -162,7 +162,7 @@ _NOTHING = 1e-6
 
 
 @frozen
-class Beside:
+class DrawingComparison:
     """The right drawing and one with mistakes.
 
     planes  in which a point lies elsewhere, or nowhere: lines hardly cross there
@@ -179,12 +179,12 @@ class Beside:
     images: Mapping[Plane, frozenset[str]]
 
 
-def beside(method: Method, plot: Plot, rewrites: Sequence[Rewrite]) -> Beside:
+def compare_drawings(method: Method, plot: Plot, rewrites: Sequence[Rewrite]) -> DrawingComparison:
     """The parts of a drawing that mistakes made together draw otherwise, at the position of a plot."""
     right, other = rewritten(method, plot, ()), rewritten(method, plot, rewrites)
     planes = tuple(plane for plane in get_args(Plane) if _differs(right, other, plane))
     polygons = [] if "position" in planes else [method.velocity, method.acceleration]
-    return Beside(
+    return DrawingComparison(
         right, other, planes,
         {one.plane: frozenset(_arrows(one, right, other)) for one in polygons},
         {one.plane: frozenset(_images(one, right, other)) for one in polygons},

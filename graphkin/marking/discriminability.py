@@ -24,8 +24,8 @@ from graphkin.planning import Method
 
 
 @frozen
-class Telling:
-    """What the answers to one problem tell of its mistakes.
+class MistakeVisibility:
+    """The visibility of mistakes in the answers to one problem.
 
     right, tolerance  of the answers (n,)
     names   of the mistakes that say anything of an answer (m,)
@@ -46,16 +46,16 @@ class Telling:
     failed: float = 0.0
 
 
-def telling(method: Method, plot: Plot, marking: Marking) -> Telling:
+def mistake_visibility(method: Method, plot: Plot, marking: Marking) -> MistakeVisibility:
     """By what a mechanism asks for, at the position of a plot."""
     quantities, entries, failed = asked_alone(method, plot, marking)
-    found = rewrites(method, plot, quantities, marking.scales)
-    values = combined(method, plot, quantities, [(one,) for one in found]).values
-    return replace(compared(entries, [one.name for one in found], values), failed=failed)
+    singles = rewrites(method, plot, quantities, marking.scales)
+    values = combined(method, plot, quantities, [(one,) for one in singles]).values
+    return replace(compared(entries, [one.name for one in singles], values), failed=failed)
 
 
-def compared(entries: Sequence[KeyEntry], names: Sequence[Name], values: np.ndarray) -> Telling:
-    """What mistakes give for answers: values (mistakes, answers), NaN where one says nothing of an answer."""
+def compared(entries: Sequence[KeyEntry], names: Sequence[Name], values: np.ndarray) -> MistakeVisibility:
+    """By the values that mistakes give for answers (mistakes, answers), NaN where one says nothing of an answer."""
     table = columns(entries)
     rows: list[int] = np.flatnonzero(np.isfinite(values).any(axis=1)).tolist()
     values = upright(table, values[rows])
@@ -64,14 +64,14 @@ def compared(entries: Sequence[KeyEntry], names: Sequence[Name], values: np.ndar
         seen = (off > table.tolerance).any(axis=1)
         still = ~(off > SAME * np.maximum(np.abs(table.right), table.tolerance)).any(axis=1)
     near, same = _rivals(table, values)
-    kinds = np.array([names[row][0] for row in rows])
-    others = kinds[:, None] != kinds
-    kept = tuple(names[row] for row in rows)
-    return Telling(table.right, table.tolerance, kept, seen, still, near & others & seen[:, None] & seen, same & others)
+    ids = np.array([names[row][0] for row in rows])
+    others, kept = ids[:, None] != ids, tuple(names[row] for row in rows)
+    near = near & others & seen[:, None] & seen
+    return MistakeVisibility(table.right, table.tolerance, kept, seen, still, near, same & others)
 
 
 def _rivals(table: Columns, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Which two rows are within the tolerance, and which are equal; of what one does not judge it says nothing.
+    """The pairs of rows that are within the tolerance, and that are equal; of what one does not judge it says nothing.
 
     A value that is larger than the right one may be off by as much more.
     """
@@ -88,16 +88,15 @@ def _rivals(table: Columns, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]
     return near, same
 
 
-# --- problems of one template ------------------------------------------------------------------
-
+# --- problems of one template -----------------------------------------------------------------
 
 LOOKED_AT = 6
-"""So many problems are looked at for one that does as well as the best third of a sample; then the best of them."""
+"""Problems that are looked at for one that does as well as the best third of a sample; then the best of them."""
 
 
 @frozen
 class Discriminability:
-    """What one problem tells of mistakes.
+    """The mistakes that one problem tells apart.
 
     lost      how many mistakes it loses that its template can tell
     kinds     by a mistake's id: at how many places it can be made, is seen, and is told from all others
@@ -112,38 +111,36 @@ class Discriminability:
 
 
 class Always:
-    """What is the same in all of some problems of one template: mistakes with equal answers, or with the right ones."""
+    """The mistakes with equal answers, or with the right ones, in all of some problems of one template."""
 
-    def __init__(self, found: Sequence[Telling]) -> None:
-        self.places = {name: k for k, name in enumerate(dict.fromkeys(n for one in found for n in one.names))}
+    def __init__(self, problems: Sequence[MistakeVisibility]) -> None:
+        self.places = {name: k for k, name in enumerate(dict.fromkeys(n for one in problems for n in one.names))}
         count = len(self.places)
         self.same = np.ones((count, count), dtype=bool)
         self.still = np.ones(count, dtype=bool)
-        for one in found:
+        for one in problems:
             at = np.array([self.places[name] for name in one.names], dtype=int)
             self.same[np.ix_(at, at)] &= one.same
             self.still[at] &= one.still
 
-    def told(self, telling: Telling) -> Discriminability:
+    def told(self, one: MistakeVisibility) -> Discriminability:
         """Of one problem; a mistake that none of the others had is always told from them."""
-        same, still = self._of(telling)
-        rivals, sets = telling.near & ~same, telling.near & same
-        lost = (~telling.seen & ~still) | rivals.any(axis=1)
-        apart = telling.seen & ~telling.near.any(axis=1)
-        kinds = np.array([name[0] for name in telling.names], dtype=object)
-        counts = {
-            kind: (int(of.sum()), int((of & telling.seen).sum()), int((of & apart).sum()))
-            for kind in dict.fromkeys(kinds)
-            for of in (kinds == kind,)
-        }
-        return Discriminability(int(lost.sum()), counts, _pairs(telling.names, sets), _pairs(telling.names, rivals))
-
-    def _of(self, telling: Telling) -> tuple[np.ndarray, np.ndarray]:
-        at = np.array([self.places.get(name, -1) for name in telling.names], dtype=int)
+        at = np.array([self.places.get(name, -1) for name in one.names], dtype=int)
         known = at >= 0
-        if not self.places:
-            return np.zeros((len(at), len(at)), dtype=bool), np.zeros(len(at), dtype=bool)
-        return self.same[np.ix_(at, at)] & known & known[:, None], self.still[at] & known
+        if self.places:
+            same, still = self.same[np.ix_(at, at)] & known & known[:, None], self.still[at] & known
+        else:
+            same, still = np.zeros((len(at), len(at)), dtype=bool), np.zeros(len(at), dtype=bool)
+        rivals = one.near & ~same
+        lost = (~one.seen & ~still) | rivals.any(axis=1)
+        apart = one.seen & ~one.near.any(axis=1)
+        ids = np.array([name[0] for name in one.names], dtype=object)
+        kinds = {
+            id: (int(of.sum()), int((of & one.seen).sum()), int((of & apart).sum()))
+            for id in dict.fromkeys(ids)
+            for of in (ids == id,)
+        }
+        return Discriminability(int(lost.sum()), kinds, _pairs(one.names, one.near & same), _pairs(one.names, rivals))
 
 
 def _pairs(names: Sequence[Name], which: np.ndarray) -> dict[tuple[str, str], int]:
@@ -159,8 +156,8 @@ def _pairs(names: Sequence[Name], which: np.ndarray) -> dict[tuple[str, str], in
 
 
 @frozen
-class SetTold:
-    """What the problems of a set tell of mistakes, on average.
+class SetDiscriminability:
+    """The mistakes that the problems of a set tell apart, on average.
 
     problems  how many
     pencil    what it errs by [mm, deg]
@@ -187,23 +184,23 @@ class SetTold:
     alarms: tuple[float, float]
 
 
-def set_told(
-    found: Sequence[Discriminability], pencil: tuple[float, float], alarms: Sequence[tuple[float, float]] = ()
-) -> SetTold:
+def set_discriminability(
+    problems: Sequence[Discriminability], pencil: tuple[float, float], alarms: Sequence[tuple[float, float]] = ()
+) -> SetDiscriminability:
     """Of all problems together; `alarms` of some of them."""
     sums: dict[str, tuple[int, ...]] = {}
     sets: Counter[tuple[str, str]] = Counter()
     rivals: Counter[tuple[str, str]] = Counter()
-    for one in found:
+    for one in problems:
         for kind, counts in one.kinds.items():
             sums[kind] = tuple(map(add, sums.get(kind, (0, 0, 0)), counts))
         sets.update(dict(one.sets))
         rivals.update(dict.fromkeys(one.rivals, 1))
-    count, (places, seen, apart) = max(len(found), 1), map(sum, zip((0, 0, 0), *sums.values(), strict=True))
+    count, (places, seen, apart) = max(len(problems), 1), map(sum, zip((0, 0, 0), *sums.values(), strict=True))
     every = max(places, 1)
     wrong, named = (sum(each) / max(len(alarms), 1) for each in zip((0.0, 0.0), *alarms, strict=True))
-    return SetTold(
-        len(found), pencil, places / count, seen / every, apart / every, sum(one.lost for one in found) / every,
+    return SetDiscriminability(
+        len(problems), pencil, places / count, seen / every, apart / every, sum(one.lost for one in problems) / every,
         {kind: (n / count, seen / n, apart / n) for kind, (n, seen, apart) in sums.items()},
         {pair: n / min(sums[kind][0] for kind in pair) for pair, n in sets.most_common()},
         {pair: n / count for pair, n in rivals.most_common()},
@@ -211,17 +208,22 @@ def set_told(
     )  # fmt: skip
 
 
-# --- an observer of one mistake ----------------------------------------------------------------
-
+# --- an observer of one mistake ---------------------------------------------------------------
 
 WELL = 0.95
-"""What part of the students who make a mistake should be told of it."""
+"""The part of the students who make a mistake that should be told of it."""
 _TRIALS = 400
 
 
 @frozen
 class Observed:
-    """What an observer sees of a mistake.
+    """The students who make a mistake, to an observer who knows this mistake alone.
+
+    He knows what it gives and how a pencil scatters that, judges by the rules of marking, and has nothing to choose from
+    but this mistake, right work and other numbers: what he misses no judge finds who has more mistakes to choose from.
+    One that moves a single value is missed by more than one in 20 where it moves it by less than 3 + 1.64 standard
+    deviations. Values are normal, with the variances and correlations of the mistake's drawings; or as they are drawn,
+    which near a dead point is not normal. Paper can tell the mistake where either way he finds it.
 
     beyond  part of the students who have a value beyond its tolerance, where values are normal
     found   part of them in whom he finds the mistake; drawn: the same, where values are as they are drawn
@@ -236,17 +238,17 @@ class Observed:
         return max(self.found, self.drawn) >= WELL
 
 
-Wrong = Callable[[np.ndarray], np.ndarray]
-"""Which values (students, quantities) are beyond their tolerance."""
+def observed(
+    explainer: Explainer, k: int, drawn: np.ndarray, wrong: Callable[[np.ndarray], np.ndarray]
+) -> Observed:
+    """Of explanation k; drawn: values of students who make this mistake (students, quantities).
 
-
-def observed(explainer: Explainer, k: int, drawn: np.ndarray, wrong: Wrong) -> Observed:
-    """Of explanation k; drawn: values of students who make this mistake (students, quantities)."""
+    wrong  the values (students, quantities) that are beyond their tolerance, as booleans
+    """
     count = int(explainer.there.sum())
     normal = explainer.drawn(k, np.random.default_rng(count).standard_normal((_TRIALS, count)))
     given = np.concatenate([normal, drawn])
     beyond = wrong(given)
-    found = np.concatenate([best.given for best in explainer.only(k).best(given, beyond)])
-    return Observed(
-        float(beyond[:_TRIALS].any(axis=1).mean()), float(found[:_TRIALS].mean()), float(found[_TRIALS:].mean())
-    )
+    explained = np.concatenate([best.given for best in explainer.only(k).best(given, beyond)])
+    parts = beyond[:_TRIALS].any(axis=1), explained[:_TRIALS], explained[_TRIALS:]
+    return Observed(*(float(part.mean()) for part in parts))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from graphkin.marking.discriminability import SetTold
+from graphkin.marking.discriminability import SetDiscriminability
 from graphkin.marking.pencil import Mark
 from graphkin.marking.power import Power
 from graphkin.marking.tolerances import Tolerances
@@ -63,7 +63,7 @@ def power_data(power: Power) -> Json:
     }  # fmt: skip
 
 
-def told_data(told: SetTold) -> Json:
+def told_data(told: SetDiscriminability) -> Json:
     """What a set's answers tell of mistakes; parts from 0 to 1."""
     return {
         "problems": told.problems,

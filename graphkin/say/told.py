@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from graphkin.errors import Lang
-from graphkin.marking.discriminability import LOOKED_AT, SetTold
+from graphkin.marking.discriminability import LOOKED_AT, SetDiscriminability
 from graphkin.say.catalogue import say
 from graphkin.say.marks import table
 from graphkin.say.numbers import number
@@ -14,7 +14,7 @@ _MOST = 10
 """Pairs that are told."""
 
 
-def told_lines(told: SetTold, lang: Lang) -> Iterator[str]:
+def told_lines(told: SetDiscriminability, lang: Lang) -> Iterator[str]:
     """A row a mistake, then what is always one set, what the numbers make one, and false alarms."""
     length, angle = (f"{error:g}" for error in told.pencil)
     yield say("told.head", lang, problems=_problems(told.problems, lang), length=length, angle=angle)

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane, Plot
 from graphkin.errors import Lang
-from graphkin.marking.consequences import Beside
+from graphkin.marking.consequences import DrawingComparison
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
 from graphkin.sheet.composed import HEADINGS
@@ -53,7 +53,7 @@ _OTHERWISE = 1
 
 
 def mistake_sheet(
-    method: Method, plot: Plot, *, found: Beside | None = None, own: Own | None = None, answer: bool = True,
+    method: Method, plot: Plot, *, found: DrawingComparison | None = None, own: Own | None = None, answer: bool = True,
     lang: Lang = "en",
 ) -> Sheet | None:  # fmt: skip
     """The planes that mistakes change, and those that a student has drawn; None where there is nothing to show.
@@ -86,7 +86,7 @@ class Version:
 
     told    what it is, under it
     thin    only to be compared with
-    arrows, images   what is drawn otherwise, as in `Beside`
+    arrows, images   what is drawn otherwise, as in `DrawingComparison`
     own     the student's points, from the pole
     """
 
@@ -179,7 +179,7 @@ class Version:
 
 
 def _versions(
-    method: Method, plot: Plot, plane: Plane, found: Beside | None, own: Own, answer: bool
+    method: Method, plot: Plot, plane: Plane, found: DrawingComparison | None, own: Own, answer: bool
 ) -> Iterator[Version]:
     changed = found is not None and plane in found.planes
     drawn = own.get(plane) if plane != "position" else None

@@ -16,7 +16,7 @@ from graphkin.homework.grading import SetMarker
 from graphkin.homework.platforms.feedback import Reveal
 from graphkin.homework.platforms.result import Result, ResultPicture, Suspicion
 from graphkin.marking import Rewrite, rewrites
-from graphkin.marking.consequences import Beside, beside
+from graphkin.marking.consequences import DrawingComparison, compare_drawings
 from graphkin.marking.key import Name
 from graphkin.marking.marker import Marker
 from graphkin.model.quantities import position_of
@@ -118,17 +118,17 @@ class _Position:
         told += [say("pictures.dashed", lang)] if own else []
         return ResultPicture(say("pictures.between", lang).join(told), "image/svg+xml", inline(sheet).encode())
 
-    def _otherwise(self, names: Sequence[tuple[Name, ...]]) -> tuple[tuple[Name, ...], Beside | None]:
+    def _otherwise(self, names: Sequence[tuple[Name, ...]]) -> tuple[tuple[Name, ...], DrawingComparison | None]:
         """The first of the mistakes that draws something otherwise, and what; where none does, the first known."""
         known = [made for made in names[:_SAME] if made and all(name in self.rewrites for name in made)]
         for made in known:
-            found = beside(self.method, self.plot, [self.rewrites[name] for name in made])
+            found = compare_drawings(self.method, self.plot, [self.rewrites[name] for name in made])
             if found.planes:
                 return made, found
         return next(iter(known), ()), None
 
 
-def _of_mistake(made: tuple[Name, ...], found: Beside, answer: bool, lang: Lang) -> list[str]:
+def _of_mistake(made: tuple[Name, ...], found: DrawingComparison, answer: bool, lang: Lang) -> list[str]:
     told = [say("pictures.shows", lang, mistake=together(made, lang))]
     if any(found.arrows.values()) or any(found.images.values()):
         told.append(say("pictures.thick", lang))

@@ -16,7 +16,7 @@ from graphkin.homework.grading import key_for, set_text
 from graphkin.homework.grading.keys import USUAL
 from graphkin.homework.problems import Template, Variant
 from graphkin.homework.problems.shown import shown_at
-from graphkin.marking.discriminability import SetTold, set_told
+from graphkin.marking.discriminability import SetDiscriminability, set_discriminability
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
 from graphkin.marking.power import alarms
@@ -70,7 +70,7 @@ def write_problems(
             key = key_for(variant.mechanism, points=template.points or None)
             rates += [_alarms(key)] if len(rates) < _TRIED else []
             yield _written(folder / f"{name}{KEY}", key_text(key), force)
-    told = set_told([variant.told for variant in found], (USUAL.length_mm, USUAL.angle_deg), rates)
+    told = set_discriminability([variant.told for variant in found], (USUAL.length_mm, USUAL.angle_deg), rates)
     if keys:
         yield _written(folder / TOLD, "\n".join((*told_lines(told, lang), "", MADE, "")), force)
         index = {student: f"{name}{KEY}" for student, name in names.items()}
@@ -156,7 +156,7 @@ def _written(path: Path, text: str, force: bool) -> Path:
     return path
 
 
-def _listed(template: Template, found: tuple[Variant, ...], names: dict[str, str], seed: str, told: SetTold) -> str:
+def _listed(template: Template, found: tuple[Variant, ...], names: dict[str, str], seed: str, told: SetDiscriminability) -> str:
     """What the set is: who has which numbers."""
     students = {
         variant.student.id: {

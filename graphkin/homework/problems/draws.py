@@ -18,7 +18,7 @@ from graphkin.homework.problems.paper import DrawingSizes
 from graphkin.homework.problems.posed import PosedProblem, Refused, answers, well_posed
 from graphkin.homework.problems.roster import Student
 from graphkin.homework.problems.template import Template
-from graphkin.marking.discriminability import LOOKED_AT, Always, Discriminability, Telling, telling
+from graphkin.marking.discriminability import LOOKED_AT, Always, Discriminability, MistakeVisibility, mistake_visibility
 from graphkin.model.mechanism import Mechanism
 from graphkin.running.assembled import DrawnSides, assembled
 
@@ -113,14 +113,14 @@ class _Goal:
         """By problems that are nobody's."""
         some = list(islice(_sample(template, seed), _SAMPLE))
         paper = DrawingSizes.of(some)
-        found = [telling(one.method, one.drawn, paper.marking(one)) for one in some]
+        found = [mistake_visibility(one.method, one.drawn, paper.marking(one)) for one in some]
         always = Always(found)
         lost = sorted(always.told(one).lost for one in found)
         return cls(paper, always, lost[(len(lost) - 1) // 3] if lost else 0)
 
-    def telling(self, posed: PosedProblem) -> Telling:
+    def telling(self, posed: PosedProblem) -> MistakeVisibility:
         """What the answers at the drawn position tell."""
-        return telling(posed.method, posed.drawn, self.paper.marking(posed))
+        return mistake_visibility(posed.method, posed.drawn, self.paper.marking(posed))
 
 
 def _sample(template: Template, seed: str) -> Iterator[PosedProblem]:
