@@ -285,5 +285,6 @@ def _called(exact: Widened, text: str) -> set[str]:
     bodies |= {name for name, body in exact.bodies.items() if body.points[0] == site.point}
     slots = {pin_name(pair): pair.name for pair in exact.mechanism.pairs}
     names = {exact.mechanism.called(slots.get(body, body)) for body in bodies}
-    names |= {exact.mechanism.called(link) for name in bodies if name in exact.bodies for link in owners.get(exact.bodies[name].points[0], ())}
+    carried = [exact.bodies[name].points[0] for name in bodies if name in exact.bodies]
+    names |= {exact.mechanism.called(link) for point in carried for link in owners.get(point, ())}
     return {site.point} | {site.point + name for name in names} | {f"{site.point}@{name}" for name in names}

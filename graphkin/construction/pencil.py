@@ -39,7 +39,7 @@ class Compass:
 
 
 class Hand(Generic[DrawnPlot]):
-    """Draws each step exactly; mistakes, a student's own values and a pencil that errs are hands that do some otherwise.
+    """Draws each step exactly; mistakes, a student's own values, a pencil that errs are hands that do some otherwise.
 
     Each function is given what is right at this place of the drawing as it stands, and gives what is drawn: all that
     follows is drawn from that. Values are scalars or arrays that broadcast with the positions.

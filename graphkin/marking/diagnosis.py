@@ -60,8 +60,9 @@ class Explainer:
     """
 
     def __init__(
-        self, key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, met: float, other_methods: OtherMethods
-    ) -> None:
+        self, key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, met: float,
+        other_methods: OtherMethods,
+    ) -> None:  # fmt: skip
         """met: logarithm of how often one of the hypotheses is met."""
         self.there, self._other_methods, self._hypotheses = there, other_methods, hypotheses
         self._scale = ScaledExplanations(key, table, there, hypotheses, met)

@@ -219,8 +219,8 @@ _TRIALS = 400
 class Observed:
     """The students who make a mistake, to an observer who knows this mistake alone.
 
-    He knows what it gives and how a pencil scatters that, judges by the rules of marking, and has nothing to choose from
-    but this mistake, right work and other numbers: what he misses no judge finds who has more mistakes to choose from.
+    He knows what it gives and how a pencil scatters that, judges by the rules of marking, and chooses between this
+    mistake, right work and other numbers: what he misses no judge finds who has more mistakes to choose from.
     One that moves a single value is missed by more than one in 20 where it moves it by less than 3 + 1.64 standard
     deviations. Values are normal, with the variances and correlations of the mistake's drawings; or as they are drawn,
     which near a dead point is not normal. Paper can tell the mistake where either way he finds it.

@@ -31,7 +31,7 @@ class Followed:
     plot: Redrawing
 
     def value(self, quantity: Quantity) -> Answer:
-        """What follows for a quantity from the own values *before* it: its own one does not count."""
+        """The answer that follows for a quantity from the own values *before* it: its own one does not count."""
         if isinstance(quantity, Rotation) and (quantity.word, quantity.link) in self.plot.before:
             return Answer(self.plot.before[quantity.word, quantity.link], quantity.unit)
         return drawn_answer(self.method, self.plot, quantity, self.arrows, before=True)
@@ -182,7 +182,7 @@ _STRETCH = 5.0
 
 @frozen
 class Carried:
-    """What follows for each student and quantity (students, n); NaN where no own value enters it.
+    """The outcomes for each student and quantity (students, n); NaN where no own value enters it.
 
     agrees      whether the handed-in value does; sense_only: whether it would, with the other sense
     given       what was handed in; unused: own wrong values that are not carried on
@@ -257,7 +257,7 @@ class CarriedProblem:
         )  # fmt: skip
 
     def _values(self, given: np.ndarray, used: np.ndarray) -> np.ndarray:
-        """What follows from the own values that are used; the right values where none is."""
+        """The outcomes of the own values that are used; the right values where none is."""
         right = np.broadcast_to(self.table.right, given.shape).copy()
         some = np.flatnonzero(used.any(axis=1))
         if not some.size:
@@ -286,13 +286,13 @@ class CarriedProblem:
         return np.asarray(self.table.tolerance * stretch)
 
     def _moved(self, values: np.ndarray, others: np.ndarray) -> np.ndarray:
-        """Where values differ by more than counts; where they cannot be drawn, nowhere."""
+        """True for values that differ by more than counts; false where they cannot be drawn."""
         with np.errstate(invalid="ignore"):
             return np.asarray(np.abs(values - others) > _MOVES * self.table.tolerance)
 
 
 def usable(key: Key, table: Columns, given: np.ndarray) -> np.ndarray:
-    """The own values (students, n) that may be carried on, so that nothing is gained by 0 or a number of the problem."""
+    """The own values (students, n) that are carried on: nothing is gained by 0 or by a number of the problem."""
     with np.errstate(invalid="ignore", divide="ignore"):
         size, right = np.abs(given), np.abs(table.right)
         bounded = (size >= right / _ANSWERABLE) & (size <= right * _ANSWERABLE)

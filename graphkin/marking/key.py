@@ -16,7 +16,8 @@ from graphkin.base.value import frozen
 
 Sort = Literal["sense", "size", "angle"]
 Doubt = Literal["", "steep", "dead point", "too small"]
-"""The reason for which paper tells a value badly: it scatters otherwise than in proportion to the pencil's errors; it cannot be told at
+"""The reason for which paper tells a value badly: it scatters otherwise than in proportion to the pencil's errors; it
+cannot be told at
 all, near a dead point, or since it may be off by more than its size."""
 TELLS = 0.15
 """Where paper cannot tell a value, one that is off by a smaller part is right all the same."""

@@ -1,4 +1,4 @@
-"""A key made of a mechanism: right values with what paper allows, and the outcome of each mistake, or of two together."""
+"""A key made of a mechanism: right values with what paper allows, and the outcomes of mistakes, one or two together."""
 
 from __future__ import annotations
 
@@ -78,8 +78,8 @@ def make_key(
 def asked_alone(
     method: Method, plot: Plot, marking: Marking
 ) -> tuple[tuple[Quantity, ...], tuple[KeyEntry, ...], float]:
-    """The quantities asked for, and what paper allows of them, without anything on the way and of fewer drawings; with the part
-    of these whose links do not meet."""
+    """The quantities asked for, and what paper allows of them, without anything on the way and of fewer drawings; with
+    the part of these whose links do not meet."""
     asked = asked_of(method.mechanism)
     every = tuple({quantity.text: quantity for quantity in asked.values()}.values())
     words = {quantity.text: question for question, quantity in asked.items()}

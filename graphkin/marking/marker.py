@@ -20,7 +20,7 @@ from graphkin.marking.follow_through import Carried, CarriedProblem
 from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name, agrees, columns, sense_only
 from graphkin.marking.key_making import by_other_methods, make_key, pairs_of
 from graphkin.marking.read_off import OffDrawing, as_drawn, pointing, read_off, turned_by
-from graphkin.marking.records import Drawn, Judged, Marked, StudentWork, Verdict, as_one, by_position
+from graphkin.marking.records import Drawn, HandedNumber, Judged, Marked, StudentWork, Verdict, as_one, by_position
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import called_as_asked, same_answers
 from graphkin.model.quantities import Moving, Quantity, Rotation
@@ -55,8 +55,8 @@ class Marker:
     @cached_property
     def quantities(self) -> tuple[Quantity, ...]:
         """Of the key's entries."""
-        found = (readable(self.method.mechanism, entry.text) for entry in self.key.entries)
-        return tuple(quantity for quantity in found if quantity is not None)
+        quantities = (readable(self.method.mechanism, entry.text) for entry in self.key.entries)
+        return tuple(quantity for quantity in quantities if quantity is not None)
 
     @cached_property
     def problem(self) -> CarriedProblem:
@@ -65,21 +65,19 @@ class Marker:
     def off_drawing(
         self, drawn: Drawn, vectors: Mapping[str, complex], written: Mapping[str, float]
     ) -> tuple[OffDrawing, dict[str, bool]]:
-        """What is asked that a drawing at this position determines, and which of its known arrows point as they should.
+        """The asked values that a drawing at this position determines, and whether its known arrows point as they must.
 
         drawn    as in `Graded`; vectors: those that were measured, by quantity; written: numbers beside it
         """
-        arrows, found = self.problem.arrows, zip(self.key.entries, self.quantities, strict=True)
-        named = {quantity: entry for entry, quantity in found}
-        there = ((q, vectors.get(entry.text)) for q, entry in named.items())
-        moving = {q: vector for q, vector in there if isinstance(q, Moving) and vector is not None}
-        wanted = [quantity for quantity, entry in named.items() if entry.points]
-        off = read_off(self.method, self.plot, arrows, drawn, wanted)
-        texts = {quantity.text: entry.text for quantity, entry in named.items()}
-        turning = {q: written[e.text] for q, e in named.items() if isinstance(q, Rotation) and e.text in written}
-        told = pointing(self.method, self.plot, arrows, drawn, moving, turning)
+        arrows, entries = self.problem.arrows, dict(zip(self.quantities, self.key.entries, strict=True))
+        moving = {q: vectors[e.text] for q, e in entries.items() if isinstance(q, Moving) and e.text in vectors}
+        turning = {q: written[e.text] for q, e in entries.items() if isinstance(q, Rotation) and e.text in written}
+        asked = [quantity for quantity, entry in entries.items() if entry.points]
+        off = read_off(self.method, self.plot, arrows, drawn, asked)
+        good = pointing(self.method, self.plot, arrows, drawn, moving, turning)
+        texts = {quantity.text: entry.text for quantity, entry in entries.items()}
         renamed = OffDrawing({texts[q]: x for q, x in off.values.items()}, tuple(texts[q] for q in off.no_sense))
-        return renamed, {texts[quantity]: good for quantity, good in told.items()}
+        return renamed, {texts[quantity]: points for quantity, points in good.items()}
 
     @cached_property
     def pairs(self) -> Hypotheses:
@@ -144,29 +142,32 @@ class Marker:
         return self._wider or self
 
     def _marks(self, works: Sequence[StudentWork]) -> list[Marked]:
-        given = np.array([[_value(work, entry) for entry in self.key.entries] for work in works]).reshape(
-            len(works), len(self.key.entries)
-        )
-        strange = np.array([[_strange(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
+        shape = (len(works), len(self.key.entries))
+        numbers = [work.numbers.get(entry.text) for work in works for entry in self.key.entries]
+        given = np.array([_value(number) for number in numbers], dtype=float).reshape(shape)
+        # a number with a unit of another kind is judged by itself, and nothing is made of it
+        strange = np.array([one is not None and not one.unit_right for one in numbers], dtype=bool).reshape(shape)
         right, wrong = self.judged(given)
-        strange = strange.reshape(given.shape)
         untold = np.isfinite(given) & ~right & ~wrong & ~strange
         carried = self._carried(works, given, wrong & ~strange, wrong)
-        found = self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange)
-        found = [self._as_drawn(work, one) for work, one in zip(works, found, strict=True)]
-        return [self._marked(work, k, given[k], right[k], untold[k], carried, found[k]) for k, work in enumerate(works)]
+        diagnosed = zip(works, self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange), strict=True)
+        return [
+            self._marked(work, k, given[k], right[k], untold[k], carried, self._as_drawn(work, diagnosis))
+            for k, (work, diagnosis) in enumerate(diagnosed)
+        ]
 
     def _carried(
         self, works: Sequence[StudentWork], given: np.ndarray, known: np.ndarray, wrong: np.ndarray
     ) -> Carried:
-        """What follows from own values. What is measured on a drawing follows from all that was drawn before it: only
+        """The outcomes of own values. What is measured on a drawing follows from all that was drawn before it: only
         own values that are asked for, and so have cost something, are carried on to it."""
-        found = self.problem.carried(given, known, wrong)
-        if not any(number.measured for work in works for number in work.numbers.values()):
-            return found
-        measured = np.array([[_measured(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
+        carried = self.problem.carried(given, known, wrong)
+        numbers = [[work.numbers.get(entry.text) for entry in self.key.entries] for work in works]
+        measured = np.array([[one is not None and one.measured for one in row] for row in numbers], dtype=bool)
+        if not any(one.measured for work in works for one in work.numbers.values()):
+            return carried
         asked = np.array([entry.points > 0 for entry in self.key.entries])
-        return found.instead(self.problem.carried(given, known & (asked | ~measured), wrong), measured)
+        return carried.instead(self.problem.carried(given, known & (asked | ~measured), wrong), measured)
 
     def judged(self, given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Which values (students, n) are right, and which wrong; neither where there is none, or paper cannot tell."""
@@ -176,17 +177,18 @@ class Marker:
 
     def diagnoses(self, given: np.ndarray, wrong: np.ndarray) -> list[Diagnosis]:
         """Of those who have something wrong, together where they have handed in the same quantities."""
-        found = [Diagnosis()] * len(given)
+        every = [Diagnosis()] * len(given)
         off = np.flatnonzero(wrong.any(axis=1))
         if not off.size:
-            return found
+            return every
         patterns, number = np.unique(np.isfinite(given[off]), axis=0, return_inverse=True)
         for k in range(len(patterns)):
             some = off[number.reshape(-1) == k]
-            each = diagnoses(self.key, self.table, given[some], wrong[some], lambda: self.pairs, lambda: self.other_methods)
+            pairs, other_methods = (lambda: self.pairs), (lambda: self.other_methods)
+            each = diagnoses(self.key, self.table, given[some], wrong[some], pairs, other_methods)
             for row, one in zip(some, each, strict=True):
-                found[row] = one
-        return found
+                every[row] = one
+        return every
 
     def _as_drawn(self, work: StudentWork, diagnosis: Diagnosis) -> Diagnosis:
         """By the arrows of a drawing that point another way."""
@@ -217,16 +219,9 @@ class Marker:
         return Marked(work.student, judged, diagnosis)
 
     def _judged(
-        self,
-        work: StudentWork,
-        entry: KeyEntry,
-        n: int,
-        given: float,
-        right: bool,
-        sense_only: bool,
-        carried: Carried,
+        self, work: StudentWork, entry: KeyEntry, n: int, given: float, right: bool, sense_only: bool, carried: Carried,
         k: int,
-    ) -> Judged:
+    ) -> Judged:  # fmt: skip
         """One quantity; the better of both verdicts counts."""
         if not np.isfinite(given):
             return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "missing", points=entry.points)
@@ -260,21 +255,9 @@ def _sense(wrong: bool) -> Literal["right", "wrong"]:
     return "wrong" if wrong else "right"
 
 
-def _value(work: StudentWork, entry: KeyEntry) -> float:
-    """What is judged: numbers beyond all sizes are only large."""
-    number = work.numbers.get(entry.text)
+def _value(number: HandedNumber | None) -> float:
+    """The value that is judged: numbers beyond all sizes are only large."""
     return np.nan if number is None else min(max(number.value, -_LARGE), _LARGE)
-
-
-def _measured(work: StudentWork, entry: KeyEntry) -> bool:
-    number = work.numbers.get(entry.text)
-    return number is not None and number.measured
-
-
-def _strange(work: StudentWork, entry: KeyEntry) -> bool:
-    """Whether a number stands there with a unit of another kind: it is judged by itself, and nothing is made of it."""
-    number = work.numbers.get(entry.text)
-    return number is not None and not number.unit_right
 
 
 def _widened(key: Key, method: Method, further: Sequence[Quantity]) -> Key:

@@ -1,4 +1,4 @@
-"""How well mistakes are told apart: students drawn up who make one, with a pencil that errs, and are diagnosed."""
+"""The power to tell mistakes apart: students drawn up who make one, with a pencil that errs, and are diagnosed."""
 
 from __future__ import annotations
 
@@ -18,8 +18,7 @@ from graphkin.marking.tolerances import Drawings, pencil_of
 from graphkin.marking.weights import MOVED, ONE, shifts
 
 _Parts = tuple[Observed, float, float, float]
-"""What an observer makes of a mistake; part of its students who have a value judged wrong, are told of it, and of no
-other."""
+"""An observer's view of a mistake; part of its students who have a wrong value, are told of it, and of no other."""
 _DIGITS = 4
 _RIGHT = 2000
 """Students who work right: a mistake named to one of them is a false alarm."""
@@ -29,7 +28,7 @@ _AT_ONCE = 64
 
 @frozen
 class MistakePower:
-    """What came of the students who make one mistake.
+    """The outcome for the students who make one mistake.
 
     moved        by how many standard deviations it moves a handed-in value, at most
     applicable   whether that is more than a pencil might
@@ -48,13 +47,13 @@ class MistakePower:
 
     @property
     def tellable(self) -> bool:
-        """Whether paper can tell it: most students who make it hand in what tells them from others."""
+        """True if paper can tell it: most students who make it hand in what tells them from others."""
         return self.observed is not None and self.observed.tellable
 
 
 @frozen
 class Power:
-    """How a problem tells mistakes.
+    """The power of a problem to tell mistakes.
 
     texts        what the students hand in
     alarms       part of right work by pencil that has a value judged wrong, and that gets a mistake
@@ -75,12 +74,12 @@ def power(marker: Marker, trials: int = 200, texts: Sequence[str] | None = None)
     drawings = Drawings.of(
         marker.method, pencil_of(marker.key.marking), Slips(seed_of(marker.method.mechanism) ^ 0x5EED, trials)
     )
-    found = tuple(_found(marker, drawings, handed))
+    outcomes = tuple(_outcomes(marker, drawings, handed))
     kept = tuple(entry.text for entry, there in zip(marker.key.entries, handed, strict=True) if there)
-    return Power(kept, trials, found, alarms(marker, texts), _random(marker, handed, 2 * trials))
+    return Power(kept, trials, outcomes, alarms(marker, texts), _random(marker, handed, 2 * trials))
 
 
-def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[MistakePower]:
+def _outcomes(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[MistakePower]:
     key, table = marker.key, marker.table
     scales = key.marking.scales
     known = {one.name: one for one in rewrites(marker.method, marker.plot, marker.quantities, scales)}
@@ -97,12 +96,10 @@ def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[M
         yield MistakePower(names[0], float(most[row]), row in tried, *tried.get(row, ()))
 
 
-def _tried(
-    marker: Marker, handed: np.ndarray, rows: np.ndarray, given: np.ndarray
-) -> dict[int, _Parts]:
+def _tried(marker: Marker, handed: np.ndarray, rows: np.ndarray, given: np.ndarray) -> dict[int, _Parts]:
     """Of those who make a mistake each (rows,), given (rows, trials, quantities), by row. Nothing where most drawings
     fail."""
-    found: dict[int, _Parts] = {}
+    tried: dict[int, _Parts] = {}
     judged = handed & np.isfinite(marker.key.singles.values[rows])
     for there in np.unique(judged, axis=0):
         some = np.flatnonzero((judged == there).all(axis=1))
@@ -111,8 +108,8 @@ def _tried(
         if there.any() and most.any():
             some, drawn = some[most], drawn[most]
             parts = _parts(marker, there, rows[some], np.where(there, given[some], np.nan), drawn)
-            found |= dict(zip(rows[some].tolist(), parts, strict=True))
-    return found
+            tried |= dict(zip(rows[some].tolist(), parts, strict=True))
+    return tried
 
 
 def _parts(

@@ -46,7 +46,9 @@ class OffDrawing:
     no_sense: tuple[str, ...] = ()
 
 
-def read_off(method: Method, plot: Plot, arrows: ArrowPlaces, drawn: Drawn, quantities: Sequence[Quantity]) -> OffDrawing:
+def read_off(
+    method: Method, plot: Plot, arrows: ArrowPlaces, drawn: Drawn, quantities: Sequence[Quantity]
+) -> OffDrawing:
     """The values of the quantities that a drawing determines.
 
     plot   the right one, for the lengths of links

@@ -82,7 +82,7 @@ class Drawings:
         return drawn_answer(self.method, plot, quantity, self.arrows).value + self._slip(plot, quantity)
 
     def _slip(self, plot: Redrawing, quantity: Quantity) -> Value:
-        """The error of what is read off at the end alone; rotations were read on the way, products of readings are calculated."""
+        """The error of what is read off at the end; rotations were read on the way, products of readings are calculated."""
         lengths, slips = self.pencil.lengths, self.slips
         match quantity:
             case kinds.Rotation(word="theta"):
