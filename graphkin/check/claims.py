@@ -48,27 +48,24 @@ def changed(
     if drawing.claims.get("seal") != seal(drawing.claims):
         yield Fault("changed", "")
     yield from _printed(texts, scales)
-    titles = [] if drawing.claims.get("tight") is True else _titles(mechanism)
+    titles = [title for text in mechanism.title.values() if (title := " ".join(text.split()))]
     if drawing.title.split() != str(drawing.claims.get("title", "")).split():
         yield Fault("title", drawing.title)
-    if titles and not any(_begins(title, text) for text in texts for title in titles):
+    # a long title is broken into lines; a single letter is none
+    begun = (title.startswith(text) and len(text) >= min(len(title), 6) for text in texts for title in titles)
+    if titles and drawing.claims.get("tight") is not True and not any(begun):
         yield Fault("title", titles[0])
-    told = claimed_letters(drawing)
-    for text in (Counter(text for text, _ in told) - Counter(texts)).elements():
+    claimed_texts = claimed_letters(drawing)
+    for text in (Counter(text for text, _ in claimed_texts) - Counter(texts)).elements():
         yield Fault("letters", text)
-    yield from (Fault("letters", text) for text in _exchanged(told, read))
-    for gone in (_claimed_marks(drawing) - _marks(drawing)).elements():
-        yield Fault("missing", _named(gone))
-
-
-def _titles(mechanism: Mechanism) -> list[str]:
-    titles = (" ".join(title.split()) for title in mechanism.title.values())
-    return [title for title in titles if title]
-
-
-def _begins(title: str, text: str) -> bool:
-    """A long title is broken into lines; a single letter is none."""
-    return title.startswith(text) and len(text) >= min(len(title), 6)
+    yield from (Fault("letters", text) for text in _exchanged(claimed_texts, read))
+    entries = drawing.claims.get("drawn")
+    entries = entries if isinstance(entries, list) else []
+    claimed = Counter(tuple(map(str, entry)) for entry in entries if isinstance(entry, list))
+    for gone in (claimed - Counter(stated(mark) for kind in MARKS for mark in drawing.of_class(kind))).elements():
+        said = dict(part.partition("=")[::2] for part in gone[1:])
+        on = next((said[key] for key in ("points", "line", "form") if key in said), "")
+        yield Fault("missing", f"{said.get('name') or said.get('link', '') + ': ' + on} ({said.get('plane', '')})")
 
 
 def _printed(read: Sequence[str], scales: Mapping[Plane, float]) -> Iterator[Fault]:
@@ -135,23 +132,6 @@ def shift_of(drawing: DrawingFile, read: Sequence[Letters]) -> complex:
     return _shift(told, _places_now(told, read))
 
 
-def _claimed_marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
-    given = drawing.claims.get("drawn")
-    told = given if isinstance(given, list) else []
-    return Counter(tuple(map(str, entry)) for entry in told if isinstance(entry, list))
-
-
-def _marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
-    return Counter(stated(mark) for kind in MARKS for mark in drawing.of_class(kind))
-
-
-def _named(told: tuple[str, ...]) -> str:
-    said = dict(part.partition("=")[::2] for part in told[1:])
-    on = next((said[key] for key in ("points", "line", "form") if key in said), "")
-    name = said.get("name") or f"{said.get('link', '')}: {on}"
-    return f"{name} ({said.get('plane', '')})"
-
-
 # --- signs that show no length -----------------------------------------------------------------
 
 
@@ -212,7 +192,8 @@ def judged(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[Fault], 
     gone, new = _altered(drawing, read)
     more = Counter(text for text, _ in read) - Counter(text for text, _ in claimed_letters(drawing))
     faults = [Fault("signs", _where(gone))] if gone else []
-    faults += [Fault("arrow", place_of(sign)) for sign in new if _has_head(sign)]
+    filled = (sign for sign in new if sign.style.share("fill") > 0)
+    faults += [Fault("arrow", place_of(sign)) for sign in filled if any(map(_is_head, sign.lines))]
     notes = (
         ("signs", str(len(_signs(drawing)) - len(new))), ("other", _where([sign.lines[0][0] for sign in new])),
         ("words", str(more.total() or "")), ("blank", drawing.sight.doubt),
@@ -225,12 +206,8 @@ def _where(places: Sequence[complex]) -> str:
     return f"{len(places)}: ({places[0].real:.1f}, {-places[0].imag:.1f})" if places else ""
 
 
-def _has_head(sign: ShownMark) -> bool:
-    """True if a filled corner of it is as sharp as the head of an arrow."""
-    return sign.style.share("fill") > 0 and any(_sharp(line) for line in sign.lines if 3 < len(line) < 7)
-
-
-def _sharp(line: Sequence[complex]) -> bool:
-    sides = [after - before for before, after in pairwise(line) if after != before]
-    turns = zip(sides, (*sides[1:], sides[0]), strict=True)
+def _is_head(line: Sequence[complex]) -> bool:
+    """True if a corner of it is as sharp as the head of an arrow."""
+    sides = [after - before for before, after in pairwise(line) if after != before] if 3 < len(line) < 7 else []
+    turns = zip(sides, (*sides[1:], *sides[:1]), strict=True)
     return any((-one * other.conjugate()).real > _SHARP * abs(one) * abs(other) for one, other in turns)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -68,7 +68,7 @@ class DrawingFile:
     def vectors(self) -> tuple[tuple[Mapping[str, str], complex, complex], ...]:
         """Attributes, tail and head [mm, y up]. A vector is a `line`; anything else cannot be one."""
         lines = [element for element in self.of_class("vector") if element.tag == "line"]
-        return tuple((line.attributes, *_ends(line)) for line in lines)
+        return tuple((line.attributes, line.lines[0][0], line.lines[0][-1]) for line in lines)
 
     @cached_property
     def measures_links(self) -> bool:
@@ -80,10 +80,6 @@ class DrawingFile:
         """Attributes and place [mm, y up]."""
         circles = [element for element in self.of_class("point") if element.tag == "circle"]
         return tuple((circle.attributes, circle.middle) for circle in circles)
-
-
-def _ends(line: ShownMark) -> tuple[complex, complex]:
-    return line.lines[0][0], line.lines[0][-1]
 
 
 def stated(element: ShownMark) -> tuple[str, ...]:
@@ -147,23 +143,20 @@ def _root(path: Path, file: str) -> Element:
         raise BadDrawing(Where(file), "shown", str(error)) from None
     except (ParseError, DefusedXmlException, ValueError, LookupError, RecursionError) as error:
         raise BadDrawing(Where(file), "xml") from error
-    if root is None or _depth(root) > 100:
+    level, depth = [root], 0  # how deep elements are nested
+    while level:
+        level, depth = [child for element in level for child in element], depth + 1
+    if depth > 100:
         raise BadDrawing(Where(file), "xml")
     return root
 
 
-def _depth(root: Element) -> int:
-    """How deep elements are nested."""
-    level, depth = [root], 0
-    while level:
-        level, depth = [child for element in level for child in element], depth + 1
-    return depth
-
-
 def _claims(file: str, root: Element) -> Mapping[str, object]:
-    for element in _sheets(root):
+    for element in root.iter():
+        if element.tag.rpartition("}")[2] != "sheet" or not element.text:
+            continue
         try:
-            claims = json.loads(element.text or "")
+            claims = json.loads(element.text)
         except (ValueError, RecursionError) as error:
             raise BadDrawing(Where(file), "json") from error
         if isinstance(claims, dict) and claims.get("program") == "graphkin":
@@ -173,11 +166,7 @@ def _claims(file: str, root: Element) -> Mapping[str, object]:
     raise BadDrawing(Where(file), "metadata")
 
 
-def _sheets(root: Element) -> Iterator[Element]:
-    return (element for element in root.iter() if element.tag.rpartition("}")[2] == "sheet" and element.text)
-
-
-# --- what it claims ---------------------------------------------------------------------------
+# --- its claims ---------------------------------------------------------------------------
 
 
 def mechanism_of(drawing: DrawingFile) -> Mechanism:

@@ -51,7 +51,8 @@ def worst_place(mark: ShownMark, exact: Widened, at: Callable[[str], complex], s
     elif form in ("omega", "alpha", "push"):
         pairs = [_sense(mark, form, exact, [at(point) for point in points])]
     elif form == "bar":
-        pairs = _bar(mark, [at(point) for point in points])
+        corners = _corners(mark)
+        pairs = list(zip(corners, map(at, points), strict=True)) if len(corners) == len(points) else []
     else:
         pairs = list(_on_line(mark, form, exact, at, points))
     return max(pairs, key=lambda pair: abs(pair[0] - pair[1]), default=None)
@@ -62,17 +63,12 @@ def _corners(mark: ShownMark) -> list[complex]:
     return places[:-1] if len(places) > 2 and abs(places[0] - places[-1]) < 1e-9 else places
 
 
-def _bar(mark: ShownMark, wanted: list[complex]) -> list[Pair]:
-    corners = _corners(mark)
-    return list(zip(corners, wanted, strict=True)) if len(corners) == len(wanted) else []
-
-
 def _wheel(mark: ShownMark, mechanism: Mechanism, at: Callable[[str], complex], scale: float) -> Iterator[Pair]:
     """The circle's middle, and its radius beside the nearest one that its link has there."""
     link, centre = mark.attributes["data-link"], mark.attributes.get("data-points", "")
     middle, radius = mark.middle, abs(mark.lines[0][0] - mark.middle)
     yield middle, at(centre)
-    radii = [r / scale for r in _radii(mechanism, link, centre)]
+    radii = {r / scale for pair in mechanism.pairs for *on, r in pair.circles if on == [link, centre]}
     if not radii or mark.scale <= 0:
         raise KeyError(centre)
     yield middle + radius, middle + min(radii, key=lambda right: abs(right - radius))
@@ -107,11 +103,6 @@ def _sense(mark: ShownMark, form: str, exact: Widened, points: list[complex]) ->
     arm = tip - points[0]
     chord = arm - arm * cmath.rect(1, -float(np.sign(rate)) * long / abs(arm))
     return foot, tip - long * chord / abs(chord)
-
-
-def _radii(mechanism: Mechanism, link: str, centre: str) -> set[float]:
-    """Radii of a link's circles about one point [m]."""
-    return {radius for pair in mechanism.pairs for *at, radius in pair.circles if at == [link, centre]}
 
 
 # --- on a line of a link ----------------------------------------------------------------------
@@ -200,8 +191,12 @@ def worst_of_path(
         value, curve = _curve(course.places, *_reached(course, max(_SLID * course.longest, course.across * scale)))
     except GraphkinError:
         return None
-    wanted = curve[_wanted(course, corners, value, curve)]
-    return max([*_off(corners, curve), *_missing(corners, wanted)], key=lambda pair: abs(pair[0] - pair[1]))
+    # all must be drawn, but what runs off, or goes on with a slide, may end anywhere
+    here = min(int(np.searchsorted(value, course.here)), value.size - 1)
+    onward, back = slice(here, None), slice(here, None if here else 0, -1)
+    after, before = (_drawn(course, corners, value[side], curve[side]) for side in (onward, back))
+    missing = _missing(corners, curve[slice(here - max(before - 1, 0), here + after)])
+    return max([*_off(corners, curve), *missing], key=lambda pair: abs(pair[0] - pair[1]))
 
 
 @frozen
@@ -273,16 +268,8 @@ def _curve(places: Places, low: float, high: float) -> tuple[np.ndarray, np.ndar
     return every[order], np.concatenate(there)[order]
 
 
-def _wanted(course: _Course, corners: np.ndarray, values: np.ndarray, curve: np.ndarray) -> slice:
-    """The part of the curve that must be drawn: all, but what runs off, or goes on with a slide, may end anywhere."""
-    here = min(int(np.searchsorted(values, course.here)), values.size - 1)
-    onward, back = slice(here, None), slice(here, None if here else 0, -1)
-    after, before = (_drawn(course, corners, values[side], curve[side]) for side in (onward, back))
-    return slice(here - max(before - 1, 0), here + after)
-
-
 def _drawn(course: _Course, corners: np.ndarray, values: np.ndarray, curve: np.ndarray) -> int:
-    """How many of the places from here on must be drawn."""
+    """The number of places from here on that must be drawn."""
     away = np.nan_to_num(np.abs(curve - curve[:1])) > _NEAR * course.size
     on = course.driver.kind == "slide" and float(np.abs(values - course.here).max(initial=0.0)) > course.longest
     if curve.size < 2 or not (on or away.any()):

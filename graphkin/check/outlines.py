@@ -237,11 +237,10 @@ def _drawn(kind: str, given: list[float], start: complex, here: complex, last: c
     if kind == "L":
         return places, places[-1]
     controls = [here, *([2 * here - last] if kind in "ST" else []), *places]
-    return [_bezier(controls, k / 8) for k in range(1, 9)], controls[-2]
-
-
-def _bezier(controls: Line, t: float) -> complex:
-    """De Casteljau's construction."""
-    while len(controls) > 1:
-        controls = [a + (b - a) * t for a, b in pairwise(controls)]
-    return controls[0]
+    curve = []
+    for t in (k / 8 for k in range(1, 9)):
+        level = controls
+        while len(level) > 1:  # De Casteljau's construction
+            level = [a + (b - a) * t for a, b in pairwise(level)]
+        curve.append(level[0])
+    return curve, controls[-2]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import Literal
@@ -46,7 +46,7 @@ class RulerReading:
 
 @frozen
 class RulerReport:
-    """What a ruler finds in one drawing file.
+    """The findings of a ruler in one drawing file.
 
     faults  what is wrong with it beyond lengths: a point that is not where its vector ends, a mark that is hidden
     notes   what was not judged
@@ -127,22 +127,16 @@ class _Ruler:
 
     def _placed(self, plane: Plane) -> list[tuple[str, complex, complex]]:
         """Name, place on paper and right place of the points that are known, the latter from the origin [mm]."""
-        found = []
-        for attributes, place in self.drawing.points:
-            if attributes.get("data-plane") == plane:
-                value = point_value(self.mechanism, self.exact, plane, attributes)
-                if value is not None:
-                    found.append((attributes.get("data-name", ""), place, value / self.scales[plane]))
-        return found
-
-    def _origin(self, plane: Plane) -> complex:
-        return _origin([(place, right) for _, place, right in self._placed(plane)])
+        there = [(said, place) for said, place in self.drawing.points if said.get("data-plane") == plane]
+        values = [point_value(self.mechanism, self.exact, plane, said) for said, _ in there]
+        return [(said.get("data-name", ""), place, value / self.scales[plane])
+                for (said, place), value in zip(there, values, strict=True) if value is not None]  # fmt: skip
 
     def points(self) -> Iterator[RulerReading]:
         """Points of the mechanism against each other; points of a polygon against its pole."""
         for plane in self.scales:
             if placed := self._placed(plane):
-                origin = self._origin(plane)
+                origin = _origin([(place, right) for _, place, right in placed])
                 for name, place, right in placed:
                     yield self._measured(plane, name, "point", place - origin, right)
 
@@ -151,33 +145,32 @@ class _Ruler:
         origins: dict[Plane, complex] = {}
         for mark in self.drawing.of_class("link"):
             if mark.attributes.get("data-form") == "ruler":
-                yield _hundred(mark)
+                along = mark.lines[0][-1] - mark.lines[0][0] if mark.lines else 0j  # 100 mm on paper
+                yield RulerReading("sheet", "100 mm", "link", along, 100 * along / (abs(along) or 1.0), 1e-3, "m")
             elif self.drawing.measures_links:
                 yield self._link(mark, origins)
 
     def _link(self, mark: ShownMark, origins: dict[Plane, complex]) -> RulerReading:
         plane, name = plane_of(self.drawing, mark.attributes), link_name(mark.attributes)
         try:
-            origin = origins[plane] = origins.get(plane) or self._origin(plane)
-            found = self._worst(mark, plane, origin)
+            placed = [(place, right) for _, place, right in self._placed(plane)]
+            origin = origins[plane] = origins.get(plane) or _origin(placed)
+            worst = self._worst(mark, plane, origin)
         except (KeyError, ValueError):
-            found = None
-        if found is None:
+            worst = None
+        if worst is None:
             raise BadDrawing(Where(self.drawing.file), "value", f"data-link={name}")
-        return self._measured(plane, name, "link", found[0] - origin, found[1] - origin)
+        return self._measured(plane, name, "link", worst[0] - origin, worst[1] - origin)
 
     def _worst(self, mark: ShownMark, plane: Plane, origin: complex) -> tuple[complex, complex] | None:
         """The place of a link's line, or of a path, that is farthest off, and where it should be."""
+        scale = self.scales[plane]
         if mark.attributes.get("data-form") == "path":
-            return worst_of_path(mark, self.mechanism, self.values, self.scales[plane], origin)
-        return worst_place(mark, self.exact, self._places(plane, origin), self.scales[plane])
-
-    def _places(self, plane: Plane, origin: complex) -> Callable[[str], complex]:
-        """Where a point should be on paper, by the name of its mark."""
+            return worst_of_path(mark, self.mechanism, self.values, scale, origin)
         if plane == "position":
-            return lambda point: self.exact.place(point) / self.scales[plane] + origin
+            return worst_place(mark, self.exact, lambda point: self.exact.place(point) / scale + origin, scale)
         right = {name: value + origin for name, _, value in self._placed(plane)}
-        return right.__getitem__
+        return worst_place(mark, self.exact, right.__getitem__, scale)
 
     def misfits(self) -> Iterator[Fault]:
         """Points whose name is not that of the site they are measured by."""
@@ -206,12 +199,6 @@ class _Ruler:
             known = plane in self.scales and point_value(self.mechanism, self.exact, plane, attributes) is not None  # type: ignore[arg-type]
             if not known and (plane, name) not in ends:
                 yield Fault("unknown", name)
-
-
-def _hundred(mark: ShownMark) -> RulerReading:
-    """The line that is 100 mm long on paper."""
-    along = mark.lines[0][-1] - mark.lines[0][0] if mark.lines else 0j
-    return RulerReading("sheet", "100 mm", "link", along, 100 * along / (abs(along) or 1.0), 1e-3, "m")
 
 
 def _centres(

@@ -256,7 +256,9 @@ def _shape(element: Element, name: str, outer: Affine, above: Style) -> ShownMar
         if style.share("stroke") and length(style.get("stroke-width", "1")) * affine.scale > 1:
             raise Unread("a text drawn with a thick pen")
         text = "".join(_letters(element, style, affine))
-        return ShownMark(name, element.attrib, style, affine, ((_begin(element, affine),),), text=text)
+        x, y = (next((each.attrib[key] for each in element.iter() if each.get(key)), "0") for key in "xy")
+        begin = affine(*(length(value.replace(",", " ").split()[0]) for value in (x, y)))
+        return ShownMark(name, element.attrib, style, affine, ((begin,),), text=text)
     lines = tuple(tuple(affine(p.real, p.imag) for p in line) for line in outline(name, element.attrib))
     tip = "".join(child.text or "" for child in element if _name(child) == "title")
     return ShownMark(name, element.attrib, style, affine, lines, is_plain(name, element.attrib), tip=tip)
@@ -275,12 +277,6 @@ def _letters(element: Element, style: Style, affine: Affine) -> Iterator[str]:
             raise Unread(f"<{_name(child)}> in a text")
         if _readable(style, affine):
             yield child.tail or ""
-
-
-def _begin(element: Element, affine: Affine) -> complex:
-    """Where a text begins."""
-    x, y = (next((e.attrib[key] for e in element.iter() if e.get(key)), "0") for key in "xy")
-    return affine(*(length(value.replace(",", " ").split()[0]) for value in (x, y)))
 
 
 def _readable(style: Style, affine: Affine) -> bool:
