@@ -40,7 +40,7 @@ LETTERS: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "accelera
 def changed(
     drawing: DrawingFile, read: Sequence[Letters], mechanism: Mechanism, scales: Mapping[Plane, float]
 ) -> Iterator[Fault]:
-    """What the file says of itself must be as it was when it was drawn, and the sheet must say the same.
+    """Faults where the file's claims are not as they were when it was drawn, or the sheet says otherwise.
 
     read  the texts on it
     """
@@ -116,7 +116,7 @@ def _exchanged(told: Sequence[Letters], read: Sequence[Letters]) -> Iterator[str
 
 
 def _places_now(told: Sequence[Letters], read: Sequence[Letters]) -> list[complex]:
-    """Where each text stands; where it stood if it is no longer to be read."""
+    """The place of each text now; where it stood if it is no longer to be read."""
     return [min((at for other, at in read if other == text), key=lambda p, q=place: abs(p - q), default=place)  # type: ignore[misc]
             for text, place in told]  # fmt: skip
 
@@ -144,7 +144,7 @@ Ends = tuple[complex, complex]
 
 
 def _sign_ends(sign: ShownMark) -> Ends:
-    """Where it begins, and its middle corner or, of a circle, its middle: as the file states them when it is drawn."""
+    """Its begin, and its middle corner or, of a circle, its middle: as the file states them when it is drawn."""
     line = sign.lines[0]
     return line[0], sign.middle if sign.tag == "circle" else line[len(line) // 2]
 

@@ -83,7 +83,7 @@ class DrawingFile:
 
 
 def stated(element: ShownMark) -> tuple[str, ...]:
-    """What an element says that it shows: its class and its `data-*`, as the file lists them."""
+    """The claim of an element: its class and its `data-*`, as the file lists them."""
     kind = next(kind for kind in MARKS if kind in element.kind)
     data = {key.removeprefix("data-"): value for key, value in element.attributes.items() if key.startswith("data-")}
     return (kind, *sorted(f"{key}={value}" for key, value in data.items() if key != "step" and value))
@@ -117,7 +117,7 @@ def read(path: Path) -> DrawingFile:
 
 
 def _content(path: Path, file: str) -> bytes:
-    """What is in the file, or comes through the pipe, as far as it may be long."""
+    """The content of the file, or of the pipe, as far as it may be long."""
     if str(path) == "-":
         content = sys.stdin.buffer.read(LIMIT + 1)
     else:

@@ -107,7 +107,7 @@ def _turning_of(
 
 
 def _added(mechanism: Mechanism, exact: Motion, drawing: DrawingFile) -> Mapping[str, complex]:
-    """Where the added points of a drawing lie by the analytic solution. What they are, the planner says."""
+    """The places of the added points of a drawing by the analytic solution. What they are, the planner says."""
     named = {attributes.get("data-site", "").partition("@")[0] for attributes, _ in drawing.points}
     if named <= {"", *mechanism.points}:
         return {}

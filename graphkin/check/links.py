@@ -201,7 +201,7 @@ def worst_of_path(
 
 @frozen
 class _Course:
-    """Where a point goes on paper as its driver moves.
+    """The course of a point on paper as its driver moves.
 
     here  the driver's value as drawn; size  of the mechanism there [mm]; longest  of its links [m]
     across  of what is drawn of the curve [mm]
@@ -215,7 +215,7 @@ class _Course:
     across: float
 
     def gone(self, values: np.ndarray) -> np.ndarray:
-        """Where it is not reached, or far off all that is drawn."""
+        """True at values that are not reached, or lead far off all that is drawn."""
         away = np.abs(self.places(values) - self.places(np.array([self.here])))
         return np.asarray(~(away <= _BEYOND * self.across))
 
@@ -235,7 +235,7 @@ def _reached(course: _Course, slid: float) -> tuple[float, float]:
 
 
 def _driver_ends(course: _Course, far: float) -> tuple[float, float]:
-    """How far the driver gets in either sense: between the last value reached and the first that is not."""
+    """The driver's reach in either sense: between the last value reached and the first that is not."""
     ends = [(course.here, course.here - far), (course.here, course.here + far)]
     for _ in range(_SOUGHT):
         values = np.array([np.linspace(*end, _LOOK) for end in ends])

@@ -38,7 +38,7 @@ def _is_mark(element: ShownMark) -> bool:
 
 @frozen
 class Layers:
-    """What lies on a sheet, one over the other. covers: number and area of each surface that hides what is under it."""
+    """The elements of a sheet, from the bottom up. covers: number and area of each surface that hides others."""
 
     sight: Sight
     covers: tuple[tuple[int, shapely.Geometry], ...]
@@ -75,7 +75,7 @@ class Layers:
 
 
 def _inked(mark: ShownMark) -> bool:
-    """Whether there is a line, or a dot, of a width that can be seen and measured."""
+    """True if there is a line, or a dot, of a width that can be seen and measured."""
     drawn = mark.style.ink("stroke") > FAINT and HAIR < mark.width < _THICK
     if "point" in mark.kind:
         size = abs(mark.lines[0][0] - mark.middle) if mark.tag == "circle" else 0.0
@@ -112,7 +112,7 @@ def _size(area: shapely.Geometry) -> float:
 
 
 def _surface(element: ShownMark) -> shapely.Geometry | None:
-    """What an element hides of what is under it; nothing for lines, small dark signs, and blocks and hinges."""
+    """The surface that hides what is under an element; nothing for lines, small dark signs, and blocks and hinges."""
     if element.tag == "text" or _belongs(element):
         return None
     parts = []
@@ -177,7 +177,7 @@ def place_of(element: ShownMark) -> str:
 
 
 def _points_on(root: Element, element: ShownMark) -> bool:
-    """Whether the marker at a line's end is one dark tip that ends exactly there and opens backwards."""
+    """True if the marker at a line's end is one dark tip that ends exactly there and opens backwards."""
     named = element.style.get("marker-end").removeprefix("url(").removesuffix(")").strip("\"' ").removeprefix("#")
     marker = next((found for found in root.iter() if found.get("id") == named), None)
     if marker is None or marker.tag.rpartition("}")[2] != "marker":

@@ -45,7 +45,7 @@ class Affine(NamedTuple):
 
     @property
     def scale(self) -> float:
-        """How much longer lines become; Unread where that hangs on their direction."""
+        """The factor by which lines become longer; Unread where that depends on their direction."""
         size = math.hypot(self.a, self.b)
         even, square = abs(math.hypot(self.c, self.d) - size), abs(self.a * self.c + self.b * self.d)
         if even > 1e-6 * size or square > 1e-6 * size**2:
@@ -76,7 +76,7 @@ def length(text: str) -> float:
 
 
 def transform(text: str) -> Affine:
-    """What a `transform` attribute does."""
+    """The affine map of a `transform` attribute."""
     found, at = Affine(), 0
     if text.strip() in ("", "none"):
         return found
@@ -143,7 +143,7 @@ Line = list[complex]
 
 
 def is_plain(tag: str, attributes: Mapping[str, str]) -> bool:
-    """Whether the polyline is the shape itself, and not near it."""
+    """True if the polyline is the shape itself, and not near it."""
     return tag in ("line", "polyline", "polygon") or (tag == "path" and not _CURVES.search(attributes.get("d", "")))
 
 

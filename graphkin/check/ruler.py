@@ -61,7 +61,7 @@ class RulerReport:
         return not self.faults and all(entry.off_mm <= tolerance_mm for entry in self.measured)
 
     def wrong(self, tolerance_mm: float) -> int:
-        """How many things are wrong; a length that is no number is."""
+        """The number of things that are wrong; a length that is no number is."""
         return sum(not entry.off_mm <= tolerance_mm for entry in self.measured) + len(self.faults)
 
 
@@ -153,8 +153,9 @@ class _Ruler:
     def _link(self, mark: ShownMark, origins: dict[Plane, complex]) -> RulerReading:
         plane, name = plane_of(self.drawing, mark.attributes), link_name(mark.attributes)
         try:
-            placed = [(place, right) for _, place, right in self._placed(plane)]
-            origin = origins[plane] = origins.get(plane) or _origin(placed)
+            if plane not in origins:
+                origins[plane] = _origin([(place, right) for _, place, right in self._placed(plane)])
+            origin = origins[plane]
             worst = self._worst(mark, plane, origin)
         except (KeyError, ValueError):
             worst = None
@@ -222,6 +223,6 @@ def _centres(
 
 
 def _origin(pairs: list[tuple[complex, complex]]) -> complex:
-    """Where zero lies on the paper, as the point with which most of the others agree has it."""
+    """The place of zero on the paper, as the point with which most of the others agree has it."""
     origins = [place - right for place, right in pairs]
     return min(origins, key=lambda origin: sorted(abs(other - origin) for other in origins)[len(origins) // 2])

@@ -50,7 +50,7 @@ HAIR = 0.1
 
 @frozen
 class Style:
-    """What a viewer paints an element with. `painted`: the inherited properties; `opacity`: of it and all above it."""
+    """The paint of an element. `painted`: the inherited properties; `opacity`: of it and all above it."""
 
     painted: Mapping[str, str]
     opacity: float = 1.0
@@ -63,13 +63,13 @@ class Style:
         return self.shown and self.get("visibility", "visible") not in ("hidden", "collapse")
 
     def share(self, what: str) -> float:
-        """How much of the paper `fill` or `stroke` hides: 0 nothing, 1 all."""
+        """The part of the paper that `fill` or `stroke` hides: 0 nothing, 1 all."""
         if self.get(what, "#000" if what == "fill" else "none") == "none" or not self.visible():
             return 0.0
         return self.opacity * _share(self.get(f"{what}-opacity", "1"))
 
     def ink(self, what: str) -> float:
-        """How much darker than the paper that is, 0 to 1; of paints that this reader does not know, nothing."""
+        """The darkness beside the paper's, 0 to 1; of paints that this reader does not know, nothing."""
         light = brightness(self.get(what, "#000"))
         return self.share(what) * (1 - light) if light is not None else 0.0
 
@@ -105,7 +105,7 @@ def _declared(style: str) -> list[tuple[str, str]]:
 
 
 def harmless_sheet(text: str) -> bool:
-    """Whether a style sheet sets type and nothing else."""
+    """True if a style sheet sets type and nothing else."""
     if "@" in text or "\\" in text:
         return False
     bare = re.sub(r"/\*.*?\*/", "", text, flags=re.S)
@@ -141,7 +141,7 @@ def brightness(paint: str) -> float | None:
 
 
 def dashed_away(style: Style, length_of_path: bool) -> bool:
-    """Whether dashes leave less than half of a line, or gaps one could lose it in."""
+    """True if dashes leave less than half of a line, or gaps one could lose it in."""
     text = style.get("stroke-dasharray", "none")
     if text in ("none", ""):
         return False
@@ -212,7 +212,7 @@ class Sight:
 
 
 def seen_in(root: Element) -> Sight:
-    """What a viewer shows of a drawing. Raises Unread, with what stands in the way."""
+    """Everything that a viewer shows of a drawing. Raises Unread, with what stands in the way."""
     _still(root)
     if transform(root.attrib.get("transform", "")) != Affine():
         raise Unread("a transform of the sheet")

@@ -1,4 +1,4 @@
-"""What the pencil does, as data, and `replay`, which does it.
+"""The pencil's work as data, and `replay`, which does it.
 
 A construction is a list of steps. A step names points, links and slides; it holds no coordinates. Three
 planes share the step kinds: `position` (the mechanism), `velocity` (pole p), `acceleration` (pole p').

@@ -62,7 +62,7 @@ def sense(matrix: np.ndarray) -> Real:
 
 
 def least(matrix: np.ndarray) -> np.ndarray:
-    """How far a system is from singular: least singular value, columns of length 1. Like the sine of an angle."""
+    """The distance of a system from a singular one, like a sine: least singular value, columns of length 1."""
     lengths = np.sqrt((matrix * matrix).sum(axis=-2, keepdims=True))
     lengths[lengths == 0] = 1.0
     return np.linalg.svd(_finite(matrix / lengths), compute_uv=False)[..., -1]

@@ -130,10 +130,9 @@ def draw(
                     _shift(points, pole)
             case kinds.Swing():
                 _swing(step, plot, sides, compass)
-            case kinds.Image(link, (first, second, third), (tail, head), point):
-                shape = plot.facts.shapes[link] if plane == "position" else plot.position
-                ratio = (shape[third] - shape[first]) / (shape[second] - shape[first])
-                points[point] = hand.image(plot, plane, step, compass.image(points[tail], points[head], ratio))
+            case kinds.Image(base=(tail, head), point=point):
+                corner = compass.image(points[tail], points[head], _ratio(step, plot, plane))
+                points[point] = hand.image(plot, plane, step, corner)
             case kinds.Measure():
                 _measure(step, plot, plane, hand)
             case kinds.Roll():
@@ -199,6 +198,13 @@ def _swing(step: kinds.Swing, plot: Plot, sides: Mapping[int, Value], compass: C
     plot.settle("theta", base, np.angle(arm) - np.angle(plot.span(step.span)))
     plot.misses[step.slide] = np.abs(offset) - distance
     plot.sines["position", step.slide] = half / distance
+
+
+def _ratio(step: kinds.Image, plot: Plot, plane: Plane) -> Value:
+    """Of two sides of a link, from the first corner; in the position plane by the link itself."""
+    first, second, third = step.corners
+    shape = plot.facts.shapes[step.link] if plane == "position" else plot.position
+    return (shape[third] - shape[first]) / (shape[second] - shape[first])
 
 
 def _measure(step: kinds.Measure, plot: AnyPlot, plane: Plane, hand: Hand[AnyPlot]) -> None:

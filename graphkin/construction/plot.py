@@ -27,7 +27,7 @@ def length(arm: Value) -> Real:
 
 @frozen
 class TurnOf:
-    """How a link's angle hangs on another's: theta = theta(base) + constant + sum of sign * driver value."""
+    """The dependence of a link's angle on another's: theta = theta(base) + constant + sum of sign * driver value."""
 
     base: str
     constant: float = 0.0

@@ -198,7 +198,7 @@ def _least(right: Plot, other: Plot, plane: Plane) -> float:
 
 
 def _differs(right: Plot, other: Plot, plane: Plane) -> bool:
-    """Whether a point of a plane lies elsewhere, or nowhere."""
+    """True if a point of a plane lies elsewhere, or nowhere."""
     nothing, there = _least(right, other, plane), other.points(plane)
     places = ((place(value), place(there.get(name, np.nan))) for name, value in right.points(plane).items())
     return any(not abs(one - two) <= nothing for one, two in places if np.isfinite(one))

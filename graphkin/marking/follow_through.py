@@ -239,11 +239,15 @@ class CarriedProblem:
 
     def carried(self, given: np.ndarray, known: np.ndarray, wrong: np.ndarray) -> Carried:
         """For values (students, n) of which some are wrong; `known`: those of them that can be carried on."""
-        carries = np.array([_carries(quantity) for quantity in self.quantities], dtype=bool)
+        carries = np.array([isinstance(q, Moving) or (isinstance(q, Rotation) and q.word != "theta")
+                            for q in self.quantities], dtype=bool)  # fmt: skip
         allowed = usable(self.key, self.table, given)
         used = known & allowed & carries
         whole = self._values(given, used)
-        moved, tolerance = self._moved(whole, self.table.right), self._tolerance(whole)
+        moved = self._moved(whole, self.table.right)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            larger = np.abs(whole) / np.abs(self.table.right)
+        tolerance = self.table.tolerance * np.clip(np.nan_to_num(larger, nan=1.0, posinf=1.0), 1.0, _STRETCH)
         values = np.where(moved, whole, np.nan)
         every = np.arange(used.shape[1])
         enters = {
@@ -262,8 +266,9 @@ class CarriedProblem:
         some = np.flatnonzero(used.any(axis=1))
         if not some.size:
             return right
+        signed = np.where(self.table.size, np.abs(given) * self.signs, given)  # along a guide as the right one points
         own = {
-            quantity: np.where(used[some, j], self._signed(given[some, j], j), np.nan)
+            quantity: np.where(used[some, j], signed[some, j], np.nan)
             for j, quantity in enumerate(self.quantities)
             if used[some, j].any()
         }
@@ -274,16 +279,6 @@ class CarriedProblem:
         sines = np.broadcast_to(followed.least_sine, some.shape)
         right[some[~(sines > _FLAT)]] = np.nan
         return right
-
-    def _signed(self, given: np.ndarray, j: int) -> np.ndarray:
-        """A size along a guide points as the right one does."""
-        return np.abs(given) * self.signs[j] if self.table.size[j] else given
-
-    def _tolerance(self, values: np.ndarray) -> np.ndarray:
-        with np.errstate(divide="ignore", invalid="ignore"):
-            larger = np.abs(values) / np.abs(self.table.right)
-        stretch = np.clip(np.nan_to_num(larger, nan=1.0, posinf=1.0), 1.0, _STRETCH)
-        return np.asarray(self.table.tolerance * stretch)
 
     def _moved(self, values: np.ndarray, others: np.ndarray) -> np.ndarray:
         """True for values that differ by more than counts; false where they cannot be drawn."""
@@ -302,7 +297,3 @@ def usable(key: Key, table: Columns, given: np.ndarray) -> np.ndarray:
     angles = table.angle & np.isfinite(given)
     allowed: np.ndarray = np.isfinite(given) & (angles | bounded & (right > 0)) & ~copied
     return allowed
-
-
-def _carries(quantity: Quantity) -> bool:
-    return isinstance(quantity, Moving) or (isinstance(quantity, Rotation) and quantity.word != "theta")

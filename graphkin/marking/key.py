@@ -43,7 +43,7 @@ class Marking:
 
     @property
     def on_paper(self) -> tuple[float, float]:
-        """What the pencil errs by on paper [mm, deg]."""
+        """The errors of the pencil on paper [mm, deg]."""
         return self.lengths["position"] / self.scales["length"], math.degrees(self.angle)
 
 

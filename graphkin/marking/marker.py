@@ -170,7 +170,7 @@ class Marker:
         return carried.instead(self.problem.carried(given, known & (asked | ~measured), wrong), measured)
 
     def judged(self, given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Which values (students, n) are right, and which wrong; neither where there is none, or paper cannot tell."""
+        """The values (students, n) that are right, and those that are wrong; neither where paper cannot tell."""
         table, dead = self.table, [entry.doubt == "dead point" for entry in self.key.entries]
         right, near = (agrees(table, given, table.right, allowed) for allowed in (table.allowed, table.tolerance))
         return right, np.isfinite(given) & ~right & ~near & ~np.array(dead, dtype=bool)
@@ -200,7 +200,7 @@ class Marker:
 
     @cached_property
     def known(self) -> dict[Name, Rewrite]:
-        """How every mistake is made."""
+        """Every mistake's rewrite, by its name."""
         return {one.name: one for one in rewrites(self.method, self.plot, self.quantities, self.key.marking.scales)}
 
     # --- one student --------------------------------------------------------------------------
@@ -211,7 +211,8 @@ class Marker:
     ) -> Marked:  # fmt: skip
         senses = sense_only(self.table, given, self.table.right, self.table.tolerance) | carried.sense_only[k]
         judged = tuple(
-            _doubtful(work, entry) if untold[n] and entry.doubt in ("dead point", "too small")
+            Judged(entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, entry.doubt)
+            if untold[n] and (entry.doubt == "dead point" or entry.doubt == "too small")  # paper cannot tell it
             else self._judged(work, entry, n, given[n], bool(right[n]), bool(senses[n]), carried, k)
             for n, entry in enumerate(self.key.entries)
             if entry.points or entry.text in work.numbers
@@ -243,12 +244,6 @@ class Marker:
             carried.own(k, n) if not right else {}, carried.refused(k, n) if not right else (), credit, entry.points,
             work.numbers[entry.text].measured,
         )  # fmt: skip
-
-
-def _doubtful(work: StudentWork, entry: KeyEntry) -> Judged:
-    """A value that paper cannot tell."""
-    assert entry.doubt in ("dead point", "too small")
-    return Judged(entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, entry.doubt)
 
 
 def _sense(wrong: bool) -> Literal["right", "wrong"]:

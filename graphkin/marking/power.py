@@ -136,7 +136,7 @@ def _parts(
 
 
 def _handed(marker: Marker, texts: Sequence[str] | None) -> np.ndarray:
-    """Which of the key's quantities."""
+    """The key's quantities that are handed in, as booleans."""
     return np.array([texts is None or entry.text in texts for entry in marker.key.entries], dtype=bool)
 
 

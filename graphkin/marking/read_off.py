@@ -101,7 +101,7 @@ def _turning(
 
 
 def _points(vector: complex, expected: Sequence[complex], longest: float) -> bool | None:
-    """Whether it points as one of these does; None where it, or all of these, are too short to tell."""
+    """True if it points as one of these does; None where it, or all of these, are too short to tell."""
     some = [one for one in expected if np.isfinite(one) and abs(one) > _SHORT * longest]
     if not some or abs(vector) <= _SHORT * longest:
         return None

@@ -69,7 +69,9 @@ class Drawings:
         hand = PencilHand(self.pencil, self.slips, self.method.facts(), columns)
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             plot = redraw(self.method, hand.placed(self.method, self.positions), hand, hand.shape)
-            readings = [np.broadcast_to(self._read(plot, quantity), hand.shape) for quantity in quantities]
+            answers = [drawn_answer(self.method, plot, quantity, self.arrows).value for quantity in quantities]
+            slips = [self._slip(plot, quantity) for quantity in quantities]
+            readings = [np.broadcast_to(value + slip, hand.shape) for value, slip in zip(answers, slips, strict=True)]
         values = np.stack(readings, axis=-1).astype(float, copy=False) if readings else np.empty((*hand.shape, 0))
         for row, rewrites in enumerate(columns):
             for written in (one for rewrite in rewrites for one in rewrite.asked):
@@ -77,12 +79,8 @@ class Drawings:
                 values[row, :, k] = _written(quantities[k], written, values[row, :, k])
         return values
 
-    def _read(self, plot: Redrawing, quantity: Quantity) -> Value:
-        """A value as it is read off, with what a ruler or a protractor errs by."""
-        return drawn_answer(self.method, plot, quantity, self.arrows).value + self._slip(plot, quantity)
-
     def _slip(self, plot: Redrawing, quantity: Quantity) -> Value:
-        """The error of what is read off at the end; rotations were read on the way, products of readings are calculated."""
+        """The error of what is read off at the end; rotations were read on the way, products are calculated."""
         lengths, slips = self.pencil.lengths, self.slips
         match quantity:
             case kinds.Rotation(word="theta"):
@@ -118,7 +116,7 @@ def _begun_again(method: Method, pencil: Pencil, slips: Slips, failed: float) ->
 
 
 def _written(quantity: Quantity, written: RewrittenValue, values: np.ndarray) -> np.ndarray:
-    """What is handed in for values that were read: so many times them, or another value that scatters as they do."""
+    """Values handed in for those that were read: so many times them, or another value that scatters as they do."""
     if written.instead is not None:
         other = complex(written.factor * written.instead)
         around = number(size_of(quantity, other)) if isinstance(quantity, kinds.Moving) else other.real

@@ -62,7 +62,9 @@ class ScaledExplanations:
         """met: logarithm of how often one of the hypotheses is met."""
         self.table, self._there = columns_of(table, there), there
         self.rows = np.flatnonzero(visible(self.table, hypotheses.values[:, there]))
-        self.shares = met + _shares(hypotheses.kinds[self.rows])
+        kinds = hypotheses.kinds[self.rows]
+        count = np.bincount(kinds)  # each kind of mistake is as frequent, divided among its places and forms
+        self.shares = met - np.log(np.count_nonzero(count) * count[kinds])
         chosen, usual = np.ix_(self.rows, there), key.together[np.ix_(there, there)]
         own = None if hypotheses.together is None else hypotheses.together[np.ix_(self.rows, there, there)]
         self._one = _NormalRows(self.table, hypotheses.values[chosen], hypotheses.scatters[chosen], usual, own)
@@ -103,12 +105,6 @@ def visible(table: Columns, values: np.ndarray) -> np.ndarray:
 def shifts(table: Columns, values: np.ndarray) -> np.ndarray:
     """By how many standard deviations values (.., n) are off the right ones; NaN where there is none."""
     return np.asarray(np.abs(differences(table, values, table.right)) / table.scatter)
-
-
-def _shares(kinds: np.ndarray) -> np.ndarray:
-    """Logarithms of rows' shares (m,): the same for each kind of mistake, divided among its places and forms."""
-    count = np.bincount(kinds)
-    return np.asarray(-np.log(np.count_nonzero(count) * count[kinds]))
 
 
 # --- densities --------------------------------------------------------------------------------
@@ -189,13 +185,11 @@ class _NormalRows:
         weights = -0.5 * (near + self.count * np.log(2 * np.pi)) - np.log(1 + len(_COMMON))
         weights[who, row] = self._closely(z, row, near[who, row])
         chance[who, row] = self._chance(near[who, row])
-        return weights - self.own + self._rest(none), worst, near, chance
-
-    def _rest(self, none: np.ndarray) -> np.ndarray | float:
-        """The weights of the quantities that are not judged (students, m)."""
-        if self.judged.all():
-            return 0.0
-        return np.asarray(np.einsum("ns,nm->sm", none.T.copy(), (~self.judged.T).astype(float)))
+        if not self.judged.all():  # of the quantities that a row does not judge nothing is known
+            weights = weights - self.own + np.einsum("ns,nm->sm", none.T.copy(), (~self.judged.T).astype(float))
+        else:
+            weights = weights - self.own
+        return weights, worst, near, chance
 
     @cached_property
     def _squared(self) -> tuple[np.ndarray, np.ndarray]:
@@ -246,7 +240,7 @@ class _NormalRows:
         return self._axes[row]
 
     def _together(self, row: int) -> np.ndarray:
-        """How the values of a row scatter together (n, n). Without own ones, a larger value errs as the right one does,
+        """The correlation of a row's values (n, n). Without own ones, a larger value errs as the right one does,
         whichever way it points."""
         own = None if self.together is None else self.together[row]
         if own is not None and not np.isnan(own).any():
@@ -262,7 +256,7 @@ class _NormalRows:
         return {int(size): float(np.logaddexp.reduce(crowded[self.count == size])) for size in np.unique(self.count)}
 
     def _chance(self, near: np.ndarray) -> np.ndarray:
-        """How many explanations random numbers come as near to, on average: cells of that size about all of them."""
+        """The number of explanations that random numbers come as near to: cells of that size about them."""
         found = np.zeros_like(near)
         with np.errstate(divide="ignore"):
             for size, cells in self._cells.items():

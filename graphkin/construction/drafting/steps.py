@@ -1,4 +1,4 @@
-"""What ruler, compass and protractor do, as data: the kinds of steps by what they make, stages, a drafting of them.
+"""The work of ruler, compass and protractor as data: the kinds of steps by what they make, stages, a drafting of them.
 
 Every step has a `name`, that of the point, line, circle or number which it makes; its other names are those of what is
 there before. An angle is a number [rad], counted with a `sense`: 1 counter-clockwise, -1 clockwise.
@@ -77,7 +77,7 @@ class DraftTurn:
 
 @frozen
 class DraftMeet:
-    """Where two lines or circles meet: of two crossings the one nearest to, or farthest from, a point."""
+    """The point where two lines or circles meet: of two crossings the one nearest to, or farthest from, a point."""
 
     name: str
     first: str

@@ -29,7 +29,9 @@ def centre_ratio(scene: Scene) -> Iterator[Rewrite]:
     for quantity in scene.quantities:
         if isinstance(quantity, Centre):
             yield from _wrong_pairs(scene, quantity)
-        elif isinstance(quantity, Quotient) and _of_rotations(quantity):
+        elif isinstance(quantity, Quotient):
+            if not all(isinstance(half, Rotation) and half.word == "omega" for half in quantity.halves):
+                continue
             value = complex(quantity.answer(scene.motions).value)
             if value and np.isfinite(value):
                 yield _ratio(quantity.text, "", RewrittenValue(quantity.text, instead=1 / value))
@@ -44,10 +46,6 @@ def centre_ratio(scene: Scene) -> Iterator[Rewrite]:
                 text = f"ω{scene.method.mechanism.called(crank)}"
                 yield _ratio(quantity.text, text, RewrittenValue(quantity.text, instead=driven**2 / value))
             yield _ratio(quantity.text, "", RewrittenValue(quantity.text, -1.0), "sense")
-
-
-def _of_rotations(quantity: Quotient) -> bool:
-    return all(isinstance(half, Rotation) and half.word == "omega" for half in quantity.halves)
 
 
 def _ratio(of: str, form: str, written: RewrittenValue, way: str = "") -> Rewrite:
@@ -72,7 +70,7 @@ def _place(scene: Scene, links: tuple[str, str]) -> complex:
 
 
 def _crossing(a: complex, b: complex, c: complex, d: complex) -> complex:
-    """Where the lines ab and cd cross; infinite where that says nothing."""
+    """The crossing of the lines ab and cd; infinite where that says nothing."""
     if not all(np.isfinite(corner) for corner in (a, b, c, d)):
         return complex(np.inf)
     u, w = b - a, d - c
@@ -109,7 +107,7 @@ def _about(motions: Motions, point: str, link: str, centre: complex) -> complex:
 
 
 def _stands(scene: Scene, node: str) -> bool:
-    """Whether a corner is a point whose velocity is nothing."""
+    """True if a corner is a point whose velocity is nothing."""
     site = scene.method.acceleration.nodes[node].site
     if site is None or site.link not in scene.motions.velocities or site.point not in scene.plot.position:
         return False
@@ -190,7 +188,7 @@ def _ignoring(scene: Scene, contacts: list[tuple[str, Contact]], wrong: set[int]
 
 
 def _by_contact(contact: Contact, wheel: str, quantity: str, without: str) -> Change:
-    """What a contact gives a wheel, from the rotations of all others of its links but one."""
+    """A wheel's rate as a contact gives it, from the rotations of all others of its links but one."""
     own = sum(c for link, c in contact.angles if link == wheel)
 
     def change(plot: Redrawing, right: Value) -> Value:

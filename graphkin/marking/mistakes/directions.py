@@ -31,7 +31,7 @@ def _named(equation: Equation | None, ray: Ray, plane: Plane) -> str:
 
 
 def measured_over(scene: Scene, plane: Plane, across: Across) -> Measure | None:
-    """What is read off an arrow across a lever."""
+    """The reading off an arrow across a lever."""
     ends = {across.tail, across.head}
     return next((step for step in scene.measures(plane) if set(step.lever) == ends), None)
 
@@ -51,7 +51,7 @@ def _along(scene: Scene, plane: Plane, id: str) -> Iterator[Rewrite]:
 
 @mistake("velocity-along-link", "velocity-direction", "3-2.1 (3-1)")
 def velocity_along_link(scene: Scene) -> Iterator[Rewrite]:
-    """What is read of that link's rotation has no sense, so that it and all that follows from it is not judged."""
+    """The reading of that link's rotation has no sense, so that it and all that follows from it is not judged."""
     return _along(scene, "velocity", "velocity-along-link")
 
 
@@ -153,7 +153,7 @@ def orthogonal_split(scene: Scene) -> Iterator[Rewrite]:
 
 
 def guide_lengths(scene: Scene, slide: str, lever: tuple[str, str]) -> dict[str, float]:
-    """How far named points of a guide's line are from the sliding point [m], by name."""
+    """Distances of named points of a guide's line from the sliding point [m], by name."""
     guide = scene.plot.facts.lines[slide][0]
     point, along = scene.method.structure.slides[slide].point, place(scene.plot.guide_direction(slide))
     lengths: dict[str, float] = {}

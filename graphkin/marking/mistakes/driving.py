@@ -52,7 +52,7 @@ def relative_as_absolute(scene: Scene) -> Iterator[Rewrite]:
 
 
 def _alone(word: str, k: int) -> Change:
-    """What a driver alone gives its link."""
+    """The rate that a driver alone gives its link."""
 
     def change(plot: Redrawing, right: Value) -> Value:
         return (plot.facts.rates if word == "omega" else plot.facts.accelerations)[k]

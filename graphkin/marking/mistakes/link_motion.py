@@ -158,16 +158,13 @@ def slider_normal_term(scene: Scene) -> Iterator[Rewrite]:
     """The connecting rod's omega^2 l laid off at the slider, towards the crank's pivot, as if it turned about that."""
     for meet, ray, name in rays(scene, "acceleration"):
         others = {meet.first, meet.second} - {ray}
-        if not _on_frame(scene, ray) or any(not isinstance(other, Ray) for other in others):
+        facts, slide = scene.plot.facts, ray.direction
+        on_frame = isinstance(slide, AlongGuide) and facts.lines[slide.slide][0] == facts.frame
+        if not on_frame or any(not isinstance(other, Ray) for other in others):
             continue
         for rod, point, pivot in _rods(scene, ray):
             edits = (Edit(("through", "acceleration", meet, ray), _shifted(rod, point, pivot)),)
             yield Rewrite("slider-normal-term", name, scene.length_name(rod.tail, rod.head), edits)
-
-
-def _on_frame(scene: Scene, ray: Ray) -> bool:
-    direction = ray.direction
-    return isinstance(direction, AlongGuide) and scene.plot.facts.lines[direction.slide][0] == scene.plot.facts.frame
 
 
 def _rods(scene: Scene, ray: Ray) -> Iterator[tuple[Normal, str, str]]:

@@ -115,7 +115,8 @@ def wrong_tail(scene: Scene) -> Iterator[Rewrite]:
 
 def _from_pole(scene: Scene, plane: Plane) -> Iterator[Rewrite]:
     construction = scene.construction(plane)
-    resting = {construction.pole, *_fixed(scene, plane)}
+    sites = ((name, node.site) for name, node in construction.nodes.items())
+    resting = {construction.pole, *(name for name, site in sites if site is not None and scene.fixed(site.point))}
     for step in scene.laid_off(plane):
         if step.start in resting or "*" in step.start + step.tip:
             continue
@@ -125,13 +126,6 @@ def _from_pole(scene: Scene, plane: Plane) -> Iterator[Rewrite]:
 
         edits = (Edit(("laid", plane, step.tip), change),)
         yield Rewrite("wrong-tail", step.term.name(plane), construction.pole, edits)
-
-
-def _fixed(scene: Scene, plane: Plane) -> Iterator[str]:
-    """Corners at rest."""
-    for name, node in scene.construction(plane).nodes.items():
-        if node.site is not None and scene.fixed(node.site.point):
-            yield name
 
 
 def _whole_arrow(scene: Scene) -> Iterator[Rewrite]:
