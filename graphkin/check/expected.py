@@ -12,19 +12,7 @@ from graphkin.analytic import Motion
 from graphkin.base.geometry import Real, Value, meet_lines, number, place
 from graphkin.base.value import Lazy, frozen
 from graphkin.check.drawing import DrawingFile
-from graphkin.construction import (
-    LETTER,
-    Across,
-    AcrossGuide,
-    Along,
-    AlongGuide,
-    Direction,
-    Meet,
-    Plane,
-    Ray,
-    Site,
-    Touch,
-)
+from graphkin.construction import LETTER, Meet, Plane, Ray, Site, Touch, terms
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.naming import image_name, seen
@@ -129,13 +117,13 @@ def added_point(step: Touch | Meet, mechanism: Mechanism, exact: Motion) -> comp
     return complex(meet_lines(*first, *second)[0])
 
 
-def _line(direction: Direction, mechanism: Mechanism, exact: Motion) -> complex:
-    if isinstance(direction, AcrossGuide | AlongGuide):
+def _line(direction: terms.Direction, mechanism: Mechanism, exact: Motion) -> complex:
+    if isinstance(direction, terms.AcrossGuide | terms.AlongGuide):
         along = _along(direction.slide, mechanism, exact)
-        return 1j * along if isinstance(direction, AcrossGuide) else along
-    assert isinstance(direction, Along | Across)
+        return 1j * along if isinstance(direction, terms.AcrossGuide) else along
+    assert isinstance(direction, terms.Along | terms.Across)
     arm = complex(exact.position[direction.head] - exact.position[direction.tail])
-    return arm / abs(arm) * (1j if isinstance(direction, Across) else 1)
+    return arm / abs(arm) * (1j if isinstance(direction, terms.Across) else 1)
 
 
 def _along(slide: str, mechanism: Mechanism, exact: Motion) -> complex:

@@ -17,17 +17,7 @@ from graphkin.marking.key import KeyEntry
 from graphkin.marking.records import StudentWork
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import Seen
-from graphkin.model.quantities import (
-    Centre,
-    Component,
-    Displacement,
-    Moving,
-    Place,
-    Quantity,
-    Quotient,
-    Rotation,
-    Track,
-)
+from graphkin.model.quantities import Quantity, kinds
 from graphkin.model.quantities.kinds import Answer
 from graphkin.model.quantities.reading import read
 from graphkin.planning import Method, plan
@@ -59,17 +49,19 @@ def other_ways(method: Method, plot: Plot, quantity: Quantity) -> tuple[OtherWay
         return OtherWay(kind, other, drawn_answer(method, right, other, arrows))
 
     match quantity:
-        case Rotation(word="omega" | "alpha"):
+        case kinds.Rotation(word="omega" | "alpha"):
             value = drawn_answer(method, right, quantity, arrows).value
             return (OtherWay("size", quantity, Answer(np.abs(value), quantity.unit)),)
-        case Moving(seen_from=seen_from):
+        case kinds.Moving(seen_from=seen_from):
             if seen_from is None:
                 return tuple(answered("centre", centre) for centre in _centres(method.mechanism, quantity))
             seen_reversed = _read_as(method.mechanism, quantity, seen_from, quantity.site)
             elsewhere = _elsewhere(method.mechanism, quantity, seen_from)
             answers = [answered("reversed", other) for other in seen_reversed]
             return (*answers, *(answered("coincident", other) for other in elsewhere))
-        case Rotation() | Displacement() | Place() | Track() | Component() | Centre() | Quotient():
+        case kinds.Rotation() | kinds.Displacement() | kinds.Place() | kinds.Track():
+            return ()
+        case kinds.Component() | kinds.Centre() | kinds.Quotient():
             return ()
         case _:
             assert_never(quantity)
@@ -88,7 +80,7 @@ def other_methods(method: Method) -> Iterator[Method]:
             yield other
 
 
-def _elsewhere(mechanism: Mechanism, quantity: Moving, seen_from: Seen) -> Iterator[Quantity]:
+def _elsewhere(mechanism: Mechanism, quantity: kinds.Moving, seen_from: Seen) -> Iterator[Quantity]:
     """A motion of coincident points at every other named point of either link."""
     of = quantity.site
     named = dict.fromkeys((*mechanism.named(of.link), *mechanism.named(seen_from.link)))
@@ -106,21 +98,21 @@ def _read_as(mechanism: Mechanism, quantity: Quantity, of: Seen, seen_from: Seen
             other = read(mechanism, f"{quantity.word} {text}")
         except GraphkinError:
             continue
-        if not isinstance(other, Moving) or other.seen_from is None:
+        if not isinstance(other, kinds.Moving) or other.seen_from is None:
             continue
         if [(site.point, site.link) for site in (other.site, other.seen_from)] == [(s.point, s.link) for s in sites]:
             yield other
             return
 
 
-def _centres(mechanism: Mechanism, quantity: Moving) -> Iterator[Quantity]:
+def _centres(mechanism: Mechanism, quantity: kinds.Moving) -> Iterator[Quantity]:
     """Of the links of a point, each against the frame; of velocities."""
     if quantity.letter != "v":
         return
     site = quantity.site
     for link in (site.link,) if site.explicit else mechanism.owners.get(site.point, ()):
         if link != FRAME:
-            yield Centre("P", f"{mechanism.called(link)},{mechanism.frame}", (link, FRAME))
+            yield kinds.Centre("P", f"{mechanism.called(link)},{mechanism.frame}", (link, FRAME))
 
 
 # --- the same answer under another name --------------------------------------------------------
@@ -130,9 +122,9 @@ def same_answers(method: Method, plot: Plot, quantity: Quantity) -> tuple[str, .
     """Other names under which the answer is this one: B2B3 for B3B2, another coincident point of a block and its guide,
     a link that turns with this one. An order or a point that gives another size, as for a pin's Coriolis acceleration,
     is none."""
-    if isinstance(quantity, Rotation):
+    if isinstance(quantity, kinds.Rotation):
         return tuple(_turning_alike(method, plot, quantity))
-    if not isinstance(quantity, Moving) or quantity.seen_from is None:
+    if not isinstance(quantity, kinds.Moving) or quantity.seen_from is None:
         return ()
     right = np.abs(quantity.answer(readings(method, plot)).value)
     others = _other_names(method, plot, quantity)
@@ -155,7 +147,7 @@ def _other_names(method: Method, plot: Plot, quantity: Quantity) -> list[OtherWa
     return [one for one in other_ways(method, plot, quantity) if one.kind in ("reversed", "coincident")]
 
 
-def _turning_alike(method: Method, plot: Plot, quantity: Rotation) -> Iterator[str]:
+def _turning_alike(method: Method, plot: Plot, quantity: kinds.Rotation) -> Iterator[str]:
     """The same word of the links that a sliding pair holds at an angle to this one."""
     turns, motions = plot.facts.turns, readings(method, plot)
     right = quantity.answer(motions).value
