@@ -8,7 +8,6 @@ import sys
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 
 from graphkin import files as loading
@@ -95,7 +94,7 @@ def stated(element: ShownMark) -> tuple[str, ...]:
 class _Builder(TreeBuilder):
     """Builds the tree, and sees what stands before it."""
 
-    def pi(self, target: str, text: str | None = None) -> Any:
+    def pi(self, target: str, text: str | None = None) -> Element:
         if "stylesheet" in target:
             raise Unread("a style sheet")
         return super().pi(target, text)
