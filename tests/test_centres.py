@@ -13,7 +13,7 @@ from random_mechanisms import DYADS, dyad
 from graphkin.analytic import Motion, motion
 from graphkin.api import plan
 from graphkin.construction.drafting import Board, DraftMeet, LineStep, drawn_through, ruled
-from graphkin.construction.drafting.projective import Homogeneous
+from graphkin.construction.drafting.board import Homogeneous
 from graphkin.errors import NOWHERE, GraphkinError
 from graphkin.files import library, loads
 from graphkin.model.mechanism import FRAME, Driver, Mechanism

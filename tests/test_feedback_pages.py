@@ -18,7 +18,7 @@ from graphkin.files import library
 from graphkin.homework import grading, platforms
 from graphkin.homework.platforms.pages import drawing, html
 from graphkin.marking import Rewrite, rewrites, rewritten
-from graphkin.marking.comparison import Beside, beside
+from graphkin.marking.consequences import DrawingComparison, compare_drawings
 from graphkin.outputs import marks_json
 from graphkin.outputs.marks_json import drawn_of, record
 from graphkin.outputs.svg import inline, svg
@@ -48,11 +48,11 @@ def made(name: str, *words: str) -> Rewrite:
     return next(one for one in rewrites(method, plot) if set(words) <= {one.id, one.of, one.form, one.way})
 
 
-def found(name: str, *mistakes: tuple[str, ...]) -> Beside:
-    return beside(*drawn(name), [made(name, *words) for words in mistakes])
+def found(name: str, *mistakes: tuple[str, ...]) -> DrawingComparison:
+    return compare_drawings(*drawn(name), [made(name, *words) for words in mistakes])
 
 
-def ends(of: Beside) -> dict[str, set[str]]:
+def ends(of: DrawingComparison) -> dict[str, set[str]]:
     """What is drawn otherwise: arrows as `b2' k'`, and points of images."""
     return {
         plane: {" ".join(sorted(pair)) for pair in of.arrows.get(plane, ())} | of.images.get(plane, frozenset())
@@ -131,7 +131,7 @@ def test_any_mistake_in_any_mechanism(make, seed):
     plot = replay_all(method)
     every = rewrites(method, plot)
     for k in range(seed, len(every), 1 + len(every) // 2):
-        of = beside(method, plot, [every[k], every[-k]])
+        of = compare_drawings(method, plot, [every[k], every[-k]])
         own = {plane: points_of(of.other, plane, 1) for plane in ("velocity", "acceleration")}
         picture = mistake_sheet(method, plot, found=of, own=own, answer=bool(k % 2), lang=LANGS[k % 2])
         if picture is not None:

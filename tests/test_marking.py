@@ -15,16 +15,13 @@ from graphkin import api
 from graphkin.errors import NOWHERE, BadKey
 from graphkin.homework.grading import Pencils, key_for, key_from, marking_of
 from graphkin.homework.grading.keys import key_drawn
-from graphkin.marking import making
-from graphkin.marking.diagnosis import independent
-from graphkin.marking.habits import Trace, added
-from graphkin.marking.making import drawings_of, half_digit
-from graphkin.marking.marked import HandedNumber, Judged, Marked, StudentWork
+from graphkin.marking import key_making as making
+from graphkin.marking.diagnosis import Trace, added, independent
+from graphkin.marking.key_making import half_digit
 from graphkin.marking.marker import Marker
-from graphkin.marking.pencil import Pencil
-from graphkin.marking.scatter import Drawings, spread
-from graphkin.marking.slips import Mark, Slips
-from graphkin.marking.tolerances import tolerances
+from graphkin.marking.pencil import Mark, Pencil, Slips
+from graphkin.marking.records import HandedNumber, Judged, Marked, StudentWork
+from graphkin.marking.tolerances import Drawings, drawings_of, spread, tolerances
 from graphkin.model.quantities import named
 from graphkin.outputs.key_json import key_data, key_of, key_text
 
@@ -356,7 +353,7 @@ def test_broken_keys_are_refused():
 def test_a_key_is_the_same_however_many_mistakes_are_drawn_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     method = api.plan(api.load("ex3-1"))
     whole = key_drawn(method).singles
-    monkeypatch.setattr("graphkin.marking.scatter._NUMBERS", 1)
+    monkeypatch.setattr("graphkin.marking.tolerances._NUMBERS", 1)
     one_by_one = key_drawn(method).singles
     for name in ("values", "scatters", "together"):
         assert np.array_equal(getattr(whole, name), getattr(one_by_one, name), equal_nan=True)

@@ -13,13 +13,13 @@ from graphkin.files import library
 from graphkin.marking import (
     MISTAKES,
     Consequences,
-    Hand,
+    PolygonHand,
     Redrawing,
     Rewrite,
     arrows_of,
-    asked,
     combined,
     consequences,
+    drawn_answer,
     other_methods,
     other_ways,
     redraw,
@@ -325,7 +325,7 @@ def test_other_coincident_points_are_planned():
 # --- hands --------------------------------------------------------------------------------------
 
 
-class Trembling(Hand):
+class Trembling(PolygonHand):
     """Every direction off by so many degrees, one a column."""
 
     def __init__(self, off_deg: np.ndarray) -> None:
@@ -340,7 +340,7 @@ def test_a_hand_that_errs():
     method, (omega,) = prepared("ex3-1", "omega 3")
     off = np.array([-0.5, 0.0, 0.5])
     drawn = redraw(method, replay_all(method), Trembling(off), off.shape)
-    found = asked(method, drawn, omega, arrows_of(method)).value
+    found = drawn_answer(method, drawn, omega, arrows_of(method)).value
     assert found[1] == pytest.approx(-3.9193, abs=1e-4)
     assert found[0] != pytest.approx(found[1], abs=1e-3)
     assert found[0] - found[1] == pytest.approx(found[1] - found[2], rel=0.1)

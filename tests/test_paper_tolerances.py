@@ -18,15 +18,13 @@ from graphkin.construction import Plot, replay
 from graphkin.errors import GraphkinError
 from graphkin.files import library
 from graphkin.homework.grading import key_for, marking_of
-from graphkin.marking.handed import readable
+from graphkin.marking.answers import readable
 from graphkin.marking.key import Key, KeyEntry
-from graphkin.marking.making import half_digit, pencil_of
-from graphkin.marking.marked import HandedNumber, StudentWork
+from graphkin.marking.key_making import half_digit
 from graphkin.marking.marker import Marker
-from graphkin.marking.pencil import _on_paper, drawn_positions
-from graphkin.marking.scatter import Drawings, spread
-from graphkin.marking.slips import Slips, seed_of
-from graphkin.marking.tolerances import tolerances
+from graphkin.marking.pencil import Slips, _on_paper, drawn_positions, seed_of
+from graphkin.marking.records import HandedNumber, StudentWork
+from graphkin.marking.tolerances import Drawings, pencil_of, spread, tolerances
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.pairs import Slide
 from graphkin.planning import Method, plan

@@ -17,16 +17,15 @@ from graphkin import api
 from graphkin.errors import NOWHERE
 from graphkin.files import library
 from graphkin.homework.grading import key_for, marking_of
-from graphkin.marking.explaining import Explainer
+from graphkin.marking.diagnosis import Explainer
+from graphkin.marking.discriminability import observed
 from graphkin.marking.key import Hypotheses, Key, KeyEntry, Marking
-from graphkin.marking.making import drawings_of, pencil_of
-from graphkin.marking.marked import HandedNumber, StudentWork
 from graphkin.marking.marker import Marker
+from graphkin.marking.pencil import Slips
 from graphkin.marking.power import power
-from graphkin.marking.right_ways import other_methods
-from graphkin.marking.scatter import Drawings
-from graphkin.marking.slips import Slips
-from graphkin.marking.tellable import observed
+from graphkin.marking.records import HandedNumber, StudentWork
+from graphkin.marking.synonyms import other_methods
+from graphkin.marking.tolerances import Drawings, drawings_of, pencil_of
 from graphkin.marking.weights import ONE
 from graphkin.outputs.key_json import key_data, key_of
 
@@ -72,14 +71,14 @@ def made_up(*rows: tuple[float, ...], together: float = 0.0, known: bool = True)
     singles = Hypotheses(names, values, np.ones_like(values), own)
     marking = Marking({"position": 1.0, "velocity": 1.0, "acceleration": 1.0}, 0.0)
     marker = Marker(Key("made up", "", "", marking, entries, (), np.eye(count), singles))
-    marker.ways = Hypotheses((), np.empty((0, count)), np.empty((0, count)))  # there is nothing to draw
+    marker.other_methods = Hypotheses((), np.empty((0, count)), np.empty((0, count)))  # there is nothing to draw
     return marker
 
 
 @pytest.mark.parametrize(("moved", "tellable"), [(3.5, False), (4.4, False), (5.0, True), (9.0, True)])
 def test_one_value_is_beyond_its_tolerance_as_often_as_the_normal_law_says(moved: float, tellable: bool):
     marker = made_up((moved, 0, 0, 0, 0, 0))
-    explainer = Explainer(marker.key, marker.table, np.ones(6, dtype=bool), marker.key.singles, ONE, lambda: marker.ways)
+    explainer = Explainer(marker.key, marker.table, np.ones(6, dtype=bool), marker.key.singles, ONE, lambda: marker.other_methods)
     drawn = 100 + np.array([moved, 0, 0, 0, 0, 0]) + np.random.default_rng(1).standard_normal((400, 6))
     found = observed(explainer, 0, drawn, lambda values: marker.judged(values)[1])
     assert found.beyond == pytest.approx(NormalDist().cdf(moved - 3), abs=0.04)

@@ -17,9 +17,8 @@ from graphkin.files import library
 from graphkin.homework.grading import grade, key_drawn
 from graphkin.homework.grading.batch import earlier_reading
 from graphkin.marking.consequences import rewrites, rewritten
-from graphkin.marking.graded import Drawn
-from graphkin.marking.marked import HandedNumber, StudentWork
 from graphkin.marking.marker import Marker
+from graphkin.marking.records import Drawn, HandedNumber, StudentWork
 from graphkin.marking.rewrite import Rewrite
 from graphkin.model.quantities import Moving
 from graphkin.outputs.marks_json import record

@@ -15,7 +15,7 @@ from click.testing import CliRunner, Result
 from graphkin.cli import main
 from graphkin.homework.grading import key_from
 from graphkin.marking import MISTAKES
-from graphkin.marking.habits import Trace, added, habits
+from graphkin.marking.diagnosis import Trace, added, habits
 from graphkin.marking.key import Key
 from graphkin.outputs.key_json import key_text
 from graphkin.say.marks import mistake_kind

@@ -6,8 +6,8 @@ import pytest
 
 from graphkin import files as loading
 from graphkin.homework.grading import key_for
-from graphkin.marking.marked import HandedNumber, StudentWork
 from graphkin.marking.marker import Marker
+from graphkin.marking.records import HandedNumber, StudentWork
 
 GUIDE_BESIDE_ITS_PIVOT = """
 ask = ["omega 3", "alpha 3", "a_k B3B2", "v B3B2"]

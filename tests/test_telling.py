@@ -21,9 +21,14 @@ from graphkin.homework.grading.keys import marking_of
 from graphkin.homework.problems import draws, read_template, roster, variants, well_posed
 from graphkin.homework.problems.draws import DrawingSizes
 from graphkin.homework.problems.posed import shown_at
+from graphkin.marking.discriminability import (
+    Always,
+    MistakeVisibility,
+    compared,
+    mistake_visibility,
+    set_discriminability,
+)
 from graphkin.marking.key import KeyEntry
-from graphkin.marking.telling import Telling, compared, telling
-from graphkin.marking.told import Always, set_told
 from graphkin.running import replay_all
 from graphkin.say.tolerances import discriminability_lines
 
@@ -31,7 +36,7 @@ SENSE, SIZE = (KeyEntry(text, "rad/s", sort, 10.0, 0.1, 0.3) for text, sort in (
 NAN = float("nan")
 
 
-def told(*rows: tuple[str, float, float]) -> Telling:
+def told(*rows: tuple[str, float, float]) -> MistakeVisibility:
     """Mistakes by id, and what they give."""
     return compared((SENSE, SIZE), [(id, "", "", "") for id, *_ in rows], np.array([row[1:] for row in rows]))
 
@@ -74,7 +79,7 @@ def test_what_is_always_the_same_counts_for_nothing():
     assert always.told(other).lost == 0
     assert always.told(other).kinds["c"] == (1, 1, 1)
     assert always.told(other).kinds["a"] == (1, 1, 0)
-    found = set_told([always.told(one), always.told(other)], (0.25, 0.25))
+    found = set_discriminability([always.told(one), always.told(other)], (0.25, 0.25))
     assert (found.places, found.seen, found.apart, found.lost) == (5, 0.7, 0.2, 0.4)
     assert found.rivals == {("a", "c"): 0.5, ("b", "c"): 0.5}
 
@@ -82,7 +87,7 @@ def test_what_is_always_the_same_counts_for_nothing():
 @pytest.mark.parametrize("name", ["ex3-1", "ex3-5"])
 def test_answers_alone_are_those_of_the_key(name: str):
     method = api.plan(api.load(name))
-    key, found = key_for(method.mechanism), telling(method, replay_all(method), marking_of(method))
+    key, found = key_for(method.mechanism), mistake_visibility(method, replay_all(method), marking_of(method))
     asked = [entry for entry in key.entries if entry.points]
     assert found.right.tolist() == pytest.approx([entry.right for entry in asked])
     assert found.tolerance.tolist() == pytest.approx([entry.tolerance for entry in asked], rel=0.15)
@@ -95,7 +100,7 @@ def test_what_is_known_to_be_the_same_of_example_3_1():
     turn and a Coriolis term left out in nothing."""
     text = re.sub("(?m)^ask .*", 'ask = ["alpha 3", "a_k B3B2"]', library.load("ex3-1").text)
     method = api.plan(loading.loads(text))
-    found = telling(method, replay_all(method), marking_of(method))
+    found = mistake_visibility(method, replay_all(method), marking_of(method))
     sets = Always([found]).told(found).sets
     assert ("coriolis-reversed", "omega-sense") in sets
     assert ("block-omega", "coriolis-omitted") in sets
@@ -106,7 +111,7 @@ def test_drawings_that_do_not_close_are_counted():
     """The ram of exercise 3-15 stands 2 degrees from where its links do not reach; four-bars far from it all close."""
     for name, part in (("p3-15", 0.4), ("ex3-5", 0.0)):
         method = api.plan(library.load(name))
-        assert telling(method, replay_all(method), marking_of(method)).failed == pytest.approx(part, abs=0.08)
+        assert mistake_visibility(method, replay_all(method), marking_of(method)).failed == pytest.approx(part, abs=0.08)
 
 
 # --- sets -------------------------------------------------------------------------------------
@@ -156,7 +161,7 @@ def test_what_a_set_tells_is_printed_and_kept(written: tuple[Path, str]):
 
 def test_what_a_set_tells_in_chinese(template: Path):
     found = variants(read_template(template), roster("1"), "1")
-    lines = list(discriminability_lines(set_told([variant.told for variant in found], (0.25, 0.25)), "zh"))
+    lines = list(discriminability_lines(set_discriminability([variant.told for variant in found], (0.25, 0.25)), "zh"))
     assert lines[0].startswith("各题答案能区分哪些错误（1 题")
     assert any(re.fullmatch(r"coriolis-omitted +1 +100% +0%", line) for line in lines)
     assert not any("正确作图" in line for line in lines), "no problem was tried"

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 from graphkin import files as loading
 from graphkin import planning, running
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Real
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import CannotAssemble, GraphkinError, HigherClass, Lang, NoSpeed, Where
@@ -92,7 +92,7 @@ def _refuse_wrong_drivers(mechanism: Mechanism) -> None:
 
 
 def replay(
-    method: Method, values: Sequence[Value] | None = None, *, compiled: bool | None = None, held: bool = True
+    method: Method, values: Sequence[Real] | None = None, *, compiled: bool | None = None, held: bool = True
 ) -> State:
     """Carry the constructions out at the drawn position, or at driver `values` [rad, m]: scalars or arrays (n,).
 
@@ -117,7 +117,7 @@ def replay(
 
 
 def replay_many(
-    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Value] | None = None, *,
+    method: Method, mechanisms: Sequence[Mechanism] | Mechanism, values: Sequence[Real] | None = None, *,
     held: bool = True,
 ) -> DrawnVariants:  # fmt: skip
     """Every mechanism of a method's topology, each at its own drawn position or at driver values.

@@ -11,7 +11,7 @@ Beside lengths: arrow `heads`, what is `hidden`, and `signs` that show no length
 from __future__ import annotations
 
 from graphkin.check.drawing import Fault
+from graphkin.check.expected import added_point
 from graphkin.check.ruler import RulerReading, RulerReport, measure, measured
-from graphkin.check.widened import added_point
 
 __all__ = ["Fault", "RulerReading", "RulerReport", "added_point", "measure", "measured"]

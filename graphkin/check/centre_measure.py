@@ -13,6 +13,7 @@ from dataclasses import replace
 from typing import Literal
 
 from graphkin.analytic import Motion, motion
+from graphkin.base.geometry import number, place
 from graphkin.base.tolerances import STILL
 from graphkin.base.value import frozen
 from graphkin.check.drawing import DrawingFile
@@ -21,7 +22,7 @@ from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import centre_of
 
 CENTRES: Literal["centres"] = "centres"
-"""What the marks of centres give as their plane."""
+"""The plane that the marks of centres give."""
 
 
 @frozen
@@ -41,25 +42,23 @@ class SeenCentre:
 
 def parted(drawing: DrawingFile) -> tuple[DrawingFile, DrawingFile]:
     """The drawing without its centres, and its centres alone."""
-    parts = []
-    for wanted in (False, True):
-        shown = tuple(element for element in drawing.sight.shown if _is_centre(element.attributes) is wanted)
-        parts.append(replace(drawing, sight=replace(drawing.sight, shown=shown)))
-    return parts[0], parts[1]
-
-
-def _is_centre(attributes: Mapping[str, str]) -> bool:
-    return attributes.get("data-plane") == CENTRES
+    centres = [element.attributes.get("data-plane") == CENTRES for element in drawing.sight.shown]
+    parts = (
+        tuple(element for element, is_centre in zip(drawing.sight.shown, centres, strict=True) if is_centre is chosen)
+        for chosen in (False, True)
+    )
+    planes, alone = (replace(drawing, sight=replace(drawing.sight, shown=shown)) for shown in parts)
+    return planes, alone
 
 
 def ways_to_move(mechanism: Mechanism, solved: Motion) -> list[Motion]:
     """The motion itself, and one with the drivers at 1 that rest: links that only those move have centres too."""
     resting = [driver.rate == 0 for driver in mechanism.drivers]
-    found = [] if all(resting) else [solved]
+    motions = [] if all(resting) else [solved]
     if any(resting):
         drivers = tuple(replace(driver, rate=float(driver.rate == 0)) for driver in mechanism.drivers)
-        found.append(motion(replace(mechanism, drivers=drivers), solved.values))
-    return found
+        motions.append(motion(replace(mechanism, drivers=drivers), solved.values))
+    return motions
 
 
 def seen_centres(
@@ -71,14 +70,13 @@ def seen_centres(
 
     exact  as `ways_to_move` gives it; scale  [m/mm]. Raises BadDrawing for a centre that is none.
     """
-    for attributes, place in centres.points:
+    for attributes, drawn in centres.points:
         name = attributes.get("data-name", "")
-        pole, turning = _known(centres, mechanism, exact, attributes)
-        if not turning and pole == 0:
-            continue
-        if not turning:
+        pole, finite = _known(centres, mechanism, exact, attributes)
+        if not finite and pole != 0:
             raise BadDrawing(Where(centres.file), "value", f"data-name={name}")
-        yield SeenCentre(name, "point", place, pole / scale)
+        if finite:
+            yield SeenCentre(name, "point", drawn, pole / scale)
 
 
 def seen_arrows(
@@ -86,10 +84,10 @@ def seen_arrows(
 ) -> Iterator[SeenCentre]:
     """Every arrow towards a centre, as long as it is drawn. origin: of the mechanism on paper [mm], y up."""
     for attributes, tail, head in centres.vectors:
-        pole, turning = _known(centres, mechanism, exact, attributes)
-        way = pole / scale + origin - tail if turning else pole
-        along = way / abs(way) if abs(way) else 0j
-        if not turning and (along.conjugate() * (head - tail)).real < 0:
+        pole, finite = _known(centres, mechanism, exact, attributes)
+        toward = pole / scale + origin - tail if finite else pole
+        along = toward / abs(toward) if abs(toward) else 0j
+        if not finite and (along.conjugate() * (head - tail)).real < 0:
             along = -along
         yield SeenCentre(attributes.get("data-name", ""), "vector", head - tail, abs(head - tail) * along)
 
@@ -100,14 +98,13 @@ def _known(
     """A centre by the name that an element bears; whether it is at a finite place."""
     name = attributes.get("data-name", "")
     links = centre_of(mechanism, name)
-    found = pole_of(mechanism, exact, *links) if links is not None else None
-    if found is None:
+    if links is None:
         raise BadDrawing(Where(centres.file), "value", f"data-name={name}")
-    return found
+    return pole_of(mechanism, exact, *links)
 
 
 def pole_of(mechanism: Mechanism, exact: Sequence[Motion], first: str, second: str) -> tuple[complex, bool]:
-    """Where two links have one velocity [m], and True; the direction in which it lies at infinity, and False.
+    """The place where two links have one velocity [m], and True; the direction in which it lies at infinity, and False.
 
     Links at rest against each other at this instant alone (at a dead point) have it where their accelerations say:
     it is the limit of its neighbours. Links that do not move against each other at all have it in their hinge, or at
@@ -115,12 +112,17 @@ def pole_of(mechanism: Mechanism, exact: Sequence[Motion], first: str, second: s
     """
     at = next(point for link in (first, second) for point in mechanism.links[link].points)
     for moved in exact:
-        place, size = complex(moved.position[at]), _size(moved, at)
-        fastest = _fastest(moved, size)
-        for relative, usual in ((_velocities, fastest), (_accelerations, fastest**2)):
-            moving, turning = relative(moved, at, first, second)
+        origin = place(moved.position[at])
+        size = max(abs(place(other) - origin) for other in moved.position.values()) or 1.0
+        speeds = [abs(place(velocity)) / size for velocity in moved.velocity.values()]
+        fastest = max(*speeds, *(abs(number(omega)) for omega in moved.omega.values()))  # [rad/s]
+        for rates, at_point, usual in (
+            (moved.omega, moved.velocity_at, fastest), (moved.alpha, moved.acceleration_at, fastest**2),
+        ):  # fmt: skip
+            one, other = (0j if link == FRAME else place(at_point(at, link)) for link in (first, second))
+            moving, turning = one - other, number(rates[first] - rates[second])
             if abs(turning) > STILL * usual:
-                return place + 1j * moving / turning, True
+                return origin + 1j * moving / turning, True
             if abs(moving) > STILL * usual * size:
                 return 1j * moving, False
     return _joint(mechanism, exact[0], first, second)
@@ -130,31 +132,8 @@ def _joint(mechanism: Mechanism, exact: Motion, first: str, second: str) -> tupl
     """The centre of two links by definition: their hinge, or their guide's normal."""
     shared = set(mechanism.links[first].points) & set(mechanism.links[second].points)
     if shared:
-        return complex(exact.position[min(shared)]), True
+        return place(exact.position[min(shared)]), True
     for slide in mechanism.slides:
         if {slide.guide, slide.block} == {first, second}:
-            turned = cmath.exp(1j * float(exact.theta[slide.guide]))
-            return 1j * complex(slide.line.direction) * turned, False
+            return 1j * complex(slide.line.direction) * cmath.exp(1j * number(exact.theta[slide.guide])), False
     return 0j, False
-
-
-def _size(exact: Motion, at: str) -> float:
-    return max(abs(complex(place - exact.position[at])) for place in exact.position.values()) or 1.0
-
-
-def _fastest(exact: Motion, size: float) -> float:
-    """The fastest rotation, or speed by size [rad/s]."""
-    speeds = [abs(complex(v)) / size for v in exact.velocity.values()]
-    return max(*speeds, *(abs(float(omega)) for omega in exact.omega.values()))
-
-
-def _velocities(exact: Motion, at: str, first: str, second: str) -> tuple[complex, float]:
-    """The first link against the second: velocity of a point, angular velocity."""
-    one, other = (0j if link == FRAME else exact.velocity_at(at, link) for link in (first, second))
-    return complex(one - other), float(exact.omega[first] - exact.omega[second])
-
-
-def _accelerations(exact: Motion, at: str, first: str, second: str) -> tuple[complex, float]:
-    """The same of accelerations, for links at rest against each other."""
-    one, other = (0j if link == FRAME else exact.acceleration_at(at, link) for link in (first, second))
-    return complex(one - other), float(exact.alpha[first] - exact.alpha[second])

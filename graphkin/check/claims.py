@@ -1,4 +1,4 @@
-"""What a drawing file says of itself, beside what it shows: every mark that was drawn, every text, the scales.
+"""Claims of a drawing file beside what it shows: every mark that was drawn, every text, the scales, every sign.
 
 A seal tells that the claims are as they were written. It is no lock: whoever changes them can seal them anew. So what
 `check` promises does not hang on it: whatever the file shows is right for the mechanism whose text it carries, at the
@@ -14,10 +14,16 @@ import math
 import re
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 from statistics import median
+
+import numpy as np
+import shapely
 
 from graphkin.base.plain import seal
 from graphkin.check.drawing import MARKS, DrawingFile, Fault, stated
+from graphkin.check.mark_faults import place_of
+from graphkin.check.shown import FAINT, HAIR, ShownMark, dashed_away
 from graphkin.construction import Plane
 from graphkin.model.mechanism import Mechanism
 
@@ -34,7 +40,7 @@ LETTERS: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "accelera
 def changed(
     drawing: DrawingFile, read: Sequence[Letters], mechanism: Mechanism, scales: Mapping[Plane, float]
 ) -> Iterator[Fault]:
-    """What the file says of itself must be as it was when it was drawn, and the sheet must say the same.
+    """Faults where the file's claims are not as they were when it was drawn, or the sheet says otherwise.
 
     read  the texts on it
     """
@@ -42,27 +48,24 @@ def changed(
     if drawing.claims.get("seal") != seal(drawing.claims):
         yield Fault("changed", "")
     yield from _printed(texts, scales)
-    titles = [] if drawing.claims.get("tight") is True else _titles(mechanism)
+    titles = [title for text in mechanism.title.values() if (title := " ".join(text.split()))]
     if drawing.title.split() != str(drawing.claims.get("title", "")).split():
         yield Fault("title", drawing.title)
-    if titles and not any(_begins(title, text) for text in texts for title in titles):
+    # a long title is broken into lines; a single letter is none
+    begun = (title.startswith(text) and len(text) >= min(len(title), 6) for text in texts for title in titles)
+    if titles and drawing.claims.get("tight") is not True and not any(begun):
         yield Fault("title", titles[0])
-    told = claimed_letters(drawing)
-    for text in (Counter(text for text, _ in told) - Counter(texts)).elements():
+    claimed_texts = claimed_letters(drawing)
+    for text in (Counter(text for text, _ in claimed_texts) - Counter(texts)).elements():
         yield Fault("letters", text)
-    yield from (Fault("letters", text) for text in _exchanged(told, read))
-    for gone in (_claimed_marks(drawing) - _marks(drawing)).elements():
-        yield Fault("missing", _named(gone))
-
-
-def _titles(mechanism: Mechanism) -> list[str]:
-    titles = (" ".join(title.split()) for title in mechanism.title.values())
-    return [title for title in titles if title]
-
-
-def _begins(title: str, text: str) -> bool:
-    """A long title is broken into lines; a single letter is none."""
-    return title.startswith(text) and len(text) >= min(len(title), 6)
+    yield from (Fault("letters", text) for text in _exchanged(claimed_texts, read))
+    entries = drawing.claims.get("drawn")
+    entries = entries if isinstance(entries, list) else []
+    claimed = Counter(tuple(map(str, entry)) for entry in entries if isinstance(entry, list))
+    for gone in (claimed - Counter(stated(mark) for kind in MARKS for mark in drawing.of_class(kind))).elements():
+        said = dict(part.partition("=")[::2] for part in gone[1:])
+        on = next((said[key] for key in ("points", "line", "form") if key in said), "")
+        yield Fault("missing", f"{said.get('name') or said.get('link', '') + ': ' + on} ({said.get('plane', '')})")
 
 
 def _printed(read: Sequence[str], scales: Mapping[Plane, float]) -> Iterator[Fault]:
@@ -113,7 +116,7 @@ def _exchanged(told: Sequence[Letters], read: Sequence[Letters]) -> Iterator[str
 
 
 def _places_now(told: Sequence[Letters], read: Sequence[Letters]) -> list[complex]:
-    """Where each text stands; where it stood if it is no longer to be read."""
+    """The place of each text now; where it stood if it is no longer to be read."""
     return [min((at for other, at in read if other == text), key=lambda p, q=place: abs(p - q), default=place)  # type: ignore[misc]
             for text, place in told]  # fmt: skip
 
@@ -129,18 +132,82 @@ def shift_of(drawing: DrawingFile, read: Sequence[Letters]) -> complex:
     return _shift(told, _places_now(told, read))
 
 
-def _claimed_marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
-    given = drawing.claims.get("drawn")
-    told = given if isinstance(given, list) else []
-    return Counter(tuple(map(str, entry)) for entry in told if isinstance(entry, list))
+# --- signs that show no length -----------------------------------------------------------------
 
 
-def _marks(drawing: DrawingFile) -> Counter[tuple[str, ...]]:
-    return Counter(stated(mark) for kind in MARKS for mark in drawing.of_class(kind))
+_NEAR = 0.05
+"""A sign is where it was drawn if its ends are no farther off [mm]."""
+_SHARP = np.cos(np.radians(75))
+"""A head of an arrow opens less wide."""
+
+Ends = tuple[complex, complex]
 
 
-def _named(told: tuple[str, ...]) -> str:
-    said = dict(part.partition("=")[::2] for part in told[1:])
-    on = next((said[key] for key in ("points", "line", "form") if key in said), "")
-    name = said.get("name") or f"{said.get('link', '')}: {on}"
-    return f"{name} ({said.get('plane', '')})"
+def _sign_ends(sign: ShownMark) -> Ends:
+    """Its begin, and its middle corner or, of a circle, its middle: as the file states them when it is drawn."""
+    line = sign.lines[0]
+    return line[0], sign.middle if sign.tag == "circle" else line[len(line) // 2]
+
+
+def _signs(drawing: DrawingFile) -> list[ShownMark]:
+    """Elements that are painted and held against no length."""
+    return [element for element in drawing.sight.shown
+            if element.tag != "text" and element.lines and all(element.lines) and not drawing.measures(element)
+            and max(element.style.share("stroke"), element.style.share("fill")) > 0]  # fmt: skip
+
+
+def _can_be_seen(sign: ShownMark) -> bool:
+    line = sign.style.ink("stroke") > FAINT and sign.width > HAIR and not dashed_away(sign.style, False)
+    return line or sign.style.ink("fill") > FAINT
+
+
+def _signs_as_drawn(drawing: DrawingFile) -> list[Ends]:
+    """Ends of the signs that were there when the file was written."""
+    stated = drawing.claims.get("signs")
+    found = []
+    for entry in stated if isinstance(stated, list) else ():
+        match entry:
+            case [int() | float() as x, int() | float() as y, int() | float() as x2, int() | float() as y2]:
+                found.append((complex(x, -y), complex(x2, -y2)))
+            case _:
+                pass
+    return found
+
+
+def _altered(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[complex], list[ShownMark]]:
+    """Places of signs that are gone, and signs that are new; the sheet as a whole may have been moved."""
+    shift, seen, drawn = shift_of(drawing, read), _signs(drawing), _signs_as_drawn(drawing)
+    now = np.array([_sign_ends(sign) for sign in seen], dtype=complex).reshape(-1, 2)
+    then = np.array(drawn, dtype=complex).reshape(-1, 2) + shift
+    first, second = (shapely.points(places[:, 0].real, places[:, 0].imag) for places in (now, then))
+    pairs = shapely.STRtree(first).query(second, predicate="dwithin", distance=_NEAR).T
+    alike = [(k, n) for k, n in pairs if abs(then[k, 1] - now[n, 1]) <= _NEAR and _can_be_seen(seen[n])]
+    kept, known = {old for old, _ in alike}, {new for _, new in alike}
+    gone = [complex(place) for k, (place, _) in enumerate(then) if k not in kept]
+    return gone, [sign for k, sign in enumerate(seen) if k not in known]
+
+
+def judged(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[Fault], list[Fault]]:
+    """Faults, of signs that are not where they were drawn and arrows that were added; notes of what no ruler tells."""
+    gone, new = _altered(drawing, read)
+    more = Counter(text for text, _ in read) - Counter(text for text, _ in claimed_letters(drawing))
+    faults = [Fault("signs", _where(gone))] if gone else []
+    filled = (sign for sign in new if sign.style.share("fill") > 0)
+    faults += [Fault("arrow", place_of(sign)) for sign in filled if any(map(_is_head, sign.lines))]
+    notes = (
+        ("signs", str(len(_signs(drawing)) - len(new))), ("other", _where([sign.lines[0][0] for sign in new])),
+        ("words", str(more.total() or "")), ("blank", drawing.sight.doubt),
+    )  # fmt: skip
+    return faults, [Fault(*each) for each in notes if each[1]]
+
+
+def _where(places: Sequence[complex]) -> str:
+    """`3: (12.0, 40.5)`: how many there are, and the first of them; nothing for none."""
+    return f"{len(places)}: ({places[0].real:.1f}, {-places[0].imag:.1f})" if places else ""
+
+
+def _is_head(line: Sequence[complex]) -> bool:
+    """True if a corner of it is as sharp as the head of an arrow."""
+    sides = [after - before for before, after in pairwise(line) if after != before] if 3 < len(line) < 7 else []
+    turns = zip(sides, (*sides[1:], *sides[:1]), strict=True)
+    return any((-one * other.conjugate()).real > _SHARP * abs(one) * abs(other) for one, other in turns)

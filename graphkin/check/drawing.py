@@ -5,16 +5,15 @@ from __future__ import annotations
 import json
 import math
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import Any
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 
 from graphkin import files as loading
 from graphkin.base.value import frozen
+from graphkin.check.outlines import Unread
 from graphkin.check.shown import ShownMark, Sight, seen_in
-from graphkin.check.transforms import Unread
 from graphkin.construction import Plane
 from graphkin.errors import BadDrawing, NoDrawing, NothingToMeasure, Where
 from graphkin.model.mechanism import Mechanism
@@ -68,7 +67,7 @@ class DrawingFile:
     def vectors(self) -> tuple[tuple[Mapping[str, str], complex, complex], ...]:
         """Attributes, tail and head [mm, y up]. A vector is a `line`; anything else cannot be one."""
         lines = [element for element in self.of_class("vector") if element.tag == "line"]
-        return tuple((line.attributes, *_ends(line)) for line in lines)
+        return tuple((line.attributes, line.lines[0][0], line.lines[0][-1]) for line in lines)
 
     @cached_property
     def measures_links(self) -> bool:
@@ -82,12 +81,8 @@ class DrawingFile:
         return tuple((circle.attributes, circle.middle) for circle in circles)
 
 
-def _ends(line: ShownMark) -> tuple[complex, complex]:
-    return line.lines[0][0], line.lines[0][-1]
-
-
 def stated(element: ShownMark) -> tuple[str, ...]:
-    """What an element says that it shows: its class and its `data-*`, as the file lists them."""
+    """The claim of an element: its class and its `data-*`, as the file lists them."""
     kind = next(kind for kind in MARKS if kind in element.kind)
     data = {key.removeprefix("data-"): value for key, value in element.attributes.items() if key.startswith("data-")}
     return (kind, *sorted(f"{key}={value}" for key, value in data.items() if key != "step" and value))
@@ -99,7 +94,7 @@ def stated(element: ShownMark) -> tuple[str, ...]:
 class _Builder(TreeBuilder):
     """Builds the tree, and sees what stands before it."""
 
-    def pi(self, target: str, text: str | None = None) -> Any:
+    def pi(self, target: str, text: str | None = None) -> Element:
         if "stylesheet" in target:
             raise Unread("a style sheet")
         return super().pi(target, text)
@@ -121,7 +116,7 @@ def read(path: Path) -> DrawingFile:
 
 
 def _content(path: Path, file: str) -> bytes:
-    """What is in the file, or comes through the pipe, as far as it may be long."""
+    """The content of the file, or of the pipe, as far as it may be long."""
     if str(path) == "-":
         content = sys.stdin.buffer.read(LIMIT + 1)
     else:
@@ -147,23 +142,20 @@ def _root(path: Path, file: str) -> Element:
         raise BadDrawing(Where(file), "shown", str(error)) from None
     except (ParseError, DefusedXmlException, ValueError, LookupError, RecursionError) as error:
         raise BadDrawing(Where(file), "xml") from error
-    if root is None or _depth(root) > 100:
+    level, depth = [root], 0  # how deep elements are nested
+    while level:
+        level, depth = [child for element in level for child in element], depth + 1
+    if depth > 100:
         raise BadDrawing(Where(file), "xml")
     return root
 
 
-def _depth(root: Element) -> int:
-    """How deep elements are nested."""
-    level, depth = [root], 0
-    while level:
-        level, depth = [child for element in level for child in element], depth + 1
-    return depth
-
-
 def _claims(file: str, root: Element) -> Mapping[str, object]:
-    for element in _sheets(root):
+    for element in root.iter():
+        if element.tag.rpartition("}")[2] != "sheet" or not element.text:
+            continue
         try:
-            claims = json.loads(element.text or "")
+            claims = json.loads(element.text)
         except (ValueError, RecursionError) as error:
             raise BadDrawing(Where(file), "json") from error
         if isinstance(claims, dict) and claims.get("program") == "graphkin":
@@ -173,11 +165,7 @@ def _claims(file: str, root: Element) -> Mapping[str, object]:
     raise BadDrawing(Where(file), "metadata")
 
 
-def _sheets(root: Element) -> Iterator[Element]:
-    return (element for element in root.iter() if element.tag.rpartition("}")[2] == "sheet" and element.text)
-
-
-# --- what it claims ---------------------------------------------------------------------------
+# --- its claims ---------------------------------------------------------------------------
 
 
 def mechanism_of(drawing: DrawingFile) -> Mechanism:

@@ -1,17 +1,142 @@
-"""What a vector or a point of a drawing should be, from the analytic solution and from what its mark says it shows.
-
-A mark names its sites as `B@3`, the point and the link of which it is a part: no name is taken apart.
+"""Values that vectors and points of a drawing should have, by the analytic solution, also at points that only a
+construction has. A mark names its sites as `B@3`, the point and the link of which it is a part: no name is taken apart.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from graphkin.check.widened import Widened
-from graphkin.construction import LETTER, Plane, Site
+import numpy as np
+
+from graphkin.analytic import Motion
+from graphkin.base.geometry import Real, Value, meet_lines, number, place
+from graphkin.base.value import Lazy, frozen
+from graphkin.check.drawing import DrawingFile
+from graphkin.construction import LETTER, Meet, Plane, Ray, Site, Touch, terms
+from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.naming import image_name, seen
-from graphkin.model.pairs import pin_name
+from graphkin.model.pairs import Line, Rod, Slot, pin_name, rod_name
+from graphkin.planning import plan
+
+
+@frozen
+class Body:
+    """A body that is no link: a pin turns with its slot, which is on the link `turns_with`; two centres that profiles
+    keep apart are joined by a bar of the equivalent.
+    """
+
+    points: tuple[str, ...]
+    turns_with: str = ""
+
+
+@frozen
+class Widened(Motions):
+    """The analytic solution at every site of a drawing; bodies that are no links move among the links.
+
+    added   points that a construction adds, and where they lie [m]: special points, rolling contacts
+    bodies  those that are no links
+    """
+
+    added: Mapping[str, complex]
+    bodies: Mapping[str, Body]
+
+    def place(self, point: str) -> complex:
+        return complex(self.position[point])
+
+    def knows(self, site: Site) -> bool:
+        known = site.link in self.mechanism.links or site.link in self.bodies
+        return known and site.point in self.position
+
+    def points_of(self, body: str) -> tuple[str, ...]:
+        """Points that are a body's own; of a pin only the one that it is."""
+        if body in self.mechanism.links:
+            return tuple(self.mechanism.links[body].points)
+        return self.bodies[body].points
+
+
+def widened(mechanism: Mechanism, exact: Motion, drawing: DrawingFile) -> Widened:
+    """The analytic solution, at every point of a drawing; pins and bars that stand for something else under the names
+    that the planner gives them."""
+    bodies: dict[str, Body] = {}
+    for pair in mechanism.pairs:
+        same = pair.equivalent or pair.slipping
+        if isinstance(same, Rod):
+            bodies[rod_name(pair)] = Body(same.points)
+        elif isinstance(same, Slot):
+            bodies[pin_name(pair)] = Body((same.point,), same.line.link)
+    added = _added(mechanism, exact, drawing)
+    known = exact.velocities, exact.accelerations
+    velocities, accelerations = (
+        {**table, **{body: {(point := each.points[0]): vectors[point]} for body, each in bodies.items()}}
+        for table, vectors in zip(known, (exact.velocity, exact.acceleration), strict=True)
+    )
+    return Widened(
+        mechanism, exact.theta, _turning_of(exact, bodies, exact.omega, exact.velocity),
+        _turning_of(exact, bodies, exact.alpha, exact.acceleration), exact.s, exact.s_rate, exact.s_acceleration,
+        {**exact.position, **added}, velocities, accelerations, added, bodies,
+    )  # fmt: skip
+
+
+def _turning_of(
+    exact: Motion, bodies: Mapping[str, Body], links: Mapping[str, Real], vectors: Mapping[str, Value]
+) -> Mapping[str, Real]:
+    """Angular velocities or accelerations of links and bodies, by the links' or by the vectors of two points."""
+
+    def turning(body: str) -> Real:
+        if body in links:
+            return links[body]
+        if guide := bodies[body].turns_with:
+            return links[guide]
+        point, other = bodies[body].points
+        return ((vectors[other] - vectors[point]) / (exact.position[other] - exact.position[point])).imag
+
+    return Lazy((*links, *bodies), turning)
+
+
+def _added(mechanism: Mechanism, exact: Motion, drawing: DrawingFile) -> Mapping[str, complex]:
+    """The places of the added points of a drawing by the analytic solution. What they are, the planner says."""
+    named = {attributes.get("data-site", "").partition("@")[0] for attributes, _ in drawing.points}
+    if named <= {"", *mechanism.points}:
+        return {}
+    method = plan(mechanism)
+    steps = (step for step in method.position.steps if isinstance(step, Touch | Meet))
+    return {step.point: added_point(step, mechanism, exact) for step in steps
+            if isinstance(step, Touch) or step.point in method.special}  # fmt: skip
+
+
+def added_point(step: Touch | Meet, mechanism: Mechanism, exact: Motion) -> complex:
+    """The special point or the rolling contact that a step gives, from positions of the analytic solution."""
+    if isinstance(step, Touch):
+        centre = place(exact.position[step.centre])
+        if step.slide:
+            return centre + 1j * step.offset * _along(step.slide, mechanism, exact)
+        return centre + step.ratio * (complex(exact.position[step.other]) - centre)
+    rays = [ray for ray in (step.first, step.second) if isinstance(ray, Ray)]
+    first, second = ((exact.position[ray.through], _line(ray.direction, mechanism, exact)) for ray in rays)
+    return complex(meet_lines(*first, *second)[0])
+
+
+def _line(direction: terms.Direction, mechanism: Mechanism, exact: Motion) -> complex:
+    if isinstance(direction, terms.AcrossGuide | terms.AlongGuide):
+        along = _along(direction.slide, mechanism, exact)
+        return 1j * along if isinstance(direction, terms.AcrossGuide) else along
+    assert isinstance(direction, terms.Along | terms.Across)
+    arm = complex(exact.position[direction.head] - exact.position[direction.tail])
+    return arm / abs(arm) * (1j if isinstance(direction, terms.Across) else 1)
+
+
+def _along(slide: str, mechanism: Mechanism, exact: Motion) -> complex:
+    line = lines_of(mechanism)[slide]
+    return complex(line.direction * np.exp(1j * exact.theta[line.link]))
+
+
+def lines_of(mechanism: Mechanism) -> dict[str, Line]:
+    """The line of every sliding pair, track and flat face of a cam."""
+    return {pair.name: line for pair in mechanism.pairs for line in pair.lines}
+
+
+# --- values of marks ---------------------------------------------------------------------------
 
 
 def vector_value(exact: Widened, plane: Plane, attributes: Mapping[str, str]) -> complex | None:
@@ -35,7 +160,7 @@ def vector_value(exact: Widened, plane: Plane, attributes: Mapping[str, str]) ->
 
 
 def point_value(mechanism: Mechanism, exact: Widened, plane: Plane, attributes: Mapping[str, str]) -> complex | None:
-    """Where a point lies in its plane; None for corners between arrows, and for points of one's own."""
+    """The place of a point in its plane; None for corners between arrows, and for points of one's own."""
     if attributes.get("data-of") == "pole":
         return 0j
     site = _site(attributes.get("data-site", ""))
@@ -73,7 +198,7 @@ def _part(exact: Widened, plane: Plane, part: str, of: Site, seen_from: Site | N
     coriolis = 2j * _omega(exact, seen_from.link) * slip
     if part in ("k", "r"):
         return coriolis if part == "k" else whole - coriolis
-    return _turned(exact, part, of, seen_from)
+    return _against(exact, part, of, seen_from)
 
 
 def _common(exact: Widened, of: Site, seen_from: Site) -> str | None:
@@ -85,7 +210,7 @@ def _common(exact: Widened, of: Site, seen_from: Site) -> str | None:
     return None
 
 
-def _turned(exact: Widened, part: str, of: Site, seen_from: Site) -> complex | None:
+def _against(exact: Widened, part: str, of: Site, seen_from: Site) -> complex | None:
     """The turning of one link against another about their hinge."""
     others = exact.points_of(seen_from.link)
     pivot = next((point for point in exact.points_of(of.link) if point in others), None)
@@ -98,18 +223,18 @@ def _turned(exact: Widened, part: str, of: Site, seen_from: Site) -> complex | N
 
 
 def _omega(exact: Widened, body: str) -> float:
-    return float(exact.turning(body))
+    return number(exact.turning(body))
 
 
 def _alpha(exact: Widened, body: str) -> float:
-    return float(exact.swing(body))
+    return number(exact.swing(body))
 
 
 # --- names ------------------------------------------------------------------------------------
 
 
 def is_called_so(exact: Widened, plane: Plane, attributes: Mapping[str, str]) -> bool:
-    """Whether the name of a vector, as people read it, is that of the sites it is measured by."""
+    """True if the name of a vector, as people read it, is that of the sites it is measured by."""
     keys = ("of", "seen-from", "over", "onto")
     of, seen_from, over, onto = (_called(exact, attributes.get(f"data-{key}", "")) for key in keys)
     part, letter = attributes.get("data-part", ""), LETTER[plane]
@@ -122,7 +247,7 @@ def is_called_so(exact: Widened, plane: Plane, attributes: Mapping[str, str]) ->
 
 
 def is_named_so(exact: Widened, attributes: Mapping[str, str]) -> bool:
-    """Whether a point's name, as people read it, is that of its site: `B`, `b3`, `b3'`."""
+    """True if a point's name, as people read it, is that of its site: `B`, `b3`, `b3'`."""
     plane: Plane = "acceleration" if attributes.get("data-plane") == "acceleration" else "velocity"
     name, site = attributes.get("data-name", ""), attributes.get("data-site", "")
     if not site:
@@ -143,14 +268,11 @@ def _called(exact: Widened, text: str) -> set[str]:
     site = _site(text)
     if site is None:
         return set()
-    bodies = {site.link, *exact.mechanism.owners.get(site.point, ())}
+    owners = exact.mechanism.owners
+    bodies = {site.link, *owners.get(site.point, ())}
     bodies |= {name for name, body in exact.bodies.items() if body.points[0] == site.point}
     slots = {pin_name(pair): pair.name for pair in exact.mechanism.pairs}
     names = {exact.mechanism.called(slots.get(body, body)) for body in bodies}
-    names |= {exact.mechanism.called(link) for name in bodies if name in exact.bodies for link in _home(exact, name)}
+    carried = [exact.bodies[name].points[0] for name in bodies if name in exact.bodies]
+    names |= {exact.mechanism.called(link) for point in carried for link in owners.get(point, ())}
     return {site.point} | {site.point + name for name in names} | {f"{site.point}@{name}" for name in names}
-
-
-def _home(exact: Widened, body: str) -> tuple[str, ...]:
-    """Links that carry the point of a pin."""
-    return exact.mechanism.owners.get(exact.bodies[body].points[0], ())

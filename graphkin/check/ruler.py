@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import Literal
@@ -11,18 +11,13 @@ from typing import Literal
 from graphkin.analytic import Motion, motion
 from graphkin.base.value import frozen
 from graphkin.check.centre_measure import CENTRES, parted, seen_arrows, seen_centres, ways_to_move
-from graphkin.check.claims import changed
+from graphkin.check.claims import changed, judged
 from graphkin.check.drawing import UNITS, DrawingFile, Fault, mechanism_of, numbers, plane_of, read, scales_of
-from graphkin.check.ends import loose_ends
-from graphkin.check.expected import is_called_so, is_named_so, point_value, vector_value
-from graphkin.check.heads import wrong_heads
-from graphkin.check.hidden import Layers
-from graphkin.check.links import link_name, worst_place
-from graphkin.check.point_paths import worst_of_path
+from graphkin.check.expected import Widened, is_called_so, is_named_so, point_value, vector_value, widened
+from graphkin.check.links import link_name, worst_of_path, worst_place
+from graphkin.check.mark_faults import Layers, loose_ends, wrong_heads
+from graphkin.check.outlines import Unread
 from graphkin.check.shown import ShownMark
-from graphkin.check.signs import judged
-from graphkin.check.transforms import Unread
-from graphkin.check.widened import Widened, widened
 from graphkin.construction import Plane
 from graphkin.errors import BadDrawing, Where
 from graphkin.model.mechanism import Mechanism
@@ -51,7 +46,7 @@ class RulerReading:
 
 @frozen
 class RulerReport:
-    """What a ruler finds in one drawing file.
+    """The findings of a ruler in one drawing file.
 
     faults  what is wrong with it beyond lengths: a point that is not where its vector ends, a mark that is hidden
     notes   what was not judged
@@ -66,7 +61,7 @@ class RulerReport:
         return not self.faults and all(entry.off_mm <= tolerance_mm for entry in self.measured)
 
     def wrong(self, tolerance_mm: float) -> int:
-        """How many things are wrong; a length that is no number is."""
+        """The number of things that are wrong; a length that is no number is."""
         return sum(not entry.off_mm <= tolerance_mm for entry in self.measured) + len(self.faults)
 
 
@@ -132,22 +127,16 @@ class _Ruler:
 
     def _placed(self, plane: Plane) -> list[tuple[str, complex, complex]]:
         """Name, place on paper and right place of the points that are known, the latter from the origin [mm]."""
-        found = []
-        for attributes, place in self.drawing.points:
-            if attributes.get("data-plane") == plane:
-                value = point_value(self.mechanism, self.exact, plane, attributes)
-                if value is not None:
-                    found.append((attributes.get("data-name", ""), place, value / self.scales[plane]))
-        return found
-
-    def _origin(self, plane: Plane) -> complex:
-        return _origin([(place, right) for _, place, right in self._placed(plane)])
+        there = [(said, place) for said, place in self.drawing.points if said.get("data-plane") == plane]
+        values = [point_value(self.mechanism, self.exact, plane, said) for said, _ in there]
+        return [(said.get("data-name", ""), place, value / self.scales[plane])
+                for (said, place), value in zip(there, values, strict=True) if value is not None]  # fmt: skip
 
     def points(self) -> Iterator[RulerReading]:
         """Points of the mechanism against each other; points of a polygon against its pole."""
         for plane in self.scales:
             if placed := self._placed(plane):
-                origin = self._origin(plane)
+                origin = _origin([(place, right) for _, place, right in placed])
                 for name, place, right in placed:
                     yield self._measured(plane, name, "point", place - origin, right)
 
@@ -156,33 +145,33 @@ class _Ruler:
         origins: dict[Plane, complex] = {}
         for mark in self.drawing.of_class("link"):
             if mark.attributes.get("data-form") == "ruler":
-                yield _hundred(mark)
+                along = mark.lines[0][-1] - mark.lines[0][0] if mark.lines else 0j  # 100 mm on paper
+                yield RulerReading("sheet", "100 mm", "link", along, 100 * along / (abs(along) or 1.0), 1e-3, "m")
             elif self.drawing.measures_links:
                 yield self._link(mark, origins)
 
     def _link(self, mark: ShownMark, origins: dict[Plane, complex]) -> RulerReading:
         plane, name = plane_of(self.drawing, mark.attributes), link_name(mark.attributes)
         try:
-            origin = origins[plane] = origins.get(plane) or self._origin(plane)
-            found = self._worst(mark, plane, origin)
+            if plane not in origins:
+                origins[plane] = _origin([(place, right) for _, place, right in self._placed(plane)])
+            origin = origins[plane]
+            worst = self._worst(mark, plane, origin)
         except (KeyError, ValueError):
-            found = None
-        if found is None:
+            worst = None
+        if worst is None:
             raise BadDrawing(Where(self.drawing.file), "value", f"data-link={name}")
-        return self._measured(plane, name, "link", found[0] - origin, found[1] - origin)
+        return self._measured(plane, name, "link", worst[0] - origin, worst[1] - origin)
 
     def _worst(self, mark: ShownMark, plane: Plane, origin: complex) -> tuple[complex, complex] | None:
         """The place of a link's line, or of a path, that is farthest off, and where it should be."""
+        scale = self.scales[plane]
         if mark.attributes.get("data-form") == "path":
-            return worst_of_path(mark, self.mechanism, self.values, self.scales[plane], origin)
-        return worst_place(mark, self.exact, self._places(plane, origin), self.scales[plane])
-
-    def _places(self, plane: Plane, origin: complex) -> Callable[[str], complex]:
-        """Where a point should be on paper, by the name of its mark."""
+            return worst_of_path(mark, self.mechanism, self.values, scale, origin)
         if plane == "position":
-            return lambda point: self.exact.place(point) / self.scales[plane] + origin
+            return worst_place(mark, self.exact, lambda point: self.exact.place(point) / scale + origin, scale)
         right = {name: value + origin for name, _, value in self._placed(plane)}
-        return right.__getitem__
+        return worst_place(mark, self.exact, right.__getitem__, scale)
 
     def misfits(self) -> Iterator[Fault]:
         """Points whose name is not that of the site they are measured by."""
@@ -213,12 +202,6 @@ class _Ruler:
                 yield Fault("unknown", name)
 
 
-def _hundred(mark: ShownMark) -> RulerReading:
-    """The line that is 100 mm long on paper."""
-    along = mark.lines[0][-1] - mark.lines[0][0] if mark.lines else 0j
-    return RulerReading("sheet", "100 mm", "link", along, 100 * along / (abs(along) or 1.0), 1e-3, "m")
-
-
 def _centres(
     planes: DrawingFile, centres: DrawingFile, mechanism: Mechanism, solved: Motion, scales: Mapping[Plane, float]
 ) -> Iterator[RulerReading]:
@@ -240,6 +223,6 @@ def _centres(
 
 
 def _origin(pairs: list[tuple[complex, complex]]) -> complex:
-    """Where zero lies on the paper, as the point with which most of the others agree has it."""
+    """The place of zero on the paper, as the point with which most of the others agree has it."""
     origins = [place - right for place, right in pairs]
     return min(origins, key=lambda origin: sorted(abs(other - origin) for other in origins)[len(origins) // 2])

@@ -19,7 +19,7 @@ from graphkin.errors import BadPencil, Lang, Where
 if TYPE_CHECKING:
     from graphkin.homework.grading import MarkingOptions, Pencils, Problem, SetMarker
     from graphkin.homework.platforms import Reveal
-    from graphkin.marking.graded import Graded
+    from graphkin.marking.records import Graded
 
 _Record = TypeVar("_Record")
 
@@ -166,7 +166,7 @@ class _Grading:
             raise click.UsageError("several problems are written into a folder: say --format, such as --format json")
         pencils = _pencils(self.pencil, self.sigmas, self.relative)
         names = tuple(name.strip() for name in self.letters.split(",") if name.strip())
-        settings = grading.Way(Limits(turned=self.turned, names=names), self.jobs, words=self.lang)
+        settings = grading.MarkingOptions(Limits(turned=self.turned, names=names), self.jobs, words=self.lang)
         judges = [grading.judge_from(problem.key, pencils) for problem in problems]
         for problem, judge in zip(problems, judges, strict=True):
             if self.output is None:

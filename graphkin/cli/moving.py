@@ -96,7 +96,7 @@ def _write_sweep(
 
     suffix, undefined = output.suffix.lower(), [np.empty(0)]
     if str(output) == "-":
-        parts = tables.told(in_parts(course, names, by), lambda part: undefined.append(part.undefined))
+        parts = tables.shown_parts(in_parts(course, names, by), lambda part: undefined.append(part.undefined))
         for lines in tables.csv_lines(course, parts):
             click.echo(lines, nl=False)
         return np.concatenate(undefined)

@@ -222,9 +222,9 @@ class PlannedPosition:
     @property
     def moved(self) -> Mechanism:
         """The mechanism with these values as its drawn position, for readers that take no driver values."""
-        from graphkin.proof import repose
+        from graphkin.proof.readings import mechanism_at
 
-        return self.method.mechanism if self.values is None else repose.standing(self.method, self.values)
+        return self.method.mechanism if self.values is None else mechanism_at(self.method, self.values)
 
     @property
     def moved_method(self) -> Method:

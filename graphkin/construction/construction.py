@@ -47,7 +47,7 @@ class Equation:
 
     @property
     def double(self) -> bool:
-        """Whether a textbook writes the motion sought before both sides: `v_E = v_C + v_EC = v_D + v_ED`."""
+        """True if a textbook writes the motion sought before both sides: `v_E = v_C + v_EC = v_D + v_ED`."""
         return not (len(self.left) == 1 and self.left[0].of == self.of and not self.left[0].seen_from)
 
 

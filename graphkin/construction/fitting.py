@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from graphkin.base.geometry import Value
-from graphkin.construction.gaps import Gaps
-from graphkin.construction.kinds import Fit, Simultaneous
-from graphkin.construction.linear import least, sense, solved
-from graphkin.construction.plot import Plot, slide_key
-from graphkin.construction.terms import Arm
+from graphkin.base.geometry import Real, Value
+from graphkin.construction.kinds import Closure, Fit, InStep
+from graphkin.construction.linear import in_step, least, sense, solved, unknowns_of
+from graphkin.construction.plot import Plot, length, slide_key
+from graphkin.construction.terms import Arm, Slid
 
 ROUNDS = 30
 FITTED = 1e-8
@@ -20,32 +19,28 @@ ROUNDING, ROUNDED = 1e-5, 0.8
 """Steps so short that become no shorter than by this factor come of rounding: the links are all but free to move."""
 GAP = 1e-10
 """The gap that is left at most, in units of the group's size."""
+Entry = tuple[int, int, Value]
+"""Row, column and value of an entry of a matrix."""
+Sliding = tuple[int, int, int | None, Value]
+"""Closure, displacement, the base link that turns its line, None where that is known, and the line's direction."""
 
 
 def fit(step: Fit, plot: Plot, rounds: int = ROUNDS) -> None:
     """Newton's method on the closures and contacts of a group, for all positions at once."""
     gaps, before = Gaps(step, plot, reach(step, plot)), np.inf
-    x = _first_trial(step, plot, gaps)
+    x = np.empty((*_shape(plot, gaps), len(step.angles) + len(step.slides)))
+    for k, name in enumerate(unknowns_of(step)):
+        x[..., k] = plot.near[name]
     for _ in range(rounds):
-        x, moved = _next_trial(gaps, x)
+        gap, slope = gaps.at(x)
+        change = solved(slope, gap)
+        moved = np.abs(change).max(axis=-1)  # the whole step in units; half a unit at most is gone
+        x = x - change * gaps.units / np.maximum(1.0, moved / 0.5)[..., None]
         farthest = np.max(moved, where=np.isfinite(moved), initial=0.0)
         if farthest <= FITTED or ROUNDED * before < farthest < ROUNDING:
             break
         before = farthest
     _keep_what_fits(step, plot, x, gaps)
-
-
-def unknowns_of(step: Fit | Simultaneous) -> tuple[str, ...]:
-    """What is to be found, as rows name it."""
-    return step.angles + tuple(map(slide_key, step.slides))
-
-
-def _first_trial(step: Fit, plot: Plot, gaps: Gaps) -> np.ndarray:
-    """The unknowns at the position close by, over positions (.., n)."""
-    x = np.empty((*_shape(plot, gaps), len(step.angles) + len(step.slides)))
-    for k, name in enumerate(unknowns_of(step)):
-        x[..., k] = plot.near[name]
-    return x
 
 
 def _shape(plot: Plot, gaps: Gaps) -> tuple[int, ...]:
@@ -56,23 +51,12 @@ def _shape(plot: Plot, gaps: Gaps) -> tuple[int, ...]:
 
 
 def reach(step: Fit, plot: Plot) -> float:
-    """The longest arm of a group: what its gaps are measured by [m]."""
-    arms = [part for closure in step.closures for part in closure.parts if isinstance(part, Arm)]
+    """The longest arm of a group, by which its gaps are measured [m]."""
     shapes = plot.facts.shapes
-    lengths = [_longest(shapes[a.link][a.head] - shapes[a.link][a.tail]) for a in arms]
-    return max([*lengths, *(_longest(c) for contact in step.contacts for _, c in contact.angles)]) or 1.0
-
-
-def _longest(arm: Value) -> float:
-    return float(np.max(np.abs(arm))) if isinstance(arm, np.ndarray) else float(abs(arm))
-
-
-def _next_trial(gaps: Gaps, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """One step of Newton's method, of half a unit at most, and how long the whole step would be in units."""
-    gap, slope = gaps.at(x)
-    change = solved(slope, gap)
-    moved = np.abs(change).max(axis=-1)
-    return x - change * gaps.units / np.maximum(1.0, moved / 0.5)[..., None], moved
+    parts = (part for closure in step.closures for part in closure.parts if isinstance(part, Arm))
+    arms = [shapes[arm.link][arm.head] - shapes[arm.link][arm.tail] for arm in parts]
+    radii = [radius for contact in step.contacts for _, radius in contact.angles]
+    return max((float(np.max(length(arm))) for arm in (*arms, *radii)), default=0.0) or 1.0
 
 
 def _keep_what_fits(step: Fit, plot: Plot, x: np.ndarray, gaps: Gaps) -> None:
@@ -86,18 +70,124 @@ def _keep_what_fits(step: Fit, plot: Plot, x: np.ndarray, gaps: Gaps) -> None:
     plot.misses[step.name] = np.where(fits, 0.0, widest * gaps.size)[()]
 
 
-def sense_and_sine(step: Fit, plot: Plot) -> tuple[Value, Value]:
-    """The same of a group that is found, where somebody wants to know."""
-    found = (*(plot.theta[base] for base in step.angles), *(plot.s[slide] for slide in step.slides))
+def sense_and_sine(step: Fit, plot: Plot) -> tuple[Real, Real]:
+    """The side of its change points on which a group lies in a plot, and the sine at which its links fit."""
+    values = (*(plot.theta[base] for base in step.angles), *(plot.s[slide] for slide in step.slides))
     gaps = Gaps(step, plot, reach(step, plot))
-    x = np.stack(np.broadcast_arrays(*found, np.empty(_shape(plot, gaps)))[:-1], axis=-1)
+    x = np.stack(np.broadcast_arrays(*values, np.empty(_shape(plot, gaps)))[:-1], axis=-1)
     slope = gaps.at(x)[1]
     return sense(slope), least(slope)[()]
 
 
 def settle_all(step: Fit, plot: Plot, x: Iterable[Value]) -> None:
     """The unknowns, in their order, as angles and displacements of the plot."""
-    found = [value[()] if isinstance(value, np.ndarray) else value for value in x]
-    for base, value in zip(step.angles, found):
+    values = [(value[()] if isinstance(value, np.ndarray) else value).real for value in x]
+    for base, value in zip(step.angles, values):
         plot.settle("theta", base, value, counted=True)
-    plot.s.update(zip(step.slides, found[len(step.angles) :], strict=True))
+    plot.s.update(zip(step.slides, values[len(step.angles) :], strict=True))
+
+
+# --- gaps of a group --------------------------------------------------------------------------
+
+
+class Gaps:
+    """Gaps of closures and contacts, in units of the group's size; unknowns: angles first, then displacements.
+
+    A closure is known + sum of arm * e^(i angle) + sum of displacement * direction * e^(i angle): all that is known is
+    worked out once.
+    """
+
+    def __init__(self, step: Fit, plot: Plot, size: float) -> None:
+        self.plot, self.size = plot, size
+        self.bases = {base: k for k, base in enumerate(step.angles)}
+        self.slides = {slide: k for k, slide in enumerate(step.slides)}
+        self.units = np.array([1.0] * len(self.bases) + [size] * len(self.slides))
+        self.sliding: list[Sliding] = []
+        self.turning: list[Entry] = []
+        known = [(0, k, self._closed(k, closure)) for k, closure in enumerate(step.closures)]
+        self.known = _filled((1, len(known)), known)[..., 0, :] / size
+        self.arms = _filled((len(self.bases), len(known)), self.turning) / size
+        self.rolled = self._rolled(step.contacts)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Of the positions over which what is known differs."""
+        rolled = () if self.rolled is None else (self.rolled[0].shape[:-1], self.rolled[1].shape[:-2])
+        lines = (np.shape(direction) for *_, direction in self.sliding)
+        return np.broadcast_shapes(self.known.shape[:-1], self.arms.shape[:-2], *rolled, *lines)
+
+    def at(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Gaps (.., m) and their slopes by each unknown in its unit (.., m, n), for unknowns x (.., n).
+
+        Closures along x and y by turns, as complex numbers lie in memory; then contacts.
+        """
+        angles = len(self.bases)
+        turned = np.exp(1j * x[..., :angles])
+        arrows = self.arms * turned[..., None]
+        slope = np.zeros((*x.shape, self.known.shape[-1]), dtype=complex)
+        straight = np.zeros((*x.shape[:-1], self.known.shape[-1]), dtype=complex)
+        for closure, slide, base, direction in self.sliding:
+            line = direction if base is None else direction * turned[..., base]
+            slope[..., angles + slide, closure] = line
+            into = straight if base is None else arrows[..., base, :]
+            into[..., closure] += x[..., angles + slide] / self.size * line
+        np.multiply(arrows, 1j, out=slope[..., :angles, :])
+        gap = self.known + straight + arrows.sum(axis=-2)
+        gaps, slopes = gap.view(float), slope.view(float).swapaxes(-1, -2)
+        if self.rolled is None:
+            return gaps, slopes
+        known, by_each = self.rolled  # contacts are linear as they are
+        gap = (known + (by_each * x[..., None, :]).sum(axis=-1)) / self.size
+        slope = np.broadcast_to(by_each * (self.units / self.size), (*x.shape[:-1], *by_each.shape[-2:]))
+        return np.concatenate([gaps, gap], axis=-1), np.concatenate([slopes, slope], axis=-2)
+
+    def _closed(self, number: int, closure: Closure) -> Value:
+        """Enters the parts of a closure that an unknown turns or pushes; gives the sum of the others [m]."""
+        position = self.plot.position
+        known = 0j if closure.floats else position[closure.start] - position[closure.end]
+        for part in closure.parts:
+            if isinstance(part, Arm):
+                shape = self.plot.facts.shapes[part.link]
+                known = known + self._turned(number, part.link, shape[part.head] - shape[part.tail])
+            else:
+                known = known + self._slid(number, part)
+        return known
+
+    def _turned(self, number: int, link: str, arm: Value) -> Value:
+        """An arm that an unknown turns is entered with 0 left; else as it lies."""
+        facts = self.plot.facts
+        base = self.bases.get(facts.turns[link].base)
+        if base is None:
+            return arm * np.exp(1j * self.plot.theta[link])
+        self.turning.append((base, number, arm * np.exp(1j * facts.relative_angle(link))))
+        return 0.0
+
+    def _slid(self, number: int, part: Slid) -> Value:
+        guide, _, direction = self.plot.facts.lines[part.slide]
+        slide, line = self.slides.get(part.slide), part.sign * direction
+        if slide is None:
+            return self._turned(number, guide, self.plot.s[part.slide] * line)
+        base = self.bases.get(self.plot.facts.turns[guide].base)
+        angle = self.plot.theta[guide] if base is None else self.plot.facts.relative_angle(guide)
+        self.sliding.append((number, slide, base, line * np.exp(1j * angle)))
+        return 0.0
+
+    def _rolled(self, contacts: Sequence[InStep]) -> tuple[np.ndarray, np.ndarray] | None:
+        """The known parts of contacts, and what each unknown adds to them; None where there are none."""
+        if not contacts:
+            return None
+        names = [*self.bases, *map(slide_key, self.slides)]
+        rows = [in_step(contact, self.plot, "position", {*self.bases}, {*self.slides}) for contact in contacts]
+        entries = [(k, names.index(name), value) for k, (_, of) in enumerate(rows) for name, value in of.items()]
+        by_each = _filled((len(rows), len(names)), entries).real
+        known = _filled((1, len(rows)), [(0, k, value) for k, (value, _) in enumerate(rows)]).real[..., 0, :]
+        return known, by_each
+
+
+def _filled(size: tuple[int, int], entries: Sequence[Entry]) -> np.ndarray:
+    """Entries added up, over the positions of those that are not the same at all."""
+    shape = np.broadcast_shapes(*(np.shape(value) for *_, value in entries))
+    matrix = np.zeros((*shape, *size), dtype=complex)
+    for row, column, value in entries:
+        matrix[..., row, column] += value
+    return matrix

@@ -165,7 +165,7 @@ class Fit:
 
 @frozen
 class Touch:
-    """Where two wheels touch, on the line of their centres; or a wheel and its track, at right angles to it.
+    """The point where two wheels touch, on the line of their centres; or a wheel and its track, at right angles to it.
 
     ratio   how far from `centre` towards `other`; for a track, 0 and `offset` [m] to its left
     """

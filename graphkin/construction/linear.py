@@ -1,19 +1,28 @@
-"""Linear equations over positions, and what their matrices tell of how near a group is to a dead point.
+"""Linear equations over positions: rolling contacts, chains of arrows closed at once, and how near these are to a dead
+point.
 
-A `Row` is one linear condition: known + sum of coefficient * unknown = 0, by base link or `slide_key`. A complex row
-stands for two.
+A `Row` is one condition, known + sum of coefficient * unknown = 0, its unknowns by base link or `slide_key`; a complex
+row stands for two.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from operator import attrgetter
 
 import numpy as np
 
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Real, Value
+from graphkin.construction.kinds import Chain, Fit, InStep, Roll, Simultaneous, UnknownScalar
+from graphkin.construction.plot import Plot, slide_key
+from graphkin.construction.terms import Plane
 
 Row = tuple[Value, Mapping[str, Value]]
+
+
+def unknowns_of(step: Fit | Simultaneous) -> tuple[str, ...]:
+    """The names of a step's unknowns in rows: angles first, then displacements."""
+    return step.angles + tuple(map(slide_key, step.slides))
 
 
 def two(known: Value, coefficients: Mapping[str, Value]) -> Iterator[Row]:
@@ -34,31 +43,26 @@ def system(rows: Sequence[Row], names: Sequence[str], shape: tuple[int, ...]) ->
 
 
 def solved(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """x (..., n) of matrix (..., m, n) x = right (..., m) for every position; least squares where one is singular."""
+    """x (..., n) of matrix (..., m, n) x = right (..., m) for every position; least squares where one is singular, NaN
+    where something is not finite there."""
     try:
-        found: np.ndarray = np.linalg.solve(matrix, right[..., None])[..., 0]
+        return np.asarray(np.linalg.solve(matrix, right[..., None])[..., 0])
     except np.linalg.LinAlgError:
-        return _least_squares(matrix, right)
-    return found
+        finite = np.isfinite(matrix).all(axis=(-2, -1)) & np.isfinite(right).all(axis=-1)
+        matrix = np.where(finite[..., None, None], matrix, np.eye(*matrix.shape[-2:]))
+        return np.where(finite[..., None], (np.linalg.pinv(matrix) @ right[..., None])[..., 0], np.nan)
 
 
-def _least_squares(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """The same; NaN where something is not finite."""
-    finite = np.isfinite(matrix).all(axis=(-2, -1)) & np.isfinite(right).all(axis=-1)
-    matrix = np.where(finite[..., None, None], matrix, np.eye(*matrix.shape[-2:]))
-    found = (np.linalg.pinv(matrix) @ right[..., None])[..., 0]
-    return np.where(finite[..., None], found, np.nan)
-
-
-def sense(matrix: np.ndarray) -> Value:
+def sense(matrix: np.ndarray) -> Real:
     """The sign of a system's determinant: another assembly close by has the other one."""
     if matrix.shape[-2] != matrix.shape[-1]:
         return 1.0
-    return np.linalg.slogdet(_finite(matrix))[0]
+    sign: Real = np.linalg.slogdet(_finite(matrix))[0]
+    return sign
 
 
-def least(matrix: np.ndarray) -> Value:
-    """How far a system is from singular: least singular value, columns of length 1. Like the sine of an angle."""
+def least(matrix: np.ndarray) -> np.ndarray:
+    """The distance of a system from a singular one, like a sine: least singular value, columns of length 1."""
     lengths = np.sqrt((matrix * matrix).sum(axis=-2, keepdims=True))
     lengths[lengths == 0] = 1.0
     return np.linalg.svd(_finite(matrix / lengths), compute_uv=False)[..., -1]
@@ -66,3 +70,99 @@ def least(matrix: np.ndarray) -> Value:
 
 def _finite(matrix: np.ndarray) -> np.ndarray:
     return matrix if np.isfinite(matrix).all() else np.nan_to_num(matrix)
+
+
+# --- rolling contacts -------------------------------------------------------------------------
+
+
+def roll(step: Roll, plot: Plot, plane: Plane) -> None:
+    """The one unknown of a contact: coefficients times turns add up to nothing."""
+    known, coefficients = in_step(step.contact, plot, plane, {step.angle} - {""}, {step.slide} - {""})
+    value = (-known / sum(coefficients.values())).real
+    if step.angle:
+        plot.settle(("theta", "omega", "alpha")[_order_of(plane)], step.angle, value, counted=True)
+    else:
+        _displacements(plot, plane)[step.slide] = value
+
+
+def _order_of(plane: Plane) -> int:
+    return ("position", "velocity", "acceleration").index(plane)
+
+
+def _displacements(plot: Plot, plane: Plane) -> dict[str, Real]:
+    """s of each slide, or its rate, or the rate of that."""
+    return (plot.s, plot.s_rate, plot.s_acceleration)[_order_of(plane)]
+
+
+def in_step(contact: InStep, plot: Plot, plane: Plane, angles: set[str], slides: set[str]) -> Row:
+    """A contact's coefficient for each unknown, by base link or `slide_key`, and the sum of the rest."""
+    coefficients: dict[str, Value] = {}
+    known: Value = 0.0
+    for link, coefficient in contact.angles:
+        base = plot.facts.turns[link].base
+        if base in angles:
+            coefficients[base] = coefficients.get(base, 0.0) + coefficient
+        known = known + coefficient * _turned(link, plot, plane, base in angles)
+    for slide, share in contact.way or ((contact.slide, 1.0),) * bool(contact.slide):
+        coefficient = contact.on_slide * share
+        drawn = plot.facts.drawn[slide_key(slide)] if plane == "position" else 0.0
+        if slide in slides:
+            coefficients[slide_key(slide)] = coefficients.get(slide_key(slide), 0.0) + coefficient
+            known = known - coefficient * drawn
+        else:
+            known = known + coefficient * (_displacements(plot, plane)[slide] - drawn)
+    return known, coefficients
+
+
+def _turned(link: str, plot: Plot, plane: Plane, beside_base: bool) -> Real:
+    """A link's turn since the drawn position, or its rate; `beside_base`: what its base link leaves of it."""
+    order, facts = _order_of(plane), plot.facts
+    drawn = facts.drawn.get(link, 0.0) if order == 0 else 0.0
+    if not beside_base:
+        return (plot.theta, plot.omega, plot.alpha)[order][link] - drawn
+    return (facts.relative_angle(link) if order == 0 else facts.relative_rate(link, order)) - drawn
+
+
+# --- chains of arrows -------------------------------------------------------------------------
+
+
+def solve_together(step: Simultaneous, plot: Plot, plane: Plane) -> None:
+    """The unknown rates of a group, from all its chains of arrows at once."""
+    shape = np.broadcast_shapes(*(np.shape(value) for value in (*plot.position.values(), *plot.theta.values())))
+    known, matrix = system(chains(step, plot, plane), unknowns_of(step), shape)
+    settle_rates(step, plot, plane, (value[()] for value in np.moveaxis(solved(matrix, -known), -1, 0)))
+
+
+def settle_rates(step: Simultaneous, plot: Plot, plane: Plane, solution: Iterable[Value]) -> None:
+    """The unknowns, in their order, as rates of the plot."""
+    rates = [value.real for value in solution]
+    for base, value in zip(step.angles, rates):
+        plot.settle("omega" if plane == "velocity" else "alpha", base, value)
+    _displacements(plot, plane).update(zip(step.slides, rates[len(step.angles) :], strict=True))
+
+
+def chains(step: Simultaneous, plot: Plot, plane: Plane) -> list[Row]:
+    """The sum of the known arrows of each chain, and what each unknown adds to it."""
+    rows = [row for chain in step.chains for row in two(*_chain(chain, plot, plane))]
+    rows += [in_step(contact, plot, plane, set(step.angles), set(step.slides)) for contact in step.contacts]
+    return rows
+
+
+def _chain(chain: Chain, plot: Plot, plane: Plane) -> Row:
+    """The known arrows of a chain end to end, and the arrow of each unknown at 1."""
+    known: Value = sum((sign * plot.arrow(size, plane) for size, sign in chain.known), 0j)
+    arrows: dict[str, Value] = {}
+    for unknown in chain.unknown:
+        name, arrow, more = _unknown(unknown, plot, plane)
+        known = known + more
+        arrows[name] = arrows.get(name, 0.0) + arrow
+    return known, arrows
+
+
+def _unknown(unknown: UnknownScalar, plot: Plot, plane: Plane) -> tuple[str, Value, Value]:
+    """The `slide_key` or base link, its arrow at 1, and what the link turns against its base link, as an arrow."""
+    if unknown.slide:
+        return slide_key(unknown.slide), unknown.sign * plot.guide_direction(unknown.slide), 0.0
+    arrow = unknown.sign * 1j * plot.arm(unknown.tail, unknown.head)
+    more = arrow * plot.facts.relative_rate(unknown.link, _order_of(plane))
+    return plot.facts.turns[unknown.link].base, arrow, more

@@ -1,4 +1,4 @@
-"""What a replay starts from, `Facts`, and what it gives, `Plot`."""
+"""The start of a replay, `Facts`, and its outcome, `Plot`."""
 
 from __future__ import annotations
 
@@ -11,25 +11,8 @@ import numpy as np
 
 from graphkin.base.geometry import Real, Value, unit
 from graphkin.base.value import Lazy, filled, frozen
-from graphkin.construction.terms import (
-    Across,
-    AcrossGuide,
-    Along,
-    AlongGuide,
-    Arm,
-    Coriolis,
-    Direction,
-    Drawn,
-    Driven,
-    Normal,
-    Plane,
-    Quarter,
-    Relative,
-    Size,
-    Span,
-    Tangential,
-    Turning,
-)
+from graphkin.construction import terms
+from graphkin.construction.terms import Arm, Plane
 
 
 def slide_key(slide: str) -> str:
@@ -37,9 +20,14 @@ def slide_key(slide: str) -> str:
     return f"s {slide}"
 
 
+def length(arm: Value) -> Real:
+    """The length of a vector; of a single one as Python rounds it, which no array does."""
+    return np.abs(arm) if isinstance(arm, np.ndarray) else abs(arm)
+
+
 @frozen
 class TurnOf:
-    """How a link's angle hangs on another's: theta = theta(base) + constant + sum of sign * driver value."""
+    """The dependence of a link's angle on another's: theta = theta(base) + constant + sum of sign * driver value."""
 
     base: str
     constant: float = 0.0
@@ -48,15 +36,15 @@ class TurnOf:
 
 def grouped(turns: Mapping[str, TurnOf]) -> dict[str, list[str]]:
     """The links whose angles hang on that of each base link, itself among them."""
-    found: dict[str, list[str]] = {}
+    groups: dict[str, list[str]] = {}
     for link, turn in turns.items():
-        found.setdefault(turn.base, []).append(link)
-    return found
+        groups.setdefault(turn.base, []).append(link)
+    return groups
 
 
 @frozen
 class Facts:
-    """What is known before the pencil moves: dimensions and drivers. SI units; drivers scalar or (n,) each.
+    """Data known before the pencil moves: dimensions and drivers. SI units; drivers scalar or (n,) each.
 
     shapes  points of each link in its axes [m]; lines: guide, origin and direction (guide's axes) of each slide
     turns   each link's angle by that of its group's base link
@@ -144,7 +132,7 @@ class Plot:
         guide, _, direction = self.facts.lines[slide]
         return direction * np.exp(1j * self.theta[guide])
 
-    def span(self, span: Span) -> Real:
+    def span(self, span: terms.Span) -> Value:
         """Sum of the parts, in the axes of their group's base link [m]."""
         total: Value = 0j
         for part in span.parts:
@@ -161,65 +149,62 @@ class Plot:
         guide, _, direction = self.facts.lines[slide]
         return direction * np.exp(1j * self.facts.relative_angle(guide))
 
-    def direction(self, direction: Direction) -> Value:
+    def direction(self, direction: terms.Direction) -> Value:
         """Unit vector of a direction."""
         match direction:
-            case Along(tail, head):
+            case terms.Along(tail, head):
                 return unit(self.arm(tail, head))
-            case Across(tail, head):
+            case terms.Across(tail, head):
                 return 1j * unit(self.arm(tail, head))
-            case AlongGuide(slide):
+            case terms.AlongGuide(slide):
                 return self.guide_direction(slide)
-            case AcrossGuide(slide):
+            case terms.AcrossGuide(slide):
                 return 1j * self.guide_direction(slide)
-            case Quarter(link, tail, head):
+            case terms.Quarter(link, tail, head):
                 return 1j * np.sign(self.omega[link]) * unit(self.velocity[head] - self.velocity[tail])
             case _:
                 assert_never(direction)
 
-    def arrow(self, size: Size, plane: Plane) -> Value:
+    def arrow(self, size: terms.Size, plane: Plane) -> Value:
         """The vector of a known term, in the units of its plane."""
         match size:
-            case Drawn(tail, head):
+            case terms.Drawn(tail, head):
                 points = self.points(plane)
                 return points[head] - points[tail]
-            case Span():
-                return self.span(size) * np.exp(1j * self._base_angle(size))
-            case Turning(link, tail, head):
+            case terms.Span():
+                part = size.parts[0]
+                link = part.link if isinstance(part, Arm) else self.facts.lines[part.slide][0]
+                return self.span(size) * np.exp(1j * self.theta[self.facts.turns[link].base])
+            case terms.Turning(link, tail, head):
                 return 1j * self.omega[link] * self.arm(tail, head)
-            case Normal(link, tail, head):
+            case terms.Normal(link, tail, head):
                 return -(self.omega[link] ** 2) * self.arm(tail, head)
-            case Tangential(link, tail, head):
+            case terms.Tangential(link, tail, head):
                 return 1j * self.alpha[link] * self.arm(tail, head)
-            case Coriolis(link, tail, head):
+            case terms.Coriolis(link, tail, head):
                 return 2j * self.omega[link] * (self.velocity[head] - self.velocity[tail])
-            case Driven(slide, sign):
+            case terms.Driven(slide, sign):
                 known = self.s_rate if plane == "velocity" else self.s_acceleration
                 return sign * known[slide] * self.guide_direction(slide)
-            case Relative():
+            case terms.Relative():
                 return self._relative(size)
             case _:
                 assert_never(size)
 
-    def _relative(self, size: Relative) -> Value:
-        arm = self.arm(size.tail, size.head)
-        facts = self.facts
+    def _relative(self, size: terms.Relative) -> Value:
+        arm, facts = self.arm(size.tail, size.head), self.facts
         if size.part == "t":
             return 1j * (facts.relative_rate(size.link, 2) - facts.relative_rate(size.seen_from, 2)) * arm
         rate = facts.relative_rate(size.link, 1) - facts.relative_rate(size.seen_from, 1)
         return -(rate**2) * arm if size.part == "n" else 1j * rate * arm
 
-    def _base_angle(self, span: Span) -> Real:
-        part = span.parts[0]
-        link = part.link if isinstance(part, Arm) else self.facts.lines[part.slide][0]
-        return self.theta[self.facts.turns[link].base]
-
-    def settle(self, quantity: str, base: str, value: Value, counted: bool = False) -> None:
+    def settle(self, quantity: str, base: str, value: Real, counted: bool = False, of: str = "") -> None:
         """Give a whole group of links that hold their angles to one another its angle or its rate.
 
-        counted     the angle holds whole turns already, as that of a wheel that rolls does
+        counted  the angle holds whole turns already, as that of a wheel that rolls does
+        of       the link of the group from which it was read, for plots that keep count of that
         """
-        table: dict[str, Value] = getattr(self, quantity)
+        table: dict[str, Real] = getattr(self, quantity)
         if quantity == "theta" and base in self.near and not counted:
             value = self._counted(value, self.near[base])
         order = ("theta", "omega", "alpha").index(quantity)
@@ -227,10 +212,10 @@ class Plot:
             more = self.facts.relative_rate(link, order) if order else self.facts.relative_angle(link)
             table[link] = value + more
 
-    def _counted(self, angle: Value, near: Value) -> Value:
+    def _counted(self, angle: Real, near: Value) -> Real:
         """An angle with the whole turns that it has close by, or, where positions follow one another, just before."""
         if not self.follows or not np.ndim(angle):
             return angle + 2 * np.pi * np.rint((near - angle) / (2 * np.pi))
-        found, there = np.array(angle), np.isfinite(angle)
-        found[there] = np.unwrap(np.concatenate([[near], found[there]]))[1:]
-        return found
+        angles, there = np.array(angle), np.isfinite(angle)
+        angles[there] = np.unwrap(np.concatenate([[near], angles[there]]))[1:]
+        return angles

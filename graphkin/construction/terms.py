@@ -205,5 +205,5 @@ class Term:
 
     @property
     def unknowns(self) -> int:
-        """How many of its size and its direction are unknown; a drawn arrow has both."""
+        """The number of unknowns among its size and its direction; a drawn arrow has both."""
         return (self.size is None) + (self.direction is None and not isinstance(self.size, Drawn))

@@ -75,7 +75,7 @@ class HandoutProblem:
         return self._sections[1]
 
     @property
-    def solution_goal(self) -> Section:
+    def question(self) -> Section:
         return self._sections[2]
 
     @property

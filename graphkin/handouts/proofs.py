@@ -13,8 +13,7 @@ from graphkin.errors import GraphkinError, Lang
 from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Paragraph
 from graphkin.handouts.problem import HandoutProblem
 from graphkin.homework.grading.keys import key_drawn
-from graphkin.marking.key import Key, KeyEntry
-from graphkin.marking.verdicts import columns, upright
+from graphkin.marking.key import Key, KeyEntry, columns, upright
 from graphkin.marking.weights import shifts
 from graphkin.model.quantities import EDGE, Centre
 from graphkin.model.quantities.reading import respelled
@@ -93,7 +92,7 @@ def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> 
             shown.append(f"{problem.goal.symbol(quantity)} = {number(value * unit.factor)} {unit.sign}".strip())
     name = mistake(key.singles.names[row][0], problem.lang)
     texts = {entry.text for entry in key.entries}
-    signs = respelled(name, lambda text: names.asked(text) if text in texts else text)
+    signs = respelled(name, lambda text: names.symbols(text) if text in texts else text)
     raised = re.sub(r"([va])\^([nktr]+)_", lambda part: names.vector(part[0] + "X")[:-1], signs)
     return formula(say("handouts.gives", problem.lang, mistake=raised, values=", ".join(shown)))
 

@@ -112,7 +112,7 @@ def _problem(problem: HandoutProblem) -> Iterator[Block]:
     """The data and the question, the mechanism to scale, the scales to use, boxes for the answers."""
     yield HandoutHeading(plain(problem.title), 1)
     yield from _section(problem.given, problem.lang)
-    yield from _section(problem.asked, problem.lang)
+    yield from _section(problem.question, problem.lang)
     yield _figure(problem, "position", "given")
     yield HandoutHeading(plain(say("handouts.scales", problem.lang)))
     planes: tuple[Plane, ...] = ("position", *problem.polygons)
@@ -154,7 +154,7 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
 def _solution(problem: HandoutProblem) -> Iterator[Block]:
     """Reasons, equations, steps in words and drawing, results beside the analysis, tolerance, common mistakes."""
     yield HandoutHeading(plain(problem.title), 1)
-    for section in (problem.given, problem.asked, problem.solution):
+    for section in (problem.given, problem.question, problem.solution):
         yield from _section(section, problem.lang)
     for section in problem.parts:
         yield from _section(section, problem.lang)

@@ -1,20 +1,21 @@
-"""What every mistake that can be made leads to, all drawn at once."""
+"""Outcomes of all mistakes that can be made, all drawn at once; and a drawing with mistakes beside the right one."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from typing import get_args
 
 import numpy as np
 
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Value, cross, number, place
 from graphkin.base.value import frozen
-from graphkin.construction import Plot
+from graphkin.construction import Construction, Drawn, Equation, Image, LayOff, Plane, Plot
 from graphkin.marking import mistakes as _entered  # noqa: F401  (enters them)
-from graphkin.marking.asked import arrows_of, asked, size_of
-from graphkin.marking.hand import Redrawing
-from graphkin.marking.redrawing import redraw
+from graphkin.marking.answers import arrows_of, drawn_answer, size_of
+from graphkin.marking.hand import Redrawing, redraw
 from graphkin.marking.rewrite import Mistaken, Rewrite
 from graphkin.marking.scene import MISTAKES, Scene
 from graphkin.model.quantities import Answer, Centre, Quantity
@@ -29,7 +30,7 @@ _TABLES = ("position", "velocity", "acceleration", "theta", "omega", "alpha", "s
 
 @frozen
 class Consequences:
-    """What follows from mistakes.
+    """The consequences of mistakes.
 
     quantities  what is asked
     right       the right answers
@@ -54,8 +55,7 @@ class Consequences:
     def moves(self) -> np.ndarray:
         vectors = [np.nan if answer.vector is None else answer.vector for answer in self.right]
         right = np.array([answer.value for answer in self.right], dtype=float), np.array(vectors, dtype=complex)
-        found: np.ndarray = ~self._like(*right)
-        return found
+        return np.asarray(~self._like(*right))
 
     def alike(self) -> list[list[int]]:
         """Groups of columns that cannot be told apart by what is asked; those that change nothing left out."""
@@ -68,17 +68,16 @@ class Consequences:
         return groups
 
     def _like(self, values: np.ndarray, vectors: np.ndarray) -> np.ndarray:
-        """Which columns give these values and vectors (quantities,)."""
-        found: np.ndarray = _equal(self.values, values, self.sizes) & _equal(self.vectors, vectors, self.sizes)
-        return found
+        """The columns that give these values and vectors (quantities,), as booleans."""
+        same = _equal(self.values, values, self.sizes) & _equal(self.vectors, vectors, self.sizes)
+        return np.asarray(same.all(axis=1))
 
 
 def _equal(one: np.ndarray, other: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """Rows that equal another but for rounding; what is not judged equals what is not."""
+    """Values that equal others but for rounding; what is not judged equals what is not."""
     with np.errstate(invalid="ignore"):
         near = np.abs(one - other) <= SAME * np.maximum(np.maximum(np.abs(one), np.abs(other)), sizes)
-    found: np.ndarray = (near | (one == other) | (np.isnan(one) & np.isnan(other))).all(axis=1)
-    return found
+    return np.asarray(near | (one == other) | (np.isnan(one) & np.isnan(other)))
 
 
 def rewrites(
@@ -86,42 +85,39 @@ def rewrites(
 ) -> tuple[Rewrite, ...]:
     """Every mistake that can be made in a construction, once for each place and form."""
     scene = Scene(method, plot, tuple(quantities), scales or {})
-    return tuple(_numbered(found for one in MISTAKES.values() for found in one.find(scene)))
-
-
-def _numbered(found: Iterator[Rewrite]) -> Iterator[Rewrite]:
-    """Rewrites of arrows of one name told apart: two slides may be looked at in one coincident point."""
-    names: dict[tuple[str, ...], int] = {}
-    for rewrite in found:
-        nth = names[rewrite.name] = names.get(rewrite.name, 0) + 1
-        yield rewrite if nth == 1 else replace(rewrite, of=f"{rewrite.of} ({nth})")
+    count: Counter[tuple[str, ...]] = Counter()
+    numbered = []
+    for rewrite in (one for mistake in MISTAKES.values() for one in mistake.find(scene)):
+        count[rewrite.name] += 1  # two slides may be looked at in one coincident point
+        nth = count[rewrite.name]
+        numbered.append(rewrite if nth == 1 else replace(rewrite, of=f"{rewrite.of} ({nth})"))
+    return tuple(numbered)
 
 
 def consequences(
     method: Method, plot: Plot, quantities: Sequence[Quantity], scales: Mapping[str, float] | None = None
 ) -> Consequences:
     """All single mistakes at the position of a plot; quantities that are no numbers there must be left out."""
-    found = rewrites(method, plot, quantities, scales)
-    return combined(method, plot, quantities, [(one,) for one in found])
+    return combined(method, plot, quantities, [(one,) for one in rewrites(method, plot, quantities, scales)])
 
 
 def combined(
     method: Method, plot: Plot, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]]
 ) -> Consequences:
-    """What follows from mistakes, those of a column made together. Instant centres come from the mechanism's drawing
+    """The consequences of mistakes, those of a column made together. Instant centres come from the mechanism's drawing
     alone: no polygon moves them."""
     arrows = arrows_of(method)
     hand = Mistaken(columns)
     placed = hand.placed(method, plot)
     drawn, right, still = redraw(method, placed, hand, hand.shape), redraw(method, plot), redraw(method, placed)
     with np.errstate(divide="ignore", invalid="ignore"):  # of what a mistake leaves nothing of
-        answers = [asked(method, still if isinstance(q, Centre) else drawn, q, arrows) for q in quantities]
+        answers = [drawn_answer(method, still if isinstance(q, Centre) else drawn, q, arrows) for q in quantities]
     cut = method.mechanism.usual.cut
     values = _table([cut(answer.value, answer.unit) for answer in answers], len(columns), float)
     vectors = _table([np.nan if a.vector is None else cut(a.vector, a.unit) for a in answers], len(columns), complex)
     _write_otherwise(columns, quantities, values, vectors)
     return Consequences(
-        tuple(quantities), tuple(asked(method, right, quantity, arrows) for quantity in quantities),
+        tuple(quantities), tuple(drawn_answer(method, right, quantity, arrows) for quantity in quantities),
         tuple(map(tuple, columns)), values, vectors,
         np.array([method.mechanism.usual.size(quantity.unit) for quantity in quantities]), drawn,
     )  # fmt: skip
@@ -136,11 +132,11 @@ def _table(columns: Sequence[Value], count: int, kind: type) -> np.ndarray:
 def _write_otherwise(
     columns: Sequence[Sequence[Rewrite]], quantities: Sequence[Quantity], values: np.ndarray, vectors: np.ndarray
 ) -> None:
-    """Handed-in values that were drawn right and written otherwise."""
-    place = {quantity.text: k for k, quantity in enumerate(quantities)}
+    """Put in handed-in values that were drawn right and written otherwise."""
+    numbers = {quantity.text: k for k, quantity in enumerate(quantities)}
     for row, rewrites in enumerate(columns):
         for one in (one for rewrite in rewrites for one in rewrite.asked):
-            k = place[one.quantity]
+            k = numbers[one.quantity]
             if np.isfinite(vectors[row, k]):
                 vectors[row, k] = one.factor * (vectors[row, k] if one.instead is None else one.instead)
                 values[row, k] = size_of(quantities[k], vectors[row, k])
@@ -156,3 +152,87 @@ def rewritten(method: Method, plot: Plot, rewrites: Sequence[Rewrite]) -> Redraw
         alone = {name: value[0] if np.ndim(value) else value for name, value in getattr(drawn, table).items()}
         setattr(drawn, table, alone)
     return drawn
+
+
+# --- beside the right drawing ------------------------------------------------------------------
+
+
+_NOTHING = 1e-6
+"""What differs by less, as part of the largest value of its plane, is the same."""
+
+
+@frozen
+class DrawingComparison:
+    """The right drawing and one with mistakes.
+
+    planes  in which a point lies elsewhere, or nowhere: lines hardly cross there
+    arrows  of each plane those laid off or directed otherwise, by their two ends; others only follow from these
+    images  points of each plane that are found by another image
+
+    Where the mechanism itself is drawn otherwise, all of its polygons only follows.
+    """
+
+    right: Plot
+    other: Plot
+    planes: tuple[Plane, ...]
+    arrows: Mapping[Plane, frozenset[frozenset[str]]]
+    images: Mapping[Plane, frozenset[str]]
+
+
+def compare_drawings(method: Method, plot: Plot, rewrites: Sequence[Rewrite]) -> DrawingComparison:
+    """The parts of a drawing that mistakes made together draw otherwise, at the position of a plot."""
+    right, other = rewritten(method, plot, ()), rewritten(method, plot, rewrites)
+    planes = tuple(plane for plane in get_args(Plane) if _differs(right, other, plane))
+    polygons = [] if "position" in planes else [method.velocity, method.acceleration]
+    return DrawingComparison(
+        right, other, planes,
+        {one.plane: frozenset(_arrows(one, right, other)) for one in polygons},
+        {one.plane: frozenset(_images(one, right, other)) for one in polygons},
+    )  # fmt: skip
+
+
+def _least(right: Plot, other: Plot, plane: Plane) -> float:
+    """The size up to which a value of a plane is nothing."""
+    sizes = [abs(place(value)) for plot in (right, other) for value in plot.points(plane).values()]
+    return _NOTHING * max((size for size in sizes if np.isfinite(size)), default=0.0)
+
+
+def _differs(right: Plot, other: Plot, plane: Plane) -> bool:
+    """True if a point of a plane lies elsewhere, or nowhere."""
+    nothing, there = _least(right, other, plane), other.points(plane)
+    places = ((place(value), place(there.get(name, np.nan))) for name, value in right.points(plane).items())
+    return any(not abs(one - two) <= nothing for one, two in places if np.isfinite(one))
+
+
+def _arrows(construction: Construction, right: Plot, other: Plot) -> Iterator[frozenset[str]]:
+    """Known arrows that differ, and unknown ones that lie in another direction."""
+    plane = construction.plane
+    nothing = _least(right, other, plane)
+    for part in construction.parts:
+        terms = (*part.left, *part.right) if isinstance(part, Equation) else ()
+        for term in (part.term,) if isinstance(part, LayOff) else terms:
+            one, two = (_between(plot, plane, term.tail, term.head) for plot in (right, other))
+            if not (np.isfinite(one) and np.isfinite(two)) or isinstance(term.size, Drawn):
+                continue
+            turned = term.direction is not None and abs(number(cross(one, two))) > _NOTHING * abs(one) * abs(two)
+            if turned if term.size is None else abs(one - two) > nothing:
+                yield frozenset((term.tail, term.head))
+
+
+def _between(plot: Plot, plane: Plane, tail: str, head: str) -> complex:
+    points = plot.points(plane)
+    return complex(points.get(head, np.nan) - points.get(tail, np.nan))
+
+
+def _images(construction: Construction, right: Plot, other: Plot) -> Iterator[str]:
+    """Points that stand otherwise on their base."""
+    plane = construction.plane
+    nothing = _least(right, other, plane)
+    for step in construction.steps:
+        if isinstance(step, Image):
+            tail, head = step.base
+            (one, base), (two, base_now) = (
+                (_between(plot, plane, tail, step.point), _between(plot, plane, tail, head)) for plot in (right, other)
+            )
+            if np.isfinite(two) and abs(base) > nothing and abs(two - one * base_now / base) > nothing:
+                yield step.point

@@ -2,21 +2,159 @@
 
 One mistake is tried before two. An explanation is given where every value is near to what it says, where it outweighs
 right work and "none", and where so near a hit is no likely coincidence. All that the values cannot tell from it are
-given with it, as one set.
+given with it, as one set. A mistake that shows in many problems of one student is a habit.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from copy import copy
 from dataclasses import field
 
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.marking.explaining import Best, Explainer, Ways
-from graphkin.marking.key import Hypotheses, Key, Name
-from graphkin.marking.verdicts import Columns
-from graphkin.marking.weights import ONE, TWO
+from graphkin.marking.key import Columns, Hypotheses, Key, Name, agrees, columns_of, differences
+from graphkin.marking.weights import FITS, ONE, TWO, ScaledExplanations, Weighed
+
+MARGIN = 3.0
+"""Explanations whose weights differ by less cannot be told apart: a factor of 20."""
+_LIKELY = 0.5
+_SAME = 0.5
+"""Explanations whose values differ by less, in standard deviations, are one."""
+_CHANCE = 0.008
+"""A hit that random numbers make more often is no hint."""
+_AT_ONCE = 1 << 16
+"""Weights that are held at once."""
+
+
+OtherMethods = Callable[[], Hypotheses]
+"""Makes the outcomes of right work by other right methods; called where it is needed."""
+
+
+@frozen
+class Best:
+    """The best explanations of some students' values, of m that there are.
+
+    given        whether one is given (students,)
+    same         what is in it: all that these values cannot tell from the best (students, m)
+    weights      of all of them (students, m); none: of work that nothing explains (students,)
+    probability  of what is in it; margin: by how much it outweighs the best of the others (students,)
+    follows      for each True of `same`, in its order: which wrong values are as it has them (.., quantities)
+    """
+
+    given: np.ndarray
+    same: np.ndarray
+    weights: np.ndarray
+    none: np.ndarray
+    probability: np.ndarray
+    margin: np.ndarray
+    follows: np.ndarray
+
+
+class Explainer:
+    """Explains the values of those who hand in the same quantities by one mistake, or by two.
+
+    there  which of the key's quantities these are
+    texts  of these; names: of the m explanations that can be seen in them
+    """
+
+    def __init__(
+        self, key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, met: float,
+        other_methods: OtherMethods,
+    ) -> None:  # fmt: skip
+        """met: logarithm of how often one of the hypotheses is met."""
+        self.there, self._other_methods, self._hypotheses = there, other_methods, hypotheses
+        self._scale = ScaledExplanations(key, table, there, hypotheses, met)
+        rows = self._scale.rows
+        self.texts = tuple(entry.text for entry, handed in zip(key.entries, there, strict=True) if handed)
+        self._table = columns_of(table, there)
+        self._values, self._scatters = (some[np.ix_(rows, there)] for some in (hypotheses.values, hypotheses.scatters))
+
+    @property
+    def names(self) -> tuple[tuple[Name, ...], ...]:
+        return tuple(self._hypotheses.names[row] for row in self._scale.rows)
+
+    def name(self, k: int) -> tuple[Name, ...]:
+        return self._hypotheses.names[self._scale.rows[k]]
+
+    def only(self, k: int) -> Explainer:
+        """An explainer that knows of explanation k alone."""
+        one = copy(self)
+        one._scale = self._scale.only(k)
+        one._values, one._scatters = self._values[[k]], self._scatters[[k]]
+        return one
+
+    def drawn(self, k: int, errors: np.ndarray) -> np.ndarray:
+        """Values handed in by those who make mistake k (students, quantities of the key); errors: standard normal."""
+        given = np.full((len(errors), len(self.there)), np.nan)
+        given[:, self.there] = self._scale.drawn(k, errors)
+        return given
+
+    def best(self, given: np.ndarray, wrong: np.ndarray) -> Iterator[Best]:
+        """Of values of which some are wrong (students, quantities of the key), as many as are held at once."""
+        step = max(_AT_ONCE // max(len(self._scale.rows), 1), 1)
+        for k in range(0, len(given), step):
+            yield self._best(given[k : k + step, self.there], wrong[k : k + step, self.there])
+
+    def _best(self, given: np.ndarray, wrong: np.ndarray) -> Best:
+        weighed = self._scale.weigh(given)
+        same = self._sets(weighed)
+        together, every = _sums(weighed.weights, same)
+        right = weighed.right
+        if np.any(together > right + MARGIN):
+            right = np.maximum(right, self._scale.right_by(given, self._other_methods()))
+        others = np.maximum(right, weighed.none)
+        rest = np.where(same, -np.inf, weighed.weights).max(axis=1, initial=-np.inf)
+        with np.errstate(invalid="ignore"):
+            total = np.logaddexp(every, np.logaddexp(right, weighed.none))
+            margin, probability = together - np.maximum(others, rest), np.exp(together - total)
+        same[(probability < _LIKELY) | (together < right + MARGIN)] = False
+        who, row = np.nonzero(same)
+        follows = self._follow(given[who], wrong[who], row)
+        # some of a set may say nothing of what is wrong
+        explained = np.bincount(who[follows.any(axis=1)], minlength=len(given)) > 0
+        same &= explained[:, None]
+        return Best(explained, same, weighed.weights, weighed.none, probability, margin, follows[explained[who]])
+
+    def _sets(self, weighed: Weighed) -> np.ndarray:
+        """The best of those that fit, with all that cannot be told from it (students, m)."""
+        fits = (weighed.worst <= FITS) & (weighed.chance <= _CHANCE)
+        who, row = np.nonzero(fits)
+        if not who.size:
+            return fits
+        first = np.where(fits, weighed.weights, -np.inf).argmax(axis=1)[who]
+        likely = weighed.weights - self._scale.shares
+        alike = likely[who, row] > likely[who, first] - MARGIN
+        # what scatters together is known roughly: values as near one by one are not told apart by that
+        alike |= weighed.near[who, row] < weighed.near[who, first] + 2 * MARGIN
+        fits[who, row] = alike | self._close(row, first)
+        return fits
+
+    def _close(self, rows: np.ndarray, others: np.ndarray) -> np.ndarray:
+        """Explanations that say nearly the same as others, and judge the same (pairs,), as booleans."""
+        one, other = self._values[rows], self._values[others]
+        with np.errstate(invalid="ignore"):
+            apart = np.abs(differences(self._table, one, other)) <= _SAME * self._scatters[others]
+        return np.asarray(np.all(apart | np.isnan(one) & np.isnan(other), axis=1))
+
+    def _follow(self, given: np.ndarray, wrong: np.ndarray, rows: np.ndarray) -> np.ndarray:
+        """Wrong values (pairs, n) that are as explanations have them, as booleans."""
+        reach = np.fmax(self._table.tolerance, FITS * self._scatters[rows])
+        return np.asarray(wrong & agrees(self._table, given, self._values[rows], reach))
+
+
+def _sums(weights: np.ndarray, some: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Of logarithms (students, m): of some of them, and of all."""
+    largest = weights.max(axis=1, initial=-np.inf)
+    base = np.where(np.isfinite(largest), largest, 0.0)
+    parts = np.exp(weights - base[:, None])
+    with np.errstate(divide="ignore"):
+        return base + np.log(np.einsum("sm,sm->s", parts, some)), base + np.log(parts.sum(axis=1))
+
+
+# --- diagnoses ---------------------------------------------------------------------------------
+
 
 _PAIRS_FROM = 4
 """So many independent values, before two mistakes are looked for."""
@@ -45,7 +183,7 @@ class Explanation:
 
 @frozen
 class Diagnosis:
-    """What the wrong values come from; `evidence`: by a mistake's id, how it outweighs "none" here (a logarithm).
+    """The mistakes behind wrong values; `evidence`: by a mistake's id, how it outweighs "none" here (a logarithm).
 
     Evidence of several problems of one student is added up (`habits`).
     """
@@ -55,57 +193,121 @@ class Diagnosis:
 
 
 def diagnoses(
-    key: Key, table: Columns, given: np.ndarray, wrong: np.ndarray, pairs: Callable[[], Hypotheses | None], ways: Ways
-) -> list[Diagnosis]:
+    key: Key, table: Columns, given: np.ndarray, wrong: np.ndarray, pairs: Callable[[], Hypotheses | None],
+    other_methods: OtherMethods,
+) -> list[Diagnosis]:  # fmt: skip
     """For students who have handed in the same quantities: given, wrong (students, n).
 
-    pairs  makes what two mistakes give, ways what right work gives by other ways; called where they are needed
+    pairs  makes the outcomes of two mistakes, other_methods those of right work by other methods, where needed
     """
     there = np.isfinite(given).all(axis=0)
     if not len(given) or not there.any():
         return [Diagnosis() for _ in given]
-    one, found = Explainer(key, table, there, key.singles, ONE, ways), []
-    for best in one.best(given, wrong):
-        evidence = _evidence(best, one)
-        found += [Diagnosis(each, evidence[k]) for k, each in enumerate(_explanations(one, best))]
-    rest = np.array([k for k, one in enumerate(found) if not one.explanations], dtype=int)
+    one = Explainer(key, table, there, key.singles, ONE, other_methods)
+    by_one = [
+        Diagnosis(each, evidence)
+        for best in one.best(given, wrong)
+        for each, evidence in zip(_explanations(one, best), _evidence(best, one), strict=True)
+    ]
+    rest = np.array([k for k, diagnosis in enumerate(by_one) if not diagnosis.explanations], dtype=int)
     if rest.size and independent(key, there) >= _PAIRS_FROM and (two := pairs()) is not None:
-        both = Explainer(key, table, there, two, TWO, ways)
+        both = Explainer(key, table, there, two, TWO, other_methods)
         each = (some for best in both.best(given[rest], wrong[rest]) for some in _explanations(both, best))
         for k, explanations in zip(rest, each, strict=True):
-            found[k] = Diagnosis(explanations, found[k].evidence)
-    return found
+            by_one[k] = Diagnosis(explanations, by_one[k].evidence)
+    return by_one
 
 
 def independent(key: Key, there: np.ndarray) -> int:
-    """How many of the handed-in values say something of their own."""
+    """The number of handed-in values that say something of their own."""
     if not there.any():
         return 0
     return int(np.sum(np.linalg.eigvalsh(key.together[np.ix_(there, there)]) > 1e-3))
 
 
 def _explanations(explainer: Explainer, best: Best) -> Iterator[tuple[Explanation, ...]]:
-    """Of each student: one, or none."""
+    """Of each student: one, its likeliest mistakes first, or none."""
     sizes = best.same.sum(axis=1)
     for k, (end, size) in enumerate(zip(np.cumsum(sizes), sizes, strict=True)):
-        yield (_explanation(explainer, best, k, best.follows[end - size : end]),) if best.given[k] else ()
-
-
-def _explanation(explainer: Explainer, best: Best, k: int, follows: np.ndarray) -> Explanation:
-    """Of student k, the likeliest of its set first."""
-    rows = np.flatnonzero(best.same[k])
-    order = np.argsort(-best.weights[k, rows], kind="stable")
-    explains = next(some for some in follows[order] if some.any())
-    return Explanation(
-        tuple(explainer.name(row) for row in rows[order]), float(best.probability[k]), float(best.margin[k]),
-        tuple(explainer.texts[n] for n in np.flatnonzero(explains)),
-    )  # fmt: skip
+        if not best.given[k]:
+            yield ()
+            continue
+        rows = np.flatnonzero(best.same[k])
+        order = np.argsort(-best.weights[k, rows], kind="stable")
+        explains = next(some for some in best.follows[end - size : end][order] if some.any())
+        yield (Explanation(
+            tuple(explainer.name(row) for row in rows[order]), float(best.probability[k]), float(best.margin[k]),
+            tuple(explainer.texts[n] for n in np.flatnonzero(explains)),
+        ),)  # fmt: skip
 
 
 def _evidence(best: Best, explainer: Explainer) -> list[dict[str, float]]:
     """By how much the best of each mistake's forms outweighs "none", by its id, for each student."""
     of = np.array([names[0][0] for names in explainer.names], dtype=object)
     ids = list(dict.fromkeys(of))
-    found = [best.weights[:, of == id].max(axis=1) - best.none for id in ids]
-    each = np.stack(found, axis=1).tolist() if found else [[] for _ in best.none]
+    evidence = [best.weights[:, of == id].max(axis=1) - best.none for id in ids]
+    each = np.stack(evidence, axis=1).tolist() if ids else [[] for _ in best.none]
     return [dict(zip(ids, values, strict=True)) for values in each]
+
+
+# --- habits ------------------------------------------------------------------------------------
+
+
+_SHOWS = np.log((0.8, 0.2))
+"""Frequencies with which a habit shows in a problem, and does not, as logarithms."""
+
+
+@frozen
+class Trace:
+    """The marking of one problem, as evidence.
+
+    named     ids of the mistakes that its numbers are consistent with; empty where nothing is wrong or nothing fits
+    evidence  by a mistake's id, how it outweighs "none" there; empty where nothing is wrong
+    """
+
+    named: tuple[str, ...]
+    evidence: Mapping[str, float]
+
+
+@frozen
+class Habit:
+    """A mistake, or several that cannot be told apart, that shows in `shown` of `of` problems; weight: a logarithm."""
+
+    ids: tuple[str, ...]
+    shown: int
+    of: int
+    weight: float
+
+
+def added(traces: Iterable[Trace]) -> dict[str, float]:
+    """By how much each mistake, as a habit, outweighs "none" in all problems together: log-likelihoods added.
+
+    A habit shows in four problems of five, so that another mistake in one of them, or right work, speaks against it but
+    does not rule it out.
+    """
+    traces = list(traces)
+    total = dict.fromkeys((id for one in traces for id in one.evidence), 0.0)
+    for one in traces:
+        for id in total:
+            if not one.evidence:
+                total[id] += float(_SHOWS[1])
+            elif id in one.evidence:
+                total[id] += float(np.logaddexp(_SHOWS[0] + one.evidence[id], _SHOWS[1]))
+    return total
+
+
+def habits(traces: Sequence[Trace]) -> tuple[Habit, ...]:
+    """The mistakes that show in two problems or more, the weightiest first; what is explained by one is no other's."""
+    problems: dict[str, set[int]] = {}
+    for k, one in enumerate(traces):
+        for id in one.named:
+            problems.setdefault(id, set()).add(k)
+    weights = {id: weight for id, weight in added(traces).items()
+               if len(problems.get(id, ())) > 1 and weight > MARGIN}  # fmt: skip
+    weightiest = []
+    while weights:
+        best = max(weights, key=lambda id: (weights[id], len(problems[id])))
+        alike = [id for id in weights if problems[id] == problems[best] and weights[id] > weights[best] - MARGIN]
+        weightiest.append(Habit(tuple(alike), len(problems[best]), len(traces), weights[best]))
+        weights = {id: weight for id, weight in weights.items() if not problems[id] <= problems[best]}
+    return tuple(weightiest)

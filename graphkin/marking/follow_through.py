@@ -1,17 +1,20 @@
-"""Carried errors: everything after a student's own value, as it follows from it."""
+"""Carried errors: everything after a student's own wrong values, as it follows from them."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Real, Value
 from graphkin.base.value import frozen
 from graphkin.construction import Coriolis, Image, LayOff, Measure, Plane, Plot, Size
-from graphkin.marking.asked import ArrowPlaces, Ends, arrows_of, asked
-from graphkin.marking.hand import Hand, Redrawing
-from graphkin.marking.redrawing import redraw
+from graphkin.marking.answers import ArrowPlaces, Ends, arrows_of, drawn_answer
+from graphkin.marking.consequences import combined
+from graphkin.marking.hand import PolygonHand, Redrawing, redraw
+from graphkin.marking.key import Columns, Key, agrees, columns, sense_only
 from graphkin.model.quantities import Answer, Component, Moving, Quantity, Rotation
 from graphkin.planning import Method
 
@@ -28,16 +31,16 @@ class Followed:
     plot: Redrawing
 
     def value(self, quantity: Quantity) -> Answer:
-        """What follows for a quantity from the own values *before* it: its own one does not count."""
+        """The answer that follows for a quantity from the own values *before* it: its own one does not count."""
         if isinstance(quantity, Rotation) and (quantity.word, quantity.link) in self.plot.before:
             return Answer(self.plot.before[quantity.word, quantity.link], quantity.unit)
-        return asked(self.method, self.plot, quantity, self.arrows, before=True)
+        return drawn_answer(self.method, self.plot, quantity, self.arrows, before=True)
 
     @property
-    def least_sine(self) -> Value:
+    def least_sine(self) -> np.ndarray:
         """Of the angles under which lines meet, the smallest one's sine."""
         sines = [sine for (plane, _), sine in self.plot.sines.items() if plane != "position"]
-        return np.minimum.reduce(np.broadcast_arrays(1.0, *sines))
+        return np.asarray(np.minimum.reduce(np.broadcast_arrays(1.0, *sines)))
 
 
 def replay_with(
@@ -58,7 +61,7 @@ def replay_with(
     return Followed(method, arrows, redraw(method, right, hand, shape))
 
 
-class Own(Hand):
+class Own(PolygonHand):
     """Draws with own values in their place."""
 
     def __init__(self, own: Mapping[Quantity, Value], arrows: ArrowPlaces) -> None:
@@ -67,8 +70,8 @@ class Own(Hand):
         for quantity, value in _whole(own):
             if isinstance(quantity, Moving) and (found := arrows.of(quantity)) is not None:
                 ends, sign = found
-                signed = quantity.along is not None and not np.iscomplexobj(value)
-                vector = value * quantity.along if signed else value
+                along = 1.0 if quantity.along is None or np.iscomplexobj(value) else quantity.along
+                vector = value * along
                 each = sign * vector if np.iscomplexobj(vector) else np.abs(vector)
                 self.vectors.setdefault(ends, []).append(each)
         self.poles = arrows.poles
@@ -95,21 +98,21 @@ class Own(Hand):
         slip = plot.velocity[size.head] - plot.velocity[size.tail]
         return 2j * plot.omega[size.link] * self._own(("velocity", size.tail, size.head), slip)
 
-    def laid(self, plot: Redrawing, plane: Plane, step: LayOff, right: Value) -> Value:
+    def tip(self, plot: Redrawing, plane: Plane, step: LayOff, right: Value) -> Value:
         ends = plane, step.term.tail, step.term.head
         points = plot.points(plane)
         drawn = points[step.start] - right if step.backwards else right - points[step.start]
         arrow = self._own(ends, drawn)
         return points[step.start] - arrow if step.backwards else points[step.start] + arrow
 
-    def met(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
+    def crossing(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
         """A drawn vector from the pole moves its point."""
         return self._own((plane, self.poles[plane], point), right, drawn_only=True)
 
-    def image(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+    def corner(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
         return self._own((plane, self.poles[plane], step.point), right)
 
-    def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Value) -> Value:
+    def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Real) -> Real:
         """omega = v / l with the own v."""
         points = plot.points(plane)
         arrow = points[step.head] - points[step.tail]
@@ -125,17 +128,18 @@ class Own(Hand):
         owned = [link for link in dict.fromkeys((of, *links)) if (quantity, link) in self.rotations]
         if not owned:
             return
-        table: dict[str, Value] = getattr(plot, quantity)
+        table: dict[str, Real] = getattr(plot, quantity)
         right = {link: table[link] for link in links}
         leads, more = self._leading(quantity, owned, right)
         for link in links:
             plot.before[quantity, link] = right[link] + np.where(leads.get(link, False), 0.0, more)
-            table[link] = self._rotation(quantity, link, right[link] + more)
+            own = self.rotations.get((quantity, link), np.nan)
+            table[link] = _where_given(own, right[link] + more).real
 
     def _leading(
-        self, quantity: str, owned: Sequence[str], right: Mapping[str, Value]
-    ) -> tuple[dict[str, np.ndarray], Value]:
-        """Where each link is the first that a student has an own value of, and by how much that one is off."""
+        self, quantity: str, owned: Sequence[str], right: Mapping[str, Real]
+    ) -> tuple[dict[str, np.ndarray], Real]:
+        """The students of whose own values each link's is the first, and by how much that one is off."""
         leads: dict[str, np.ndarray] = {}
         taken, more = np.zeros((), dtype=bool), np.zeros(())
         for link in owned:
@@ -144,10 +148,6 @@ class Own(Hand):
             more = np.where(leads[link], own - right[link], more)
             taken = taken | leads[link]
         return leads, more[()]
-
-    def _rotation(self, quantity: str, link: str, right: Value) -> Value:
-        own = self.rotations.get((quantity, link))
-        return right if own is None else _where_given(own, right)
 
 
 def _whole(own: Mapping[Quantity, Value]) -> list[tuple[Quantity, Value]]:
@@ -161,5 +161,139 @@ def _whole(own: Mapping[Quantity, Value]) -> list[tuple[Quantity, Value]]:
 
 
 def _where_given(own: Value, right: Value) -> Value:
-    found: Value = np.where(np.isfinite(own), own, right)
-    return found[()]
+    value: Value = np.where(np.isfinite(own), own, right)[()]
+    return value
+
+
+# --- of many students --------------------------------------------------------------------------
+
+
+_FLAT = np.sin(np.radians(0.5))
+"""Lines that meet under a smaller angle give no point: nothing is carried on to it."""
+_SAME = 1e-6
+"""An own value that differs from a number of the problem by a smaller part is copied from it."""
+_ANSWERABLE = 5.0
+"""An own value is carried on between 1/5 and 5 times the right size."""
+_MOVES = 1e-3
+"""An own value that moves another by a smaller part of its tolerance does not enter it."""
+_STRETCH = 5.0
+"""A carried value that is larger than the right one may be off by as much more, within this."""
+
+
+@frozen
+class Carried:
+    """The outcomes for each student and quantity (students, n); NaN where no own value enters it.
+
+    agrees      whether the handed-in value does; sense_only: whether it would, with the other sense
+    given       what was handed in; unused: own wrong values that are not carried on
+    enters      by own quantity, what would follow otherwise without it (students, n)
+    """
+
+    texts: tuple[str, ...]
+    values: np.ndarray
+    agrees: np.ndarray
+    sense_only: np.ndarray
+    given: np.ndarray
+    unused: np.ndarray
+    enters: Mapping[int, np.ndarray]
+
+    def instead(self, other: Carried, where: np.ndarray) -> Carried:
+        """Of some values (students, n) what another says."""
+        nowhere = np.zeros_like(where)
+        return replace(
+            self, values=np.where(where, other.values, self.values), agrees=np.where(where, other.agrees, self.agrees),
+            sense_only=np.where(where, other.sense_only, self.sense_only),
+            enters={j: np.where(where, other.enters.get(j, nowhere), into) for j, into in self.enters.items()},
+        )  # fmt: skip
+
+    def own(self, k: int, n: int) -> dict[str, float]:
+        """The own values of student k that enter quantity n."""
+        return {self.texts[j]: float(self.given[k, j]) for j, into in self.enters.items() if into[k, n] and j != n}
+
+    def refused(self, k: int, n: int) -> tuple[str, ...]:
+        """The own values of student k that are not carried on."""
+        return tuple(self.texts[j] for j in np.flatnonzero(self.unused[k]) if j != n)
+
+
+@frozen
+class CarriedProblem:
+    """A key with the construction from which values are carried on."""
+
+    key: Key
+    method: Method
+    plot: Plot
+    quantities: tuple[Quantity, ...]
+
+    @cached_property
+    def table(self) -> Columns:
+        return columns(self.key.entries)
+
+    @cached_property
+    def arrows(self) -> ArrowPlaces:
+        return arrows_of(self.method)
+
+    @cached_property
+    def signs(self) -> np.ndarray:
+        """Of the right values: those of sizes along a guide, too."""
+        return np.where(combined(self.method, self.plot, self.quantities, [()]).values[0] < 0, -1.0, 1.0)
+
+    def carried(self, given: np.ndarray, known: np.ndarray, wrong: np.ndarray) -> Carried:
+        """For values (students, n) of which some are wrong; `known`: those of them that can be carried on."""
+        carries = np.array([isinstance(q, Moving) or (isinstance(q, Rotation) and q.word != "theta")
+                            for q in self.quantities], dtype=bool)  # fmt: skip
+        allowed = usable(self.key, self.table, given)
+        used = known & allowed & carries
+        whole = self._values(given, used)
+        moved = self._moved(whole, self.table.right)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            larger = np.abs(whole) / np.abs(self.table.right)
+        tolerance = self.table.tolerance * np.clip(np.nan_to_num(larger, nan=1.0, posinf=1.0), 1.0, _STRETCH)
+        values = np.where(moved, whole, np.nan)
+        every = np.arange(used.shape[1])
+        enters = {
+            int(j): self._moved(whole, self._values(given, used & (every != j))) & moved & used[:, [j]]
+            for j in np.flatnonzero(used.any(axis=0))
+        }
+        texts = tuple(entry.text for entry in self.key.entries)
+        return Carried(
+            texts, values, wrong & agrees(self.table, given, values, tolerance),
+            wrong & sense_only(self.table, given, values, tolerance), given, wrong & carries & ~allowed, enters,
+        )  # fmt: skip
+
+    def _values(self, given: np.ndarray, used: np.ndarray) -> np.ndarray:
+        """The outcomes of the own values that are used; the right values where none is."""
+        right = np.broadcast_to(self.table.right, given.shape).copy()
+        some = np.flatnonzero(used.any(axis=1))
+        if not some.size:
+            return right
+        signed = np.where(self.table.size, np.abs(given) * self.signs, given)  # along a guide as the right one points
+        own = {
+            quantity: np.where(used[some, j], signed[some, j], np.nan)
+            for j, quantity in enumerate(self.quantities)
+            if used[some, j].any()
+        }
+        followed = replay_with(self.method, self.plot, own, self.arrows)
+        for j, quantity in enumerate(self.quantities):
+            value = followed.value(quantity).value
+            right[some, j] = np.abs(value) if self.table.size[j] else value
+        sines = np.broadcast_to(followed.least_sine, some.shape)
+        right[some[~(sines > _FLAT)]] = np.nan
+        return right
+
+    def _moved(self, values: np.ndarray, others: np.ndarray) -> np.ndarray:
+        """True for values that differ by more than counts; false where they cannot be drawn."""
+        with np.errstate(invalid="ignore"):
+            return np.asarray(np.abs(values - others) > _MOVES * self.table.tolerance)
+
+
+def usable(key: Key, table: Columns, given: np.ndarray) -> np.ndarray:
+    """The own values (students, n) that are carried on: nothing is gained by 0 or by a number of the problem."""
+    with np.errstate(invalid="ignore", divide="ignore"):
+        size, right = np.abs(given), np.abs(table.right)
+        bounded = (size >= right / _ANSWERABLE) & (size <= right * _ANSWERABLE)
+    copied = np.zeros(given.shape, dtype=bool)
+    for number in key.given:
+        copied |= np.abs(size - abs(number)) <= _SAME * abs(number)
+    angles = table.angle & np.isfinite(given)
+    allowed: np.ndarray = np.isfinite(given) & (angles | bounded & (right > 0)) & ~copied
+    return allowed

@@ -1,20 +1,19 @@
-"""Who draws: the hand that does each step as it should be done, and what another may do differently; and what it draws.
-
-A step comes to the hand with what is right at this place of the drawing as it stands; what the hand gives is drawn, and
-everything after follows from it. Mistakes, a student's own values and a pencil that errs are hands.
-"""
+"""Both polygons drawn again by a hand, on the mechanism as it was drawn: many hands at once by arrays."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
-from graphkin.base.geometry import Value
-from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Plane, Plot, Ray, Size
-from graphkin.model.mechanism import Usual
+import numpy as np
+
+from graphkin.base.geometry import Real, Value
+from graphkin.construction import Facts, Hand, Image, LayOff, Plane, Plot, Simultaneous, Size, replay
+from graphkin.planning import Method
 
 
-class Hand:
-    """Does everything right. Values are scalars or arrays that broadcast with the positions."""
+class PolygonHand(Hand["Redrawing"]):
+    """Draws polygons, exactly in all that is not said otherwise, and notes what was right where it draws."""
 
     def facts(self, facts: Facts) -> Facts:
         """The drivers' rates and accelerations that it starts from."""
@@ -24,92 +23,32 @@ class Hand:
         """A known arrow, before it is laid off or put into equations that are solved together."""
         return right
 
-    def laid(self, plot: Redrawing, plane: Plane, step: LayOff, right: Value) -> Value:
-        """Where the pencil comes to when an arrow is laid off."""
+    def tip(self, plot: Redrawing, plane: Plane, step: LayOff, right: Value) -> Value:
+        """The place where the pencil comes to when an arrow is laid off."""
         return right
 
-    def line(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
-        """The direction of a ray, of length 1; `number` is that of the crossing's step in its construction."""
+    def crossing(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
+        """The point where two lines cross."""
         return right
 
-    def through(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
-        """Where a ray is drawn through."""
+    def corner(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+        """A further point of a link, by image."""
         return right
-
-    def met(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
-        """Where two rays cross."""
-        return right
-
-    def image(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
-        """A further point of a link."""
-        return right
-
-    def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Value) -> Value:
-        """What ruler and protractor give: omega or alpha of the link, or a slide's rate, with its sense."""
-        return right
-
-    def rolling(self, plot: Redrawing, plane: Plane, contact: InStep) -> InStep:
-        """The law of a rolling contact, before it is put into equations that are solved together."""
-        return contact
 
     def settled(self, plot: Redrawing, quantity: str, links: tuple[str, ...], of: str) -> None:
         """After a group of links that turn together has got its omega or alpha; `of`: the link it was read for."""
 
-
-class Hands(Hand):
-    """Several hands, each working on what the one before gives."""
-
-    def __init__(self, *hands: Hand) -> None:
-        self.hands = hands
-
-    def facts(self, facts: Facts) -> Facts:
-        for hand in self.hands:
-            facts = hand.facts(facts)
-        return facts
-
-    def arrow(self, plot: Redrawing, plane: Plane, size: Size, right: Value) -> Value:
-        for hand in self.hands:
-            right = hand.arrow(plot, plane, size, right)
-        return right
-
-    def laid(self, plot: Redrawing, plane: Plane, step: LayOff, right: Value) -> Value:
-        for hand in self.hands:
-            right = hand.laid(plot, plane, step, right)
-        return right
-
-    def line(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
-        for hand in self.hands:
-            right = hand.line(plot, plane, number, ray, right)
-        return right
-
-    def through(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
-        for hand in self.hands:
-            right = hand.through(plot, plane, number, ray, right)
-        return right
+    def laid(self, plot: Redrawing, plane: Plane, step: LayOff, arrow: Value, right: Value) -> Value:
+        plot.laid[plane, step.term.tail, step.term.head] = arrow
+        return self.tip(plot, plane, step, right)
 
     def met(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
-        for hand in self.hands:
-            right = hand.met(plot, plane, point, right)
-        return right
+        plot.met[plane, point] = right
+        return self.crossing(plot, plane, point, right)
 
     def image(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
-        for hand in self.hands:
-            right = hand.image(plot, plane, step, right)
-        return right
-
-    def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Value) -> Value:
-        for hand in self.hands:
-            right = hand.read(plot, plane, step, right)
-        return right
-
-    def rolling(self, plot: Redrawing, plane: Plane, contact: InStep) -> InStep:
-        for hand in self.hands:
-            contact = hand.rolling(plot, plane, contact)
-        return contact
-
-    def settled(self, plot: Redrawing, quantity: str, links: tuple[str, ...], of: str) -> None:
-        for hand in self.hands:
-            hand.settled(plot, quantity, links, of)
+        plot.met[plane, step.point] = right
+        return self.corner(plot, plane, step, right)
 
 
 @dataclass
@@ -120,21 +59,42 @@ class Redrawing(Plot):
     by_hand   who draws
     before    omega and alpha by link as they follow from all before, where the hand has put another value
     met       points of the polygons as they follow from all before, likewise, where lines cross or by image
-    reading   the link whose omega or alpha is being read
-    usual     what sizes are usual: what is far below is nothing
+    least     the size up to which a value of an SI unit is nothing in this mechanism
     """
 
-    by_hand: Hand = field(default_factory=Hand)
+    by_hand: PolygonHand = field(default_factory=PolygonHand)
     laid: dict[tuple[Plane, str, str], Value] = field(default_factory=dict)
-    before: dict[tuple[str, str], Value] = field(default_factory=dict)
+    before: dict[tuple[str, str], Real] = field(default_factory=dict)
     met: dict[tuple[Plane, str], Value] = field(default_factory=dict)
-    reading: str = ""
-    usual: Usual = field(default_factory=lambda: Usual(1.0, 0.0, 0.0))
+    least: Callable[[str], float] = field(default=lambda unit: 0.0)
 
     def arrow(self, size: Size, plane: Plane) -> Value:
         return self.by_hand.arrow(self, plane, size, super().arrow(size, plane))
 
-    def settle(self, quantity: str, base: str, value: Value, counted: bool = False) -> None:
+    def settle(self, quantity: str, base: str, value: Real, counted: bool = False, of: str = "") -> None:
         super().settle(quantity, base, value, counted)
         links = tuple(link for link, turn in self.facts.turns.items() if turn.base == base)
-        self.by_hand.settled(self, quantity, links, self.reading)
+        self.by_hand.settled(self, quantity, links, of)
+
+
+RIGHT = PolygonHand()
+
+
+def redraw(method: Method, right: Plot, hand: PolygonHand = RIGHT, shape: tuple[int, ...] = ()) -> Redrawing:
+    """Velocities and accelerations by a hand, at the positions of a plot, from the rates of that.
+
+    shape  of the values, where the hand gives arrays: it broadcasts with that of the positions
+    """
+    plot = Redrawing(
+        hand.facts(right.facts), right.near, right.follows, right.position,
+        theta=dict(right.theta), s=right.s, by_hand=hand, least=method.mechanism.usual.least,
+    )  # fmt: skip
+    polygons = (method.velocity, method.acceleration)
+    if shape and any(isinstance(step, Simultaneous) for polygon in polygons for step in polygon.steps):
+        plot.theta[plot.facts.frame] = np.zeros(shape)  # what is solved together takes its shape from the angles
+    with np.errstate(over="ignore"):
+        for polygon in polygons:
+            replay(polygon, plot, hand=hand)
+            if (polygon.plane, polygon.pole) in plot.met:
+                plot.met[polygon.plane, polygon.pole] = 0j
+    return plot

@@ -1,9 +1,11 @@
-"""What a problem is marked by: right values, what paper allows, and what each mistake gives. Data alone."""
+"""The key by which a problem is marked: right values, what paper allows, and the outcome of each mistake; and values
+held against it, many students at once.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 from functools import cached_property
 from typing import Literal
@@ -14,7 +16,8 @@ from graphkin.base.value import frozen
 
 Sort = Literal["sense", "size", "angle"]
 Doubt = Literal["", "steep", "dead point", "too small"]
-"""Why paper tells a value badly: it scatters otherwise than in proportion to the pencil's errors; it cannot be told at
+"""The reason for which paper tells a value badly: it scatters otherwise than in proportion to the pencil's errors; it
+cannot be told at
 all, near a dead point, or since it may be off by more than its size."""
 TELLS = 0.15
 """Where paper cannot tell a value, one that is off by a smaller part is right all the same."""
@@ -24,7 +27,7 @@ Name = tuple[str, str, str, str]
 
 @frozen
 class Marking:
-    """How a problem is marked.
+    """The rules by which a problem is marked.
 
     lengths, angle   what a pencil errs by: of lengths, in the units of each plane, and of directions [rad]
     scales           of the paper, as a mechanism file has them
@@ -40,7 +43,7 @@ class Marking:
 
     @property
     def on_paper(self) -> tuple[float, float]:
-        """What the pencil errs by on paper [mm, deg]."""
+        """The errors of the pencil on paper [mm, deg]."""
         return self.lengths["position"] / self.scales["length"], math.degrees(self.angle)
 
 
@@ -73,7 +76,7 @@ class KeyEntry:
 
 @frozen
 class Hypotheses:
-    """What mistakes give: a row each, a column a quantity of the key; NaN where it says nothing of a quantity.
+    """Outcomes of mistakes: a row each, a column a quantity of the key; NaN where it says nothing of a quantity.
 
     names     of the mistakes of each row: one or two
     values    (m, n), SI; scatters (m, n): their standard deviations
@@ -89,8 +92,8 @@ class Hypotheses:
     def kinds(self) -> np.ndarray:
         """The same number for rows whose mistakes have the same ids (m,)."""
         numbers: dict[tuple[str, ...], int] = {}
-        found = [numbers.setdefault(tuple(name[0] for name in row), len(numbers)) for row in self.names]
-        return np.array(found, dtype=int)
+        ids = (tuple(name[0] for name in row) for row in self.names)
+        return np.array([numbers.setdefault(each, len(numbers)) for each in ids], dtype=int)
 
 
 @frozen
@@ -133,3 +136,64 @@ class Key:
     def number(self, text: str) -> int | None:
         """The column of a quantity."""
         return next((k for k, entry in enumerate(self.entries) if entry.text == text), None)
+
+
+# --- values against the key --------------------------------------------------------------------
+
+
+_TURN = 2 * np.pi
+
+
+@frozen
+class Columns:
+    """The key's entries as arrays (n,)."""
+
+    right: np.ndarray
+    scatter: np.ndarray
+    tolerance: np.ndarray
+    angle: np.ndarray
+    size: np.ndarray
+    points: np.ndarray
+    allowed: np.ndarray
+
+
+def columns(entries: Sequence[KeyEntry]) -> Columns:
+    """Entries as arrays."""
+    right, scatter, tolerance, points, allowed = (
+        np.array([getattr(entry, name) for entry in entries])
+        for name in ("right", "scatter", "tolerance", "points", "allowed")
+    )
+    angle, size = (np.array([entry.sort == sort for entry in entries], dtype=bool) for sort in ("angle", "size"))
+    return Columns(right, scatter, tolerance, angle, size, points, allowed)
+
+
+def columns_of(table: Columns, which: np.ndarray) -> Columns:
+    """Some of the columns."""
+    return Columns(*(getattr(table, name)[which] for name in Columns.__match_args__))
+
+
+def upright(table: Columns, values: np.ndarray) -> np.ndarray:
+    """Values (.., n) with sizes without sign."""
+    return np.where(table.size, np.abs(values), values) if table.size.any() else values
+
+
+def differences(table: Columns, given: np.ndarray, value: np.ndarray) -> np.ndarray:
+    """By how much given values are off (.., n): sizes without sign, angles modulo a turn; NaN where either is."""
+    plain: np.ndarray = upright(table, given) - upright(table, value)
+    if table.angle.any():
+        angles = plain[..., table.angle]
+        plain[..., table.angle] = angles - _TURN * np.round(angles / _TURN)
+    return plain
+
+
+def agrees(table: Columns, given: np.ndarray, value: np.ndarray, tolerance: np.ndarray) -> np.ndarray:
+    """Given values that are the right ones but for the tolerance, half of its last digit included, as booleans."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray(np.abs(differences(table, given, value)) <= tolerance * (1 + 1e-9))
+
+
+def sense_only(table: Columns, given: np.ndarray, value: np.ndarray, tolerance: np.ndarray) -> np.ndarray:
+    """Values that would be right with the other sense, as booleans."""
+    signed = ~table.angle & ~table.size & (np.abs(value) > tolerance)
+    with_other, as_given = agrees(table, -given, value, tolerance), agrees(table, given, value, tolerance)
+    return np.asarray(signed & with_other & ~as_given)

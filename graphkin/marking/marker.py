@@ -13,22 +13,16 @@ import numpy as np
 from graphkin import files as loading
 from graphkin import planning
 from graphkin.construction import Plot
-from graphkin.marking.arrows_astray import as_drawn, turned_by
-from graphkin.marking.at_positions import joined, parted
-from graphkin.marking.carrying import Carried, CarriedProblem
+from graphkin.marking.answers import readable
 from graphkin.marking.consequences import rewrites
 from graphkin.marking.diagnosis import Diagnosis, diagnoses
-from graphkin.marking.graded import Drawn
-from graphkin.marking.handed import readable
-from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name
-from graphkin.marking.making import make_key
-from graphkin.marking.marked import Judged, Marked, StudentWork, Verdict
-from graphkin.marking.own_scatter import ways_of
-from graphkin.marking.pairing import pairs_of
-from graphkin.marking.read_off import OffDrawing, pointing, read_off
+from graphkin.marking.follow_through import Carried, CarriedProblem
+from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name, agrees, columns, sense_only
+from graphkin.marking.key_making import by_other_methods, make_key, pairs_of
+from graphkin.marking.read_off import OffDrawing, as_drawn, pointing, read_off, turned_by
+from graphkin.marking.records import Drawn, HandedNumber, Judged, Marked, StudentWork, Verdict, as_one, by_position
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import called_as_asked, same_answers
-from graphkin.marking.verdicts import agrees, columns, sense_only
 from graphkin.model.quantities import Moving, Quantity, Rotation
 from graphkin.planning import Method
 from graphkin.running import replay_all
@@ -61,8 +55,8 @@ class Marker:
     @cached_property
     def quantities(self) -> tuple[Quantity, ...]:
         """Of the key's entries."""
-        found = (readable(self.method.mechanism, entry.text) for entry in self.key.entries)
-        return tuple(quantity for quantity in found if quantity is not None)
+        quantities = (readable(self.method.mechanism, entry.text) for entry in self.key.entries)
+        return tuple(quantity for quantity in quantities if quantity is not None)
 
     @cached_property
     def problem(self) -> CarriedProblem:
@@ -71,29 +65,27 @@ class Marker:
     def off_drawing(
         self, drawn: Drawn, vectors: Mapping[str, complex], written: Mapping[str, float]
     ) -> tuple[OffDrawing, dict[str, bool]]:
-        """What is asked that a drawing at this position determines, and which of its known arrows point as they should.
+        """The asked values that a drawing at this position determines, and whether its known arrows point as they must.
 
         drawn    as in `Graded`; vectors: those that were measured, by quantity; written: numbers beside it
         """
-        arrows, found = self.problem.arrows, zip(self.key.entries, self.quantities, strict=True)
-        named = {quantity: entry for entry, quantity in found}
-        there = ((q, vectors.get(entry.text)) for q, entry in named.items())
-        moving = {q: vector for q, vector in there if isinstance(q, Moving) and vector is not None}
-        wanted = [quantity for quantity, entry in named.items() if entry.points]
-        off = read_off(self.method, self.plot, arrows, drawn, wanted)
-        texts = {quantity.text: entry.text for quantity, entry in named.items()}
-        turning = {q: written[e.text] for q, e in named.items() if isinstance(q, Rotation) and e.text in written}
-        told = pointing(self.method, self.plot, arrows, drawn, moving, turning)
+        arrows, entries = self.problem.arrows, dict(zip(self.quantities, self.key.entries, strict=True))
+        moving = {q: vectors[e.text] for q, e in entries.items() if isinstance(q, Moving) and e.text in vectors}
+        turning = {q: written[e.text] for q, e in entries.items() if isinstance(q, Rotation) and e.text in written}
+        asked = [quantity for quantity, entry in entries.items() if entry.points]
+        off = read_off(self.method, self.plot, arrows, drawn, asked)
+        good = pointing(self.method, self.plot, arrows, drawn, moving, turning)
+        texts = {quantity.text: entry.text for quantity, entry in entries.items()}
         renamed = OffDrawing({texts[q]: x for q, x in off.values.items()}, tuple(texts[q] for q in off.no_sense))
-        return renamed, {texts[quantity]: good for quantity, good in told.items()}
+        return renamed, {texts[quantity]: points for quantity, points in good.items()}
 
     @cached_property
     def pairs(self) -> Hypotheses:
         return pairs_of(self.method, self.plot, self.key, self.quantities)
 
     @cached_property
-    def ways(self) -> Hypotheses:
-        return ways_of(self.method, self.key, self.quantities)
+    def other_methods(self) -> Hypotheses:
+        return by_other_methods(self.method, self.key, self.quantities)
 
     @cached_property
     def positions(self) -> tuple[Marker, ...]:
@@ -103,9 +95,9 @@ class Marker:
     def mark(self, works: Sequence[StudentWork]) -> list[Marked]:
         """The marks of some students, in their order; they hang on nobody else's work."""
         if self.key.further:
-            parts = zip(*(parted(work, len(self.positions)) for work in works), strict=True)
+            parts = zip(*(by_position(work, len(self.positions)) for work in works), strict=True)
             marks = (marker._mark_here(list(part)) for marker, part in zip(self.positions, parts, strict=bool(works)))
-            return [joined(work.student, some) for work, *some in zip(works, *marks, strict=True)]
+            return [as_one(work.student, some) for work, *some in zip(works, *marks, strict=True)]
         return self._mark_here(works)
 
     def _mark_here(self, works: Sequence[StudentWork]) -> list[Marked]:
@@ -150,49 +142,53 @@ class Marker:
         return self._wider or self
 
     def _marks(self, works: Sequence[StudentWork]) -> list[Marked]:
-        given = np.array([[_value(work, entry) for entry in self.key.entries] for work in works]).reshape(
-            len(works), len(self.key.entries)
-        )
-        strange = np.array([[_strange(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
+        shape = (len(works), len(self.key.entries))
+        numbers = [work.numbers.get(entry.text) for work in works for entry in self.key.entries]
+        given = np.array([_value(number) for number in numbers], dtype=float).reshape(shape)
+        # a number with a unit of another kind is judged by itself, and nothing is made of it
+        strange = np.array([one is not None and not one.unit_right for one in numbers], dtype=bool).reshape(shape)
         right, wrong = self.judged(given)
-        strange = strange.reshape(given.shape)
         untold = np.isfinite(given) & ~right & ~wrong & ~strange
         carried = self._carried(works, given, wrong & ~strange, wrong)
-        found = self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange)
-        found = [self._as_drawn(work, one) for work, one in zip(works, found, strict=True)]
-        return [self._marked(work, k, given[k], right[k], untold[k], carried, found[k]) for k, work in enumerate(works)]
+        diagnosed = zip(works, self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange), strict=True)
+        return [
+            self._marked(work, k, given[k], right[k], untold[k], carried, self._as_drawn(work, diagnosis))
+            for k, (work, diagnosis) in enumerate(diagnosed)
+        ]
 
     def _carried(
         self, works: Sequence[StudentWork], given: np.ndarray, known: np.ndarray, wrong: np.ndarray
     ) -> Carried:
-        """What follows from own values. What is measured on a drawing follows from all that was drawn before it: only
+        """The outcomes of own values. What is measured on a drawing follows from all that was drawn before it: only
         own values that are asked for, and so have cost something, are carried on to it."""
-        found = self.problem.carried(given, known, wrong)
-        if not any(number.measured for work in works for number in work.numbers.values()):
-            return found
-        measured = np.array([[_measured(work, entry) for entry in self.key.entries] for work in works], dtype=bool)
+        carried = self.problem.carried(given, known, wrong)
+        numbers = [[work.numbers.get(entry.text) for entry in self.key.entries] for work in works]
+        measured = np.array([[one is not None and one.measured for one in row] for row in numbers], dtype=bool)
+        if not any(one.measured for work in works for one in work.numbers.values()):
+            return carried
         asked = np.array([entry.points > 0 for entry in self.key.entries])
-        return found.instead(self.problem.carried(given, known & (asked | ~measured), wrong), measured)
+        return carried.instead(self.problem.carried(given, known & (asked | ~measured), wrong), measured)
 
     def judged(self, given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Which values (students, n) are right, and which wrong; neither where there is none, or paper cannot tell."""
+        """The values (students, n) that are right, and those that are wrong; neither where paper cannot tell."""
         table, dead = self.table, [entry.doubt == "dead point" for entry in self.key.entries]
         right, near = (agrees(table, given, table.right, allowed) for allowed in (table.allowed, table.tolerance))
         return right, np.isfinite(given) & ~right & ~near & ~np.array(dead, dtype=bool)
 
     def diagnoses(self, given: np.ndarray, wrong: np.ndarray) -> list[Diagnosis]:
         """Of those who have something wrong, together where they have handed in the same quantities."""
-        found = [Diagnosis()] * len(given)
+        every = [Diagnosis()] * len(given)
         off = np.flatnonzero(wrong.any(axis=1))
         if not off.size:
-            return found
+            return every
         patterns, number = np.unique(np.isfinite(given[off]), axis=0, return_inverse=True)
         for k in range(len(patterns)):
             some = off[number.reshape(-1) == k]
-            each = diagnoses(self.key, self.table, given[some], wrong[some], lambda: self.pairs, lambda: self.ways)
+            pairs, other_methods = (lambda: self.pairs), (lambda: self.other_methods)
+            each = diagnoses(self.key, self.table, given[some], wrong[some], pairs, other_methods)
             for row, one in zip(some, each, strict=True):
-                found[row] = one
-        return found
+                every[row] = one
+        return every
 
     def _as_drawn(self, work: StudentWork, diagnosis: Diagnosis) -> Diagnosis:
         """By the arrows of a drawing that point another way."""
@@ -204,7 +200,7 @@ class Marker:
 
     @cached_property
     def known(self) -> dict[Name, Rewrite]:
-        """How every mistake is made."""
+        """Every mistake's rewrite, by its name."""
         return {one.name: one for one in rewrites(self.method, self.plot, self.quantities, self.key.marking.scales)}
 
     # --- one student --------------------------------------------------------------------------
@@ -215,7 +211,8 @@ class Marker:
     ) -> Marked:  # fmt: skip
         senses = sense_only(self.table, given, self.table.right, self.table.tolerance) | carried.sense_only[k]
         judged = tuple(
-            _doubtful(work, entry) if untold[n] and entry.doubt in ("dead point", "too small")
+            Judged(entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, entry.doubt)
+            if untold[n] and (entry.doubt == "dead point" or entry.doubt == "too small")  # paper cannot tell it
             else self._judged(work, entry, n, given[n], bool(right[n]), bool(senses[n]), carried, k)
             for n, entry in enumerate(self.key.entries)
             if entry.points or entry.text in work.numbers
@@ -223,16 +220,9 @@ class Marker:
         return Marked(work.student, judged, diagnosis)
 
     def _judged(
-        self,
-        work: StudentWork,
-        entry: KeyEntry,
-        n: int,
-        given: float,
-        right: bool,
-        sense_only: bool,
-        carried: Carried,
+        self, work: StudentWork, entry: KeyEntry, n: int, given: float, right: bool, sense_only: bool, carried: Carried,
         k: int,
-    ) -> Judged:
+    ) -> Judged:  # fmt: skip
         """One quantity; the better of both verdicts counts."""
         if not np.isfinite(given):
             return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "missing", points=entry.points)
@@ -256,31 +246,13 @@ class Marker:
         )  # fmt: skip
 
 
-def _doubtful(work: StudentWork, entry: KeyEntry) -> Judged:
-    """A value that paper cannot tell."""
-    assert entry.doubt in ("dead point", "too small")
-    return Judged(entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, entry.doubt)
-
-
 def _sense(wrong: bool) -> Literal["right", "wrong"]:
     return "wrong" if wrong else "right"
 
 
-def _value(work: StudentWork, entry: KeyEntry) -> float:
-    """What is judged: numbers beyond all sizes are only large."""
-    number = work.numbers.get(entry.text)
+def _value(number: HandedNumber | None) -> float:
+    """The value that is judged: numbers beyond all sizes are only large."""
     return np.nan if number is None else min(max(number.value, -_LARGE), _LARGE)
-
-
-def _measured(work: StudentWork, entry: KeyEntry) -> bool:
-    number = work.numbers.get(entry.text)
-    return number is not None and number.measured
-
-
-def _strange(work: StudentWork, entry: KeyEntry) -> bool:
-    """Whether a number stands there with a unit of another kind: it is judged by itself, and nothing is made of it."""
-    number = work.numbers.get(entry.text)
-    return number is not None and not number.unit_right
 
 
 def _widened(key: Key, method: Method, further: Sequence[Quantity]) -> Key:

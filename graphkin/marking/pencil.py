@@ -7,40 +7,20 @@ reading (`PencilHand`). Lengths that the problem gives are used as they are give
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
+from typing import Never, assert_never, cast
+from zlib import crc32
 
 import numpy as np
 
-from graphkin.base.geometry import Value
+from graphkin.base.geometry import Real, Value
 from graphkin.base.value import frozen
-from graphkin.construction import (
-    Across,
-    AcrossGuide,
-    Along,
-    AlongGuide,
-    Coriolis,
-    Direction,
-    Drawn,
-    Driven,
-    Facts,
-    Image,
-    Measure,
-    Normal,
-    Plane,
-    Plot,
-    Quarter,
-    Ray,
-    Relative,
-    Size,
-    Span,
-    Tangential,
-    Turning,
-    replay,
-)
-from graphkin.marking.hand import Hand, Redrawing
-from graphkin.marking.slips import Mark, Slips
+from graphkin.construction import Facts, Image, Measure, Meet, Plane, Plot, Ray, replay, terms
+from graphkin.marking.hand import Redrawing
+from graphkin.marking.rewrite import Mistaken, Rewrite
+from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.running.path import turned
 
@@ -64,6 +44,58 @@ class Pencil:
     def times(self, part: float) -> Pencil:
         """One that errs by so many times as much."""
         return Pencil({plane: part * length for plane, length in self.lengths.items()}, part * self.angle)
+
+
+@frozen
+class Mark:
+    """One thing that a pencil or a ruler does: where a slip may be.
+
+    plane, what   the plane, and the kind: "point", "link", "guide", "driver", "arrow", "line", "image", "reading"
+    of            what it is done to, as the plane names it
+    """
+
+    plane: Plane
+    what: str
+    of: tuple[str, ...]
+
+
+class Slips:
+    """The errors of one pencil in `count` drawings: standard normal, (count,) for each mark.
+
+    A mark's errors depend on the seed and on the mark alone, so that two drawings in which something else differs are
+    made by one and the same hand. `allowed` says which marks have any; `seen` are those that were asked for.
+    """
+
+    def __init__(self, seed: int, count: int, allowed: Callable[[Mark], bool] | None = None) -> None:
+        self.seed, self.count, self.allowed = seed, count, allowed
+        self.seen: dict[Mark, None] = {}
+        self._drawn = count
+        self._kept: np.ndarray | slice = slice(None)
+
+    def more(self, count: int) -> Slips:
+        """The same pencil, which goes on to more drawings."""
+        return Slips(self.seed, count, self.allowed)
+
+    def only(self, kept: np.ndarray) -> Slips:
+        """Some of its drawings (numbers,), the others thrown away."""
+        one = self.more(self.count)
+        one.count, one._kept, one._drawn = len(kept), kept, self._drawn
+        return one
+
+    def of(self, mark: Mark, which: int = 0) -> np.ndarray | float:
+        """The errors of a mark in units of the pencil's; `which` tells several of one mark apart."""
+        self.seen[mark] = None
+        if self.allowed is not None and not self.allowed(mark):
+            return 0.0
+        number = crc32(repr((mark.plane, mark.what, mark.of, which)).encode())
+        drawn: np.ndarray = np.random.default_rng([self.seed, number]).standard_normal(self._drawn)[self._kept]
+        return drawn
+
+
+def seed_of(mechanism: Mechanism) -> int:
+    """A number that depends on the mechanism alone."""
+    written = mechanism.text or repr((mechanism.name, mechanism.links, mechanism.drivers))
+    return crc32(written.encode())
 
 
 # --- the mechanism on paper -------------------------------------------------------------------
@@ -98,7 +130,9 @@ def _on_paper(method: Method, pencil: Pencil, slips: Slips) -> Facts:
         error = length if driver.kind == "slide" else pencil.angle
         values.append(value + error * slips.of(Mark("position", "driver", (driver.name,))))
     shapes = {link: _shape(facts, link, length, slips) for link in facts.shapes}
-    return replace(facts, shapes=shapes, lines=lines, values=tuple(values))
+    # a replay takes arrays over drawings where facts have single numbers
+    drawn = {"shapes": shapes, "lines": lines, "values": tuple(values)}
+    return replace(facts, **cast(Mapping[str, Never], drawn))
 
 
 def _shape(facts: Facts, link: str, length: float, slips: Slips) -> dict[str, Value]:
@@ -116,46 +150,54 @@ def _shape(facts: Facts, link: str, length: float, slips: Slips) -> dict[str, Va
 # --- the polygons -----------------------------------------------------------------------------
 
 
-@frozen
-class PencilHand(Hand):
-    """Draws and reads with a pencil. `given`: the dimensions as the problem has them."""
+class PencilHand(Mistaken):
+    """Draws and reads with a pencil, whatever is drawn, right or with mistakes.
 
-    pencil: Pencil
-    slips: Slips
-    given: Facts
+    given  the dimensions as the problem has them
+    """
 
-    def arrow(self, plot: Redrawing, plane: Plane, size: Size, right: Value) -> Value:
+    def __init__(self, pencil: Pencil, slips: Slips, given: Facts, columns: Sequence[Sequence[Rewrite]]) -> None:
+        super().__init__(columns, (slips.count,))
+        self.pencil, self.slips, self.given = pencil, slips, given
+
+    def arrow(self, plot: Redrawing, plane: Plane, size: terms.Size, right: Value) -> Value:
         """Calculated from what was read, then laid off in a length and a direction."""
+        right = super().arrow(plot, plane, size, right)
         match size:
-            case Drawn():
+            case terms.Drawn():
                 return right
-            case Coriolis(_, tail, head):
-                read = right * self._read(plot, (tail, head))
-            case Turning(link, tail, head) | Normal(link, tail, head) | Tangential(link, tail, head):
-                read = right * self._given(plot, link, tail, head)
-            case Relative(link, _, tail, head):
-                read = right * self._given(plot, link, tail, head)
-            case Driven() | Span():
-                read = right
-        return self._laid(plane, "arrow", called(size), read)
+            case terms.Coriolis(_, tail, head):
+                right = right * self._read(plot, (tail, head))
+            case terms.Turning(link, tail, head) | terms.Normal(link, tail, head) | terms.Tangential(link, tail, head):
+                right = right * self._given_part(plot, link, tail, head)
+            case terms.Relative(link, _, tail, head):
+                right = right * self._given_part(plot, link, tail, head)
+            case terms.Driven() | terms.Span():
+                pass
+            case _:
+                assert_never(size)
+        return self._with_slips(plane, "arrow", called(size), right)
 
-    def line(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
-        mark = Mark(plane, "line", (ray.through, *_pointing(ray.direction)))
+    def line(self, plot: Redrawing, plane: Plane, step: Meet, ray: Ray, right: Value) -> Value:
+        right = super().line(plot, plane, step, ray, right)
+        mark = Mark(plane, "line", (ray.through, *called(ray.direction)))
         return right * np.exp(1j * self.pencil.angle * self.slips.of(mark))
 
-    def image(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+    def corner(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
         """The similar figure, its new point at an angle and a length from one of the old."""
+        right = super().corner(plot, plane, step, right)
         base = plot.points(plane)[step.base[0]]
-        return base + self._laid(plane, "image", (step.point,), right - base)
+        return base + self._with_slips(plane, "image", (step.point,), right - base)
 
-    def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Value) -> Value:
+    def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Real) -> Real:
+        right = super().read(plot, plane, step, right)
         slip = self.pencil.lengths[plane] * self.slips.of(Mark(plane, "reading", (step.tail, step.head)))
         if step.quantity not in ("omega", "alpha"):
             return right + slip
         arm = np.abs(plot.arm(*step.lever))
-        return (right + slip / arm) / self._given(plot, step.of, *step.lever)
+        return (right + slip / arm) / self._given_part(plot, step.of, *step.lever)
 
-    def _laid(self, plane: Plane, what: str, of: tuple[str, ...], right: Value) -> Value:
+    def _with_slips(self, plane: Plane, what: str, of: tuple[str, ...], right: Value) -> Value:
         """An arrow with errors in its length and its direction; one of no length is not drawn."""
         mark, error = Mark(plane, what, of), self.pencil.lengths[plane]
         length = np.abs(right)
@@ -173,36 +215,30 @@ class PencilHand(Hand):
         slip = self.slips.of(Mark("velocity", "reading", ends))
         return 1 + error * slip / np.where(length > _NO_ARROW * error, length, np.inf)
 
-    def _given(self, plot: Redrawing, link: str, tail: str, head: str) -> Value:
+    def _given_part(self, plot: Redrawing, link: str, tail: str, head: str) -> Real:
         """The length as the problem gives it to that on the paper; 1 where it is read off the paper."""
         shape = self.given.shapes.get(link, {})
         if tail not in shape or head not in shape:
             return 1.0
-        return abs(shape[head] - shape[tail]) / np.abs(plot.arm(tail, head))
+        part: Real = abs(shape[head] - shape[tail]) / np.abs(plot.arm(tail, head))
+        return part
 
 
-def called(size: Size) -> tuple[str, ...]:
-    """An arrow as marks name it: its kind with the points or slides it is made of."""
-    match size:
-        case Span(parts):
-            return type(size).__name__, *(str(part) for part in parts)
-        case Driven(slide, _):
-            return type(size).__name__, slide
-        case Drawn(tail, head):
-            return type(size).__name__, tail, head
-        case Turning(link, tail, head) | Normal(link, tail, head) | Tangential(link, tail, head):
-            return type(size).__name__, link, tail, head
-        case Coriolis(link, tail, head):
-            return type(size).__name__, link, tail, head
-        case Relative(link, seen_from, tail, head, part):
-            return type(size).__name__, link, seen_from, tail, head, part
-
-
-def _pointing(direction: Direction) -> tuple[str, ...]:
-    match direction:
-        case Along(tail, head) | Across(tail, head):
-            return type(direction).__name__, tail, head
-        case AlongGuide(slide) | AcrossGuide(slide):
-            return type(direction).__name__, slide
-        case Quarter(link, tail, head):
-            return type(direction).__name__, link, tail, head
+def called(of: terms.Size | terms.Direction) -> tuple[str, ...]:
+    """An arrow or a direction as marks name it: its kind with the points or slides it is made of."""
+    kind = type(of).__name__
+    match of:
+        case terms.Span(parts):
+            return kind, *(str(part) for part in parts)
+        case terms.Driven(slide, _) | terms.AlongGuide(slide) | terms.AcrossGuide(slide):
+            return kind, slide
+        case terms.Drawn(tail, head) | terms.Along(tail, head) | terms.Across(tail, head):
+            return kind, tail, head
+        case terms.Turning(link, tail, head) | terms.Normal(link, tail, head) | terms.Tangential(link, tail, head):
+            return kind, link, tail, head
+        case terms.Coriolis(link, tail, head) | terms.Quarter(link, tail, head):
+            return kind, link, tail, head
+        case terms.Relative(link, seen_from, tail, head, part):
+            return kind, link, seen_from, tail, head, part
+        case _:
+            assert_never(of)

@@ -1,4 +1,4 @@
-"""How well mistakes are told apart: students drawn up who make one, with a pencil that errs, and are diagnosed."""
+"""The power to tell mistakes apart: students drawn up who make one, with a pencil that errs, and are diagnosed."""
 
 from __future__ import annotations
 
@@ -8,19 +8,17 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.marking.consequences import rewrites
-from graphkin.marking.explaining import Explainer
+from graphkin.marking.diagnosis import Explainer
+from graphkin.marking.discriminability import Observed, observed
 from graphkin.marking.key import Name
-from graphkin.marking.making import pencil_of
 from graphkin.marking.marker import Marker
+from graphkin.marking.pencil import Slips, seed_of
 from graphkin.marking.rewrite import Rewrite
-from graphkin.marking.scatter import Drawings
-from graphkin.marking.slips import Slips, seed_of
-from graphkin.marking.tellable import Observed, observed
+from graphkin.marking.tolerances import Drawings, pencil_of
 from graphkin.marking.weights import MOVED, ONE, shifts
 
 _Parts = tuple[Observed, float, float, float]
-"""What an observer makes of a mistake; part of its students who have a value judged wrong, are told of it, and of no
-other."""
+"""An observer's view of a mistake; part of its students who have a wrong value, are told of it, and of no other."""
 _DIGITS = 4
 _RIGHT = 2000
 """Students who work right: a mistake named to one of them is a false alarm."""
@@ -30,7 +28,7 @@ _AT_ONCE = 64
 
 @frozen
 class MistakePower:
-    """What came of the students who make one mistake.
+    """The outcome for the students who make one mistake.
 
     moved        by how many standard deviations it moves a handed-in value, at most
     applicable   whether that is more than a pencil might
@@ -49,13 +47,13 @@ class MistakePower:
 
     @property
     def tellable(self) -> bool:
-        """Whether paper can tell it: most students who make it hand in what tells them from others."""
+        """True if paper can tell it: most students who make it hand in what tells them from others."""
         return self.observed is not None and self.observed.tellable
 
 
 @frozen
 class Power:
-    """How a problem tells mistakes.
+    """The power of a problem to tell mistakes.
 
     texts        what the students hand in
     alarms       part of right work by pencil that has a value judged wrong, and that gets a mistake
@@ -76,12 +74,12 @@ def power(marker: Marker, trials: int = 200, texts: Sequence[str] | None = None)
     drawings = Drawings.of(
         marker.method, pencil_of(marker.key.marking), Slips(seed_of(marker.method.mechanism) ^ 0x5EED, trials)
     )
-    found = tuple(_found(marker, drawings, handed))
+    outcomes = tuple(_outcomes(marker, drawings, handed))
     kept = tuple(entry.text for entry, there in zip(marker.key.entries, handed, strict=True) if there)
-    return Power(kept, trials, found, alarms(marker, texts), _random(marker, handed, 2 * trials))
+    return Power(kept, trials, outcomes, alarms(marker, texts), _random(marker, handed, 2 * trials))
 
 
-def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[MistakePower]:
+def _outcomes(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[MistakePower]:
     key, table = marker.key, marker.table
     scales = key.marking.scales
     known = {one.name: one for one in rewrites(marker.method, marker.plot, marker.quantities, scales)}
@@ -98,12 +96,10 @@ def _found(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[M
         yield MistakePower(names[0], float(most[row]), row in tried, *tried.get(row, ()))
 
 
-def _tried(
-    marker: Marker, handed: np.ndarray, rows: np.ndarray, given: np.ndarray
-) -> dict[int, _Parts]:
+def _tried(marker: Marker, handed: np.ndarray, rows: np.ndarray, given: np.ndarray) -> dict[int, _Parts]:
     """Of those who make a mistake each (rows,), given (rows, trials, quantities), by row. Nothing where most drawings
     fail."""
-    found: dict[int, _Parts] = {}
+    tried: dict[int, _Parts] = {}
     judged = handed & np.isfinite(marker.key.singles.values[rows])
     for there in np.unique(judged, axis=0):
         some = np.flatnonzero((judged == there).all(axis=1))
@@ -112,8 +108,8 @@ def _tried(
         if there.any() and most.any():
             some, drawn = some[most], drawn[most]
             parts = _parts(marker, there, rows[some], np.where(there, given[some], np.nan), drawn)
-            found |= dict(zip(rows[some].tolist(), parts, strict=True))
-    return found
+            tried |= dict(zip(rows[some].tolist(), parts, strict=True))
+    return tried
 
 
 def _parts(
@@ -121,7 +117,7 @@ def _parts(
 ) -> list[_Parts]:
     """The same of those who hand in the same quantities; `drawn`: who does at all (rows, trials)."""
     key, given, of = marker.key, given[drawn], np.nonzero(drawn)[0]
-    explainer = Explainer(key, marker.table, there, key.singles, ONE, lambda: marker.ways)
+    explainer = Explainer(key, marker.table, there, key.singles, ONE, lambda: marker.other_methods)
     known = explainer.names
     ids = np.array([names[0][0] for names in known], dtype=object)
     mine = np.array([[names == key.singles.names[row] for names in known] for row in rows])
@@ -140,7 +136,7 @@ def _parts(
 
 
 def _handed(marker: Marker, texts: Sequence[str] | None) -> np.ndarray:
-    """Which of the key's quantities."""
+    """The key's quantities that are handed in, as booleans."""
     return np.array([texts is None or entry.text in texts for entry in marker.key.entries], dtype=bool)
 
 

@@ -1,4 +1,4 @@
-"""What a drawing determines beside the vectors that are measured on it, and which way its known arrows point.
+"""Readings off a drawing beside the vectors that are measured on it, and the directions of its known arrows.
 
 omega = v / l and alpha = a^t / l with the student's own arrows, as a ruler reads them, with the sense that the arrow
 has about the link's other point. Nothing is read where the points it needs are not drawn.
@@ -8,29 +8,23 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import assert_never
 
 import numpy as np
 
-from graphkin.base.geometry import Value, cross
+from graphkin.base.geometry import Value, cross, number, place
 from graphkin.base.value import frozen
 from graphkin.construction import Given, LayOff, Measure, Plane, Plot
-from graphkin.marking.asked import ArrowPlaces, Ends
+from graphkin.marking.answers import ArrowPlaces, Ends, readable
+from graphkin.marking.consequences import combined
+from graphkin.marking.diagnosis import Diagnosis
 from graphkin.marking.follow_through import replay_with
-from graphkin.marking.graded import Drawn
-from graphkin.marking.handed import readable
-from graphkin.model.quantities import (
-    Centre,
-    Component,
-    Displacement,
-    Moving,
-    Place,
-    Quantity,
-    Quotient,
-    Rotation,
-    Track,
-)
+from graphkin.marking.key import Name
+from graphkin.marking.records import Drawn
+from graphkin.marking.rewrite import Rewrite
+from graphkin.model.quantities import Quantity, kinds
 from graphkin.model.quantities.kinds import on_axis
 from graphkin.planning import Method
 
@@ -52,74 +46,66 @@ class OffDrawing:
     no_sense: tuple[str, ...] = ()
 
 
-def read_off(method: Method, plot: Plot, arrows: ArrowPlaces, drawn: Drawn, wanted: Sequence[Quantity]) -> OffDrawing:
-    """What of the wanted quantities a drawing determines.
+def read_off(
+    method: Method, plot: Plot, arrows: ArrowPlaces, drawn: Drawn, quantities: Sequence[Quantity]
+) -> OffDrawing:
+    """The values of the quantities that a drawing determines.
 
     plot   the right one, for the lengths of links
     drawn  points by plane and letter, SI, from any of them
     """
     own = _OwnPoints(method, plot, drawn)
     rates = dict(own.rates())
-    values = {quantity.text: own.value(quantity, rates, arrows) for quantity in wanted}
+    values = {quantity.text: own.value(quantity, rates, arrows) for quantity in quantities}
     whole = {text: value for text, value in values.items() if value is not None}
-    astray = [q.text for q in wanted if isinstance(q, Rotation) and math.isnan(whole.get(q.text, 0.0))]
-    return OffDrawing({text: value for text, value in whole.items() if math.isfinite(value)}, tuple(astray))
+    no_sense = [q.text for q in quantities if isinstance(q, kinds.Rotation) and math.isnan(whole.get(q.text, 0.0))]
+    return OffDrawing({text: value for text, value in whole.items() if math.isfinite(value)}, tuple(no_sense))
 
 
 def pointing(
-    method: Method, plot: Plot, arrows: ArrowPlaces, drawn: Drawn, vectors: Mapping[Moving, complex],
-    written: Mapping[Rotation, float],
+    method: Method, plot: Plot, arrows: ArrowPlaces, drawn: Drawn, vectors: Mapping[kinds.Moving, complex],
+    written: Mapping[kinds.Rotation, float],
 ) -> dict[str, bool]:  # fmt: skip
     """By quantity, whether an arrow that is laid off points as it should: as in the right drawing, or as the student's
     own arrows and rotations before it have it, `written` ones before those that the drawing shows. Arrows that are
     found by lines that cross are not judged."""
-    laid = _laid(method)
+    steps = [(polygon.plane, step) for polygon in (method.velocity, method.acceleration) for step in polygon.steps]
+    laid = {(plane, step.term.tail, step.term.head) for plane, step in steps if isinstance(step, LayOff)}
     ends = {quantity: at for quantity in vectors if (at := arrows.of(quantity)) is not None and at[0] in laid}
     if not ends:
         return {}
     own: dict[Quantity, Value] = dict(vectors.items())
     own.update(_turning(method, plot, drawn, written).items())
-    ways = [replay_with(method, plot, known, arrows).plot for known in ({}, own)]
-    return {
-        quantity.text: told for quantity, (at, sign) in ends.items()
-        if (told := _points(sign * vectors[quantity], [way.laid[at] for way in ways], _longest(ways[0], at[0])))
-        is not None
-    }  # fmt: skip
+    expected = [replay_with(method, plot, known, arrows).plot for known in ({}, own)]
+    good = {}
+    for quantity, (arrow, sign) in ends.items():
+        longest = max((abs(place(corner)) for corner in expected[0].points(arrow[0]).values()), default=0.0)
+        points = _points(sign * vectors[quantity], [place(plot.laid[arrow]) for plot in expected], longest)
+        if points is not None:
+            good[quantity.text] = points
+    return good
 
 
-def _turning(method: Method, plot: Plot, drawn: Drawn, written: Mapping[Rotation, float]) -> dict[Rotation, float]:
+def _turning(
+    method: Method, plot: Plot, drawn: Drawn, written: Mapping[kinds.Rotation, float]
+) -> dict[kinds.Rotation, float]:
     """Own rotations: as they are written, for all links that turn together; else as the drawing shows them."""
     base = {link: turn.base for link, turn in plot.facts.turns.items()}
-    told = {(rotation.word, base.get(rotation.link)) for rotation in written}
-    found = dict(written)
+    in_words = {(rotation.word, base.get(rotation.link)) for rotation in written}
+    rotations = dict(written)
     for (word, link), value in _OwnPoints(method, plot, drawn).rates():
         rotation = readable(method.mechanism, f"{word} {link}")
-        if math.isfinite(value) and isinstance(rotation, Rotation) and (word, base[link]) not in told:
-            found[rotation] = value
-    return found
+        if math.isfinite(value) and isinstance(rotation, kinds.Rotation) and (word, base[link]) not in in_words:
+            rotations[rotation] = value
+    return rotations
 
 
-def _points(vector: complex, expected: Sequence[Value], longest: float) -> bool | None:
-    """Whether it points as one of these does; None where it, or all of these, are too short to tell."""
-    some = [complex(one) for one in expected if np.isfinite(one) and abs(complex(one)) > _SHORT * longest]
+def _points(vector: complex, expected: Sequence[complex], longest: float) -> bool | None:
+    """True if it points as one of these does; None where it, or all of these, are too short to tell."""
+    some = [one for one in expected if np.isfinite(one) and abs(one) > _SHORT * longest]
     if not some or abs(vector) <= _SHORT * longest:
         return None
     return any(abs(cmath.phase(vector / one)) < ASTRAY for one in some)
-
-
-def _longest(plot: Plot, plane: Plane) -> float:
-    """How far the points of a polygon are apart at most, about."""
-    return max((abs(complex(place)) for place in plot.points(plane).values()), default=0.0)
-
-
-def _laid(method: Method) -> set[Ends]:
-    """Arrows whose size is calculated before they are drawn."""
-    return {
-        (construction.plane, step.term.tail, step.term.head)
-        for construction in (method.velocity, method.acceleration)
-        for step in construction.steps
-        if isinstance(step, LayOff)
-    }
 
 
 @frozen
@@ -145,7 +131,7 @@ class _OwnPoints:
                 own = facts.relative_rate(step.of, order)
                 for link, turn in facts.turns.items():
                     if turn.base == facts.turns[step.of].base:
-                        yield (word, link), float(value - own + facts.relative_rate(link, order))
+                        yield (word, link), number(value - own + facts.relative_rate(link, order))
 
     def _measured(self, step: Measure, plane: Plane) -> float | None:
         """The arrow's length over the link's."""
@@ -153,7 +139,7 @@ class _OwnPoints:
         if arrow is None:
             return None
         arm = complex(self.plot.arm(*step.lever))
-        across = cross(arm, arrow)
+        across = number(cross(arm, arrow))
         if abs(across) < math.sin(_ALONG) * abs(arm) * abs(arrow):
             return math.nan
         return math.copysign(abs(arrow) / abs(arm), across)
@@ -161,10 +147,10 @@ class _OwnPoints:
     def arrow(self, ends: Ends) -> complex | None:
         """Between two points that are drawn."""
         plane, *names = ends
-        tail, head = (self._place(plane, name) for name in names)
+        tail, head = (self._corner(plane, name) for name in names)
         return None if tail is None or head is None else head - tail
 
-    def _place(self, plane: Plane, name: str) -> complex | None:
+    def _corner(self, plane: Plane, name: str) -> complex | None:
         """Fixed points sit on the pole."""
         points = self.drawn.get(plane, {})
         construction = self.method.velocity if plane == "velocity" else self.method.acceleration
@@ -174,34 +160,68 @@ class _OwnPoints:
         return points.get(name)
 
     def value(self, quantity: Quantity, rates: Rates, arrows: ArrowPlaces) -> float | None:
-        """None of what the drawing does not determine."""
+        """The value of a quantity; None of what the drawing does not determine."""
         match quantity:
-            case Rotation():
+            case kinds.Rotation():
                 return rates.get((quantity.word, quantity.link), self._driven(quantity))
-            case Quotient():
+            case kinds.Quotient():
                 top, bottom = (self.value(half, rates, arrows) for half in quantity.halves)
                 return top / bottom if top is not None and bottom else None
-            case Component():
+            case kinds.Component():
                 vector = self._vector(quantity.whole, arrows)
-                return None if vector is None else float(on_axis(vector, quantity.axis))
-            case Moving():
+                return None if vector is None else number(on_axis(vector, quantity.axis))
+            case kinds.Moving():
                 vector = self._vector(quantity, arrows)
                 return None if vector is None else abs(vector)
-            case Displacement() | Place() | Track() | Centre():
+            case kinds.Displacement() | kinds.Place() | kinds.Track() | kinds.Centre():
                 return None
             case _:
                 assert_never(quantity)
 
-    def _driven(self, quantity: Rotation) -> float | None:
+    def _driven(self, quantity: kinds.Rotation) -> float | None:
         """Of a link that turns as it is driven against the frame."""
         facts, orders = self.plot.facts, {"omega": 1, "alpha": 2}
         turn = facts.turns.get(quantity.link)
         if turn is None or turn.base != facts.frame or quantity.word not in orders:
             return None
-        return float(facts.relative_rate(quantity.link, orders[quantity.word]))
+        return number(facts.relative_rate(quantity.link, orders[quantity.word]))
 
-    def _vector(self, quantity: Moving, arrows: ArrowPlaces) -> complex | None:
-        found = arrows.of(quantity)
-        if found is None or (arrow := self.arrow(found[0])) is None:
+    def _vector(self, quantity: kinds.Moving, arrows: ArrowPlaces) -> complex | None:
+        of = arrows.of(quantity)
+        if of is None or (arrow := self.arrow(of[0])) is None:
             return None
-        return found[1] * arrow
+        return of[1] * arrow
+
+
+# --- mistakes told apart by known arrows that point another way -------------------------------
+
+
+Names = tuple[Name, ...]
+Turned = Callable[[Sequence[Names]], np.ndarray]
+"""Gives the arrows astray that each of some explanations turns (explanations, arrows), as booleans."""
+
+
+def as_drawn(diagnosis: Diagnosis, turned: Turned) -> Diagnosis:
+    """Of each set of mistakes those that turn most of the arrows astray; all of them, where none turns any.
+
+    Sizes and rotations alone may go with an omega misread and with a driver drawn the other way round; only the second
+    turns the driver's arrow. Arrows that point as they should say nothing: they may do so by own values before them.
+    """
+    explanations = []
+    for one in diagnosis.explanations:
+        if len(one.names) > 1:
+            count = turned(one.names).sum(axis=1)
+            names = (names for names, n in zip(one.names, count, strict=True) if n == count.max())
+            one = replace(one, names=tuple(names))
+        explanations.append(one)
+    return replace(diagnosis, explanations=tuple(explanations))
+
+
+def turned_by(
+    method: Method, plot: Plot, astray: Collection[Quantity], known: Mapping[Name, Rewrite], sets: Sequence[Names]
+) -> np.ndarray:
+    """The arrows that mistakes turn so far that they are astray, as booleans; `known`: rewrites by name."""
+    columns = [(), *(tuple(known[name] for name in names if name in known) for names in sets)]
+    vectors = combined(method, plot, tuple(astray), columns).vectors
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return np.asarray(np.abs(np.angle(vectors[1:] / vectors[0])) > ASTRAY)

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import field, replace
-from typing import Any
 
 import numpy as np
 
-from graphkin.base.geometry import Value, unit
+from graphkin.base.geometry import Real, Value, unit
 from graphkin.base.value import frozen
 from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Meet, Plane, Plot, Ray, Size, Swing, replay
-from graphkin.marking.hand import Hand, Redrawing
+from graphkin.marking.hand import PolygonHand, Redrawing
 from graphkin.planning import Method
 
 PARALLEL = np.sin(np.radians(0.5))
@@ -21,14 +20,13 @@ NOTHING = 1e-9
 """What a right value counts as nothing beside, as part of a wrong one."""
 
 Spot = tuple[Hashable, ...]
-"""What a hand is asked: ("arrow", plane, size), ("laid", plane, tip), ("line", plane, step number, ray),
-("through", plane, step number, ray), ("met", plane, point), ("image", plane, point), ("read", plane, quantity, of),
+"""A place of a drawing: ("arrow", plane, size), ("laid", plane, tip), ("line", plane, crossing's step, ray),
+("through", plane, crossing's step, ray), ("met", plane, point), ("image", plane, point), ("read", plane, quantity, of),
 ("rolling", plane, contact, link) for a link's coefficient in a law, ("settled", quantity, link), ("rate" or
 "acceleration" or "value", driver number), ("side", number of the choice)."""
 
-Change = Callable[[Any, Value], Value]
-"""What is drawn or read instead, from the drawing so far (a `Redrawing`; None for what is given before it begins) and
-what would be right there."""
+Change = Callable[[Redrawing, Value], Value]
+"""Gives what is drawn or read instead, from the drawing so far and what would be right there."""
 
 
 @frozen
@@ -72,7 +70,7 @@ class Rewrite:
 
     @property
     def name(self) -> tuple[str, str, str, str]:
-        """What tells it from all others of a construction."""
+        """Different from those of all other rewrites of a construction."""
         return self.id, self.way, self.of, self.form
 
 
@@ -82,7 +80,7 @@ class Times:
 
     factor: complex
 
-    def __call__(self, plot: Any, right: Value) -> Value:
+    def __call__(self, plot: Redrawing | None, right: Value) -> Value:
         return self.factor * right
 
 
@@ -102,51 +100,50 @@ def each_and_all(id: str, places: Sequence[tuple[str, Edit]], but: Sequence[str]
 
 def in_sense_of(plot: Redrawing, size: Value, right: Value, what: str) -> Value:
     """A size in the SI unit `what` with the sense, or the direction, of what is right; nan where that is nothing."""
-    least, size = plot.usual.least(what), np.abs(size)
+    least, size = plot.least(what), np.abs(size)
     there = np.abs(right) > np.maximum(least, NOTHING * size)
     return np.where(there, unit(right), np.where(size > least, np.nan, 0.0)) * size
 
 
-class Mistaken(Hand):
+class Mistaken(PolygonHand):
     """Draws many columns at once, in each of them the mistakes named for it; (n,), or (n, ..) over positions."""
 
     def __init__(self, columns: Sequence[Sequence[Rewrite]], positions: tuple[int, ...] = ()) -> None:
         self.shape = (len(columns), *positions)
-        found: dict[Spot, dict[int, tuple[Change, list[int]]]] = {}
+        spots: dict[Spot, dict[int, tuple[Change, list[int]]]] = {}
         for k, rewrites in enumerate(columns):
             for edit in (edit for rewrite in rewrites for edit in rewrite.edits):
-                found.setdefault(edit.spot, {}).setdefault(id(edit), (edit.change, []))[1].append(k)
+                spots.setdefault(edit.spot, {}).setdefault(id(edit), (edit.change, []))[1].append(k)
         self.changes = {
-            spot: [(change, np.array(which)) for change, which in edits.values()] for spot, edits in found.items()
+            spot: [(change, np.array(which)) for change, which in edits.values()] for spot, edits in spots.items()
         }
 
     def _done(self, spot: Spot, plot: Redrawing | None, right: Value) -> Value:
-        """What is right, but otherwise in the columns that have a mistake there."""
+        """The right value, but another in the columns that have a mistake there; no plot before the drawing begins."""
         if spot not in self.changes:
             return right
         value = np.broadcast_to(right, self.shape).astype(complex if np.iscomplexobj(right) else float)
         for change, which in self.changes[spot]:
             if isinstance(change, Times):
                 value[which] *= change.factor
-            else:
+            elif plot is not None:
                 value[which] = np.broadcast_to(change(plot, value), self.shape)[which]
         return value
 
-    @property
-    def elsewhere(self) -> bool:
-        """Whether the mechanism itself is drawn otherwise."""
-        return any(spot[0] in ("value", "side") for spot in self.changes)
+    def _number(self, spot: Spot, plot: Redrawing | None, right: Real) -> Real:
+        """The same of a real number."""
+        return self._done(spot, plot, right).real
 
     def facts(self, facts: Facts) -> Facts:
         rates, accelerations = self._given("rate", facts.rates), self._given("acceleration", facts.accelerations)
         return replace(facts, rates=rates, accelerations=accelerations)
 
-    def _given(self, word: str, values: tuple[Value, ...]) -> tuple[Value, ...]:
-        return tuple(self._done((word, k), None, value) for k, value in enumerate(values))
+    def _given(self, word: str, values: tuple[Real, ...]) -> tuple[Real, ...]:
+        return tuple(self._number((word, k), None, value) for k, value in enumerate(values))
 
     def placed(self, method: Method, right: Plot) -> Plot:
-        """The mechanism, where its drawing has mistakes too: by other driver values, on the other side."""
-        if not self.elsewhere:
+        """The mechanism, where its own drawing has mistakes too: by other driver values, on the other side."""
+        if not any(spot[0] in ("value", "side") for spot in self.changes):
             return right
         sides = {
             step.choice: self._done(("side", step.choice), None, step.side)
@@ -158,35 +155,35 @@ class Mistaken(Hand):
     def arrow(self, plot: Redrawing, plane: Plane, size: Size, right: Value) -> Value:
         return self._done(("arrow", plane, size), plot, right)
 
-    def laid(self, plot: Redrawing, plane: Plane, step: LayOff, right: Value) -> Value:
+    def tip(self, plot: Redrawing, plane: Plane, step: LayOff, right: Value) -> Value:
         return self._done(("laid", plane, step.tip), plot, right)
 
-    def line(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
-        return self._done(("line", plane, number, ray), plot, right)
+    def line(self, plot: Redrawing, plane: Plane, step: Meet, ray: Ray, right: Value) -> Value:
+        return self._done(("line", plane, step, ray), plot, right)
 
-    def through(self, plot: Redrawing, plane: Plane, number: int, ray: Ray, right: Value) -> Value:
-        return self._done(("through", plane, number, ray), plot, right)
+    def through(self, plot: Redrawing, plane: Plane, step: Meet, ray: Ray, right: Value) -> Value:
+        return self._done(("through", plane, step, ray), plot, right)
 
-    def met(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
+    def crossing(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
         """Nowhere, where lines drawn otherwise hardly cross: nothing that follows is judged."""
         sine = plot.sines[plane, point]
         if np.any(sine < PARALLEL):
             right = np.where(sine < PARALLEL, np.nan, right)
         return self._done(("met", plane, point), plot, right)
 
-    def image(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+    def corner(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
         return self._done(("image", plane, step.point), plot, right)
 
-    def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Value) -> Value:
-        return self._done(("read", plane, step.quantity, step.of), plot, right)
+    def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Real) -> Real:
+        return self._number(("read", plane, step.quantity, step.of), plot, right)
 
     def rolling(self, plot: Redrawing, plane: Plane, contact: InStep) -> InStep:
         angles = ((link, self._done(("rolling", plane, contact, link), plot, right)) for link, right in contact.angles)
         return replace(contact, angles=tuple(angles))
 
     def settled(self, plot: Redrawing, quantity: str, links: tuple[str, ...], of: str) -> None:
-        table: dict[str, Value] = getattr(plot, quantity)
+        table: dict[str, Real] = getattr(plot, quantity)
         for link in links:
             if ("settled", quantity, link) in self.changes:
                 plot.before[quantity, link] = table[link]
-                table[link] = self._done(("settled", quantity, link), plot, table[link])
+                table[link] = self._number(("settled", quantity, link), plot, table[link])

@@ -1,8 +1,8 @@
-"""What a mistake is looked for in: a method with its drawing, and its arrows."""
+"""The scene of mistakes: a method with its drawing, and its arrows; and the register of mistakes."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import field
 from functools import cached_property
 from itertools import combinations
@@ -10,24 +10,10 @@ from typing import TypeVar
 
 import numpy as np
 
+from graphkin.base.geometry import place
 from graphkin.base.value import frozen
-from graphkin.construction import (
-    Construction,
-    Equation,
-    Given,
-    Image,
-    LayOff,
-    Measure,
-    Meet,
-    Plane,
-    Plot,
-    Simultaneous,
-    Site,
-    Size,
-    Step,
-    Term,
-)
-from graphkin.marking.asked import ArrowPlaces, arrows_of
+from graphkin.construction import Construction, Equation, Plane, Plot, Site, Size, Step, Term, kinds
+from graphkin.marking.answers import ArrowPlaces, arrows_of
 from graphkin.marking.rewrite import Rewrite
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
@@ -41,7 +27,7 @@ Known = TypeVar("Known", bound=Size)
 
 @frozen
 class Scene:
-    """A method at its drawing, and what is asked of it.
+    """A method at its drawing, and the quantities that are asked.
 
     scales  of the paper, where they are known: "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s^2)/mm]
     """
@@ -67,46 +53,43 @@ class Scene:
     def construction(self, plane: Plane) -> Construction:
         return self.method.velocity if plane == "velocity" else self.method.acceleration
 
-    def steps(self, plane: Plane) -> Iterator[tuple[int, Step]]:
-        """Every step with its number."""
-        return enumerate(self.construction(plane).steps)
+    def steps(self, plane: Plane) -> tuple[Step, ...]:
+        return self.construction(plane).steps
 
-    def measures(self, plane: Plane) -> Iterator[Measure]:
+    def measures(self, plane: Plane) -> Iterator[kinds.Measure]:
         """Every rotation read off."""
-        return (s for _, s in self.steps(plane) if isinstance(s, Measure) and s.quantity in ("omega", "alpha"))
+        return (s for s in self.steps(plane) if isinstance(s, kinds.Measure) and s.quantity in ("omega", "alpha"))
 
     def sized(self, plane: Plane, kind: type[Known]) -> dict[Known, str]:
         """Known sizes of a kind, with the name of the arrow: those laid off, then those solved together."""
         found: dict[Known, str] = {}
-        for _, step in self.steps(plane):
-            if isinstance(step, LayOff) and isinstance(step.term.size, kind):
+        for step in self.steps(plane):
+            if isinstance(step, kinds.LayOff) and isinstance(step.term.size, kind):
                 found.setdefault(step.term.size, step.term.name(plane))
-        for _, step in self.steps(plane):
-            if isinstance(step, Simultaneous):
+        for step in self.steps(plane):
+            if isinstance(step, kinds.Simultaneous):
                 for chain in step.chains:
                     found = {size: "" for size, _ in chain.known if isinstance(size, kind)} | found
         return found
 
-    def laid_off(self, plane: Plane) -> Iterator[LayOff]:
-        return (step for _, step in self.steps(plane) if isinstance(step, LayOff))
+    def laid_off(self, plane: Plane) -> Iterator[kinds.LayOff]:
+        return (step for step in self.steps(plane) if isinstance(step, kinds.LayOff))
 
-    def images(self, plane: Plane) -> dict[str, list[Image]]:
+    def images(self, plane: Plane) -> dict[str, list[kinds.Image]]:
         """Further points by image, by link."""
-        found: dict[str, list[Image]] = {}
-        for _, step in self.steps(plane):
-            if isinstance(step, Image):
+        found: dict[str, list[kinds.Image]] = {}
+        for step in self.steps(plane):
+            if isinstance(step, kinds.Image):
                 found.setdefault(step.link, []).append(step)
         return found
 
-    def meets(self, plane: Plane) -> Iterator[tuple[int, Meet, Equation | None]]:
-        """Every crossing with its step's number and the equation it closes."""
-        number = 0
+    def meets(self, plane: Plane) -> Iterator[tuple[kinds.Meet, Equation | None]]:
+        """Every crossing with the equation it closes."""
         for part in self.construction(plane).parts:
-            steps = part.steps if isinstance(part, Equation) else (part,)
-            for step in steps:
-                if isinstance(step, Meet):
-                    yield number, step, part if isinstance(part, Equation) else None
-                number += 1
+            equation = part if isinstance(part, Equation) else None
+            for step in part.steps if isinstance(part, Equation) else (part,):
+                if isinstance(step, kinds.Meet):
+                    yield step, equation
 
     def terms(self, plane: Plane) -> Iterator[Term]:
         """Every arrow of the equations, and those laid off alone."""
@@ -115,7 +98,7 @@ class Scene:
     # --- links --------------------------------------------------------------------------------
 
     def driven(self, link: str) -> bool:
-        """Whether a link turns as drivers say."""
+        """True of links that turn as drivers say."""
         turns = self.plot.facts.turns
         return turns[link].base == turns[self.plot.facts.frame].base
 
@@ -133,7 +116,7 @@ class Scene:
         return turns[link].base == turns[other].base
 
     def is_block(self, link: str) -> bool:
-        """Whether a link slides on another as its block, which is no guide itself."""
+        """True of links that slide on another as its block, and are no guide themselves."""
         slides = self.method.structure.slides.values()
         blocks = {self.method.structure.block(slide) for slide in slides}
         return link in blocks and all(slide.guide != link for slide in slides)
@@ -154,9 +137,11 @@ class Scene:
     def node(self, point: str, link: str, plane: Plane) -> str | None:
         return self.arrows.node(Site(point, link), plane)
 
-    def ends(self, step: Measure) -> tuple[str, str] | None:
+    def ends(self, step: kinds.Measure) -> tuple[str, str] | None:
         """The acceleration polygon's points of a lever: between them lies all of what one is seen from the other."""
-        tail, head = (self.node(point, step.of, "acceleration") or self._at_rest(point) for point in step.lever)
+        pole = self.method.acceleration.pole
+        tail, head = (self.node(point, step.of, "acceleration") or (pole if self.fixed(point) else None)
+                      for point in step.lever)  # fmt: skip
         if tail is None or head is None or not {tail, head} <= self.drawn_before(step, "acceleration"):
             return None
         return tail, head
@@ -164,19 +149,16 @@ class Scene:
     def drawn_before(self, step: Step, plane: Plane) -> set[str]:
         """The corners of a polygon that are there when a step is done."""
         drawn = {self.construction(plane).pole}
-        for _, earlier in self.steps(plane):
+        for earlier in self.steps(plane):
             if earlier is step:
                 break
             drawn.update(drawn_by(earlier))
         return drawn
 
-    def _at_rest(self, point: str) -> str | None:
-        return self.method.acceleration.pole if self.fixed(point) else None
-
     # --- lengths ------------------------------------------------------------------------------
 
     def length(self, first: str, second: str) -> float:
-        return float(abs(self.plot.arm(first, second)))
+        return abs(place(self.plot.arm(first, second)))
 
     def other_lengths(self, link: str, lever: tuple[str, str]) -> dict[str, float]:
         """Lengths that may be taken for that of a lever [m], by name: of its link, of the links it is hinged to."""
@@ -186,12 +168,13 @@ class Scene:
             for other in self.method.structure.owners.get(hinge, ()):
                 if other != link:
                     pairs |= dict.fromkeys((hinge, point) for point in self.points(other) if point != hinge)
-        right, found = self.length(*lever), dict[str, float]()
+        right, lengths = self.length(*lever), dict[str, float]()
         for pair in pairs:
             length = self.length(*pair)
-            if length > 1e-9 * right and not _near(length, (right, *found.values())):
-                found[self.length_name(*pair)] = length
-        return found
+            known = (right, *lengths.values())
+            if length > 1e-9 * right and not any(abs(length - other) <= 1e-6 * other for other in known):
+                lengths[self.length_name(*pair)] = length
+        return lengths
 
     def length_name(self, first: str, second: str) -> str:
         return "l_" + "".join(sorted((first, second)))
@@ -205,7 +188,7 @@ class Scene:
     def rotation_name(self, quantity: str, link: str) -> str:
         return f"{quantity} {self.method.mechanism.called(self.method.structure.home(link))}"
 
-    def image_name(self, images: list[Image]) -> str:
+    def image_name(self, images: list[kinds.Image]) -> str:
         """△BCE: the corners of a link's image."""
         return "△" + "".join(dict.fromkeys("".join(point for step in images for point in step.corners)))
 
@@ -213,18 +196,14 @@ class Scene:
 def drawn_by(step: Step) -> tuple[str, ...]:
     """The corners that a step adds to a polygon."""
     match step:
-        case Given():
+        case kinds.Given():
             return (step.point, *step.also)
-        case LayOff():
+        case kinds.LayOff():
             return (step.tip,)
-        case Meet() | Image():
+        case kinds.Meet() | kinds.Image():
             return (step.point,)
         case _:
             return ()
-
-
-def _near(length: float, others: Iterable[float]) -> bool:
-    return any(abs(length - other) <= 1e-6 * other for other in others)
 
 
 Finder = Callable[[Scene], Iterator[Rewrite]]
@@ -234,7 +213,7 @@ Finder = Callable[[Scene], Iterator[Rewrite]]
 class Mistake:
     """A mistake there is: where it can be made in a scene.
 
-    topic what it is about, as hints have it
+    topic its subject, as hints have it
     rule  the source's rule that it breaks, by section and equation of Sun Huan, 机械原理
     """
 

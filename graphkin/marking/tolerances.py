@@ -1,42 +1,169 @@
-"""What accuracy paper allows: each quantity's scatter, and which step costs it most."""
+"""The accuracy that paper allows: the scatter of each quantity by pencil, and the steps that cost most of it."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from typing import assert_never
 
 import numpy as np
 
+from graphkin.base.geometry import Value, number
 from graphkin.base.value import frozen
-from graphkin.construction import (
-    Construction,
-    Coriolis,
-    Driven,
-    LayOff,
-    Normal,
-    Plane,
-    Simultaneous,
-    Size,
-    Tangential,
-    Term,
-    Turning,
-)
-from graphkin.marking.handed import readable
-from graphkin.marking.key import Key, KeyEntry
-from graphkin.marking.making import DRAWINGS, drawings_of, pencil_of
-from graphkin.marking.pencil import called
-from graphkin.marking.scatter import Drawings, spread
-from graphkin.marking.slips import Mark, Slips, seed_of
+from graphkin.construction import Construction, LayOff, Plane, Plot, Simultaneous, Term, terms
+from graphkin.marking.answers import ArrowPlaces, arrows_of, drawn_answer, readable, size_of
+from graphkin.marking.hand import Redrawing, redraw
+from graphkin.marking.key import Key, KeyEntry, Marking, Sort
+from graphkin.marking.pencil import Mark, Pencil, PencilHand, Slips, called, drawn_positions, seed_of
+from graphkin.marking.rewrite import Rewrite, RewrittenValue
 from graphkin.model.mechanism import ROUNDING
+from graphkin.model.quantities import Quantity, kinds
 from graphkin.planning import Method
+
+_AT_ONCE, _NUMBERS = 64, 2**21
+"""Mistakes that are drawn at once, each many times; fewer where more numbers than these are read off."""
+_HARDLY = 0.05
+"""Where a smaller part of the drawings closes, nobody begins again."""
+DRAWINGS = 2000
+"""Drawings of the right construction."""
+_PARTS = ((0.6826894921370859, 1.0), (0.99, 2.5758293035489004))
+"""These parts of its values lie within so many standard deviations of a normal quantity."""
+
+
+@frozen
+class Drawings:
+    """One mechanism drawn many times with a pencil, positions (n,).
+
+    failed  part of the drawings whose links did not meet. Whoever draws one begins again, on another sheet: it is none
+            of the n, unless hardly any closes
+    """
+
+    method: Method
+    pencil: Pencil
+    slips: Slips
+    arrows: ArrowPlaces
+    positions: Plot
+    failed: float = 0.0
+
+    @classmethod
+    def of(cls, method: Method, pencil: Pencil, slips: Slips) -> Drawings:
+        with np.errstate(invalid="ignore", divide="ignore"):
+            positions = drawn_positions(method, pencil, slips)
+            failed = float(1 - _closed(positions, slips.count).mean())
+            if 0 < failed < 1 - _HARDLY:
+                slips = _begun_again(method, pencil, slips, failed)
+                positions = drawn_positions(method, pencil, slips)
+            return cls(method, pencil, slips, arrows_of(method), positions, failed)
+
+    def values(self, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]] = ((),)) -> np.ndarray:
+        """Values that are read off: (columns, n, quantities); each column is drawn with its mistakes."""
+        parts = [*self.parts(quantities, columns)]
+        return np.concatenate(parts) if parts else np.empty((0, self.slips.count, len(quantities)))
+
+    def parts(self, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]]) -> Iterator[np.ndarray]:
+        """The same, some columns at a time: of many links all of them are more than a memory holds."""
+        some = min(_AT_ONCE, max(1, _NUMBERS // (self.slips.count * max(1, len(quantities)))))
+        for k in range(0, len(columns), some):
+            yield self._values(quantities, columns[k : k + some])
+
+    def _values(self, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]]) -> np.ndarray:
+        hand = PencilHand(self.pencil, self.slips, self.method.facts(), columns)
+        with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+            plot = redraw(self.method, hand.placed(self.method, self.positions), hand, hand.shape)
+            answers = [drawn_answer(self.method, plot, quantity, self.arrows).value for quantity in quantities]
+            slips = [self._slip(plot, quantity) for quantity in quantities]
+            readings = [np.broadcast_to(value + slip, hand.shape) for value, slip in zip(answers, slips, strict=True)]
+        values = np.stack(readings, axis=-1).astype(float, copy=False) if readings else np.empty((*hand.shape, 0))
+        for row, rewrites in enumerate(columns):
+            for written in (one for rewrite in rewrites for one in rewrite.asked):
+                k = [q.text for q in quantities].index(written.quantity)
+                values[row, :, k] = _written(quantities[k], written, values[row, :, k])
+        return values
+
+    def _slip(self, plot: Redrawing, quantity: Quantity) -> Value:
+        """The error of what is read off at the end; rotations were read on the way, products are calculated."""
+        lengths, slips = self.pencil.lengths, self.slips
+        match quantity:
+            case kinds.Rotation(word="theta"):
+                return self.pencil.angle * slips.of(Mark("position", "reading", (quantity.text,)))
+            case kinds.Displacement() | kinds.Place():
+                return lengths["position"] * slips.of(Mark("position", "reading", (quantity.text,)))
+            case kinds.Moving() | kinds.Component():
+                plane: Plane = "velocity" if quantity.letter == "v" else "acceleration"
+                ends = self.arrows.of(quantity if isinstance(quantity, kinds.Moving) else quantity.whole)
+                if ends is not None and ends[0] in plot.laid:
+                    return 0.0
+                of = (quantity.text,) if ends is None else ends[0][1:]
+                return lengths[plane] * slips.of(Mark(plane, "reading", of))
+            case kinds.Rotation() | kinds.Quotient() | kinds.Track() | kinds.Centre():
+                return 0.0
+            case _:
+                assert_never(quantity)
+
+
+def _closed(positions: Plot, count: int) -> np.ndarray:
+    """The drawings that have a place for every point (count,), as booleans."""
+    closed = np.ones(count, dtype=bool)
+    for place in positions.position.values():
+        closed &= np.isfinite(place)
+    return closed
+
+
+def _begun_again(method: Method, pencil: Pencil, slips: Slips, failed: float) -> Slips:
+    """The first drawings that close, as many as there were."""
+    more = slips.more(int(1.5 * slips.count / (1 - failed)) + 10)
+    kept = np.flatnonzero(_closed(drawn_positions(method, pencil, more), more.count))
+    return more.only(kept[: slips.count])
+
+
+def _written(quantity: Quantity, written: RewrittenValue, values: np.ndarray) -> np.ndarray:
+    """Values handed in for those that were read: so many times them, or another value that scatters as they do."""
+    if written.instead is not None:
+        other = complex(written.factor * written.instead)
+        around = number(size_of(quantity, other)) if isinstance(quantity, kinds.Moving) else other.real
+        return values + (around - float(np.nanmean(values)))
+    factor = complex(written.factor)
+    return values * (abs(factor) if isinstance(quantity, kinds.Moving) else factor.real)
+
+
+def spread(values: np.ndarray, around: np.ndarray, sorts: Sequence[Sort]) -> np.ndarray:
+    """Standard deviations over drawings (.., n, quantities) from values (.., quantities).
+
+    NaN where most drawings fail; others are left out. By how much two thirds of the values are off at most, or nearly
+    all, whichever is more: near a dead point the ends reach far. Sizes count without sign, angles modulo a turn.
+    """
+    size, angle = (np.array([sort == kind for sort in sorts], dtype=bool) for kind in ("size", "angle"))
+    around = around[..., None, :]
+    off = np.where(size, np.abs(values) - np.abs(around), values - around)
+    off = np.abs(np.where(angle, off - 2 * np.pi * np.round(off / (2 * np.pi)), off))
+    off = np.sort(off, axis=-2)  # NaN come last
+    count = np.isfinite(off).sum(axis=-2)
+    deviations = []
+    for part, sigmas in _PARTS:
+        place = np.maximum(np.ceil(part * count).astype(int) - 1, 0)
+        deviations.append(np.take_along_axis(off, place[..., None, :], axis=-2)[..., 0, :] / sigmas)
+    return np.where(2 * count < values.shape[-2], np.nan, np.maximum(*deviations))
+
+
+def pencil_of(marking: Marking) -> Pencil:
+    return Pencil({plane: marking.lengths[plane] for plane in ("position", "velocity", "acceleration")}, marking.angle)
+
+
+def drawings_of(method: Method, marking: Marking, count: int, part: float = 1.0) -> Drawings:
+    """The mechanism drawn so many times, with a part of the errors; the same drawings again for the same mechanism."""
+    return Drawings.of(method, pencil_of(marking).times(part), Slips(seed_of(method.mechanism), count))
+
+
+# --- the costliest steps -----------------------------------------------------------------------
+
 
 _FEWER = 500
 _COUNTS = 1e-4
-"""A step with a smaller part of the scatter is not told."""
+"""A step with a smaller part of the scatter is left out."""
 
 
 @frozen
 class Cost:
-    """What one step costs: its part of each quantity's scatter (variance), by quantity; `name`: the arrow laid off."""
+    """The cost of one step: its part of each quantity's scatter (variance), by quantity; `name`: the arrow laid off."""
 
     mark: Mark
     name: str
@@ -77,9 +204,9 @@ def tolerances(key: Key, method: Method) -> Tolerances:
         slips = Slips(seed_of(method.mechanism), _FEWER, lambda one, mark=mark: one == mark)  # type: ignore[misc]
         alone = spread(Drawings.of(method, pencil_of(key.marking), slips).values(quantities)[0], right, sorts)
         costs.append(_cost(mark, names, key, alone, whole))
-    told = sorted((cost for cost in costs if max(cost.parts.values()) > _COUNTS), key=lambda cost: -cost.over_all)
+    costly = sorted((cost for cost in costs if max(cost.parts.values()) > _COUNTS), key=lambda cost: -cost.over_all)
     failed = every.failed + (1 - every.failed) * float(np.isnan(values).any(axis=1).mean())
-    return Tolerances(key, key.entries, tuple(told), DRAWINGS, failed)
+    return Tolerances(key, key.entries, tuple(costly), DRAWINGS, failed)
 
 
 def _cost(mark: Mark, names: Mapping[tuple[str, ...], str], key: Key, alone: np.ndarray, whole: np.ndarray) -> Cost:
@@ -94,27 +221,27 @@ def _cost(mark: Mark, names: Mapping[tuple[str, ...], str], key: Key, alone: np.
 
 
 def _arrows(method: Method) -> dict[tuple[str, ...], str]:
-    """What marks call an arrow, with its name in the polygon."""
-    found: dict[tuple[str, ...], str] = {}
+    """The names of arrows in the polygons, by what marks call them."""
+    names: dict[tuple[str, ...], str] = {}
     for construction in (method.velocity, method.acceleration):
         for step in construction.steps:
             if isinstance(step, LayOff) and step.term.size is not None:
-                found.setdefault(called(step.term.size), step.term.name(construction.plane))
+                names.setdefault(called(step.term.size), step.term.name(construction.plane))
             elif isinstance(step, Simultaneous):
                 for size in (size for chain in step.chains for size, _ in chain.known):
-                    found.setdefault(called(size), _name(size, construction.plane, method.velocity))
-    return found
+                    names.setdefault(called(size), _name(size, construction.plane, method.velocity))
+    return names
 
 
-def _name(size: Size, plane: Plane, velocity: Construction) -> str:
+def _name(size: terms.Size, plane: Plane, velocity: Construction) -> str:
     """An arrow of equations that are solved together, by its kind and its points."""
     match size:
-        case Driven(slide):
+        case terms.Driven(slide):
             return slide
-        case Normal(_, tail, head) | Tangential(_, tail, head) | Turning(_, tail, head):
-            part = {Normal: "n", Tangential: "t"}.get(type(size), "")
+        case terms.Normal(_, tail, head) | terms.Tangential(_, tail, head) | terms.Turning(_, tail, head):
+            part = {terms.Normal: "n", terms.Tangential: "t"}.get(type(size), "")
             return Term(head, tail, part, None, None, "", "").name(plane)
-        case Coriolis(_, tail, head):
+        case terms.Coriolis(_, tail, head):
             at = next(node.site.point for node in (velocity.nodes[tail], velocity.nodes[head]) if node.site)
             of, seen_from = (at if node == velocity.pole else velocity.nodes[node].of for node in (head, tail))
             return Term(of, seen_from, "k", None, None, "", "").name(plane)

@@ -1,4 +1,4 @@
-"""How well explanations go with handed-in values: all of them at once, as arrays.
+"""Likelihoods of explanations, given handed-in values: all of them at once, as arrays.
 
 An explanation is a row: what each value is, and how it scatters. A further one, "none", says nothing: each value is
 right or anything. Weights are logarithms of likelihoods times how often such work is met.
@@ -13,20 +13,20 @@ from math import lgamma
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.marking.key import Hypotheses, Key
-from graphkin.marking.verdicts import Columns, columns_of, differences, upright
+from graphkin.marking.key import Columns, Hypotheses, Key, columns_of, differences, upright
 
 _RIGHT, ONE, TWO, _NONE = np.log((0.05, 0.35, 0.05, 0.1))
-"""How often one mistake, two mistakes and other work are met where a value is beyond its tolerance, and right work:
-that has gone astray there by the pencil alone."""
+"""Logarithms of the frequencies, where a value is beyond its tolerance, of right work gone astray by the pencil alone,
+of one mistake, of two, and of other work."""
 MOVED = 3.0
 """A mistake that moves no handed-in value by more standard deviations cannot be seen."""
 _COMMON = (0.5, 0.9)
-"""What part of the scatter of several values may come from what they are all read off, beside none; the rest is each
+"""Parts of the scatter of several values that may come from what they are all read off, beside none; the rest is each
 value's own."""
 FITS = 4.5
 """A value that is off by more standard deviations is not explained."""
 _REACH = 5.0
+"""Random numbers are of any size from the right one divided by this to it multiplied by this."""
 _TURN = 2 * np.pi
 _PRODUCT = 1 << 18
 """Products of a matrix of so many are left to one thread: more cost more than they give."""
@@ -55,18 +55,20 @@ class ScaledExplanations:
 
     there   which of the key's quantities are handed in (all of them,); n of them
     rows    of the hypotheses that can be seen in these, (m,)
-    shares  what of the weights is not from the values: how often each row is met, as a logarithm (m,)
+    shares  logarithm of each row's prior frequency (m,)
     """
 
     def __init__(self, key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, met: float) -> None:
         """met: logarithm of how often one of the hypotheses is met."""
         self.table, self._there = columns_of(table, there), there
         self.rows = np.flatnonzero(visible(self.table, hypotheses.values[:, there]))
-        self.shares = met + _shares(hypotheses.kinds[self.rows])
+        kinds = hypotheses.kinds[self.rows]
+        count = np.bincount(kinds)  # each kind of mistake is as frequent, divided among its places and forms
+        self.shares = met - np.log(np.count_nonzero(count) * count[kinds])
         chosen, usual = np.ix_(self.rows, there), key.together[np.ix_(there, there)]
-        own = None if hypotheses.together is None else _OwnScatter(hypotheses.together, self.rows, there)
-        self._one = _Rows(self.table, hypotheses.values[chosen], hypotheses.scatters[chosen], usual, own)
-        self._right = _Rows(self.table, self.table.right[None], self.table.scatter[None], usual)
+        own = None if hypotheses.together is None else hypotheses.together[np.ix_(self.rows, there, there)]
+        self._one = _NormalRows(self.table, hypotheses.values[chosen], hypotheses.scatters[chosen], usual, own)
+        self._right = _NormalRows(self.table, self.table.right[None], self.table.scatter[None], usual)
 
     def only(self, k: int) -> ScaledExplanations:
         """Of explanation k alone, met as often as here, and hit by chance as often as all are."""
@@ -74,14 +76,13 @@ class ScaledExplanations:
         one.rows, one.shares, one._one = self.rows[[k]], self.shares[[k]], self._one.only(k)
         return one
 
-    def right_by(self, given: np.ndarray, ways: Hypotheses) -> np.ndarray:
-        """The weights of right work by the likeliest of some ways (students,), their rows being right values."""
-        own = None if ways.together is None else _OwnScatter(ways.together, np.arange(len(ways.values)), self._there)
-        values, scatters = ways.values[:, self._there], ways.scatters[:, self._there]
-        rows = _Rows(self.table, values, scatters, self._right.usual, own)
-        weights = rows.weigh(given, _nothing(self.table, given))[0]
-        found: np.ndarray = weights.max(axis=1, initial=-np.inf) + _RIGHT
-        return found
+    def right_by(self, given: np.ndarray, methods: Hypotheses) -> np.ndarray:
+        """Weights of right work by the likeliest of some methods (students,), their rows being right values."""
+        own = None if methods.together is None else methods.together[:, self._there][:, :, self._there]
+        values, scatters = methods.values[:, self._there], methods.scatters[:, self._there]
+        rows = _NormalRows(self.table, values, scatters, self._right.usual, own)
+        weights = rows.weigh(given, _none_density(self.table, given))[0]
+        return np.asarray(weights.max(axis=1, initial=-np.inf) + _RIGHT)
 
     def drawn(self, k: int, errors: np.ndarray) -> np.ndarray:
         """Values of those who make mistake k (students, n), normal about what it gives; errors: standard normal."""
@@ -89,32 +90,21 @@ class ScaledExplanations:
 
     def weigh(self, given: np.ndarray) -> Weighed:
         """For students' values (students, n)."""
-        nothing = _nothing(self.table, given)
-        weights, worst, near, chance = self._one.weigh(given, nothing)
-        right = self._right.weigh(given, nothing)[0]
-        return Weighed(
-            weights + self.shares, worst, near, chance, right[:, 0] + _RIGHT, nothing.sum(axis=1) + _NONE
-        )
+        none = _none_density(self.table, given)
+        weights, worst, near, chance = self._one.weigh(given, none)
+        right = self._right.weigh(given, none)[0]
+        return Weighed(weights + self.shares, worst, near, chance, right[:, 0] + _RIGHT, none.sum(axis=1) + _NONE)
 
 
 def visible(table: Columns, values: np.ndarray) -> np.ndarray:
-    """Which rows of values (m, n) move one by more than a pencil might."""
+    """The rows of values (m, n) that move one by more than a pencil might, as booleans."""
     with np.errstate(invalid="ignore"):
-        found: np.ndarray = np.any(shifts(table, values) > MOVED, axis=1)
-        return found
+        return np.asarray(np.any(shifts(table, values) > MOVED, axis=1))
 
 
 def shifts(table: Columns, values: np.ndarray) -> np.ndarray:
     """By how many standard deviations values (.., n) are off the right ones; NaN where there is none."""
-    found: np.ndarray = np.abs(differences(table, values, table.right)) / table.scatter
-    return found
-
-
-def _shares(kinds: np.ndarray) -> np.ndarray:
-    """Logarithms of rows' shares (m,): the same for each kind of mistake, divided among its places and forms."""
-    count = np.bincount(kinds)
-    found: np.ndarray = -np.log(np.count_nonzero(count) * count[kinds])
-    return found
+    return np.asarray(np.abs(differences(table, values, table.right)) / table.scatter)
 
 
 # --- densities --------------------------------------------------------------------------------
@@ -124,8 +114,7 @@ def _broad(table: Columns, values: np.ndarray) -> np.ndarray:
     """Logarithm of the density of a value of which nothing is known: about as large as the right one, or far off."""
     size = np.maximum(np.abs(table.right), 10 * table.scatter)
     sides = np.where(table.size, 2.0, 1.0)  # a size has no sign
-    found: np.ndarray = np.log(sides / (np.pi * size)) - np.log1p((values / size) ** 2)
-    return found
+    return np.asarray(np.log(sides / (np.pi * size)) - np.log1p((values / size) ** 2))
 
 
 def _crowded(table: Columns, values: np.ndarray) -> np.ndarray:
@@ -138,49 +127,31 @@ def _crowded(table: Columns, values: np.ndarray) -> np.ndarray:
     return np.where(inside, np.fmax(even, _broad(table, values)), _broad(table, values))
 
 
-def _nothing(table: Columns, given: np.ndarray) -> np.ndarray:
-    """The same of a value that is right in half of the cases."""
+def _none_density(table: Columns, given: np.ndarray) -> np.ndarray:
+    """Logarithm of the density of a value that is right in half of the cases, and anything in the others."""
     z = differences(table, given, table.right) / table.scatter
     right = -0.5 * z**2 - np.log(table.scatter * np.sqrt(2 * np.pi))
-    found: np.ndarray = np.logaddexp(right, _broad(table, given)) - np.log(2)
-    return found
+    return np.asarray(np.logaddexp(right, _broad(table, given)) - np.log(2))
 
 
 def _turned(angles: np.ndarray) -> np.ndarray:
     """Modulo a turn."""
-    found: np.ndarray = angles - _TURN * np.round(angles / _TURN)
-    return found
+    return np.asarray(angles - _TURN * np.round(angles / _TURN))
 
 
-@frozen
-class _OwnScatter:
-    """How values of some rows scatter together, by themselves: what is known of all quantities (.., n, n)."""
-
-    known: np.ndarray
-    rows: np.ndarray
-    there: np.ndarray
-
-    def of(self, row: int) -> np.ndarray:
-        found: np.ndarray = self.known[self.rows[row]][np.ix_(self.there, self.there)]
-        return found
-
-
-class _Rows:
+class _NormalRows:
     """Explanations: normal in the quantities that they judge, "none" in the others.
 
     values, scatters (m, n), NaN where one says nothing
-    usual   how values scatter together where a row says nothing of its own (n, n)
+    usual     correlation of values where a row has none of its own (n, n)
+    together  each row's own (m, n, n); NaN, or None, where it has none
     """
 
     def __init__(
-        self,
-        table: Columns,
-        values: np.ndarray,
-        scatters: np.ndarray,
-        usual: np.ndarray,
-        own: _OwnScatter | None = None,
-    ) -> None:
-        self.table, self.given, self.usual, self._own = table, (values, scatters), usual, own
+        self, table: Columns, values: np.ndarray, scatters: np.ndarray, usual: np.ndarray,
+        together: np.ndarray | None = None,
+    ) -> None:  # fmt: skip
+        self.table, self.given, self.usual, self.together = table, (values, scatters), usual, together
         self.judged = np.isfinite(values) & np.isfinite(scatters)
         self.size = np.where(self.judged, upright(table, values), 0.0)
         self.sharp = 1 / np.where(self.judged, scatters, np.inf)
@@ -189,10 +160,10 @@ class _Rows:
         self._axes: dict[int, tuple[np.ndarray, ...]] = {}
         self._cells = self._crowds()
 
-    def only(self, k: int) -> _Rows:
+    def only(self, k: int) -> _NormalRows:
         """Row k alone; chance hits it as often as all of them."""
         values, scatters = (some[[k]] for some in self.given)
-        one = _Rows(self.table, values, scatters, self.usual)
+        one = _NormalRows(self.table, values, scatters, self.usual)
         one._axes[0], one._cells = self._apart(k), self._cells
         return one
 
@@ -200,10 +171,9 @@ class _Rows:
         """Values (students, n) that scatter as those of a row; errors: standard normal (students, n)."""
         axes, along = self._apart(k)[:2]
         off = errors[:, : len(along)] * along @ axes.T / np.where(self.judged[k], self.sharp[k], 1.0)
-        found: np.ndarray = upright(self.table, self.size[k] + off)
-        return found
+        return np.asarray(upright(self.table, self.size[k] + off))
 
-    def weigh(self, given: np.ndarray, nothing: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    def weigh(self, given: np.ndarray, none: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
         """Weights, worst deviations, sums of their squares, chance: (students, m) each. Where some value must be off by
         more than fits, the worst is infinite, and the density without a common part will do."""
         given = upright(self.table, given)
@@ -215,18 +185,15 @@ class _Rows:
         weights = -0.5 * (near + self.count * np.log(2 * np.pi)) - np.log(1 + len(_COMMON))
         weights[who, row] = self._closely(z, row, near[who, row])
         chance[who, row] = self._chance(near[who, row])
-        return weights - self.own + self._rest(nothing), worst, near, chance
-
-    def _rest(self, nothing: np.ndarray) -> np.ndarray | float:
-        """What is said of the quantities that are not judged (students, m)."""
-        if self.judged.all():
-            return 0.0
-        found: np.ndarray = np.einsum("ns,nm->sm", nothing.T.copy(), (~self.judged.T).astype(float))
-        return found
+        if not self.judged.all():  # of the quantities that a row does not judge nothing is known
+            weights = weights - self.own + np.einsum("ns,nm->sm", none.T.copy(), (~self.judged.T).astype(float))
+        else:
+            weights = weights - self.own
+        return weights, worst, near, chance
 
     @cached_property
     def _squared(self) -> tuple[np.ndarray, np.ndarray]:
-        """What students' values, squared and plain, are multiplied by, and what is added, for (a - b)^2."""
+        """Factors of students' values, squared and plain, and what is added, for (a - b)^2."""
         weight = np.where(self.table.angle, 0.0, self.sharp**2)
         return np.concatenate([weight.T, (-2 * self.size * weight).T]), (self.size**2 * weight).sum(axis=1)
 
@@ -237,16 +204,14 @@ class _Rows:
         near = np.einsum("ks,km->sm", np.concatenate([given.T**2, given.T]), factors) + rest
         for k in np.flatnonzero(self.table.angle):
             near += (_turned(given[:, k, None] - self.size[:, k]) * self.sharp[:, k]) ** 2
-        found: np.ndarray = np.maximum(near, 0.0)
-        return found
+        return np.asarray(np.maximum(near, 0.0))
 
     def _off(self, given: np.ndarray, row: np.ndarray) -> np.ndarray:
         """Deviations of values (pairs, n) from rows (pairs,)."""
         off = given - self.size[row]
         if self.table.angle.any():
             off[:, self.table.angle] = _turned(off[:, self.table.angle])
-        found: np.ndarray = off * self.sharp[row]
-        return found
+        return np.asarray(off * self.sharp[row])
 
     def _closely(self, z: np.ndarray, row: np.ndarray, near: np.ndarray) -> np.ndarray:
         """Logarithm of the mean of densities of deviations (pairs, n) from rows (pairs,), in their order: with and
@@ -259,8 +224,7 @@ class _Rows:
             axes, _, sharp, sizes = self._apart(int(row[start]))
             squares[start:end, 1:] = (z[start:end] @ axes) ** 2 @ sharp + sizes
         mean: np.ndarray = np.logaddexp.reduce(-0.5 * squares, axis=1) - np.log(1 + len(_COMMON))
-        found: np.ndarray = mean - 0.5 * self.count[row] * np.log(2 * np.pi)
-        return found
+        return np.asarray(mean - 0.5 * self.count[row] * np.log(2 * np.pi))
 
     def _apart(self, row: int) -> tuple[np.ndarray, ...]:
         """Of a row: deviations along these axes (n, ..) do not hang together, and how far they go (..,); by what their
@@ -276,15 +240,14 @@ class _Rows:
         return self._axes[row]
 
     def _together(self, row: int) -> np.ndarray:
-        """How the values of a row scatter together (n, n). Without own ones, a larger value errs as the right one does,
+        """The correlation of a row's values (n, n). Without own ones, a larger value errs as the right one does,
         whichever way it points."""
-        own = None if self._own is None else self._own.of(row)
+        own = None if self.together is None else self.together[row]
         if own is not None and not np.isnan(own).any():
-            return own
+            return np.asarray(own)
         turned = ~self.table.angle & (self.size[row] * upright(self.table, self.table.right) < 0)
         outward = np.where(turned, -1.0, 1.0)
-        found: np.ndarray = self.usual * np.outer(outward, outward)
-        return found
+        return np.asarray(self.usual * np.outer(outward, outward))
 
     def _crowds(self) -> dict[int, float]:
         """By how many quantities are judged: how many of such rows random numbers meet, for a cell of size 1 about each
@@ -293,7 +256,7 @@ class _Rows:
         return {int(size): float(np.logaddexp.reduce(crowded[self.count == size])) for size in np.unique(self.count)}
 
     def _chance(self, near: np.ndarray) -> np.ndarray:
-        """How many explanations random numbers come as near to, on average: cells of that size about all of them."""
+        """The number of explanations that random numbers come as near to: cells of that size about them."""
         found = np.zeros_like(near)
         with np.errstate(divide="ignore"):
             for size, cells in self._cells.items():

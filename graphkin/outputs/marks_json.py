@@ -15,8 +15,7 @@ from graphkin.base.plain import Plain
 from graphkin.construction import Plane
 from graphkin.errors import Lang
 from graphkin.marking.diagnosis import Explanation
-from graphkin.marking.graded import Graded
-from graphkin.marking.marked import Judged
+from graphkin.marking.records import Graded, Judged
 from graphkin.outputs.files import beside
 
 FORMAT = 1

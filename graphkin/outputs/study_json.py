@@ -9,8 +9,8 @@ from graphkin.base.geometry import Array, Value, number
 from graphkin.base.plain import Plain
 
 if TYPE_CHECKING:
+    from graphkin.marking.discriminability import SetDiscriminability
     from graphkin.marking.power import Power
-    from graphkin.marking.told import SetTold
     from graphkin.marking.tolerances import Tolerances
     from graphkin.studies.design import Design, Family, Solution
 
@@ -143,7 +143,7 @@ def power_data(power: Power) -> Json:
     }  # fmt: skip
 
 
-def told_data(set_: SetTold) -> Json:
+def told_data(set_: SetDiscriminability) -> Json:
     """The mistakes that a set's answers tell apart; parts from 0 to 1."""
     return {
         "problems": set_.problems,

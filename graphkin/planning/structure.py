@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import cast
 
 from graphkin.base.geometry import phase
 from graphkin.base.value import frozen
@@ -298,4 +297,4 @@ class Topology:
 
 def _angle_of(vector: complex) -> float:
     """The angle of a vector; an array where the dimensions of many mechanisms lie side by side in arrays [rad]."""
-    return cast(float, phase(vector))
+    return phase(vector)

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import TypeVar, assert_never
 
 from graphkin.base.cache import kept
@@ -11,11 +10,13 @@ from graphkin.base.geometry import Value, number, place
 from graphkin.base.value import Lazy
 from graphkin.construction import Plot
 from graphkin.errors import Where
+from graphkin.files.changing import reposed
 from graphkin.model import quantities
 from graphkin.model.kinematic_state import Motions
-from graphkin.model.mechanism import FRAME, Driver, KeyPath, Mechanism, Pose
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import primes
 from graphkin.planning import Method
+from graphkin.planning.drawn_position import value_of
 from graphkin.running import replay_all
 
 _Entry = TypeVar("_Entry")
@@ -92,9 +93,6 @@ def _of_nodes(
 
 # --- the file of that position ----------------------------------------------------------------
 
-_DIGITS = 12
-"""Of mm and deg in the new file."""
-
 
 def mechanism_at(method: Method, values: Sequence[float]) -> Mechanism:
     """The mechanism where its drivers have these values [rad, m], reached from the drawn position on its branch.
@@ -106,28 +104,7 @@ def mechanism_at(method: Method, values: Sequence[float]) -> Mechanism:
     >>> turned.drivers[0].value == math.radians(120), f"{turned.sketch['C'] * 1000:.4f}"
     (True, '71.5045+47.5585j')
     """
-    from graphkin.files import loads
-    from graphkin.files.toml import replaced_values
-
     machine, plot = method.mechanism, replay_all(method, values)
-    text = replaced_values(machine.text, dict(_changes(machine, plot, values)))
-    return loads(text, name=machine.name, file=machine.file)
-
-
-def _changes(machine: Mechanism, plot: Plot, values: Sequence[float]) -> Iterator[tuple[KeyPath, object]]:
-    from graphkin.planning.drawn_position import value_of
-
-    for k, (driver, value) in enumerate(zip(machine.drivers, values, strict=True)):
-        if driver.value is not None and driver.kind != "spin":
-            yield ("driver", k, "at" if driver.kind == "slide" else "angle"), _in_file(driver, value)
-    for k, pose in enumerate(machine.poses):
-        yield ("pose", k, "at" if pose.kind == "slide" else "angle"), _in_file(pose, number(value_of(plot, pose)))
-    for point, z in plot.position.items():
-        if point in machine.points and point not in machine.links[FRAME].points:
-            z = place(z) * 1000
-            yield ("sketch", point), [round(z.real, _DIGITS), round(z.imag, _DIGITS)]
-
-
-def _in_file(entry: Driver | Pose, value: float) -> float:
-    """In the unit of a number without one: mm, deg."""
-    return round(value * 1000 if entry.kind == "slide" else math.degrees(value), _DIGITS)
+    poses = [number(value_of(plot, pose)) for pose in machine.poses]
+    moving = {point for point in machine.points if point not in machine.links[FRAME].points}
+    return reposed(machine, values, poses, {name: place(z) for name, z in plot.position.items() if name in moving})

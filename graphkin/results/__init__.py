@@ -127,7 +127,8 @@ def _home(method: Method, site: Site) -> Seen:
 def _answer(method: Method, plot: Plot, motions: Motions, question: str) -> Json:
     quantity = read(method.mechanism, question)
     if isinstance(quantity, Centre):
-        return {"value": None, "unit": "m", **place(centres(method, plot), *quantity.links)}
+        entry = place(centres(method, plot), *quantity.links)
+        return {"value": None, "unit": "m"} | {key: entry[key] for key in ("at", "direction") if key in entry}
     found = None if quantity is None else quantity.shown(motions)
     if quantity is not None and quantity.is_place and found is not None and found.vector is not None:
         return {"value": None, "unit": "m", "at": _vector(found.vector)}

@@ -18,12 +18,10 @@ import numpy as np
 from graphkin.base.geometry import Real, Value, leg, meet_circles, meet_line_circle
 from graphkin.base.value import Lazy, frozen
 from graphkin.construction import Construction, Facts, Plane, Plot, kinds, replay, slide_key, unknowns_of
-from graphkin.construction.chains import chains, settle_rates
 from graphkin.construction.fitting import reach, settle_all
-from graphkin.construction.linear import Row, two
+from graphkin.construction.linear import Row, chains, in_step, settle_rates, two
 from graphkin.construction.pencil import Compass
 from graphkin.construction.plot import within_a_turn
-from graphkin.construction.rolling import in_step
 from graphkin.construction.terms import Arm, Slid
 from graphkin.running.tape import CannotRecord, Tape
 

@@ -33,7 +33,6 @@ from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.numbers import exact, number
 from graphkin.say.reading import Reading
 from graphkin.studies.centres import Centres, centres, place
-from graphkin.studies.centres.data import found_by
 from graphkin.studies.centres.instant_centres import shortest
 
 NORMALS: Mapping[type[Pair], str] = {Cam: "contact", Slide: "slot", CircularSlot: "circular slot"}
@@ -208,7 +207,7 @@ def centre_rows(found: Centres, lang: Lang) -> Iterator[list[str]]:
     stages = {stage.last.name: stage for stage in found.centring.stages}
     for pair in found.pairs:
         name, links = found.name(*pair), ", ".join(map(found.method.mechanism.called, pair))
-        by = found_by(found.centring, stages[name]) if name in stages else "together"
+        by = found.centring.found_by(stages[name]) if name in stages else "together"
         if isinstance(by, str):
             reason = say(f"centres.by {by}", lang)
         else:

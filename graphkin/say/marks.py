@@ -7,9 +7,8 @@ from pathlib import Path
 from typing import Literal, Protocol
 
 from graphkin.errors import Lang
-from graphkin.marking.graded import Graded
 from graphkin.marking.key import Name
-from graphkin.marking.marked import Judged, Marked, Verdict
+from graphkin.marking.records import Graded, Judged, Marked, Verdict
 from graphkin.model.quantities import EDGE
 from graphkin.say.catalogue import is_phrase, say
 from graphkin.say.numbers import number

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from typing import assert_never
 
 from graphkin.errors import Lang
 from graphkin.files.values import split_points
-from graphkin.marking.handed import asked_of
+from graphkin.marking.answers import asked_of
 from graphkin.model.mechanism import Driver, Mechanism
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
@@ -55,7 +54,7 @@ def problem(
 def statement(mechanism: Mechanism, lang: Lang, drawn: DrawnSides | None = None) -> Iterator[str]:
     """The mechanism and its data, in lines; with the assembly it is drawn in."""
     yield from (mechanism.headline(lang), "", say("problems.given", lang))
-    yield from (f"  {line}" for line in _data(tomllib.loads(mechanism.text), lang))
+    yield from (f"  {line}" for line in _data(mechanism, lang))
     if drawn is not None and (sentence := assembly_sentence(drawn, lang)):
         yield f"  {sentence}"
     yield from _driver_values(mechanism, lang)
@@ -139,11 +138,12 @@ def _angle_line(mechanism: Mechanism, angle: Rotation, lang: Lang) -> str:
 # --- data of the file -------------------------------------------------------------------------
 
 
-def _data(document: Mapping[str, object], lang: Lang) -> Iterator[str]:
+def _data(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
     """A line a link, pair and driver, in the file's order."""
-    for table, content in document.items():
-        if not is_phrase(f"problems.table {table}"):
+    for (table, *inner), stated in mechanism.given.items():
+        if inner or not is_phrase(f"problems.table {table}"):
             continue
+        content = stated.written
         if table == "links" and isinstance(content, dict):
             rows = [*content.items()]
         else:

@@ -7,9 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from graphkin.errors import Lang
+from graphkin.marking.discriminability import LOOKED_AT, WELL, SetDiscriminability
 from graphkin.marking.power import MistakePower, Power
-from graphkin.marking.tellable import WELL
-from graphkin.marking.told import LOOKED_AT, SetTold
 from graphkin.marking.tolerances import Cost, Tolerances
 from graphkin.model.quantities import EDGE
 from graphkin.say.catalogue import is_phrase, say
@@ -119,7 +118,7 @@ def _power_row(name: str, powers: Sequence[MistakePower]) -> list[str]:
 # --- the answers to a set of problems ---------------------------------------------------------
 
 
-def discriminability_lines(told: SetTold, lang: Lang) -> Iterator[str]:
+def discriminability_lines(told: SetDiscriminability, lang: Lang) -> Iterator[str]:
     """A row a mistake, then what is always one set, what the numbers make one, and false alarms."""
 
     def problems(count: int) -> str:

@@ -16,7 +16,7 @@ from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane, Plot
 from graphkin.errors import Lang
-from graphkin.marking.comparison import Beside
+from graphkin.marking.consequences import DrawingComparison
 from graphkin.planning import Method
 from graphkin.say.catalogue import say
 from graphkin.sheet.label_requests import LabelRequest
@@ -52,7 +52,7 @@ _OTHERWISE = 1
 
 
 def mistake_sheet(
-    method: Method, plot: Plot, *, found: Beside | None = None, own: Own | None = None, answer: bool = True,
+    method: Method, plot: Plot, *, found: DrawingComparison | None = None, own: Own | None = None, answer: bool = True,
     lang: Lang = "en",
 ) -> Sheet | None:  # fmt: skip
     """The planes that mistakes change, and those that a student has drawn; None where there is nothing to show.
@@ -174,7 +174,7 @@ class Version:
 
 
 def _versions(
-    method: Method, plot: Plot, plane: Plane, found: Beside | None, own: Own, answer: bool
+    method: Method, plot: Plot, plane: Plane, found: DrawingComparison | None, own: Own, answer: bool
 ) -> Iterator[Version]:
     changed = found is not None and plane in found.planes
     students = own.get(plane) if plane != "position" else None

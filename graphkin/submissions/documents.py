@@ -9,7 +9,6 @@ import csv
 import io
 import json
 import re
-import tomllib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain, islice
 from pathlib import PurePosixPath
@@ -17,6 +16,7 @@ from typing import IO
 
 from graphkin.base.value import frozen
 from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, TooMuch, WantsExtra, Where
+from graphkin.files.toml import parsed
 from graphkin.submissions.answers import Entry
 from graphkin.submissions.archives import checked_zip, lines_of
 from graphkin.submissions.numbers import plain, short
@@ -198,7 +198,7 @@ def read_toml(text: str, where: Where, limits: Limits) -> StudentDocument:
     if _DEEP.search(text) is not None:
         raise TooMuch(where, "depth", limits.depth)
     try:
-        document = tomllib.loads(text)
+        document = parsed(text)
     except RecursionError:
         raise TooMuch(where, "depth", limits.depth) from None
     except ValueError as problem:

@@ -10,8 +10,7 @@ from itertools import pairwise
 from xml.etree.ElementTree import Element, ParseError
 
 from graphkin.base.value import frozen
-from graphkin.check.outlines import is_plain, outline
-from graphkin.check.transforms import Affine, Unread, length, numbers_in, transform
+from graphkin.check.outlines import Affine, Unread, is_plain, length, numbers_in, outline, transform
 from graphkin.construction import Plane
 from graphkin.errors import BrokenSubmission, Where
 from graphkin.submissions.picture import Dot, PagePicture, PictureArrow, PictureText

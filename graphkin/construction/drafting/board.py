@@ -1,4 +1,9 @@
-"""The drawing board: what is on it after the steps, and the drawing that may lie underneath."""
+"""The drawing board, and its points and lines as three homogeneous coordinates.
+
+A join and a meeting are one product then, and infinity is a place. A point is (x, y, w), a direction where w = 0; a
+line is (a, b, c) with a x + b y + c w = 0. Each is (3,), or (3, n) over positions; what two that coincide would
+give is NaN.
+"""
 
 from __future__ import annotations
 
@@ -7,9 +12,72 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from graphkin.base.geometry import Value, unit
+from graphkin.base.geometry import Array, Real, Value, unit
 from graphkin.base.value import frozen
-from graphkin.construction.drafting.projective import Homogeneous, along, foot, improper, place, product, proper, scalar
+
+Homogeneous = Array
+"""Three coordinates (3,) or (3, n)."""
+
+INFINITE = 1e-9
+"""A point farther off than the unit of coordinates divided by this counts as at infinity."""
+
+
+def proper(at: Value) -> Homogeneous:
+    """A point at a finite place."""
+    return np.array([np.real(at), np.imag(at), np.ones_like(np.real(at))])
+
+
+def improper(direction: Value) -> Homogeneous:
+    """The point at infinity in a direction (unit vector)."""
+    return np.array([np.real(direction), np.imag(direction), np.zeros_like(np.real(direction))])
+
+
+def balanced(coordinates: Homogeneous) -> Homogeneous:
+    """The same point or line, its coordinates of length 1."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(coordinates / np.linalg.norm(coordinates, axis=0))
+
+
+def product(one: Homogeneous, other: Homogeneous) -> Homogeneous:
+    """The line through two points, or the point on two lines."""
+    (a, b, c), (d, e, f) = one, other
+    return np.array(np.broadcast_arrays(b * f - c * e, c * d - a * f, a * e - b * d))
+
+
+def joined(one: Homogeneous, other: Homogeneous) -> Homogeneous:
+    """The line through two points; NaN where they are one but for rounding, as at infinity in one direction."""
+    line = product(balanced(one), balanced(other))
+    return np.where(np.linalg.norm(line, axis=0) > INFINITE, line, np.nan)
+
+
+def located(point: Homogeneous, origin: complex = 0j, size: float = 1.0) -> Value:
+    """The place of a point; infinite at infinity, NaN where it is nowhere."""
+    x, y, w = point
+    with np.errstate(divide="ignore", invalid="ignore"):
+        far = np.abs(w) <= INFINITE * np.hypot(x, y)
+        return scalar(np.where(far, np.where(np.hypot(x, y) > 0, np.inf, np.nan), origin + size * (x + 1j * y) / w))
+
+
+def along(line: Homogeneous) -> Value:
+    """The direction of a line (unit vector), from the first to the second of two points that it joins."""
+    a, b, _ = line
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return scalar((b - 1j * a) / np.hypot(a, b))
+
+
+def foot(line: Homogeneous) -> Value:
+    """The point of a line that is nearest to the origin of coordinates."""
+    a, b, c = line
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return scalar(-c * (a + 1j * b) / (a * a + b * b))
+
+
+def scalar(value: Value) -> Value:
+    """An array as it is, a single value as Python's own."""
+    if np.ndim(value):
+        return value
+    single: complex = np.asarray(value).item()
+    return single
 
 
 @frozen
@@ -20,16 +88,12 @@ class Underlay:
     lines: dict[str, Homogeneous] = field(default_factory=dict)
 
 
-def _exactly(value: Value) -> Value:
-    return value
-
-
 @dataclass
 class Board:
     """Points, lines, circles (centre [m] and radius [m]), numbers [SI]; single ones, or arrays over positions.
 
     origin, size   where coordinates are counted from [m], and their unit [m]
-    read           how the ruler reads a length [m]: exactly, if nothing else is said
+    read           reads a length with the ruler [m]: exactly, if nothing else is said
     lean           by point: how far the two lines that meet in it are from being one, 0 to 1
     """
 
@@ -38,25 +102,27 @@ class Board:
     underlay: Underlay = field(default_factory=Underlay)
     points: dict[str, Homogeneous] = field(default_factory=dict)
     lines: dict[str, Homogeneous] = field(default_factory=dict)
-    circles: dict[str, tuple[Value, Value]] = field(default_factory=dict)
-    numbers: dict[str, Value] = field(default_factory=dict)
-    lean: dict[str, Value] = field(default_factory=dict)
-    read: Callable[[Value], Value] = _exactly
+    circles: dict[str, tuple[Value, Real]] = field(default_factory=dict)
+    numbers: dict[str, Real] = field(default_factory=dict)
+    lean: dict[str, Real] = field(default_factory=dict)
+    read: Callable[[Real], Real] = lambda length: length
 
     def at(self, point: str) -> Value:
-        """Where a point is [m]; infinite at infinity, NaN where what should give it does not meet."""
-        return place(self.points[point], self.origin, self.size)
+        """The place of a point [m]; infinite at infinity, NaN where what should give it does not meet."""
+        return located(self.points[point], self.origin, self.size)
 
     @property
     def places(self) -> dict[str, Value]:
-        """Where all points are [m]."""
+        """The places of all points [m]."""
         return {point: self.at(point) for point in self.points}
 
-    def direction(self, point: str) -> Value:
+    def direction(self, point: str) -> Real:
         """The direction in which a point at infinity lies [rad], in (-pi/2, pi/2]."""
         x, y, _ = self.points[point]
         angle = np.arctan2(y, x)
-        return np.where(angle > np.pi / 2, angle - np.pi, np.where(angle <= -np.pi / 2, angle + np.pi, angle))[()]
+        raised = np.where(angle <= -np.pi / 2, angle + np.pi, angle)
+        upright: Real = np.where(angle > np.pi / 2, angle - np.pi, raised)[()]
+        return upright
 
     def toward(self, at: str, point: str) -> Value:
         """Unit vector from a point to another, +x where there is none; NaN where both are at one place."""

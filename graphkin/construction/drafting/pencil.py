@@ -1,46 +1,73 @@
-"""What ruler, compass and protractor do for each step. What does not meet is NaN."""
+"""Ruler, compass and protractor at work on the steps of a drafting. What does not meet is NaN."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable, Mapping
 from typing import assert_never
 
 import numpy as np
 
-from graphkin.base.geometry import Value, cross, meet_circles, meet_line_circle
-from graphkin.construction.drafting.board import Board
-from graphkin.construction.drafting.projective import Homogeneous, along, balanced, improper, joined, product, scalar
-from graphkin.construction.drafting.rules import RULES
-from graphkin.construction.drafting.steps import (
-    Bisector,
-    CarriedAngle,
-    ChosenPoint,
-    CircleAbout,
-    CircleThrough,
-    Drafting,
-    DraftLayOff,
-    DraftMeasure,
-    DraftMeet,
-    DraftTurn,
-    Far,
-    LineStep,
-    MarkOn,
-    MeasureAngle,
-    Parallel,
-    Perpendicular,
-    Pricked,
-    Reckon,
-    Slanted,
-    Stage,
-    Step,
-    Through,
-    Traced,
+from graphkin.base.geometry import Real, Value, cross, meet_circles, meet_line_circle
+from graphkin.construction.drafting import steps
+from graphkin.construction.drafting.board import (
+    Board,
+    Homogeneous,
+    along,
+    balanced,
+    improper,
+    joined,
+    product,
+    scalar,
 )
+from graphkin.construction.plot import length
+
+# --- sums done beside the drawing: angles [rad], lengths [m] ----------------------------------
+
+ROUNDING = 1e-9
+"""Sines below this are none."""
 
 
-def replay(construction: Drafting, board: Board | None = None) -> Board:
+def theta_of(k: float) -> float:
+    """Angle between the crank's two limit positions: 180 deg (K - 1)/(K + 1) (极位夹角)."""
+    return math.pi * (k - 1) / (k + 1)
+
+
+def _sine(angle: Real) -> Real:
+    """The sine of an angle; 0 for what is only rounding."""
+    sine = np.sin(angle)
+    return np.where(np.abs(sine) < ROUNDING, 0.0, sine)[()]
+
+
+RULES: Mapping[str, Callable[..., Real]] = {
+    "theta": theta_of,
+    "complement": lambda angle: math.pi / 2 - angle,
+    "above": lambda angle: math.pi / 2 + angle / 2,
+    "half": lambda value: value / 2,
+    "double": lambda value: 2 * value,
+    "half difference": lambda one, other: abs(one - other) / 2,
+    "half sum": lambda one, other: (one + other) / 2,
+    "difference": lambda one, other: one - other,
+    "straight": lambda: math.pi,
+    "same": lambda value: value,
+    "over": lambda one, other: one / other,
+    "lever": lambda rate, arm, other: rate * arm / other,
+    "speed": lambda rate, arm, scale: rate * arm * scale,
+    "sines": lambda side, one, other: side * abs(_sine(one) / _sine(other)),
+    "sense": lambda sense, angle: sense * np.sign(np.cos(angle)),
+    "sense of sines": lambda sense, one, other: sense * np.sign(np.sin(one) * np.sin(other)),
+    "rate": lambda speed, arm, scale: speed / (arm * scale),
+}
+
+
+# --- steps ------------------------------------------------------------------------------------
+
+
+def replay(construction: steps.Drafting, board: Board | None = None) -> Board:
     """Do all steps, on a new board or on one that lies over a drawing.
 
-    >>> board = replay(Drafting({"r": 1.0}, (Stage("", (ChosenPoint("A", 0j), DraftLayOff("B", "A", "r"))),)))
+    >>> stage = steps.Stage("", (steps.ChosenPoint("A", 0j), steps.DraftLayOff("B", "A", "r")))
+    >>> board = replay(steps.Drafting({"r": 1.0}, (stage,)))
     >>> board.at("B")
     (1+0j)
     """
@@ -52,91 +79,83 @@ def replay(construction: Drafting, board: Board | None = None) -> Board:
     return board
 
 
-def draw(stage: Stage, board: Board) -> None:
+def draw(stage: steps.Stage, board: Board) -> None:
     """Do the steps of one stage."""
     with np.errstate(divide="ignore", invalid="ignore"):
         for step in stage.steps:
             _do(step, board)
 
 
-def _do(step: Step, board: Board) -> None:
-    numbers = board.numbers
-    if isinstance(step, LineStep):
-        board.lines[step.name] = ruled(step, board)
+def _do(step: steps.Step, board: Board) -> None:
+    numbers, name = board.numbers, step.name
+    if isinstance(step, steps.LineStep):
+        board.lines[name] = ruled(step, board)
         return
     match step:
-        case ChosenPoint() | Pricked() | Far() | DraftLayOff() | MarkOn() | DraftTurn():
-            board.points[step.name] = _point(step, board)
-        case DraftMeet():
-            _meet(step, board)
-        case CircleThrough() | CircleAbout():
-            _circle(step, board)
-        case Reckon(name, rule, of):
-            numbers[name] = RULES[rule](*(numbers[one] for one in of))
-        case DraftMeasure(name, first, second):
-            numbers[name] = board.read(abs(board.at(second) - board.at(first)))
-        case MeasureAngle(name, at, toward, to):
-            numbers[name] = scalar(np.angle(board.toward(at, to) / board.toward(at, toward)))
-        case _:
-            assert_never(step)
-
-
-def _point(step: ChosenPoint | Pricked | Far | DraftLayOff | MarkOn | DraftTurn, board: Board) -> Homogeneous:
-    match step:
-        case ChosenPoint(_, at):
-            return board.seen(at)
-        case Pricked(_, point):
-            return board.underlay.points[point]
-        case Far(_, line):
-            return improper(1j * along(board.lines[line]))
-        case DraftLayOff(_, about, length, toward, angle, sense):
-            turn = sense * board.numbers[angle] if angle else 0.0
-            way = board.toward(about, toward) * np.exp(1j * turn)
-            return board.seen(board.at(about) + board.numbers[length] * way)
-        case MarkOn(_, circle, turn):
+        case steps.ChosenPoint(_, at):
+            board.points[name] = board.seen(at)
+        case steps.Pricked(_, point):
+            board.points[name] = board.underlay.points[point]
+        case steps.Far(_, line):
+            board.points[name] = improper(1j * along(board.lines[line]))
+        case steps.DraftLayOff(_, about, size, toward, angle, sense):
+            turn = sense * numbers[angle] if angle else 0.0
+            direction = board.toward(about, toward) * np.exp(1j * turn)
+            board.points[name] = board.seen(board.at(about) + numbers[size] * direction)
+        case steps.MarkOn(_, circle, turn):
             centre, radius = board.circles[circle]
-            return board.seen(centre + radius * np.exp(1j * turn))
-        case DraftTurn(_, of, about, angle):
+            board.points[name] = board.seen(centre + radius * np.exp(1j * turn))
+        case steps.DraftTurn(_, of, about, angle):
             arm = board.at(of) - board.at(about)
-            return board.seen(board.at(about) + arm * np.exp(1j * board.numbers[angle]))
+            board.points[name] = board.seen(board.at(about) + arm * np.exp(1j * numbers[angle]))
+        case steps.DraftMeet():
+            _meet(step, board)
+        case steps.CircleThrough() | steps.CircleAbout():
+            _circle(step, board)
+        case steps.Reckon(_, rule, of):
+            numbers[name] = RULES[rule](*(numbers[one] for one in of))
+        case steps.DraftMeasure(_, first, second):
+            numbers[name] = board.read(length(board.at(second) - board.at(first)))
+        case steps.MeasureAngle(_, corner, toward, to):
+            numbers[name] = scalar(np.angle(board.toward(corner, to) / board.toward(corner, toward))).real
         case _:
             assert_never(step)
 
 
-def ruled(step: LineStep, board: Board) -> Homogeneous:
+def ruled(step: steps.LineStep, board: Board) -> Homogeneous:
     """A line, of length 1; NaN where two points to be joined coincide."""
     match step:
-        case Traced(_, line):
-            found = board.underlay.lines[line]
-        case Through(_, first, second):
-            found = joined(board.points[first], board.points[second])
-        case Slanted(_, at, toward, angle, sense):
-            found = board.sloping(board.at(at), board.toward(at, toward) * np.exp(1j * sense * board.numbers[angle]))
-        case Perpendicular(_, at, to):
-            found = product(board.points[at], improper(1j * along(board.lines[to])))
-        case Parallel(_, to, distance, side):
-            start, way = board.line(to)
-            found = board.sloping(start + side * 1j * way * board.numbers[distance], way)
-        case Bisector(_, first, second):
+        case steps.Traced(_, line):
+            ruling = board.underlay.lines[line]
+        case steps.Through(_, first, second):
+            ruling = joined(board.points[first], board.points[second])
+        case steps.Slanted(_, at, toward, angle, sense):
+            ruling = board.sloping(board.at(at), board.toward(at, toward) * np.exp(1j * sense * board.numbers[angle]))
+        case steps.Perpendicular(_, at, to):
+            ruling = product(board.points[at], improper(1j * along(board.lines[to])))
+        case steps.Parallel(_, to, distance, side):
+            start, direction = board.line(to)
+            ruling = board.sloping(start + side * 1j * direction * board.numbers[distance], direction)
+        case steps.Bisector(_, first, second):
             middle = (board.at(first) + board.at(second)) / 2
-            found = board.sloping(middle, 1j * board.toward(first, second))
-        case CarriedAngle(_, at, line, start, end):
+            ruling = board.sloping(middle, 1j * board.toward(first, second))
+        case steps.CarriedAngle(_, at, line, start, end):
             turn = along(board.lines[end]) / along(board.lines[start])
-            found = product(improper(along(board.lines[line]) * turn), board.points[at])
+            ruling = product(improper(along(board.lines[line]) * turn), board.points[at])
         case _:
             assert_never(step)
-    return balanced(found)
+    return balanced(ruling)
 
 
-def _circle(step: CircleThrough | CircleAbout, board: Board) -> None:
-    if isinstance(step, CircleThrough):
+def _circle(step: steps.CircleThrough | steps.CircleAbout, board: Board) -> None:
+    if isinstance(step, steps.CircleAbout):
+        centre = board.at(step.centre)
+        radius = length(board.at(step.through) - centre) if step.through else board.numbers[step.radius]
+    else:
         p, q, r = (board.at(name) for name in step.points)
         centre = _circumcentre(p, q, r)
         board.points[step.centre] = board.seen(centre)
-        board.circles[step.name] = centre, abs(p - centre)
-        return
-    centre = board.at(step.centre)
-    radius = abs(board.at(step.through) - centre) if step.through else board.numbers[step.radius]
+        radius = length(p - centre)
     board.circles[step.name] = centre, radius
 
 
@@ -144,37 +163,31 @@ def _circumcentre(p: Value, q: Value, r: Value) -> Value:
     """Equally far from three points; NaN where they lie in line (but for rounding)."""
     u, w = q - p, r - p
     area = np.asarray(2 * cross(u, w))
-    centre = p + 1j * (u * abs(w) ** 2 - w * abs(u) ** 2) / area
-    return scalar(np.where(abs(area) <= 1e-12 * abs(u) * abs(w), complex(np.nan, np.nan), centre))
+    centre = p + 1j * (u * length(w) ** 2 - w * length(u) ** 2) / area
+    return scalar(np.where(np.abs(area) <= 1e-12 * length(u) * length(w), complex(np.nan, np.nan), centre))
 
 
 # --- where two things meet --------------------------------------------------------------------
 
 
-def _meet(step: DraftMeet, board: Board) -> None:
+def _meet(step: steps.DraftMeet, board: Board) -> None:
     if step.first in board.lines and step.second in board.lines:
-        found = product(board.lines[step.first], board.lines[step.second])
-        board.lean[step.name] = np.linalg.norm(found, axis=0)
-        board.points[step.name] = balanced(found)
-    else:
-        board.points[step.name] = board.seen(_meant(step, board))
-
-
-def _meant(step: DraftMeet, board: Board) -> Value:
-    """Of two crossings of which one is a circle's, the one that is meant."""
+        crossing = product(board.lines[step.first], board.lines[step.second])
+        board.lean[step.name] = np.linalg.norm(crossing, axis=0)
+        board.points[step.name] = balanced(crossing)
+        return
     one, other = _crossings(step, board)
-    if not step.near and not step.far:
-        return one
-    known = board.at(step.near or step.far)
-    far, farther = abs(one - known), abs(other - known)
-    return scalar(np.where(far <= farther if step.near else far >= farther, one, other))
+    if step.near or step.far:
+        known = board.at(step.near or step.far)
+        far, farther = length(one - known), length(other - known)
+        one = scalar(np.where(far <= farther if step.near else far >= farther, one, other))
+    board.points[step.name] = board.seen(one)
 
 
-def _crossings(step: DraftMeet, board: Board) -> tuple[Value, Value]:
+def _crossings(step: steps.DraftMeet, board: Board) -> tuple[Value, Value]:
+    """Both crossings of two things of which one at least is a circle."""
     first, *others = [board.circles[name] for name in (step.first, step.second) if name in board.circles]
     if others:
-        left, right = (meet_circles(*first, *others[0], side)[0] for side in (1.0, -1.0))
-    else:
-        line = board.line(step.first if step.first in board.lines else step.second)
-        left, right = (meet_line_circle(*line, *first, side)[0] for side in (1.0, -1.0))
-    return left, right
+        return meet_circles(*first, *others[0], 1.0)[0], meet_circles(*first, *others[0], -1.0)[0]
+    line = board.line(step.first if step.first in board.lines else step.second)
+    return meet_line_circle(*line, *first, 1.0)[0], meet_line_circle(*line, *first, -1.0)[0]

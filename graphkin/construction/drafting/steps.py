@@ -1,4 +1,4 @@
-"""What ruler, compass and protractor do, as data: the kinds of steps by what they make, stages, a drafting of them.
+"""The work of ruler, compass and protractor as data: the kinds of steps by what they make, stages, a drafting of them.
 
 Every step has a `name`, that of the point, line, circle or number which it makes; its other names are those of what is
 there before. An angle is a number [rad], counted with a `sense`: 1 counter-clockwise, -1 clockwise.
@@ -12,7 +12,7 @@ from functools import cached_property
 from typing import assert_never
 
 from graphkin.base.value import frozen
-from graphkin.construction.drafting.projective import Homogeneous
+from graphkin.construction.drafting.board import Homogeneous
 
 # --- points -----------------------------------------------------------------------------------
 
@@ -77,7 +77,7 @@ class DraftTurn:
 
 @frozen
 class DraftMeet:
-    """Where two lines or circles meet: of two crossings the one nearest to, or farthest from, a point."""
+    """The point where two lines or circles meet: of two crossings the one nearest to, or farthest from, a point."""
 
     name: str
     first: str
@@ -256,7 +256,7 @@ class Drafting:
 
     given: Mapping[str, float]
     stages: tuple[Stage, ...]
-    points: Mapping[str, Homogeneous] = field(default_factory=dict)
+    points: Mapping[str, Homogeneous | tuple[float, float, float]] = field(default_factory=dict)
 
     @property
     def steps(self) -> Iterator[Step]:

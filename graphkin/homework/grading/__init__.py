@@ -14,7 +14,7 @@ from graphkin.homework.grading.keys import USUAL, Pencils, key_drawn, key_for, k
 from graphkin.homework.grading.problems import Problem, problems_of
 from graphkin.homework.grading.running import Journal, MarkingOptions, grade, resumed
 from graphkin.homework.grading.sets import KeySet, OneKey, SetMarker, judge_from, set_text
-from graphkin.marking.graded import Graded
+from graphkin.marking.records import Graded
 
 __all__ = [
     "USUAL", "Graded", "Journal", "KeySet", "MarkingOptions", "OneKey", "Pencils", "Problem", "SetMarker", "grade",

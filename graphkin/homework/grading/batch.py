@@ -17,9 +17,8 @@ from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, NoMarks, OwnFault, SaidBefore, Where
 from graphkin.homework import Record
 from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
-from graphkin.marking.graded import Drawn, Graded
-from graphkin.marking.marked import HandedNumber, Marked, StudentWork
 from graphkin.marking.marker import Marker
+from graphkin.marking.records import Drawn, Graded, HandedNumber, Marked, StudentWork
 from graphkin.model.quantities import at_position, position_of
 from graphkin.outputs.marks_json import FORMAT, KIND, drawn_of, records_in
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one

@@ -6,7 +6,6 @@ With one for each further position that the problem asks for, of a mechanism tha
 from __future__ import annotations
 
 import math
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from copy import deepcopy
 from dataclasses import replace
@@ -20,9 +19,9 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import BadKey, GraphkinError, NoFile, NoKeyAtPosition, NothingToMark, Unreadable, Where
 from graphkin.files import from_dict
-from graphkin.marking.handed import asked_of
+from graphkin.marking.answers import asked_of
 from graphkin.marking.key import Key, Marking
-from graphkin.marking.making import make_key
+from graphkin.marking.key_making import make_key
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.model.quantities import Quantity
@@ -151,17 +150,24 @@ def further_methods(method: Method) -> Iterator[Method]:
 def _moved(method: Method, plot: Plot, values: tuple[float, ...]) -> Mechanism:
     """The mechanism file with its drivers, poses and sketch at another position."""
     mechanism = method.mechanism
-    motions, document = readings(method, plot), deepcopy(tomllib.loads(mechanism.text))
-    for table, driver, value in zip(document["driver"], mechanism.drivers, values, strict=True):
+    motions = readings(method, plot)
+    document = {str(path[0]): deepcopy(stated.written) for path, stated in mechanism.given.items() if len(path) == 1}
+    for table, driver, value in zip(_tables(document, "driver"), mechanism.drivers, values, strict=True):
         table.pop("also", None)
         if driver.value is not None:
             _set(table, driver, value)
-    for table, pose in zip(document.get("pose", []), mechanism.poses, strict=True):
+    for table, pose in zip(_tables(document, "pose"), mechanism.poses, strict=True):
         _set(table, pose, _pose_value(mechanism, motions, pose))
     fixed = mechanism.named(FRAME)
     places = {name: place(plot.position[name]) * 1000 for name in mechanism.points if name not in fixed}
     document["sketch"] = {name: [point.real, point.imag] for name, point in places.items()}
     return from_dict(document, name=mechanism.name)
+
+
+def _tables(document: Mapping[str, object], name: str) -> list[dict[str, object]]:
+    tables = document.get(name, [])
+    assert isinstance(tables, list), "a file with other tables is refused"
+    return tables
 
 
 def _set(table: dict[str, object], one: Driver | Pose, value: float) -> None:

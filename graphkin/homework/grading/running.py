@@ -23,9 +23,9 @@ from graphkin.homework import Record
 from graphkin.homework.grading import batch as batches
 from graphkin.homework.grading.batch import EarlierReading, Item, StoredRecord, marked
 from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
-from graphkin.marking.graded import Graded
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
+from graphkin.marking.records import Graded
 from graphkin.outputs.files import refuse
 from graphkin.outputs.marks_json import MARKS, records_in, text
 from graphkin.submissions import FirstOnes, Handed, Limits, called, guarded, handed_in

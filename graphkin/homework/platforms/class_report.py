@@ -14,8 +14,8 @@ from graphkin.errors import Lang
 from graphkin.homework.platforms.feedback import habit, suspected
 from graphkin.homework.platforms.result import Result, ResultLine, Suspicion
 from graphkin.homework.platforms.tables import exponentless
-from graphkin.marking.habits import Habit
-from graphkin.marking.marked import Verdict
+from graphkin.marking.diagnosis import Habit
+from graphkin.marking.records import Verdict
 from graphkin.say.catalogue import say
 
 RANGES = 10

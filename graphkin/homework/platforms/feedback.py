@@ -10,7 +10,7 @@ from graphkin.errors import Lang
 from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.result import Result, ResultLine, ResultPicture, Suspicion, texts_in
 from graphkin.homework.platforms.tables import exponentless
-from graphkin.marking.habits import Habit
+from graphkin.marking.diagnosis import Habit
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
 from graphkin.model.quantities.reading import respelled

@@ -14,7 +14,7 @@ from graphkin.homework.grading import SetMarker
 from graphkin.homework.platforms.feedback import Reveal
 from graphkin.homework.platforms.result import Result, ResultPicture, Suspicion
 from graphkin.marking import Rewrite, rewrites
-from graphkin.marking.comparison import Beside, beside
+from graphkin.marking.consequences import DrawingComparison, compare_drawings
 from graphkin.marking.key import Name
 from graphkin.marking.marker import Marker
 from graphkin.model.quantities import position_of
@@ -85,7 +85,7 @@ class PolygonPictures:
 
     def _otherwise(
         self, here: Marker, at: int, names: Sequence[tuple[Name, ...]]
-    ) -> tuple[tuple[Name, ...], Beside | None]:
+    ) -> tuple[tuple[Name, ...], DrawingComparison | None]:
         """The first of the mistakes that draws something otherwise, and its drawing; else the first known."""
         if at not in self._rewrites:
             every = rewrites(here.method, here.plot, here.quantities, here.key.marking.scales)
@@ -93,7 +93,7 @@ class PolygonPictures:
         own = self._rewrites[at]
         known = [mistake for mistake in names[:_SAME] if mistake and all(name in own for name in mistake)]
         for mistake in known:
-            changed = beside(here.method, here.plot, [own[name] for name in mistake])
+            changed = compare_drawings(here.method, here.plot, [own[name] for name in mistake])
             if changed.planes:
                 return mistake, changed
         return next(iter(known), ()), None
@@ -104,7 +104,7 @@ def _position(one: Suspicion) -> int:
     return position_of(one.explains[0])[1] if one.explains else 1
 
 
-def _of_mistake(mistake: tuple[Name, ...], changed: Beside, answer: bool, lang: Lang) -> list[str]:
+def _of_mistake(mistake: tuple[Name, ...], changed: DrawingComparison, answer: bool, lang: Lang) -> list[str]:
     label = [say("pictures.shows", lang, mistake=mistakes_together(mistake, lang))]
     if any(changed.arrows.values()) or any(changed.images.values()):
         label.append(say("pictures.thick", lang))

@@ -19,9 +19,9 @@ from graphkin.homework.platforms.question import ProblemSet, question_of
 from graphkin.homework.platforms.set_formats import SETS
 from graphkin.homework.problems import Template, Variant
 from graphkin.homework.problems.posed import shown_at
+from graphkin.marking.discriminability import SetDiscriminability, set_discriminability
 from graphkin.marking.marker import Marker
 from graphkin.marking.power import alarms
-from graphkin.marking.told import SetTold, set_told
 from graphkin.outputs.files import beside, refuse
 from graphkin.outputs.key_json import key_text
 from graphkin.outputs.study_json import told_data
@@ -74,7 +74,7 @@ def write_problems(
             if len(rates) < _TRIED:  # right work by pencil, what is asked handed in: parts judged wrong, and mistaken
                 rates.append(alarms(Marker(key), [entry.text for entry in key.entries if entry.points]))
             yield _write(folder / f"{name}{KEY}", key_text(key), force)
-    power = set_told([variant.told for variant in variants], (USUAL.length_mm, USUAL.angle_deg), rates)
+    power = set_discriminability([variant.told for variant in variants], (USUAL.length_mm, USUAL.angle_deg), rates)
     if keys:
         yield _write(folder / TOLD, "\n".join((*discriminability_lines(power, lang), "", MADE, "")), force)
         index = {student: f"{name}{KEY}" for student, name in names.items()}
@@ -166,7 +166,9 @@ def _write(path: Path, text: str, force: bool) -> Path:
     return path
 
 
-def _listed(template: Template, variants: tuple[Variant, ...], names: dict[str, str], seed: str, told: SetTold) -> str:
+def _listed(
+    template: Template, variants: tuple[Variant, ...], names: dict[str, str], seed: str, told: SetDiscriminability
+) -> str:
     """The list of the set: the numbers of each student."""
     students = {
         variant.student.id: {

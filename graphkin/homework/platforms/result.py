@@ -16,9 +16,9 @@ from graphkin.errors import Lang, NoFile, NotAResult, Unreadable, Where
 from graphkin.homework import Record
 from graphkin.homework.platforms.question import Text
 from graphkin.homework.platforms.tables import points
-from graphkin.marking.habits import Habit, Trace
+from graphkin.marking.diagnosis import Habit, Trace
 from graphkin.marking.key import Name
-from graphkin.marking.marked import Verdict
+from graphkin.marking.records import Verdict
 from graphkin.outputs.marks_json import END, HEAD, drawn_of, record_of, records_in
 
 FORMAT = 1

@@ -23,7 +23,7 @@ from graphkin.homework.platforms.markup import ZIP_MARKS, clean, pack
 from graphkin.homework.platforms.pages import PAGE, html
 from graphkin.homework.platforms.result import Result, ResultPicture
 from graphkin.homework.platforms.tables import BOM, Cell, line, workbook_files, write_lines
-from graphkin.marking.habits import Trace, habits
+from graphkin.marking.diagnosis import Trace, habits
 from graphkin.outputs.files import beside
 from graphkin.say.catalogue import in_both, say
 from graphkin.submissions import safe_name

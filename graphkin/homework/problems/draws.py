@@ -20,9 +20,8 @@ from graphkin.homework.grading.keys import KEYS, marking_of
 from graphkin.homework.problems.posed import PosedProblem, Refused, answers, well_posed
 from graphkin.homework.problems.roster import Student
 from graphkin.homework.problems.template import Template
+from graphkin.marking.discriminability import LOOKED_AT, Always, Discriminability, MistakeVisibility, mistake_visibility
 from graphkin.marking.key import Marking
-from graphkin.marking.telling import Telling, telling
-from graphkin.marking.told import LOOKED_AT, Always, Discriminability
 from graphkin.model.mechanism import Mechanism
 from graphkin.running.drawn_sides import DrawnSides, drawn_sides
 
@@ -103,7 +102,7 @@ def _posed(
         posed = well_posed(mechanism)
     except GraphkinError:
         return "assembly"
-    if isinstance(posed, str) or (tells := goal.telling(posed)).failed > _FAILS:
+    if isinstance(posed, str) or (tells := goal.visibility(posed)).failed > _FAILS:
         others.refused[numbers] = posed if isinstance(posed, str) else "dead point"
         return others.refused[numbers]
     own = _Answers(answers(posed), tells.right, tells.tolerance)
@@ -127,14 +126,14 @@ class _Goal:
         """By problems that are nobody's."""
         sample = list(islice(_sample(template, seed), _SAMPLE))
         paper = DrawingSizes.of(sample)
-        tellings = [telling(posed.method, posed.drawn, paper.marking(posed)) for posed in sample]
+        tellings = [mistake_visibility(posed.method, posed.drawn, paper.marking(posed)) for posed in sample]
         always = Always(tellings)
         lost = sorted(always.told(each).lost for each in tellings)
         return cls(paper, always, lost[(len(lost) - 1) // 3] if lost else 0)
 
-    def telling(self, posed: PosedProblem) -> Telling:
+    def visibility(self, posed: PosedProblem) -> MistakeVisibility:
         """The mistakes that the answers at the drawn position tell apart."""
-        return telling(posed.method, posed.drawn, self.paper.marking(posed))
+        return mistake_visibility(posed.method, posed.drawn, self.paper.marking(posed))
 
 
 def _sample(template: Template, seed: str) -> Iterator[PosedProblem]:

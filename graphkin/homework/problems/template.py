@@ -10,7 +10,6 @@ template's own text with numbers in their places: comments and layout stay.
 from __future__ import annotations
 
 import re
-import tomllib
 from collections.abc import Iterator, Mapping, Sequence
 from decimal import Decimal, InvalidOperation
 from pathlib import Path
@@ -19,6 +18,7 @@ from graphkin import files as loading
 from graphkin.base.value import frozen
 from graphkin.errors import BrokenToml, NoRange, NotATemplate, OutOfRange, UnknownQuantity, Where
 from graphkin.files.source import read_text, read_toml
+from graphkin.files.toml import parsed
 from graphkin.model.mechanism import Mechanism
 
 _SPAN = re.compile(r"""\{(?:[^{}"'#]|"[^"\n]*"|'[^'\n]*')*\}""")
@@ -89,7 +89,7 @@ def read_template(path: Path) -> Template:
     if not spans:
         raise NotATemplate(Where(file))
     paths = _places(bare, spans, file)
-    tables = (tomllib.loads(f"x = {bare[start:end]}")["x"] for start, end in spans)
+    tables = (parsed(f"x = {bare[start:end]}")["x"] for start, end in spans)
     keys = (Where(file, lines.get(path), ".".join(map(str, path))) for path in paths)
     ranges = tuple(_range(table, path, where) for table, path, where in zip(tables, paths, keys, strict=True))
     edges = [0, *(edge for span in spans for edge in span), len(bare)]
@@ -108,8 +108,8 @@ def _ranges_in(text: str) -> Iterator[tuple[int, int]]:
         if "#" in re.sub(r""""[^"\n]*"|'[^'\n]*'""", "", line):
             continue
         try:
-            table = tomllib.loads(f"x = {match.group()}")["x"]
-        except tomllib.TOMLDecodeError:
+            table = parsed(f"x = {match.group()}")["x"]
+        except ValueError:
             continue
         if {"from", "to"} <= table.keys() <= {"from", "to", "step"}:
             yield match.span()
@@ -121,8 +121,8 @@ def _places(text: str, spans: Sequence[tuple[int, int]], file: str) -> list[tupl
     for k, (start, stop) in enumerate(spans):
         marked, end = f"{marked}{text[end:start]}{_MARK + k}", stop
     try:
-        paths = dict(_marked_numbers(tomllib.loads(marked + text[end:]), ()))
-    except (tomllib.TOMLDecodeError, RecursionError) as problem:
+        paths = dict(_marked_numbers(parsed(marked + text[end:]), ()))
+    except (ValueError, RecursionError) as problem:
         raise BrokenToml(Where(file), str(problem)) from None
     if set(paths) != set(range(len(spans))):
         raise NoRange(Where(file))

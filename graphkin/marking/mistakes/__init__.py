@@ -1,23 +1,11 @@
 """The mistakes: one small function each, which says where it can be made. Importing enters them all.
 
-`driving`: what is given. `directions`: of unknown arrows. `rotations`: omega and alpha read off, and segments of the
-polygon. `images`; `normals`; `coriolis`: the known terms. `conversions`: units and scales. `centres`; `contacts`.
+`centres`: ratios of rotations. `conversions`: units and scales. `coriolis`. `directions`: of unknown arrows. `driving`:
+what is given. `link_motion`: images and normal accelerations. `readings`: omega, alpha and segments of the polygon.
 """
 
 from __future__ import annotations
 
-from graphkin.marking.mistakes import (
-    centres,
-    contacts,
-    conversions,
-    coriolis,
-    directions,
-    driving,
-    images,
-    normals,
-    rotations,
-)
+from graphkin.marking.mistakes import centres, conversions, coriolis, directions, driving, link_motion, readings
 
-__all__ = [
-    "centres", "contacts", "conversions", "coriolis", "directions", "driving", "images", "normals", "rotations",
-]  # fmt: skip
+__all__ = ["centres", "conversions", "coriolis", "directions", "driving", "link_motion", "readings"]

@@ -1,21 +1,23 @@
-"""Mistakes with instant centres: ratios upside down, lines of the wrong pairs, and a = 0 where only v is."""
+"""Mistakes with ratios of rotations: instant centres upside down, from wrong pairs, or as at rest; wheels on an arm."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations
+from itertools import chain, combinations, product
 
 import numpy as np
 
-from graphkin.base.geometry import Value, cross
-from graphkin.construction import Meet
-from graphkin.marking.rewrite import Edit, Rewrite, RewrittenValue, times
+from graphkin.base.geometry import Value, cross, number, place
+from graphkin.construction import Meet, Simultaneous
+from graphkin.marking.hand import Redrawing
+from graphkin.marking.rewrite import Change, Edit, Rewrite, RewrittenValue, times
 from graphkin.marking.scene import Scene, mistake
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Centre, Moving, Quotient, Rotation
-
-__all__: list[str] = []
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.position import in_step
+from graphkin.planning.stages import Group, Mesh
 
 REST = 1e-9
 """What counts as nothing, as part of the largest of its kind."""
@@ -27,7 +29,9 @@ def centre_ratio(scene: Scene) -> Iterator[Rewrite]:
     for quantity in scene.quantities:
         if isinstance(quantity, Centre):
             yield from _wrong_pairs(scene, quantity)
-        elif isinstance(quantity, Quotient) and _of_rotations(quantity):
+        elif isinstance(quantity, Quotient):
+            if not all(isinstance(half, Rotation) and half.word == "omega" for half in quantity.halves):
+                continue
             value = complex(quantity.answer(scene.motions).value)
             if value and np.isfinite(value):
                 yield _ratio(quantity.text, "", RewrittenValue(quantity.text, instead=1 / value))
@@ -44,10 +48,6 @@ def centre_ratio(scene: Scene) -> Iterator[Rewrite]:
             yield _ratio(quantity.text, "", RewrittenValue(quantity.text, -1.0), "sense")
 
 
-def _of_rotations(quantity: Quotient) -> bool:
-    return all(isinstance(half, Rotation) and half.word == "omega" for half in quantity.halves)
-
-
 def _ratio(of: str, form: str, written: RewrittenValue, way: str = "") -> Rewrite:
     return Rewrite("centre-ratio", of, form, asked=(written,), way=way)
 
@@ -59,10 +59,10 @@ def _wrong_pairs(scene: Scene, quantity: Centre) -> Iterator[Rewrite]:
     called = scene.method.mechanism.called
     for k, m in combinations([link for link in links if link not in (i, j)], 2):
         for first, second in ((((i, k), (j, m)), ((i, m), (j, k))), (((i, k), (i, m)), ((j, k), (j, m)))):
-            place = _crossing(*(_place(scene, pair) for pair in (*first, *second)))
-            if np.isfinite(place):
+            crossing = _crossing(*(_place(scene, pair) for pair in (*first, *second)))
+            if np.isfinite(crossing):
                 form = " × ".join("".join(f"P{called(a)}{called(b)}" for a, b in lines) for lines in (first, second))
-                yield _ratio(quantity.text, form, RewrittenValue(quantity.text, instead=place), "lines")
+                yield _ratio(quantity.text, form, RewrittenValue(quantity.text, instead=crossing), "lines")
 
 
 def _place(scene: Scene, links: tuple[str, str]) -> complex:
@@ -70,12 +70,14 @@ def _place(scene: Scene, links: tuple[str, str]) -> complex:
 
 
 def _crossing(a: complex, b: complex, c: complex, d: complex) -> complex:
-    """Where the lines ab and cd cross; infinite where that says nothing."""
-    if not all(np.isfinite(place) for place in (a, b, c, d)):
+    """The crossing of the lines ab and cd; infinite where that says nothing."""
+    if not all(np.isfinite(corner) for corner in (a, b, c, d)):
         return complex(np.inf)
     u, w = b - a, d - c
-    sine = cross(u, w)
-    return complex(np.inf) if abs(sine) < REST * abs(u) * abs(w) or not sine else a + u * cross(c - a, w) / sine
+    sine = number(cross(u, w))
+    if abs(sine) < REST * abs(u) * abs(w) or not sine:
+        return complex(np.inf)
+    return a + u * number(cross(c - a, w)) / sine
 
 
 @mistake("centre-acceleration-zero", "centre", "3-2.2")
@@ -84,30 +86,113 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
     for quantity in scene.quantities:
         if isinstance(quantity, Moving) and quantity.word == "a" and quantity.seen_from is None:
             for link in scene.links_of(quantity.site):
-                place = _place(scene, (FRAME, link))
-                vector = _about(scene.motions, quantity.site.point, link, place)
+                centre = _place(scene, (FRAME, link))
+                vector = _about(scene.motions, quantity.site.point, link, centre)
                 if np.isfinite(vector):
                     form = f"P{scene.method.mechanism.frame}{scene.method.mechanism.called(link)}"
                     instead = (RewrittenValue(quantity.text, instead=vector),)
                     yield Rewrite("centre-acceleration-zero", quantity.text, form, asked=instead)
-    for _, step in scene.steps("acceleration"):
+    for step in scene.steps("acceleration"):
         if isinstance(step, Meet) and _stands(scene, step.point):
             edits = (Edit(("met", "acceleration", step.point), times(0.0)),)
             of = f"a_{scene.method.acceleration.nodes[step.point].of}"
             yield Rewrite("centre-acceleration-zero", of, "", edits, way="point")
 
 
-def _about(motions: Motions, point: str, link: str, place: complex) -> complex:
+def _about(motions: Motions, point: str, link: str, centre: complex) -> complex:
     """Acceleration of a point that turns with a link about a place at rest."""
     with np.errstate(invalid="ignore"):
-        turned: Value = (1j * motions.alpha[link] - motions.omega[link] ** 2) * (motions.position[point] - place)
+        turned: Value = (1j * motions.alpha[link] - motions.omega[link] ** 2) * (motions.position[point] - centre)
     return complex(turned)
 
 
 def _stands(scene: Scene, node: str) -> bool:
-    """Whether a corner is a point whose velocity is nothing."""
+    """True if a corner is a point whose velocity is nothing."""
     site = scene.method.acceleration.nodes[node].site
     if site is None or site.link not in scene.motions.velocities or site.point not in scene.plot.position:
         return False
-    fastest = max(abs(v) for v in scene.plot.velocity.values())
-    return bool(abs(scene.motions.velocity_at(site.point, site.link)) < REST * fastest)
+    fastest = max(abs(place(v)) for v in scene.plot.velocity.values())
+    return abs(place(scene.motions.velocity_at(site.point, site.link))) < REST * fastest
+
+
+# --- wheels on an arm --------------------------------------------------------------------------
+
+
+@mistake("arm-ignored", "wheels", "11-2")
+def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
+    """omega_a / omega_b = -r_b / r_a with the wheels' own rotations, though the arm that bears them turns.
+
+    At one contact, or at all; the wheels after it turn as their own contacts then have it. Where wheels and arm are
+    found together, the law of the contact is put into the equations without the arm.
+    """
+    contacts = list(_contacts(scene))
+    wrong = [k for k, (_, contact) in enumerate(contacts) if _matters(scene, contact)]
+    for k in wrong:
+        yield _ignoring(scene, contacts, {k})
+    if len(wrong) > 1:
+        yield _ignoring(scene, contacts, set(wrong))
+    together = dict(_found_together(scene))
+    for name, edits in together.items():
+        yield Rewrite("arm-ignored", name, edits=edits)
+    if len(together) > 1:
+        yield Rewrite("arm-ignored", ", ".join(together), edits=tuple(chain(*together.values())))
+
+
+def _found_together(scene: Scene) -> Iterator[tuple[str, tuple[Edit, ...]]]:
+    """Contacts on an arm in groups whose rotations several equations give, by the wheels that these give; those with a
+    driven wheel last, which alone give the other one."""
+    contacts = [c for stage in scene.method.stages if isinstance(stage, Group) for c in stage.contacts]
+    for contact in sorted(contacts, key=lambda contact: _driven_wheel(scene, contact) is not None):
+        wheels = [wheel for wheel in contact.wheels if not scene.driven(wheel)]
+        borne = contact.arm and not any(scene.turns_with(wheel, contact.arm) for wheel in wheels)
+        if wheels and borne and _matters(scene, contact):
+            spots = (("rolling", plane, in_step(contact), contact.arm) for plane in ("velocity", "acceleration"))
+            name = ", ".join(scene.rotation_name("omega", wheel) for wheel in wheels)
+            yield name, (*(Edit(spot, times(0.0)) for spot in spots), *_at_once(scene, contact, wheels))
+
+
+def _at_once(scene: Scene, contact: Contact, wheels: list[str]) -> Iterator[Edit]:
+    """The ratio to a driven wheel, where velocities are drawn by the points of contact, which know no arm."""
+    solved = (step for step in scene.steps("velocity") if isinstance(step, Simultaneous))
+    if _driven_wheel(scene, contact) is not None and all(in_step(contact) not in step.contacts for step in solved):
+        for wheel, quantity in product(wheels, ("omega", "alpha")):
+            yield Edit(("settled", quantity, wheel), _by_contact(contact, wheel, quantity, contact.arm))
+
+
+def _driven_wheel(scene: Scene, contact: Contact) -> str | None:
+    return next((wheel for wheel in contact.wheels if wheel != FRAME and scene.driven(wheel)), None)
+
+
+def _contacts(scene: Scene) -> Iterator[tuple[str, Contact]]:
+    """Every contact on an arm that gives the rotation of a wheel, after that wheel."""
+    for stage in scene.method.stages:
+        if isinstance(stage, Mesh) and stage.angle and stage.contact.arm:
+            wheel = next((w for w in stage.contact.wheels if scene.turns_with(w, stage.angle)), "")
+            if wheel and not scene.turns_with(wheel, stage.contact.arm):
+                yield wheel, stage.contact
+
+
+def _matters(scene: Scene, contact: Contact) -> bool:
+    return bool(scene.plot.omega[contact.arm] or scene.plot.alpha[contact.arm])
+
+
+def _ignoring(scene: Scene, contacts: list[tuple[str, Contact]], wrong: set[int]) -> Rewrite:
+    edits = tuple(
+        Edit(("settled", quantity, wheel), _by_contact(contact, wheel, quantity, contact.arm if k in wrong else ""))
+        for k, (wheel, contact) in enumerate(contacts)
+        if k >= min(wrong)
+        for quantity in ("omega", "alpha")
+    )
+    wheels = (contacts[k][0] for k in sorted(wrong))
+    return Rewrite("arm-ignored", ", ".join(scene.rotation_name("omega", wheel) for wheel in wheels), edits=edits)
+
+
+def _by_contact(contact: Contact, wheel: str, quantity: str, without: str) -> Change:
+    """A wheel's rate as a contact gives it, from the rotations of all others of its links but one."""
+    own = sum(c for link, c in contact.angles if link == wheel)
+
+    def change(plot: Redrawing, right: Value) -> Value:
+        table: dict[str, Value] = getattr(plot, quantity)
+        return -sum(c * table[link] for link, c in contact.angles if link not in (wheel, without)) / own + 0 * right
+
+    return change

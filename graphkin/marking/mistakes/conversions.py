@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from math import pi
 
-from graphkin.marking.mistakes.rotations import measured, reading
+from graphkin.marking.mistakes.readings import measured, reading
 from graphkin.marking.rewrite import Edit, Rewrite, RewrittenValue, times
 from graphkin.marking.scene import Scene, mistake
 from graphkin.model.quantities import Moving, Quantity, Rotation
-
-__all__: list[str] = []
 
 TURNS = {"30/π": 30 / pi, "60": 60.0, "1/60": 1 / 60, "2π": 2 * pi, "1/2π": 1 / (2 * pi), "180/π": 180 / pi}
 THOUSANDS = {"10³": 1e3, "10⁻³": 1e-3}
@@ -38,20 +36,23 @@ def factors(unit: str, scales: Mapping[str, float]) -> dict[str, float]:
     return {text: factor for text, factor in found.items() if abs(factor - 1) > 1e-9}
 
 
-def _convertible(quantity: Quantity) -> bool:
-    return isinstance(quantity, Moving) or (isinstance(quantity, Rotation) and quantity.word != "theta")
-
-
 @mistake("conversion", "unit", "3-2.1")
 def conversion(scene: Scene) -> Iterator[Rewrite]:
-    asked = [quantity for quantity in scene.quantities if _convertible(quantity)]
+    asked = [q for q in scene.quantities if isinstance(q, Moving) or (isinstance(q, Rotation) and q.word != "theta")]
     yield from _written(scene, asked)
     yield from _throughout(scene)
-    yield from _carried(scene)
-    yield from _given(scene)
+    # a rotation read so, and all that follows from it
+    for step, name in measured(scene, "velocity"):
+        for form, factor in factors("rad/s", scene.scales).items():
+            yield Rewrite("conversion", name, form, reading("velocity", step, times(factor)), way="carried")
+    # the speed that drives: revolutions per minute taken for rad/s, and the like
+    for k, driver in enumerate(scene.method.drivers):
+        for form, factor in (THOUSANDS if driver.kind == "slide" else GIVEN).items():
+            if driver.rate:
+                yield Rewrite("conversion", driver.name, form, (Edit(("rate", k), times(factor)),), way="given")
 
 
-def _written(scene: Scene, asked: list[Quantity]) -> Iterator[Rewrite]:
+def _written(scene: Scene, asked: Sequence[Quantity]) -> Iterator[Rewrite]:
     """Handed-in values alone; all of one unit, each of them, and rotations with the other sense."""
     for unit in dict.fromkeys(quantity.unit for quantity in asked):
         kind = [quantity.text for quantity in asked if quantity.unit == unit]
@@ -80,18 +81,3 @@ def _throughout(scene: Scene) -> Iterator[Rewrite]:
             RewrittenValue(text, factor) for texts, factor in zip(kinds.values(), each, strict=True) for text in texts
         )
         yield Rewrite("conversion", ", ".join(kinds), form, asked=tuple(values), way=way)
-
-
-def _carried(scene: Scene) -> Iterator[Rewrite]:
-    """A rotation read so, and all that follows from it."""
-    for step, name in measured(scene, "velocity"):
-        for form, factor in factors("rad/s", scene.scales).items():
-            yield Rewrite("conversion", name, form, reading("velocity", step, times(factor)), way="carried")
-
-
-def _given(scene: Scene) -> Iterator[Rewrite]:
-    """The speed that drives: revolutions per minute taken for rad/s, and the like."""
-    for k, driver in enumerate(scene.method.drivers):
-        for form, factor in (THOUSANDS if driver.kind == "slide" else GIVEN).items():
-            if driver.rate:
-                yield Rewrite("conversion", driver.name, form, (Edit(("rate", k), times(factor)),), way="given")

@@ -12,8 +12,6 @@ from graphkin.marking.hand import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
-__all__: list[str] = []
-
 RULE = "3-2.1 (3-4)"
 
 
@@ -111,7 +109,7 @@ def block_omega(scene: Scene) -> Iterator[Rewrite]:
 
 
 def _of_block(scene: Scene, size: Coriolis) -> dict[str, Change]:
-    """What may be taken for the block's rotation, by how it is written; ± where only its size is taken."""
+    """Rates that may be taken for the block's rotation, by how it is written; ± where only its size is taken."""
     found: dict[str, Change] = {"0": times(0.0)}
     for link in scene.cranks:
         text = f"ω{scene.method.mechanism.called(link)}"

@@ -6,24 +6,22 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphkin.base.geometry import Value, cross, dot
+from graphkin.base.geometry import Value, cross, dot, number, place
 from graphkin.construction import Across, AlongGuide, Equation, Measure, Meet, Normal, Plane, Ray, Tangential
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
-__all__: list[str] = []
-
 NOTHING = 1e-6
 """Sine of an angle under which two directions count as one."""
 
 
-def rays(scene: Scene, plane: Plane) -> Iterator[tuple[int, Meet, Ray, str]]:
+def rays(scene: Scene, plane: Plane) -> Iterator[tuple[Meet, Ray, str]]:
     """Every direction line of an equation's unknown arrow, with the arrow's name."""
-    for number, meet, equation in scene.meets(plane):
+    for meet, equation in scene.meets(plane):
         for ray in (meet.first, meet.second):
             if isinstance(ray, Ray):
-                yield number, meet, ray, _named(equation, ray, plane) or f"{plane[0]} {meet.point}"
+                yield meet, ray, _named(equation, ray, plane) or f"{plane[0]} {meet.point}"
 
 
 def _named(equation: Equation | None, ray: Ray, plane: Plane) -> str:
@@ -33,7 +31,7 @@ def _named(equation: Equation | None, ray: Ray, plane: Plane) -> str:
 
 
 def measured_over(scene: Scene, plane: Plane, across: Across) -> Measure | None:
-    """What is read off an arrow across a lever."""
+    """The reading off an arrow across a lever."""
     ends = {across.tail, across.head}
     return next((step for step in scene.measures(plane) if set(step.lever) == ends), None)
 
@@ -45,15 +43,15 @@ def unread(scene: Scene, plane: Plane, across: Across) -> tuple[Edit, ...]:
 
 
 def _along(scene: Scene, plane: Plane, id: str) -> Iterator[Rewrite]:
-    for number, _, ray, name in rays(scene, plane):
+    for meet, ray, name in rays(scene, plane):
         if isinstance(ray.direction, Across):
-            edits = (Edit(("line", plane, number, ray), times(-1j)), *unread(scene, plane, ray.direction))
+            edits = (Edit(("line", plane, meet, ray), times(-1j)), *unread(scene, plane, ray.direction))
             yield Rewrite(id, name, edits=edits)
 
 
 @mistake("velocity-along-link", "velocity-direction", "3-2.1 (3-1)")
 def velocity_along_link(scene: Scene) -> Iterator[Rewrite]:
-    """What is read of that link's rotation has no sense, so that it and all that follows from it is not judged."""
+    """The reading of that link's rotation has no sense, so that it and all that follows from it is not judged."""
     return _along(scene, "velocity", "velocity-along-link")
 
 
@@ -80,9 +78,9 @@ def _along_velocity(normal: Normal) -> Change:
 
 @mistake("sliding-across", "velocity-direction", "3-2.1 (3-3)")
 def sliding_across(scene: Scene) -> Iterator[Rewrite]:
-    for number, _, ray, name in rays(scene, "velocity"):
+    for meet, ray, name in rays(scene, "velocity"):
         if isinstance(ray.direction, AlongGuide):
-            yield Rewrite("sliding-across", name, edits=(Edit(("line", "velocity", number, ray), times(1j)),))
+            yield Rewrite("sliding-across", name, edits=(Edit(("line", "velocity", meet, ray), times(1j)),))
 
 
 def with_its_sense(step: Measure, length: float | None = None) -> Change:
@@ -99,7 +97,7 @@ def with_its_sense(step: Measure, length: float | None = None) -> Change:
 @mistake("wrong-radius", "velocity-direction", "3-2.1 (3-1)")
 def wrong_radius(scene: Scene) -> Iterator[Rewrite]:
     """A rocker's point drawn across another line through it or through the pivot."""
-    for number, _, ray, name in rays(scene, "velocity"):
+    for meet, ray, name in rays(scene, "velocity"):
         if not isinstance(ray.direction, Across):
             continue
         step = measured_over(scene, "velocity", ray.direction)
@@ -111,7 +109,7 @@ def wrong_radius(scene: Scene) -> Iterator[Rewrite]:
                 return plot.direction(Across(tail, head))
 
             edits = (
-                Edit(("line", "velocity", number, ray), change),
+                Edit(("line", "velocity", meet, ray), change),
                 Edit(("read", "velocity", "omega", step.of), with_its_sense(step)),
             )
             yield Rewrite("wrong-radius", name, "⊥" + "".join(sorted((tail, head))), edits)
@@ -119,13 +117,13 @@ def wrong_radius(scene: Scene) -> Iterator[Rewrite]:
 
 def _radii(scene: Scene, step: Measure, right: Across) -> Iterator[tuple[str, str]]:
     """Other lines of the link through either end of the lever, each direction once."""
-    known = [scene.plot.direction(right)]
+    known = [place(scene.plot.direction(right))]
     for end in (right.head, right.tail):
         for point in scene.points(step.of):
             if point in (right.head, right.tail) or scene.length(end, point) == 0:
                 continue
-            direction = scene.plot.direction(Across(end, point))
-            if all(abs(cross(direction, other)) > NOTHING for other in known):
+            direction = place(scene.plot.direction(Across(end, point)))
+            if all(abs(number(cross(direction, other))) > NOTHING for other in known):
                 known.append(direction)
                 yield end, point
 
@@ -133,14 +131,14 @@ def _radii(scene: Scene, step: Measure, right: Across) -> Iterator[tuple[str, st
 @mistake("orthogonal-split", "velocity-direction", "3-2.1 (3-3)")
 def orthogonal_split(scene: Scene) -> Iterator[Rewrite]:
     """The known velocity split along a guide and across it, though the guide passes beside the pivot."""
-    for number, meet, ray, name in rays(scene, "velocity"):
+    for meet, ray, name in rays(scene, "velocity"):
         slide = next((r.direction for r in (meet.first, meet.second)
                       if isinstance(r, Ray) and isinstance(r.direction, AlongGuide)), None)  # fmt: skip
         if slide is None or not isinstance(ray.direction, Across):
             continue
         step = measured_over(scene, "velocity", ray.direction)
-        across, along = scene.plot.direction(ray.direction), scene.plot.direction(slide)
-        if step is None or not any(map(scene.fixed, step.lever)) or abs(dot(across, along)) < NOTHING:
+        across, along = (place(scene.plot.direction(direction)) for direction in (ray.direction, slide))
+        if step is None or not any(map(scene.fixed, step.lever)) or abs(number(dot(across, along))) < NOTHING:
             continue
         for form, length in {"": None, **guide_lengths(scene, slide.slide, step.lever)}.items():
 
@@ -148,20 +146,20 @@ def orthogonal_split(scene: Scene) -> Iterator[Rewrite]:
                 return 1j * plot.direction(slide)
 
             edits = (
-                Edit(("line", "velocity", number, ray), change),
+                Edit(("line", "velocity", meet, ray), change),
                 Edit(("read", "velocity", "omega", step.of), with_its_sense(step, length)),
             )
             yield Rewrite("orthogonal-split", name, form, edits, way="length" if form else "")
 
 
 def guide_lengths(scene: Scene, slide: str, lever: tuple[str, str]) -> dict[str, float]:
-    """How far named points of a guide's line are from the sliding point [m], by name."""
+    """Distances of named points of a guide's line from the sliding point [m], by name."""
     guide = scene.plot.facts.lines[slide][0]
-    point, along = scene.method.structure.slides[slide].point, scene.plot.guide_direction(slide)
-    found: dict[str, float] = {}
+    point, along = scene.method.structure.slides[slide].point, place(scene.plot.guide_direction(slide))
+    lengths: dict[str, float] = {}
     for other in scene.points(guide):
-        arm = scene.plot.arm(other, point)
-        on_it = abs(cross(along, arm)) <= NOTHING * abs(arm)
+        arm = place(scene.plot.arm(other, point))
+        on_it = abs(number(cross(along, arm))) <= NOTHING * abs(arm)
         if on_it and abs(arm) > 0 and {other, point} != set(lever):
-            found[scene.length_name(other, point)] = float(abs(arm))
-    return found
+            lengths[scene.length_name(other, point)] = abs(arm)
+    return lengths

@@ -13,8 +13,6 @@ from graphkin.marking.rewrite import Change, Edit, Rewrite, times
 from graphkin.marking.scene import Scene, mistake
 from graphkin.model.mechanism import FRAME
 
-__all__: list[str] = []
-
 
 @mistake("driver-reversed", "driver", "3-2.1 (3-1)")
 def reversed_(scene: Scene) -> Iterator[Rewrite]:
@@ -54,7 +52,7 @@ def relative_as_absolute(scene: Scene) -> Iterator[Rewrite]:
 
 
 def _alone(word: str, k: int) -> Change:
-    """What a driver alone gives its link."""
+    """The rate that a driver alone gives its link."""
 
     def change(plot: Redrawing, right: Value) -> Value:
         return (plot.facts.rates if word == "omega" else plot.facts.accelerations)[k]

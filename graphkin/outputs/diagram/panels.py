@@ -175,5 +175,5 @@ def event_mark(event: Event, lang: Lang) -> str:
 
 def event_line(curves: Curves, event: Event, lang: Lang) -> str:
     """The line below the diagram: where, and which links."""
-    mark, why = event_mark(event, lang), writable(why(event, lang))
-    return say("diagrams.event", lang, mark=mark[0].upper() + mark[1:], place=place_of(curves, event.at), why=why)
+    mark, reason = event_mark(event, lang), writable(why(event, lang))
+    return say("diagrams.event", lang, mark=mark[0].upper() + mark[1:], place=place_of(curves, event.at), why=reason)

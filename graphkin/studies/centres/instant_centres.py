@@ -15,7 +15,7 @@ from graphkin.base.geometry import Array, Value, number, weights_of
 from graphkin.base.value import frozen
 from graphkin.construction import Plot, replay
 from graphkin.construction.drafting import Board, Drafting, DraftMeet, Stage, draw, drawn_through, ruled
-from graphkin.construction.drafting.projective import product
+from graphkin.construction.drafting.board import product
 from graphkin.model.mechanism import FRAME
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
@@ -182,15 +182,13 @@ def as_json(centres: Centres) -> CentresData:
     `by` is "hinge", "contact" (wheels that roll on each other), "slide", "velocities", or the two lines: each two
     centres that it joins, or ["normal"]. Links that do not move against each other have "by": "together" and no place.
     """
-    mechanism, normals = centres.method.mechanism, centres.centring.normals
+    mechanism = centres.method.mechanism
     stages = {stage.last.name: stage for stage in centres.centring.stages}
     entries: dict[str, CentreEntry] = {}
     for first, second in centres.pairs:
         name, links = centres.name(first, second), [mechanism.called(first), mechanism.called(second)]
         if name in stages:
-            stage = stages[name]
-            lines = [["normal"] if line.name in normals else [*drawn_through(line)] for line in stage.lines]
-            by: str | list[list[str]] = lines if stage.say == "two lines" else stage.say
+            by = centres.centring.found_by(stages[name])
             entries[name] = {"links": links, **place(centres, first, second), "by": by}
         else:
             entries[name] = {"links": links, "by": "together"}

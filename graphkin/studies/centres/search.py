@@ -20,8 +20,18 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.construction import Plot, replay
 from graphkin.construction.drafting import Board, draw, ruled
-from graphkin.construction.drafting.projective import Homogeneous, product
-from graphkin.construction.drafting.steps import Drafting, DraftMeet, Far, LineStep, Pricked, Stage, Through, Traced
+from graphkin.construction.drafting.board import Homogeneous, product
+from graphkin.construction.drafting.steps import (
+    Drafting,
+    DraftMeet,
+    Far,
+    LineStep,
+    Pricked,
+    Stage,
+    Through,
+    Traced,
+    drawn_through,
+)
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
@@ -55,6 +65,12 @@ class Centring:
     @property
     def stages(self) -> tuple[Stage, ...]:
         return self.construction.stages
+
+    def found_by(self, stage: Stage) -> str | list[list[str]]:
+        """A rule's name, or the two lines on which a centre lies: the centres that each joins, or ["normal"]."""
+        if stage.say != "two lines":
+            return stage.say
+        return [["normal"] if line.name in self.normals else [*drawn_through(line)] for line in stage.lines]
 
 
 def centre_name(mechanism: Mechanism, first: str, second: str) -> str:

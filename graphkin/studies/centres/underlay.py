@@ -16,7 +16,7 @@ from graphkin.base.tolerances import STILL
 from graphkin.base.value import frozen
 from graphkin.construction import AcrossGuide, Along, Plot, Ray, Touch
 from graphkin.construction.drafting import Board, Homogeneous, Underlay
-from graphkin.construction.drafting.projective import balanced
+from graphkin.construction.drafting.board import balanced
 from graphkin.construction.pencil import touch
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Mechanism

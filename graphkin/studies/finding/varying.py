@@ -6,8 +6,6 @@ The file's text is kept, with that number replaced and nothing else.
 from __future__ import annotations
 
 import math
-import re
-import tomllib
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
@@ -19,8 +17,9 @@ from graphkin.base.geometry import place as place_of
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import BadRange, GraphkinError, NoDimension, NoSuchDriver, Where
+from graphkin.files.toml import replaced_values
 from graphkin.files.values import UNITS, read_quantity, split_points, tidy
-from graphkin.model.mechanism import FRAME, Dimension, Mechanism
+from graphkin.model.mechanism import FRAME, Dimension, KeyPath, Mechanism
 from graphkin.model.naming import driver_number
 from graphkin.planning import Method
 from graphkin.planning import plan as planned
@@ -36,22 +35,13 @@ WHERE = Where("--vary")
 MOST = 10_000
 """Values of a dimension, at most."""
 Plan = Callable[[Mechanism], Method]
-Path = tuple[str | int, ...]
-
-KINDS: dict[str, Dimension] = {
-    "angle": "angle", "tilt": "angle", "at": "length", "radius": "length", "on_radius": "length",
-    "omega": "angular velocity", "alpha": "angular acceleration",
-    "velocity": "velocity", "acceleration": "acceleration",
-}  # fmt: skip
-"""The dimensions of keys of the file that are no measures of links."""
-_NUMBER = r"""(?:"[^"\n]*"|'[^'\n]*'|[-+0-9.][-+.\w]*)"""
 
 
 @frozen
 class DimensionPlace:
     """The place of a dimension: its path in the file, and its kind; or the number of a driver."""
 
-    path: Path
+    path: KeyPath
     kind: Dimension
     driver: int | None = None
 
@@ -62,9 +52,11 @@ def dimension(mechanism: Mechanism, name: str) -> DimensionPlace:
     A length of a link that `AB` names goes before a driver of that name: the angle of AB is swept, not varied.
     """
     name = tidy(name.strip())
-    document = tomllib.loads(mechanism.text) if mechanism.text else {}
-    single = {path: kind for path in mechanism.lines if (kind := _kind(path))}
-    single = {path: single[path] for path in single if type(value_at(document, path)) in (int, float, str)}
+    single = {
+        path: each.dimension
+        for path, each in mechanism.given.items()
+        if each.dimension is not None and isinstance(path[-1], str)
+    }
     places = [DimensionPlace(path, kind) for path, kind in single.items() if _is_called(path, name)]
     if len(places) == 1:
         return places[0]
@@ -78,7 +70,7 @@ def dimension(mechanism: Mechanism, name: str) -> DimensionPlace:
     raise NoDimension(WHERE, name, tuple(dict.fromkeys(possible)))
 
 
-def _is_called(path: Path, name: str) -> bool:
+def _is_called(path: KeyPath, name: str) -> bool:
     """True if a path is called so: in full, or, a measure of a link, by its last key (`BA` is `AB`)."""
     if ".".join(str(part) for part in path) == name:
         return True
@@ -88,61 +80,10 @@ def _is_called(path: Path, name: str) -> bool:
     return split_points(str(path[2])) in (points, points[::-1])
 
 
-def _kind(path: Path) -> Dimension | None:
-    """The dimension of a key; None for one that is no single dimension."""
-    if path[:1] == ("links",):
-        points = len(split_points(str(path[-1]))) if len(path) == 3 else 0
-        return "length" if points == 2 else "angle" if points == 3 else None
-    return KINDS.get(str(path[-1])) if len(path) > 1 else None
-
-
-def value_at(document: object, path: Path) -> object:
-    """The value at a path, however its primes are written; None where there is none."""
-    for part in path:
-        if isinstance(document, dict):
-            document = {tidy(key): value for key, value in document.items()}.get(str(part))
-        elif isinstance(document, list) and isinstance(part, int) and part < len(document):
-            document = document[part]
-        else:
-            return None
-    return document
-
-
 def replaced(mechanism: Mechanism, place: DimensionPlace, value: float) -> str:
     """The file's text with another value [SI] at a place, in the units of plain numbers."""
-    text = mechanism.text
-    lines = text.splitlines(keepends=True)
-    start = sum(len(line) for line in lines[: mechanism.lines[place.path] - 1])
-    end = start + len(lines[mechanism.lines[place.path] - 1])
-    before = tomllib.loads(text)
     times, divided = next(iter(UNITS[place.kind].values()))
-    shown = repr(value * (divided / times))
-    for match in re.finditer(rf"""(=\s*)({_NUMBER})""", text[start:end]):
-        changed = text[: start + match.start(2)] + shown + text[start + match.end(2) :]
-        try:
-            after = tomllib.loads(changed)
-        except tomllib.TOMLDecodeError:
-            continue
-        same = _without(before, place.path) == _without(after, place.path)
-        if same and value_at(after, place.path) is not None:
-            return changed
-    raise NoDimension(WHERE, ".".join(map(str, place.path)), ())
-
-
-def _without(value: object, path: Path) -> object:
-    """A document without the value at a path."""
-    if isinstance(value, dict):
-        head = path[0] if path else None
-        rest = {tidy(key): entry for key, entry in value.items()}
-        if len(path) == 1:
-            return {key: entry for key, entry in rest.items() if key != head}
-        return {key: _without(entry, path[1:]) if key == head else entry for key, entry in rest.items()}
-    if isinstance(value, list) and path:
-        return [_without(entry, path[1:]) if k == path[0] else entry for k, entry in enumerate(value)]
-    return value
-
-
-# --- the table --------------------------------------------------------------------------------
+    return replaced_values(mechanism.text, {place.path: value * (divided / times)})
 
 
 @frozen
@@ -244,9 +185,9 @@ def _with_measures(
     plan: Plan,
 ) -> list[VaryingRow]:  # fmt: skip
     """Rows from the value nearest to the file's on to both sides, so that the assembly goes over step by step."""
-    now = value_at(tomllib.loads(mechanism.text), place.path)
-    assert isinstance(now, int | float | str)
-    begin = int(np.argmin(np.abs(values - read_quantity(now, place.kind))))
+    now = mechanism.given[place.path].si
+    assert now is not None, "a dimension is a quantity"
+    begin = int(np.argmin(np.abs(values - now)))
     start = _positions(plan(mechanism))
     rows: dict[int, VaryingRow] = {}
     for order in (range(begin, values.size), range(begin - 1, -1, -1)):

@@ -1,4 +1,4 @@
-"""Mistakes with normal accelerations: a^n = omega^2 l, towards the point from which it is seen; (3-2)."""
+"""Mistakes with the motion of a link: images the wrong way round or on the wrong point; normal accelerations (3-2)."""
 
 from __future__ import annotations
 
@@ -7,15 +7,76 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.base.geometry import Value, unit
-from graphkin.construction import AlongGuide, Normal, Ray, Relative, Size
+from graphkin.construction import LETTER, AlongGuide, Image, Normal, Plane, Ray, Relative, Size
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.mistakes.directions import rays
+from graphkin.marking.mistakes.readings import image_edit
 from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, in_sense_of, times
-from graphkin.marking.scene import Scene, mistake
+from graphkin.marking.scene import Scene, drawn_by, mistake
 
-__all__: list[str] = []
+PLANES: tuple[Plane, Plane] = ("velocity", "acceleration")
+RULE_OF_IMAGES = "3-2.1"
 
-RULE = "3-2.1 (3-2)"
+
+def _in_each_plane(scene: Scene, id: str, way: str, edits: dict[tuple[str, Plane], list[Edit]]) -> Iterator[Rewrite]:
+    """One rewrite for both polygons of a link, and one for each of them alone."""
+    for link in dict.fromkeys(link for link, _ in edits):
+        name = scene.image_name(next(scene.images(plane)[link] for plane in PLANES if (link, plane) in edits))
+        by_plane = {plane: edits[link, plane] for plane in PLANES if edits.get((link, plane))}
+        if len(by_plane) > 1:
+            yield Rewrite(id, name, "v, a", tuple(edit for found in by_plane.values() for edit in found), way=way)
+        for plane, found in by_plane.items():
+            yield Rewrite(id, name, LETTER[plane], tuple(found), way=way)
+
+
+def _of_every_image(scene: Scene, swapped: bool) -> dict[tuple[str, Plane], list[Edit]]:
+    return {
+        (link, plane): [_lettered_otherwise(plane, step, swapped) for step in steps]
+        for plane in PLANES for link, steps in scene.images(plane).items()
+    }  # fmt: skip
+
+
+def _lettered_otherwise(plane: Plane, step: Image, swapped: bool) -> Edit:
+    """Mirrored in the line of its base, or with the base's ends taken for each other."""
+    first, second = step.base
+    return image_edit(plane, step, second, first) if swapped else image_edit(plane, step, first, second, mirrored=True)
+
+
+@mistake("image-mirrored", "image", RULE_OF_IMAGES)
+def image_mirrored(scene: Scene) -> Iterator[Rewrite]:
+    yield from _in_each_plane(scene, "image-mirrored", "", _of_every_image(scene, False))
+    yield from _in_each_plane(scene, "image-mirrored", "swapped", _of_every_image(scene, True))
+
+
+@mistake("image-wrong-point", "image", RULE_OF_IMAGES)
+def image_wrong_point(scene: Scene) -> Iterator[Rewrite]:
+    """The image drawn on the coincident point of the other link."""
+    edits: dict[tuple[str, Plane], list[Edit]] = {}
+    for plane in PLANES:
+        drawn: list[str] = []
+        for step in scene.steps(plane):
+            if isinstance(step, Image):
+                tail, head = (_coincident(scene, plane, node, drawn) or node for node in step.base)
+                if (tail, head) != step.base and tail != head:
+                    edits.setdefault((step.link, plane), []).append(image_edit(plane, step, tail, head))
+            drawn += drawn_by(step)
+    yield from _in_each_plane(scene, "image-wrong-point", "", edits)
+
+
+def _coincident(scene: Scene, plane: Plane, node: str, drawn: list[str]) -> str | None:
+    """Another corner, drawn before, that stands for the same point of the mechanism."""
+    nodes = scene.construction(plane).nodes
+    site = nodes[node].site
+    if site is None or scene.fixed(site.point):
+        return None
+    others = ((name, nodes[name].site) for name in drawn if name != node)
+    return next((name for name, other in others if other is not None and other.point == site.point), None)
+
+
+# --- normal accelerations: a^n = omega^2 l, towards the point from which it is seen ------------
+
+
+RULE_OF_NORMALS = "3-2.1 (3-2)"
 
 
 def _normals(scene: Scene) -> Iterator[tuple[Size, str]]:
@@ -34,18 +95,18 @@ def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
     return each_and_all(id, found, driven)
 
 
-@mistake("normal-omitted", "normal", RULE)
-def omitted(scene: Scene) -> Iterator[Rewrite]:
+@mistake("normal-omitted", "normal", RULE_OF_NORMALS)
+def normal_omitted(scene: Scene) -> Iterator[Rewrite]:
     return _each(scene, "normal-omitted", times(0.0))
 
 
-@mistake("normal-outward", "normal", RULE)
-def outward(scene: Scene) -> Iterator[Rewrite]:
+@mistake("normal-outward", "normal", RULE_OF_NORMALS)
+def normal_outward(scene: Scene) -> Iterator[Rewrite]:
     return _each(scene, "normal-outward", times(-1.0))
 
 
-@mistake("normal-size", "normal", RULE)
-def size(scene: Scene) -> Iterator[Rewrite]:
+@mistake("normal-size", "normal", RULE_OF_NORMALS)
+def normal_size(scene: Scene) -> Iterator[Rewrite]:
     """In the right direction: omega l; omega^2; v^2 / l with an absolute v, or that of sliding; another l."""
     for normal, name in scene.sized("acceleration", Normal).items():
         length = scene.length(normal.tail, normal.head)
@@ -92,21 +153,18 @@ def _slips(scene: Scene, normal: Normal) -> Iterator[tuple[str, str, str]]:
             yield term.tail, term.head, term.name("velocity")
 
 
-@mistake("slider-normal-term", "normal", RULE)
+@mistake("slider-normal-term", "normal", RULE_OF_NORMALS)
 def slider_normal_term(scene: Scene) -> Iterator[Rewrite]:
     """The connecting rod's omega^2 l laid off at the slider, towards the crank's pivot, as if it turned about that."""
-    for number, meet, ray, name in rays(scene, "acceleration"):
+    for meet, ray, name in rays(scene, "acceleration"):
         others = {meet.first, meet.second} - {ray}
-        if not _on_frame(scene, ray) or any(not isinstance(other, Ray) for other in others):
+        facts, slide = scene.plot.facts, ray.direction
+        on_frame = isinstance(slide, AlongGuide) and facts.lines[slide.slide][0] == facts.frame
+        if not on_frame or any(not isinstance(other, Ray) for other in others):
             continue
         for rod, point, pivot in _rods(scene, ray):
-            edits = (Edit(("through", "acceleration", number, ray), _shifted(rod, point, pivot)),)
+            edits = (Edit(("through", "acceleration", meet, ray), _shifted(rod, point, pivot)),)
             yield Rewrite("slider-normal-term", name, scene.length_name(rod.tail, rod.head), edits)
-
-
-def _on_frame(scene: Scene, ray: Ray) -> bool:
-    direction = ray.direction
-    return isinstance(direction, AlongGuide) and scene.plot.facts.lines[direction.slide][0] == scene.plot.facts.frame
 
 
 def _rods(scene: Scene, ray: Ray) -> Iterator[tuple[Normal, str, str]]:

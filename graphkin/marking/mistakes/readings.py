@@ -13,8 +13,6 @@ from graphkin.marking.mistakes.directions import guide_lengths
 from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
-__all__: list[str] = []
-
 
 def measured(scene: Scene, plane: Plane) -> Iterator[tuple[Measure, str]]:
     """Every rotation read off a polygon, with its name."""
@@ -50,7 +48,7 @@ def omega_sense(scene: Scene) -> Iterator[Rewrite]:
 
 def _calculated(scene: Scene) -> Iterator[str]:
     """Base links whose rotation a rolling contact or several equations together give."""
-    for _, step in scene.steps("velocity"):
+    for step in scene.steps("velocity"):
         if isinstance(step, Simultaneous):
             yield from step.angles
         elif isinstance(step, Roll) and step.angle:
@@ -86,7 +84,7 @@ def wrong_length(scene: Scene) -> Iterator[Rewrite]:
 @mistake("sliding-as-turning", "rotation", "3-2.1 (3-3)")
 def sliding_as_turning(scene: Scene) -> Iterator[Rewrite]:
     """omega = v_B3B2 / l: the velocity of sliding over a length of the guide, or over the lever."""
-    for _, _, equation in scene.meets("velocity"):
+    for _, equation in scene.meets("velocity"):
         for term in () if equation is None else equation.left + equation.right:
             if term.size is None and isinstance(term.direction, AlongGuide) and term.seen_from:
                 yield from _turning_by(scene, term, term.direction.slide)
@@ -117,7 +115,8 @@ def wrong_tail(scene: Scene) -> Iterator[Rewrite]:
 
 def _from_pole(scene: Scene, plane: Plane) -> Iterator[Rewrite]:
     construction = scene.construction(plane)
-    resting = {construction.pole, *_fixed(scene, plane)}
+    sites = ((name, node.site) for name, node in construction.nodes.items())
+    resting = {construction.pole, *(name for name, site in sites if site is not None and scene.fixed(site.point))}
     for step in scene.laid_off(plane):
         if step.start in resting or "*" in step.start + step.tip:
             continue
@@ -127,13 +126,6 @@ def _from_pole(scene: Scene, plane: Plane) -> Iterator[Rewrite]:
 
         edits = (Edit(("laid", plane, step.tip), change),)
         yield Rewrite("wrong-tail", step.term.name(plane), construction.pole, edits)
-
-
-def _fixed(scene: Scene, plane: Plane) -> Iterator[str]:
-    """Corners at rest."""
-    for name, node in scene.construction(plane).nodes.items():
-        if node.site is not None and scene.fixed(node.site.point):
-            yield name
 
 
 def _whole_arrow(scene: Scene) -> Iterator[Rewrite]:

@@ -1,4 +1,4 @@
-"""A key made of a mechanism: right values, what a pencil makes of them, and what every mistake gives."""
+"""A key made of a mechanism: right values with what paper allows, and the outcomes of mistakes, one or two together."""
 
 from __future__ import annotations
 
@@ -8,24 +8,21 @@ from dataclasses import replace
 
 import numpy as np
 
-from graphkin.base.geometry import Value
 from graphkin.construction import Measure, Plot
+from graphkin.marking.answers import asked_of, on_the_way, sort_of
 from graphkin.marking.consequences import combined, rewrites
-from graphkin.marking.handed import asked_of, on_the_way, sort_of
-from graphkin.marking.key import Hypotheses, Key, KeyEntry, KeyStep, Marking, Name
-from graphkin.marking.pencil import Pencil
+from graphkin.marking.key import Hypotheses, Key, KeyEntry, KeyStep, Marking
 from graphkin.marking.rewrite import Rewrite
-from graphkin.marking.scatter import Drawings, spread
-from graphkin.marking.slips import Slips, seed_of
+from graphkin.marking.synonyms import other_methods
+from graphkin.marking.tolerances import DRAWINGS, drawings_of, spread
 from graphkin.model.quantities import EDGE, Quantity
 from graphkin.planning import Method
 from graphkin.running import replay_all
 
-DRAWINGS = 2000
-"""How often the right construction is drawn; each mistaken one is drawn `_FEWER` times."""
 _FEW = 500
-"""How often it is drawn where many problems are compared."""
+"""Drawings where many problems are compared."""
 _FEWER = 250
+"""Drawings of each mistake."""
 _HARDLY = 1e-3
 """So small a part of the pencil's errors makes everything scatter in proportion."""
 _STEEP = 1.2
@@ -70,18 +67,19 @@ def make_key(
             every, right, spread(drawn, right, sorts), spread(hardly, right, sorts) / _HARDLY, failed, strict=True
         )
     )  # fmt: skip
+    singles = [(one,) for one in rewrites(method, plot, every, marking.scales)]
     title = {str(lang): text for lang, text in mechanism.title.items()}
     return Key(
         mechanism.name, mechanism.text, method.structure.coincident, marking, entries, _given(method),
-        _together(drawn), _singles(method, plot, every, entries, marking), title, steps_of(method),
+        _together(drawn), hypotheses_of(method, plot, every, entries, marking, singles), title, steps_of(method),
     )  # fmt: skip
 
 
 def asked_alone(
     method: Method, plot: Plot, marking: Marking
 ) -> tuple[tuple[Quantity, ...], tuple[KeyEntry, ...], float]:
-    """What is asked for, and what paper allows of it, without anything on the way and of fewer drawings; with the part
-    of these whose links do not meet."""
+    """The quantities asked for, and what paper allows of them, without anything on the way and of fewer drawings; with
+    the part of these whose links do not meet."""
     asked = asked_of(method.mechanism)
     every = tuple({quantity.text: quantity for quantity in asked.values()}.values())
     words = {quantity.text: question for question, quantity in asked.items()}
@@ -99,27 +97,18 @@ def asked_alone(
 
 def steps_of(method: Method) -> tuple[KeyStep, ...]:
     """The vector equations of both polygons with what is read off them."""
-    found = []
+    steps = []
     for construction in (method.velocity, method.acceleration):
         for equation in construction.equations:
             left, right = (tuple(t.name(construction.plane) for t in side) for side in (equation.left, equation.right))
             measured = [step for step in equation.steps if isinstance(step, Measure)]
             gives = tuple(f"{step.quantity} {step.of}" for step in measured if step.quantity in ("omega", "alpha"))
-            found.append(KeyStep(construction.plane, left, right, gives))
-    return tuple(found)
-
-
-def pencil_of(marking: Marking) -> Pencil:
-    return Pencil({plane: marking.lengths[plane] for plane in ("position", "velocity", "acceleration")}, marking.angle)
-
-
-def drawings_of(method: Method, marking: Marking, count: int, part: float = 1.0) -> Drawings:
-    """The mechanism drawn so many times, with a part of the errors; the same drawings again for the same mechanism."""
-    return Drawings.of(method, pencil_of(marking).times(part), Slips(seed_of(method.mechanism), count))
+            steps.append(KeyStep(construction.plane, left, right, gives))
+    return tuple(steps)
 
 
 def drawn_by(method: Method, key: Key, quantities: Sequence[Quantity]) -> tuple[np.ndarray, np.ndarray]:
-    """What a pencil gives for a key's quantities by a method (drawings, n), and how these scatter together (n, n)."""
+    """Values of a key's quantities by pencil and by a method (drawings, n), and their correlation (n, n)."""
     drawn = drawings_of(method, key.marking, _FEW).values(quantities)[0]
     sizes = np.array([entry.sort == "size" for entry in key.entries], dtype=bool)
     drawn = np.where(sizes, np.abs(drawn), drawn)
@@ -137,11 +126,11 @@ def _right(method: Method, plot: Plot, quantities: Sequence[Quantity]) -> np.nda
 
 def _naturals(method: Method, quantities: Sequence[Quantity], values: np.ndarray) -> dict[str, float]:
     """The largest value of each unit, or what is usual."""
-    found: dict[str, float] = {}
+    largest: dict[str, float] = {}
     for quantity, value in zip(quantities, values, strict=True):
         if np.isfinite(value):
-            found[quantity.unit] = max(found.get(quantity.unit, 0.0), abs(float(value)))
-    return {unit: size or method.mechanism.usual.size(unit) for unit, size in found.items()}
+            largest[quantity.unit] = max(largest.get(quantity.unit, 0.0), abs(float(value)))
+    return {unit: size or method.mechanism.usual.size(unit) for unit, size in largest.items()}
 
 
 def _given(method: Method) -> tuple[float, ...]:
@@ -176,7 +165,7 @@ def _entry(
 
 
 def _doubted(entry: KeyEntry, usual: float, deviation: float, proportional: float, failed: float) -> KeyEntry:
-    """With what is to be said against it.
+    """An entry with what is to be said against it.
 
     usual         size of quantities of its kind; that of places and angles, which have no zero of their own
     proportional  what it would scatter by, were that in proportion to the pencil's errors
@@ -195,7 +184,7 @@ _PRODUCT = 2**17
 
 
 def _together(drawn: np.ndarray) -> np.ndarray:
-    """How the quantities' scatters go together: correlation (n, n), of drawings (drawings, n)."""
+    """The correlation (n, n) of the quantities' scatters, of drawings (drawings, n)."""
     whole = drawn[np.isfinite(drawn).all(axis=1)]
     if len(whole) < 3:
         return np.eye(drawn.shape[1])
@@ -207,77 +196,108 @@ def _together(drawn: np.ndarray) -> np.ndarray:
     parts = np.zeros((-(-n // size), size, count))
     parts.reshape(-1, count)[:n] = ranks.T
     products = (parts[:, None] @ parts.transpose(0, 2, 1)).swapaxes(1, 2).reshape(len(parts) * size, -1)[:n, :n]
-    found = products * 12 / (count * (count**2 - 1))
-    found[still, :], found[:, still] = 0.0, 0.0
-    np.fill_diagonal(found, 1.0)
-    rounded: np.ndarray = np.round(found, 6)
-    return rounded
+    correlation = products * 12 / (count * (count**2 - 1))
+    correlation[still, :], correlation[:, still] = 0.0, 0.0
+    np.fill_diagonal(correlation, 1.0)
+    return np.asarray(np.round(correlation, 6))
 
 
 # --- mistakes ---------------------------------------------------------------------------------
 
 
-def _singles(
-    method: Method, plot: Plot, quantities: Sequence[Quantity], entries: Sequence[KeyEntry], marking: Marking
-) -> Hypotheses:
-    """What each single mistake gives, and how that scatters."""
-    found = rewrites(method, plot, quantities, marking.scales)
-    return hypotheses_of(method, plot, quantities, entries, marking, [(one,) for one in found])
-
-
 def hypotheses_of(
-    method: Method,
-    plot: Plot,
-    quantities: Sequence[Quantity],
-    entries: Sequence[KeyEntry],
-    marking: Marking,
+    method: Method, plot: Plot, quantities: Sequence[Quantity], entries: Sequence[KeyEntry], marking: Marking,
     columns: Sequence[tuple[Rewrite, ...]],
-) -> Hypotheses:
-    """What mistakes give, those of a column made together. Rows that say the same are kept: they are one set."""
+) -> Hypotheses:  # fmt: skip
+    """The outcomes of mistakes, those of a column made together. Rows that say the same are kept: they are one set."""
     if not columns:
         return Hypotheses((), np.empty((0, len(entries))), np.empty((0, len(entries))))
     values = combined(method, plot, quantities, columns).values
     drawings = drawings_of(method, marking, _FEWER)
+    sorts = [entry.sort for entry in entries]
+    sizes = np.array([sort == "size" for sort in sorts], dtype=bool)
     spreads, untouched = np.empty(values.shape), np.empty(values.shape, dtype=bool)
     together = np.empty((*values.shape, len(entries)))
-    for row, told in enumerate(_told_of_each(drawings, quantities, entries, columns, values)):
-        spreads[row], untouched[row], together[row] = told
+    drawn = (one for part in drawings.parts(quantities, [(), *columns]) for one in part)
+    right = next(drawn).copy()
+    for row, (one, value) in enumerate(zip(drawn, values, strict=True)):
+        spreads[row] = spread(one, value, sorts)
+        untouched[row] = np.all((np.abs(one - right) <= _NOTHING * np.abs(right)) | np.isnan(right), axis=0)
+        judged = np.where(np.isfinite(value), np.where(sizes, np.abs(one), one), 0.0)
+        together[row] = np.round(_together(judged), 2)
     least = np.array([[least_of(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
     scatters = np.hypot(spreads, least.reshape(values.shape))
     # what a mistake leaves as it is scatters as it does: few drawings say little of that near a dead point
     scatters = np.where(untouched, [entry.scatter for entry in entries], scatters)
     scatters = np.where(np.isfinite(values), scatters, np.nan)
-    return Hypotheses(tuple(_names(column) for column in columns), values, scatters, together)
+    names = tuple(tuple(rewrite.name for rewrite in column) for column in columns)
+    return Hypotheses(names, values, scatters, together)
 
 
-def _told_of_each(
-    drawings: Drawings, quantities: Sequence[Quantity], entries: Sequence[KeyEntry],
-    columns: Sequence[tuple[Rewrite, ...]], values: np.ndarray,
-) -> Iterator[tuple[np.ndarray, np.ndarray, np.ndarray]]:  # fmt: skip
-    """Of each column's drawings: how they scatter (n,), what comes out as of the right ones, and how all hang together
-    (n, n)."""
-    sorts = [entry.sort for entry in entries]
-    sizes = np.array([sort == "size" for sort in sorts], dtype=bool)
-    drawn = (one for part in drawings.parts(quantities, [(), *columns]) for one in part)
-    right = next(drawn).copy()
-    for one, value in zip(drawn, values, strict=True):
-        judged = np.where(np.isfinite(value), np.where(sizes, np.abs(one), one), 0.0)
-        yield spread(one, value, sorts), _untouched(one, right), np.round(_together(judged), 2)
-
-
-def _untouched(drawn: np.ndarray, right: np.ndarray) -> np.ndarray:
-    """Which quantities come out of every drawing (drawings, n) as they do of the right ones."""
-    close = np.abs(drawn - right) <= _NOTHING * np.abs(right)
-    found: np.ndarray = np.all(close | np.isnan(right), axis=0)
-    return found
-
-
-def least_of(value: Value, entry: KeyEntry) -> float:
+def least_of(value: float, entry: KeyEntry) -> float:
     """Rounding in print: of the mistaken value, or what the right one has where that is 0."""
     if not np.isfinite(value):
         return math.nan
-    return half_digit(float(value), entry.unit, abs(entry.right)) / math.sqrt(3) or entry.scatter
+    return half_digit(value, entry.unit, abs(entry.right)) / math.sqrt(3) or entry.scatter
 
 
-def _names(column: Sequence[Rewrite]) -> tuple[Name, ...]:
-    return tuple(rewrite.name for rewrite in column)
+# --- other right methods -----------------------------------------------------------------------
+
+
+def by_other_methods(method: Method, key: Key, quantities: Sequence[Quantity]) -> Hypotheses:
+    """Right values, a row for each other method that gives them all, with what a pencil makes of them by that method.
+
+    Whoever takes it reads off what another has drawn, and the other way round: the same values err by more there, by
+    less here, and otherwise together.
+    """
+    right, sorts = np.array([entry.right for entry in key.entries]), [entry.sort for entry in key.entries]
+    least = np.array([least_of(entry.right, entry) for entry in key.entries])
+    scatters, together = [], []
+    for other in other_methods(method):
+        drawn, correlation = drawn_by(other, key, quantities)
+        off = spread(drawn, right, sorts)
+        if np.isfinite(off).all():
+            scatters.append(np.hypot(off, least))
+            together.append(correlation)
+    count, size = len(scatters), len(right)
+    return Hypotheses(
+        ((),) * count, np.tile(right, (count, 1)), np.reshape(scatters, (count, size)),
+        np.reshape(together, (count, size, size)),
+    )  # fmt: skip
+
+
+# --- two mistakes together ---------------------------------------------------------------------
+
+
+_MOST = 6000
+"""Pairs beyond so many are not tried: among so many, chance hits outweigh hints."""
+
+
+def pairs_of(method: Method, plot: Plot, key: Key, quantities: Sequence[Quantity]) -> Hypotheses:
+    """The outcomes of pairs of mistakes. Each of two scatters as much as the one that scatters more, in proportion."""
+    known = {one.name: one for one in rewrites(method, plot, quantities, key.marking.scales)}
+    rows = {row[0]: k for k, row in enumerate(key.singles.names) if row[0] in known}
+    both = list(_pairs([known[name] for name in rows]))[:_MOST]
+    if not both:
+        return Hypotheses((), np.empty((0, len(quantities))), np.empty((0, len(quantities))))
+    values = combined(method, plot, quantities, both).values
+    one, other = (_scaled(key, np.array([rows[pair[k].name] for pair in both]), values) for k in (0, 1))
+    return Hypotheses(tuple((one.name, other.name) for one, other in both), values, np.fmax(one, other))
+
+
+def _pairs(single: Sequence[Rewrite]) -> Iterator[tuple[Rewrite, Rewrite]]:
+    """Those made at different places; what was drawn right and written otherwise only beside what was drawn wrong."""
+    drawn = [rewrite for rewrite in single if rewrite.edits]
+    written = [rewrite for rewrite in single if not rewrite.edits]
+    for k, one in enumerate(drawn):
+        places = {edit.spot for edit in one.edits}
+        yield from ((one, other) for other in drawn[k + 1 :] if places.isdisjoint(edit.spot for edit in other.edits))
+    yield from ((one, other) for one in drawn for other in written)
+
+
+def _scaled(key: Key, rows: np.ndarray, values: np.ndarray) -> np.ndarray:
+    """The scatter of single mistakes, larger where the pair's values are."""
+    single, scatter = key.singles.values[rows], key.singles.scatters[rows]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        larger = np.abs(values) / np.abs(single)
+    return np.where(np.isfinite(values), scatter * np.where(np.isfinite(larger), np.maximum(larger, 1.0), 1.0), np.nan)

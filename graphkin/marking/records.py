@@ -1,0 +1,156 @@
+"""Records of marking: numbers handed in, verdicts with their arithmetic, marks; of one position or of several."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import field, replace
+from typing import Literal
+
+from graphkin.base.value import frozen
+from graphkin.construction import Plane
+from graphkin.errors import GraphkinError
+from graphkin.marking.diagnosis import Diagnosis, Explanation, Trace, added
+from graphkin.model.quantities import at_position, position_of
+
+Verdict = Literal["right", "carried", "wrong", "missing", "dead point", "too small"]
+"""The last two are of values that paper cannot tell: neither right nor wrong, and worth nothing either way."""
+
+
+@frozen
+class HandedNumber:
+    """A handed-in value, SI.
+
+    unit_right   its unit is of the quantity's kind, or none stands there
+    points       of a vector that was drawn: whether it points as it should, where that is told by itself
+    measured     on a drawing, or read off it, by us
+    """
+
+    value: float
+    unit_right: bool = True
+    points: bool | None = None
+    measured: bool = False
+
+
+@frozen
+class StudentWork:
+    """The work of one student: numbers by quantity, as quantities are read."""
+
+    student: str
+    numbers: Mapping[str, HandedNumber]
+
+
+@frozen
+class Judged:
+    """The verdict on one quantity.
+
+    right, tolerance   of the key
+    carried   what follows from the student's own values before it, `own` by quantity; None where none enters it
+    refused   own values that are not carried on: nought, a number of the problem, far off, or not drawable
+    sense     whether it has the sense of the value it is judged by; None where there is none
+    credit    from 0 to 1, of its `points`
+    measured  as of the `HandedNumber`
+    """
+
+    text: str
+    unit: str
+    given: float | None
+    right: float
+    tolerance: float
+    verdict: Verdict
+    sense: Literal["right", "wrong"] | None = None
+    unit_right: bool = True
+    carried: float | None = None
+    own: Mapping[str, float] = field(default_factory=dict)
+    refused: tuple[str, ...] = ()
+    credit: float = 0.0
+    points: float = 0.0
+    measured: bool = False
+
+
+@frozen
+class Marked:
+    """A student's verdicts, and the mistakes behind the wrong values."""
+
+    student: str
+    judged: tuple[Judged, ...]
+    diagnosis: Diagnosis
+
+    @property
+    def score(self) -> float | None:
+        """Marks from 0 to 1; None where paper can tell nothing that was handed in."""
+        total = sum(one.points for one in self.judged)
+        return sum(one.points * one.credit for one in self.judged) / total if total else None
+
+
+Drawn = Mapping[Plane, Mapping[str, complex]]
+"""Points of a drawing by plane and letter, SI, from any of them."""
+
+
+@frozen
+class Graded:
+    """The outcome of one submission.
+
+    student, file, place   as it was handed in
+    marked    verdicts and marks; None where it was not marked
+    reason    why it was not, then
+    notes     what was passed over in it: a text that is no quantity, a value that is no number
+    drawn     points that were measured on a drawing, by plane and letter, SI, from any of them
+    prints    fingerprints of what was handed in, of how it was read, of what was asked, and of the key; empty where it
+              is to be tried again
+    """
+
+    student: str
+    file: str
+    place: str
+    marked: Marked | None
+    reason: GraphkinError | None = None
+    notes: tuple[GraphkinError, ...] = ()
+    drawn: Drawn = field(default_factory=dict)
+    prints: tuple[str, ...] = ()
+
+
+# --- several positions -------------------------------------------------------------------------
+
+
+def by_position(work: StudentWork, count: int) -> list[StudentWork]:
+    """The numbers of each position, under the names they have there; of one that there is not, they are dropped."""
+    numbers_at: list[dict[str, HandedNumber]] = [{} for _ in range(count)]
+    for text, number in work.numbers.items():
+        bare, at = position_of(text)
+        if at <= count:
+            numbers_at[at - 1][bare] = number
+    return [replace(work, numbers=numbers) for numbers in numbers_at]
+
+
+def as_one(student: str, parts: Sequence[Marked]) -> Marked:
+    """One record of all positions; a mistake that shows at several is told once.
+
+    Evidence is added as over several problems, of positions where something was handed in.
+    """
+    judged = tuple(_at_position(one, at) for at, part in enumerate(parts, 1) for one in part.judged)
+    handed_in = [part for part in parts if any(one.given is not None for one in part.judged)]
+    evidence = added(Trace((), part.diagnosis.evidence) for part in handed_in)
+    explanations: list[Explanation] = []
+    for at, part in enumerate(parts, 1):
+        for one in part.diagnosis.explanations:
+            _join(explanations, replace(one, explains=tuple(at_position(text, at) for text in one.explains)))
+    return Marked(student, judged, Diagnosis(tuple(explanations), evidence))
+
+
+def _at_position(one: Judged, at: int) -> Judged:
+    return replace(
+        one, text=at_position(one.text, at), own={at_position(text, at): x for text, x in one.own.items()},
+        refused=tuple(at_position(text, at) for text in one.refused),
+    )  # fmt: skip
+
+
+def _join(explanations: list[Explanation], one: Explanation) -> None:
+    """Put an explanation to the one that shares a mistake with it: both are explained, as surely as the less sure."""
+    for k, other in enumerate(explanations):
+        if both := tuple(names for names in other.names if names in one.names):
+            explanations[k] = Explanation(
+                both, min(one.probability, other.probability), min(one.margin, other.margin),
+                (*other.explains, *one.explains),
+            )  # fmt: skip
+            return
+    explanations.append(one)
