@@ -30,14 +30,11 @@ from graphkin.model.pairs import Slide
 _STARTS = 128
 _MANY = 32
 """Unknowns with which fewer starts are tried, all loops at once; an assembly is rarely found so, only the gap."""
-_EXACT = 1e-6
-"""An assembly this near its sketch has none nearer [size]."""
+_EXACT = 1e-6  # an assembly this near its sketch has none nearer [size]
 _APART, _OFF = 0.05, 0.02
 """Points of a guide that show where it lies; a displacement that is not 0 by rounding, or by the sketch's [size]."""
-_FEW = 10
-"""Steps of Newton's method that lead from an exact sketch to its assembly, at most."""
-_AJAR = 1e-2
-"""Loops open by more than this at the sketch are closed nowhere so near to it [size]."""
+_FEW = 10  # steps of Newton's method that lead from an exact sketch to its assembly, at most
+_AJAR = 1e-2  # loops open by more than this at the sketch are closed nowhere so near to it [size]
 
 
 @frozen

@@ -20,8 +20,7 @@ from graphkin.analytic.loops import Complex, Flags, Indices, LoopVectors, Reals
 from graphkin.analytic.newton import Elimination, EquationSystem
 from graphkin.base.value import frozen
 
-_NOTHING = 1e-12
-"""Coefficients below this are rounding, in units of size."""
+_NOTHING = 1e-12  # coefficients below this are rounding, in units of size
 
 
 @frozen

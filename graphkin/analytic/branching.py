@@ -17,15 +17,11 @@ from graphkin.analytic.newton import EquationSystem, close, inverse, search
 from graphkin.base.tolerances import ROUNDED
 from graphkin.base.value import filled, frozen
 
-_WIDTHS = (1, 8, 64)
-"""Branches kept."""
-_STARTS = 24
-"""Starts for each unknown of a block, as far as there are as many."""
-_NEAR = 0.05
-"""A block this near to the sketch, as part of its condition, has no other assembly as near."""
+_WIDTHS = (1, 8, 64)  # branches kept
+_STARTS = 24  # starts for each unknown of a block, as far as there are as many
+_NEAR = 0.05  # a block this near to the sketch, as part of its condition, has no other assembly as near
 Starts = Callable[[], Reals]
-SAME = 1e-4
-"""Positions of all unknowns nearer than this are one assembly [rad, size]."""
+SAME = 1e-4  # positions of all unknowns nearer than this are one assembly [rad, size]
 
 
 @frozen

@@ -17,8 +17,7 @@ from graphkin.base.value import frozen
 from graphkin.model.mechanism import Mechanism
 
 _NUDGES = 6
-_NUDGE = 0.05
-"""The mechanism is moved so far to see its general rank [rad, size]."""
+_NUDGE = 0.05  # the mechanism is moved so far to see its general rank [rad, size]
 
 
 @frozen

@@ -36,8 +36,7 @@ Reals = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Flags = NDArray[np.bool_]
 Indices = NDArray[np.intp]
-Polar = tuple[Reals, Complex]
-"""Length and unit vector of each arrow (.., m)."""
+Polar = tuple[Reals, Complex]  # length and unit vector of each arrow (.., m)
 SMALL = 2**13
 """Products of fewer multiplications are done by one thread; dealt out to several, each waits for the slowest."""
 

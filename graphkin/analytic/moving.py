@@ -17,37 +17,29 @@ from graphkin.analytic.path import MotionPath, RightSides, path_along
 from graphkin.base.geometry import weights_of
 from graphkin.base.value import frozen
 
-_SAME = 1e-12
-"""Right sides that differ by less are the same [rad, m]."""
-_STRIDE = 0.0517
-"""Longest sub-step of a driver [rad]: 2.96 deg, an odd number so that sub-steps miss the change points."""
-_LENGTH_STRIDE = 0.02
-"""The same for a displacement, in units of the mechanism's size."""
-_SHORTEST = 1e-5
-"""Sub-steps this much shorter than the longest are the end of the way."""
+_SAME = 1e-12  # right sides that differ by less are the same [rad, m]
+_STRIDE = 0.0517  # longest sub-step of a driver [rad]: 2.96 deg, an odd number so that sub-steps miss the change points
+_LENGTH_STRIDE = 0.02  # the same for a displacement, in units of the mechanism's size
+_SHORTEST = 1e-5  # sub-steps this much shorter than the longest are the end of the way
 _CROSSING = 2e-5
 """Through a change point only by sub-steps this much shorter: longer ones could cut across to another assembly."""
 _MARGIN = 4 * _SHORTEST
 """So near its end a way still counts as leading there: a dead point itself is reached by Newton only."""
-_REACH = 0.2
-"""Longest sub-step of any unknown in the loops [rad, size]."""
+_REACH = 0.2  # longest sub-step of any unknown in the loops [rad, size]
 _SWERVE, _SLIP = 0.15, 0.005
 """The turning over a sub-step may differ so much between its ends, and from their mean [rad, size].
 
 Two assemblies that come close to each other turn in opposite senses there: more than this, and it is another one.
 """
-_TRUST = 0.1
-"""Newton may correct a sub-step by this much [rad, size]."""
+_TRUST = 0.1  # Newton may correct a sub-step by this much [rad, size]
 
 
-_AS_BEFORE = 1e-9
-"""A turn that ends so near to where it began comes there again and again [rad, size]."""
+_AS_BEFORE = 1e-9  # a turn that ends so near to where it began comes there again and again [rad, size]
 _ASIDE, _PLACES = 0.25, np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
 """Neighbours of a change point: how far apart, in longest steps of a path, and where."""
 _ALIKE, _NEARER = 1e-7, 4
 """All neighbours and the inner six may tell the change point so far apart [rad, size]; else nearer ones are taken."""
-_CLEAR = 10
-"""The outermost neighbour is not so near another change point, or the end, as this many times its distance."""
+_CLEAR = 10  # the outermost neighbour is not so near another change point, or the end, as this many times its distance
 
 
 @frozen

@@ -18,14 +18,11 @@ from graphkin.analytic.loops import Indices, Loops, Polar, Reals, applied, parts
 from graphkin.analytic.rules import LinearRelation
 from graphkin.base.value import frozen
 
-_ZERO = 1e-9
-"""A row whose entries all fall below this is a repetition of others."""
-_SETTLED = 1e-13
-"""Newton steps below this are rounding."""
+_ZERO = 1e-9  # a row whose entries all fall below this is a repetition of others
+_SETTLED = 1e-13  # Newton steps below this are rounding
 _CLOSED = 1e-20
 """A search has closed the loops where the square of the gap is below this [size^2]; Newton does the rest."""
-_SLOW = 1e-10
-"""A search that closes less than this share of the gap in a step has come to its end."""
+_SLOW = 1e-10  # a search that closes less than this share of the gap in a step has come to its end
 
 
 # --- relations put in -------------------------------------------------------------------------

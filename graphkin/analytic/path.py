@@ -20,20 +20,15 @@ from graphkin.analytic.newton import EquationSystem, close, tangent
 from graphkin.base.tolerances import TOUCH
 from graphkin.base.value import filled, frozen
 
-STRIDE = 0.12
-"""Longest step of a driver [rad]: 4.7 deg."""
-LENGTH_STRIDE = 0.03
-"""The same for a displacement, in units of the mechanism's size."""
-SHORTEST = 1e-6
-"""Steps this much shorter than the longest are the end of the path."""
-REACH = 0.2
-"""Longest step of any unknown in the loops [rad, size]."""
+STRIDE = 0.12  # longest step of a driver [rad]: 4.7 deg
+LENGTH_STRIDE = 0.03  # the same for a displacement, in units of the mechanism's size
+SHORTEST = 1e-6  # steps this much shorter than the longest are the end of the path
+REACH = 0.2  # longest step of any unknown in the loops [rad, size]
 AWAY, SWERVE = 1e-3, 3e-3
 """A position, and its turning over a step, may be so far from what was foretold [rad, size]."""
 CLOSED, SETTLED = 1e-9, 1e-8
 """The gap [size] and the last step of Newton's method [rad, size] at a node."""
-FLAT = 1e-4
-"""Singular values below this part of the largest belong to a change point."""
+FLAT = 1e-4  # singular values below this part of the largest belong to a change point
 
 
 @frozen
@@ -248,8 +243,7 @@ def _between(left: PathNode, right: PathNode, at: Reals) -> tuple[Reals, Reals]:
     return _cubic(first, last, at)
 
 
-End = tuple[Reals, Reals, Reals]
-"""Places (p,), unknowns and slopes (p, n)."""
+End = tuple[Reals, Reals, Reals]  # places (p,), unknowns and slopes (p, n)
 
 
 def _cubic(left: End, right: End, at: Reals) -> tuple[Reals, Reals]:

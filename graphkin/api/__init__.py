@@ -190,8 +190,7 @@ def sweep(
         return framed(sweeps.sweep(method, ranges, sweeps.split(of) if isinstance(of, str) else of, by, compiled))
 
 
-_ARGUMENTS = {"--driver": "ranges", "--of": "of"}
-"""Arguments of functions by the options of commands."""
+_ARGUMENTS = {"--driver": "ranges", "--of": "of"}  # arguments of functions by the options of commands
 
 
 @contextmanager

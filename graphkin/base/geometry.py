@@ -14,11 +14,9 @@ from typing import Any, TypeAlias, overload
 import numpy as np
 from numpy.typing import NDArray
 
-Array: TypeAlias = NDArray[Any]
-"""An array over positions, pencils, students."""
+Array: TypeAlias = NDArray[Any]  # an array over positions, pencils, students
 
-Real: TypeAlias = float | Array
-"""A real number, or an array of them: lengths, angles, rates."""
+Real: TypeAlias = float | Array  # a real number, or an array of them: lengths, angles, rates
 
 Value: TypeAlias = float | complex | Array
 """A real or a complex number, or an array of either: x + iy is a vector of the plane."""
@@ -26,10 +24,8 @@ Value: TypeAlias = float | complex | Array
 Leg = Callable[[Real, Real], Real]
 """A function for the other leg of a right-angled triangle: `leg`, or its stand-in where values are no numbers."""
 
-_ROUNDING = 4e-15
-"""Rounding of squares, as part of their size."""
-_HALF_TURN = 1e-9
-"""Angles as near to a half turn are one, whichever way they turn [rad]."""
+_ROUNDING = 4e-15  # rounding of squares, as part of their size
+_HALF_TURN = 1e-9  # angles as near to a half turn are one, whichever way they turn [rad]
 
 
 def dot(a: Value, b: Value) -> Real:

@@ -21,8 +21,7 @@ from graphkin.errors import BadDrawing, Where
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import centre_of
 
-CENTRES: Literal["centres"] = "centres"
-"""The plane that the marks of centres give."""
+CENTRES: Literal["centres"] = "centres"  # the plane that the marks of centres give
 
 
 @frozen

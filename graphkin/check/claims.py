@@ -30,8 +30,7 @@ from graphkin.model.mechanism import Mechanism
 WRITTEN = re.compile(r"(?<![/·])μ\s*([lva])\s*=\s*([0-9.]+(?:\s*[×·]\s*10[−+-]?[0-9]+|[−-][0-9]+)?)")
 """A scale as it is printed on the sheet: μ_v = 0.01 (m/s)/mm; 2×10⁻⁵ and 10⁻⁵ with their exponents raised. What is
 divided by one, v/μ_v = 24 mm, is a length."""
-Letters = tuple[str, complex]
-"""A text, and where it begins [mm, y up]."""
+Letters = tuple[str, complex]  # a text, and where it begins [mm, y up]
 _SAME, _APART = 1.0, 3.0
 """Texts nearer than this stand at one place; farther apart, at two [mm]."""
 LETTERS: Mapping[str, Plane] = {"l": "position", "v": "velocity", "a": "acceleration"}
@@ -135,10 +134,8 @@ def shift_of(drawing: DrawingFile, read: Sequence[Letters]) -> complex:
 # --- signs that show no length -----------------------------------------------------------------
 
 
-_NEAR = 0.05
-"""A sign is where it was drawn if its ends are no farther off [mm]."""
-_SHARP = np.cos(np.radians(75))
-"""A head of an arrow opens less wide."""
+_NEAR = 0.05  # a sign is where it was drawn if its ends are no farther off [mm]
+_SHARP = np.cos(np.radians(75))  # a head of an arrow opens less wide
 
 Ends = tuple[complex, complex]
 

@@ -18,11 +18,9 @@ from graphkin.construction import Plane
 from graphkin.errors import BadDrawing, NoDrawing, NothingToMeasure, Where
 from graphkin.model.mechanism import Mechanism
 
-LIMIT = 16 << 20
-"""Larger drawings are not ours [bytes]."""
+LIMIT = 16 << 20  # larger drawings are not ours [bytes]
 FORMAT = 3
-MARKS = ("vector", "point", "link")
-"""Classes of what a ruler is laid on."""
+MARKS = ("vector", "point", "link")  # classes of what a ruler is laid on
 UNITS: Mapping[Plane, str] = {"position": "m", "velocity": "m/s", "acceleration": "m/s^2"}
 SCALES: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 

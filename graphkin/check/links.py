@@ -24,8 +24,7 @@ from graphkin.errors import GraphkinError
 from graphkin.model.mechanism import Driver, Mechanism
 from graphkin.model.pairs import Rod
 
-Pair = tuple[complex, complex]
-"""Where something is drawn, and where it should be."""
+Pair = tuple[complex, complex]  # where something is drawn, and where it should be
 
 
 def link_name(attributes: Mapping[str, str]) -> str:
@@ -151,10 +150,8 @@ _GONE = 0.2
 [mm]."""
 _SLID = 2.001
 """A slide is followed so many lengths of the longest link to either side, or as far as the curve is wide and high."""
-_NEAR = 3.0
-"""Sizes of the mechanism within which a curve is drawn, from where its point is; farther off it may end."""
-_BEYOND = 2.0
-"""How far a curve is followed beside what is drawn of it, in sizes of that."""
+_NEAR = 3.0  # sizes of the mechanism within which a curve is drawn, from where its point is; farther off it may end
+_BEYOND = 2.0  # how far a curve is followed beside what is drawn of it, in sizes of that
 
 
 def worst_of_path(

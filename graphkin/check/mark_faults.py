@@ -18,14 +18,10 @@ from graphkin.check.shown import FAINT, HAIR, ShownMark, Sight, Style, dashed_aw
 # --- hidden marks: no ink, off the paper, or painted over --------------------------------------
 
 
-_SIGN = 7.6
-"""Small signs may lie over a line: a pivot, a corner's filling, a centre's ring; from corner to corner [mm]."""
-_BLOCK = 6.2
-"""Blocks, slots and tubes are no wider than this; they may lie over anything [mm]."""
-_DOT = 1.8
-"""Points are no larger than this [mm]."""
-_THICK = 1.5
-"""No line of a mark is thicker; one that is counts as a surface [mm]."""
+_SIGN = 7.6  # small signs may lie over a line: a pivot, a corner's filling, a centre's ring; from corner to corner [mm]
+_BLOCK = 6.2  # blocks, slots and tubes are no wider than this; they may lie over anything [mm]
+_DOT = 1.8  # points are no larger than this [mm]
+_THICK = 1.5  # no line of a mark is thicker; one that is counts as a surface [mm]
 
 
 def name_of(mark: ShownMark) -> str:
@@ -151,10 +147,8 @@ def _xy(line: tuple[complex, ...]) -> list[tuple[float, float]]:
 # --- arrow heads -------------------------------------------------------------------------------
 
 
-_NO_LENGTH = 0.05
-"""A vector shorter than this has no head [mm]."""
-_BACK = 4.5
-"""Where heads meet, one may stand so far off the end of its line [mm]."""
+_NO_LENGTH = 0.05  # a vector shorter than this has no head [mm]
+_BACK = 4.5  # where heads meet, one may stand so far off the end of its line [mm]
 _MARKERS = ("marker-start", "marker-mid", "marker-end")
 
 
@@ -231,13 +225,10 @@ def _is_tip(places: list[complex]) -> bool:
 # --- ends of vectors ---------------------------------------------------------------------------
 
 
-ASIDE = 1.2
-"""Vectors on one line are drawn so far apart: both ends are off their points by a whole number of it [mm]."""
-_MOST_STEPS = 99
-"""No arrow is moved by more steps."""
+ASIDE = 1.2  # vectors on one line are drawn so far apart: both ends are off their points by a whole number of it [mm]
+_MOST_STEPS = 99  # no arrow is moved by more steps
 
-_End = tuple[list[complex], complex]
-"""Places of the points that an end names, and where it is."""
+_End = tuple[list[complex], complex]  # places of the points that an end names, and where it is
 
 
 def loose_ends(drawing: DrawingFile, tolerance_mm: float) -> Iterator[Fault]:

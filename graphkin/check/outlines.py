@@ -10,8 +10,7 @@ from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
-NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
-"""As SVG writes numbers: ASCII digits alone."""
+NUMBER = r"[+-]?(?:[0-9]+(?:\.[0-9]+)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"  # as SVG writes numbers: ASCII digits alone
 _LENGTH = re.compile(rf"\s*({NUMBER})(\s*)(px|mm|cm|in|pt|pc|Q)?\s*")
 _LIST = re.compile(rf"\s*(?:{NUMBER}\s*(?:,\s*|(?=[\s+.-])|\Z)\s*)*")
 _CALL = re.compile(r"\s*([A-Za-z]+)\s*\(([^()]*)\)\s*,?")

@@ -42,10 +42,8 @@ _NAMED: Mapping[str, str] = {
 }  # fmt: skip
 
 
-FAINT = 0.3
-"""Ink fainter than this is none."""
-HAIR = 0.1
-"""A thinner line is none [mm]."""
+FAINT = 0.3  # ink fainter than this is none
+HAIR = 0.1  # a thinner line is none [mm]
 
 
 @frozen

@@ -31,8 +31,7 @@ COMMANDS = {
 }  # fmt: skip
 """The module of each command."""
 
-_BROKEN_OFF = 130
-"""The exit status after Ctrl-C, as shells have it; 1 would say that a check failed."""
+_BROKEN_OFF = 130  # the exit status after Ctrl-C, as shells have it; 1 would say that a check failed
 
 _THREADS = ("OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS")
 """Variables for the number of threads of NumPy's linear algebra, as its user may have said."""

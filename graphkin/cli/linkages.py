@@ -17,8 +17,7 @@ from graphkin.model.mechanism import Mechanism
 if TYPE_CHECKING:
     from graphkin.studies.linkages import Linkage, Report
 
-LEAST_PART = 1e-9
-"""Beside the longest link, one shorter than this part of it is none."""
+LEAST_PART = 1e-9  # beside the longest link, one shorter than this part of it is none
 
 
 @click.command()

@@ -24,8 +24,7 @@ if TYPE_CHECKING:
 _Record = TypeVar("_Record")
 
 PLATFORMS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "pages", "report")
-MARKS = "marks.json"
-"""In a folder of results graphkin's own records, from which everything else there is made."""
+MARKS = "marks.json"  # in a folder of results graphkin's own records, from which everything else there is made
 
 pencil_option = click.option(
     "--pencil", default="0.25,0.25", metavar="MM,DEG", show_default=True,

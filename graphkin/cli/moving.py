@@ -21,8 +21,7 @@ if TYPE_CHECKING:
 PRINTED, IN_ONE = 100_000, 1_000_000
 """Rows that are printed as a table, and written as one JSON object, at most."""
 WRITTEN = (".csv", ".json", ".jsonl", ".parquet", ".svg", ".png", ".pdf")
-LONG = 200_000
-"""Positions from which a sweep shows how far it is."""
+LONG = 200_000  # positions from which a sweep shows how far it is
 
 
 @click.command()

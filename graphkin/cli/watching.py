@@ -13,8 +13,7 @@ import click
 
 from graphkin.cli.shared import is_folder, mechanisms_argument, refuse_one_file
 
-PAUSE = 0.3
-"""Between two looks at the files [s]."""
+PAUSE = 0.3  # between two looks at the files [s]
 
 Stamp = tuple[tuple[int, int, int] | None, ...]
 

@@ -13,14 +13,11 @@ from graphkin.construction.plot import Plot, length, slide_key
 from graphkin.construction.terms import Arm, Slid
 
 ROUNDS = 30
-FITTED = 1e-8
-"""The last step at most [rad, of the group's size]; what it leaves is of the order of its square."""
+FITTED = 1e-8  # the last step at most [rad, of the group's size]; what it leaves is of the order of its square
 ROUNDING, ROUNDED = 1e-5, 0.8
 """Steps so short that become no shorter than by this factor come of rounding: the links are all but free to move."""
-GAP = 1e-10
-"""The gap that is left at most, in units of the group's size."""
-Entry = tuple[int, int, Value]
-"""Row, column and value of an entry of a matrix."""
+GAP = 1e-10  # the gap that is left at most, in units of the group's size
+Entry = tuple[int, int, Value]  # row, column and value of an entry of a matrix
 Sliding = tuple[int, int, int | None, Value]
 """Closure, displacement, the base link that turns its line, None where that is known, and the line's direction."""
 

@@ -18,8 +18,7 @@ from graphkin.construction.linear import roll, solve_together
 from graphkin.construction.plot import Plot
 from graphkin.construction.terms import Plane, Slid
 
-FIXED = complex(0.0)
-"""What a fixed point of the mechanism is in a polygon: on the pole, wherever that is found."""
+FIXED = complex(0.0)  # what a fixed point of the mechanism is in a polygon: on the pole, wherever that is found
 
 AnyPlot = TypeVar("AnyPlot", bound=Plot)
 DrawnPlot = TypeVar("DrawnPlot", bound=Plot, contravariant=True)

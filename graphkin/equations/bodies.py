@@ -22,10 +22,8 @@ from graphkin.model.pairs import Slide
 from graphkin.planning.structure import Topology
 from graphkin.say.catalogue import Meaning, meaning
 
-_PLACES = 12
-"""Decimals of a metre to which points of a link at one place agree."""
-_STRAIGHT = 1e-9
-"""An angle this near to a multiple of 90 deg is one [rad]."""
+_PLACES = 12  # decimals of a metre to which points of a link at one place agree
+_STRAIGHT = 1e-9  # an angle this near to a multiple of 90 deg is one [rad]
 _RATES = ("direction", "angular velocity", "angular acceleration")
 
 

@@ -15,8 +15,7 @@ from graphkin.say.catalogue import phrase, say
 from graphkin.sheet import Sheet
 
 By = Literal["complex", "matrix"]
-Cell = str | Node
-"""Words or a formula."""
+Cell = str | Node  # words or a formula
 
 
 @frozen

@@ -23,14 +23,10 @@ from graphkin.sheet.paper import Paper, finest
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.window import Figure, Window, corners, cut_out
 
-_ROOM = complex(130.0, 95.0)
-"""The largest the mechanism's points may reach [mm]."""
-_MARGIN = 9.0
-"""Room that letters need around it [mm]."""
-_ARC = 8.0
-"""Radius of the arcs that show angles [mm]."""
-_VECTORS = 1
-"""The step the vectors and their letters are marked with, until they are coloured."""
+_ROOM = complex(130.0, 95.0)  # the largest the mechanism's points may reach [mm]
+_MARGIN = 9.0  # room that letters need around it [mm]
+_ARC = 8.0  # radius of the arcs that show angles [mm]
+_VECTORS = 1  # the step the vectors and their letters are marked with, until they are coloured
 
 
 def figure(model: Model, caption: str, lang: Lang) -> Sheet:

@@ -24,8 +24,7 @@ from graphkin.say.catalogue import Meaning
 
 Unit = Literal["mm", "deg", "rad/s", "rad/s^2", "m/s", "m/s^2", "mm rad", "1"]
 Reader = Callable[[Motion], Value]
-Three = tuple[Reader, Reader, Reader]
-"""Readers of a value, its rate and its second rate."""
+Three = tuple[Reader, Reader, Reader]  # readers of a value, its rate and its second rate
 
 
 @frozen

@@ -20,8 +20,7 @@ from graphkin.equations.model import Model
 from graphkin.equations.pretty import Pretty
 from graphkin.model.mechanism import ROUNDING
 
-_JOINED = 4
-"""So many unknowns still make one equation that fits a line."""
+_JOINED = 4  # so many unknowns still make one equation that fits a line
 A, B, A_RATE, B_RATE, OMEGA, ALPHA, OMEGA_D, ALPHA_D = (
     Letter(symbol, bold=True)
     for symbol in (

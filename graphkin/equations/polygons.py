@@ -24,8 +24,7 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Hinge, Joint, Sliding, Topology
 from graphkin.say.catalogue import meaning
 
-Site = tuple[str, str]
-"""A point and the body it is taken on."""
+Site = tuple[str, str]  # a point and the body it is taken on
 
 
 @frozen

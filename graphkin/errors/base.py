@@ -26,8 +26,7 @@ class Where:
         return f"{place}, {self.key}" if self.key else place
 
 
-NOWHERE = Where("")
-"""Stands until the one who knows the place fills it in (`GraphkinError.at`)."""
+NOWHERE = Where("")  # stands until the one who knows the place fills it in (`GraphkinError.at`)
 
 
 @dataclass_transform(eq_default=False)

@@ -10,10 +10,8 @@ from graphkin.base.value import frozen
 from graphkin.files.toml import toml
 from graphkin.files.values import split_points
 
-Made = TypeVar("Made")
-"""The type of what is built, given by whatever reads the tables."""
-Number = float | str
-"""mm, deg, rad/s as in the file; or a text with a unit."""
+Made = TypeVar("Made")  # the type of what is built, given by whatever reads the tables
+Number = float | str  # mm, deg, rad/s as in the file; or a text with a unit
 Point = tuple[float, float]
 
 _ONE_LINK = ("block", "guide", "wheel", "on", "link")

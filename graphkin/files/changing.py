@@ -20,8 +20,7 @@ _M = TypeVar("_M", bound=Mechanism)
 _PLAIN_TABLES = ("frame", "links", "sketch", "scales")
 _TABLES_OF_MANY = ("slide", "gear", "roll", "cam", "driver", "pose")
 _DRIVER_VALUES = ("angle", "at", "omega", "alpha", "velocity", "acceleration", "also")
-_DIGITS = 12
-"""Of mm and deg in the text of a mechanism at another position."""
+_DIGITS = 12  # of mm and deg in the text of a mechanism at another position
 
 
 def changed_text(mechanism: Mechanism, values: Mapping[str, object]) -> str:

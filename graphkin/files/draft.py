@@ -19,12 +19,9 @@ from graphkin.model.quantities import formed, meant, read
 if TYPE_CHECKING:
     from graphkin.files.schema import SlideTable
 
-UNEVEN = 1e9
-"""No length is so many times another one."""
-RATES = ("omega", "alpha", "velocity", "acceleration")
-"""Keys that say how fast a driver moves."""
-MOST_PROBLEMS = 100
-"""Nobody reads more of them at a time."""
+UNEVEN = 1e9  # no length is so many times another one
+RATES = ("omega", "alpha", "velocity", "acceleration")  # keys that say how fast a driver moves
+MOST_PROBLEMS = 100  # nobody reads more of them at a time
 
 
 @filled

@@ -26,8 +26,7 @@ MEASURE_PATTERN = r"^([A-Z][0-9]*'*){2,3}$"
 POINT_PATTERN = r"^[A-Z][0-9]*'*$"
 Schema = dict[str, Any]
 """The rule for a value, as pydantic's core or as JSON Schema reads it: `type`, and what belongs to that type."""
-NUMBER: Schema = {"type": ["number", "string"]}
-"""The rule of JSON Schema for any quantity."""
+NUMBER: Schema = {"type": ["number", "string"]}  # the rule of JSON Schema for any quantity
 
 _T = TypeVar("_T")
 
@@ -197,8 +196,7 @@ TRIPLES = FieldKind(
 
 # --- tables -----------------------------------------------------------------------------------
 
-_KINDS: dict[type, FieldKind] = {}
-"""By the class of a table, the kind of value that becomes an instance of it."""
+_KINDS: dict[type, FieldKind] = {}  # by the class of a table, the kind of value that becomes an instance of it
 
 
 def key(kind: FieldKind, *, default: Any = MISSING, default_factory: Any = MISSING) -> Any:

@@ -129,8 +129,7 @@ Learnt = tuple[dict[str, complex], str, complex]
 """Directions of links or places of points, and what is to be put into them."""
 Rule = tuple[tuple[str | tuple[str], ...], Callable[[], Iterator[Learnt]]]
 
-_CLOSE = 1e-9
-"""A centre this near to the line [m] lies on neither side."""
+_CLOSE = 1e-9  # a centre this near to the line [m] lies on neither side
 
 
 def as_sketched(

@@ -15,8 +15,7 @@ from graphkin.files.toml import Document
 from graphkin.files.values import POINT, above_zero, shown_value, si_quantity, split_points, tidy
 from graphkin.model.mechanism import FRAME, KeyPath, Link
 
-OWN_KEYS = ("points", "ccw", "shape")
-"""The keys of a link that are not measures."""
+OWN_KEYS = ("points", "ccw", "shape")  # the keys of a link that are not measures
 
 Placing = Callable[..., Where]
 

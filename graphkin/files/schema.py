@@ -19,8 +19,7 @@ from graphkin.model.mechanism import Dimension, GivenValue, KeyPath
 if TYPE_CHECKING:
     from pydantic_core import ErrorDetails
 
-FURTHER = "*"
-"""Stands for the keys of a table that are not named one by one: points, lengths and angles."""
+FURTHER = "*"  # stands for the keys of a table that are not named one by one: points, lengths and angles
 
 Place = Sequence[float]
 Vector = tuple[str, str]

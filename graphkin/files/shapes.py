@@ -21,17 +21,14 @@ from graphkin.base.tolerances import ROUNDED
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, Where
 
-MOST_POINTS = 50
-"""Links of more points than this need coordinates."""
+MOST_POINTS = 50  # links of more points than this need coordinates
 
-MOST_TRIALS = 300
-"""Partial layouts looked at before the search for a shape is given up."""
+MOST_TRIALS = 300  # partial layouts looked at before the search for a shape is given up
 
 MOST_CURVES = 20
 """Of more curves than this for one point, the first are crossed and the others only held against the result."""
 
-TOUCHES = 1e-9
-"""Two curves closer than this part of their size touch."""
+TOUCHES = 1e-9  # two curves closer than this part of their size touch
 
 
 @frozen

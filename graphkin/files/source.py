@@ -17,11 +17,9 @@ from graphkin.model.mechanism import GivenValue, KeyPath
 
 _T = TypeVar("_T")
 
-LARGEST_FILE = 1_000_000
-"""Mechanism files have some hundred bytes; more than this many are refused."""
+LARGEST_FILE = 1_000_000  # mechanism files have some hundred bytes; more than this many are refused
 
-_BLANKS = "\t\n\r"
-"""Control characters that may stand in a text; there they are blanks."""
+_BLANKS = "\t\n\r"  # control characters that may stand in a text; there they are blanks
 _WITHOUT_BLANKS = str.maketrans("", "", _BLANKS)
 _WIDE_MARKS = (b"\xff\xfe", b"\xfe\xff")
 _NO_XML = re.compile("[\ufffe\uffff]")

@@ -21,8 +21,7 @@ from graphkin.errors import Where, WrongType
 from graphkin.files.values import shown_value, tidy
 from graphkin.model.mechanism import KeyPath
 
-Document: TypeAlias = dict[str, Any]
-"""The data of a file, as `tomllib` gives them."""
+Document: TypeAlias = dict[str, Any]  # the data of a file, as `tomllib` gives them
 
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+")
 

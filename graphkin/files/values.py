@@ -20,11 +20,9 @@ from graphkin.model.mechanism import Dimension
 _POINT = r"[A-Z][0-9]*'*"
 POINT = re.compile(_POINT)
 LINK = re.compile(r"[\w']+")
-SLIDE = re.compile(r"(?!c[0-9]+\Z)[\w'-]+")
-"""`c0`, `c1` .. are what graphkin calls the slots that stand for cams."""
+SLIDE = re.compile(r"(?!c[0-9]+\Z)[\w'-]+")  # `c0`, `c1` .. are what graphkin calls the slots that stand for cams
 
-LONGEST = 36
-"""A name of so many letters finds room on every sheet."""
+LONGEST = 36  # a name of so many letters finds room on every sheet
 
 _POINTS = re.compile(rf"(?:{_POINT})+")
 _PRIMES = str.maketrans({"\u2019": "'", "\u2032": "'", "\u2033": "''", "\u2034": "'''"})
@@ -81,12 +79,9 @@ UNITS: Mapping[Dimension, Mapping[str, tuple[float, float]]] = {
 }  # fmt: skip
 """By quantity: what one of the unit is in SI, as (times, divided by) so that 24 mm is exactly 0.024 m."""
 
-LARGEST = 1e12
-"""No quantity of a mechanism is larger than this, in SI."""
-LARGEST_ANGLE = 2 * math.pi * 10_000
-"""Nor an angle, which is a direction, or some turns on from one."""
-SMALLEST_LENGTH = 1e-9
-"""Lengths and radii are at least this [m]."""
+LARGEST = 1e12  # no quantity of a mechanism is larger than this, in SI
+LARGEST_ANGLE = 2 * math.pi * 10_000  # nor an angle, which is a direction, or some turns on from one
+SMALLEST_LENGTH = 1e-9  # lengths and radii are at least this [m]
 SMALLEST_SCALE = 1e-12
 
 _QUANTITY = r"(?s)\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(.*?)\s*"

@@ -41,10 +41,8 @@ SIZE, EDGE = 12.0, 8.0
 """Of a marker, and how far it stands from the paper's edge [mm]."""
 _DOTS, _DOT, _WHITE = 10.0, 0.7, 2.5
 _CORNERS = 4
-DIGITS = len(MARKERS) - _CORNERS
-"""The count of markers that are digits of numbers."""
-MOST = DIGITS**2 - 1
-"""The largest number of a sheet."""
+DIGITS = len(MARKERS) - _CORNERS  # the count of markers that are digits of numbers
+MOST = DIGITS**2 - 1  # the largest number of a sheet
 
 
 # --- gridded paper ----------------------------------------------------------------------------

@@ -218,5 +218,4 @@ def _markdown_run(run: Run) -> str:
     return f"*{text}*" if run.italic and text.strip() else text
 
 
-WRITERS: Mapping[str, Callable[[Handout], str]] = {".html": html, ".tex": tex, ".md": markdown}
-"""By the file's ending."""
+WRITERS: Mapping[str, Callable[[Handout], str]] = {".html": html, ".tex": tex, ".md": markdown}  # by the file's ending

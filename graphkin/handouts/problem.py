@@ -20,8 +20,7 @@ from graphkin.sheet.composition import Planes
 from graphkin.sheet.paper import KEYS, finest
 from graphkin.sheet.window import PLANES, corners
 
-ROOM = complex(160.0, 120.0)
-"""Of any polygon that is drawn as large as a handout draws it [mm]."""
+ROOM = complex(160.0, 120.0)  # of any polygon that is drawn as large as a handout draws it [mm]
 
 
 @frozen

@@ -31,8 +31,7 @@ from graphkin.outputs.typesetting import mm
 from graphkin.sheet.lettering import Label, Run
 from graphkin.sheet.paper import PAPERS, Paper
 
-VARIABLE = "GRAPHKIN_FONT"
-"""The environment's name for a font file."""
+VARIABLE = "GRAPHKIN_FONT"  # the environment's name for a font file
 _LATIN = ("Times New Roman", "Liberation Serif", "Tinos", "Libertinus Serif")
 _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 _MISSING = re.compile(r'the text `"(.+?)"` could not be displayed')

@@ -5,5 +5,4 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, TypeAlias
 
-Record: TypeAlias = Mapping[str, Any]
-"""The record of a submission in a file of marks, as JSON gives it."""
+Record: TypeAlias = Mapping[str, Any]  # the record of a submission in a file of marks, as JSON gives it

@@ -21,10 +21,8 @@ from graphkin.model.quantities.reading import read
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
 
-ACROSS = 1e-9
-"""Less along a guide, as part of a vector, is nothing."""
-Ends = tuple[Plane, str, str]
-"""Plane, tail and head of an arrow."""
+ACROSS = 1e-9  # less along a guide, as part of a vector, is nothing
+Ends = tuple[Plane, str, str]  # plane, tail and head of an arrow
 
 
 # --- quantities that may be handed in ---------------------------------------------------------

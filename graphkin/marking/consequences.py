@@ -21,8 +21,7 @@ from graphkin.marking.scene import MISTAKES, Scene
 from graphkin.model.quantities import Answer, Centre, Quantity
 from graphkin.planning import Method
 
-SAME = 1e-9
-"""Values that differ by less, as part of their size, are one."""
+SAME = 1e-9  # values that differ by less, as part of their size, are one
 
 _TABLES = ("position", "velocity", "acceleration", "theta", "omega", "alpha", "s", "s_rate", "s_acceleration", "sines",
            "laid", "met", "before")  # fmt: skip
@@ -157,8 +156,7 @@ def rewritten(method: Method, plot: Plot, rewrites: Sequence[Rewrite]) -> Redraw
 # --- beside the right drawing ------------------------------------------------------------------
 
 
-_NOTHING = 1e-6
-"""What differs by less, as part of the largest value of its plane, is the same."""
+_NOTHING = 1e-6  # what differs by less, as part of the largest value of its plane, is the same
 
 
 @frozen

@@ -17,15 +17,11 @@ from graphkin.base.value import frozen
 from graphkin.marking.key import Columns, Hypotheses, Key, Name, agrees, columns_of, differences
 from graphkin.marking.weights import FITS, ONE, TWO, ScaledExplanations, Weighed
 
-MARGIN = 3.0
-"""Explanations whose weights differ by less cannot be told apart: a factor of 20."""
+MARGIN = 3.0  # explanations whose weights differ by less cannot be told apart: a factor of 20
 _LIKELY = 0.5
-_SAME = 0.5
-"""Explanations whose values differ by less, in standard deviations, are one."""
-_CHANCE = 0.008
-"""A hit that random numbers make more often is no hint."""
-_AT_ONCE = 1 << 16
-"""Weights that are held at once."""
+_SAME = 0.5  # explanations whose values differ by less, in standard deviations, are one
+_CHANCE = 0.008  # a hit that random numbers make more often is no hint
+_AT_ONCE = 1 << 16  # weights that are held at once
 
 
 OtherMethods = Callable[[], Hypotheses]
@@ -156,8 +152,7 @@ def _sums(weights: np.ndarray, some: np.ndarray) -> tuple[np.ndarray, np.ndarray
 # --- diagnoses ---------------------------------------------------------------------------------
 
 
-_PAIRS_FROM = 4
-"""So many independent values, before two mistakes are looked for."""
+_PAIRS_FROM = 4  # so many independent values, before two mistakes are looked for
 
 
 @frozen
@@ -253,8 +248,7 @@ def _evidence(best: Best, explainer: Explainer) -> list[dict[str, float]]:
 # --- habits ------------------------------------------------------------------------------------
 
 
-_SHOWS = np.log((0.8, 0.2))
-"""Frequencies with which a habit shows in a problem, and does not, as logarithms."""
+_SHOWS = np.log((0.8, 0.2))  # frequencies with which a habit shows in a problem, and does not, as logarithms
 
 
 @frozen

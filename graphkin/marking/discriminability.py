@@ -210,8 +210,7 @@ def set_discriminability(
 
 # --- an observer of one mistake ---------------------------------------------------------------
 
-WELL = 0.95
-"""The part of the students who make a mistake that should be told of it."""
+WELL = 0.95  # the part of the students who make a mistake that should be told of it
 _TRIALS = 400
 
 

@@ -168,16 +168,11 @@ def _where_given(own: Value, right: Value) -> Value:
 # --- of many students --------------------------------------------------------------------------
 
 
-_FLAT = np.sin(np.radians(0.5))
-"""Lines that meet under a smaller angle give no point: nothing is carried on to it."""
-_SAME = 1e-6
-"""An own value that differs from a number of the problem by a smaller part is copied from it."""
-_ANSWERABLE = 5.0
-"""An own value is carried on between 1/5 and 5 times the right size."""
-_MOVES = 1e-3
-"""An own value that moves another by a smaller part of its tolerance does not enter it."""
-_STRETCH = 5.0
-"""A carried value that is larger than the right one may be off by as much more, within this."""
+_FLAT = np.sin(np.radians(0.5))  # lines that meet under a smaller angle give no point: nothing is carried on to it
+_SAME = 1e-6  # an own value that differs from a number of the problem by a smaller part is copied from it
+_ANSWERABLE = 5.0  # an own value is carried on between 1/5 and 5 times the right size
+_MOVES = 1e-3  # an own value that moves another by a smaller part of its tolerance does not enter it
+_STRETCH = 5.0  # a carried value that is larger than the right one may be off by as much more, within this
 
 
 @frozen

@@ -19,18 +19,13 @@ from graphkin.model.quantities import EDGE, Quantity
 from graphkin.planning import Method
 from graphkin.running import replay_all
 
-_FEW = 500
-"""Drawings where many problems are compared."""
-_FEWER = 250
-"""Drawings of each mistake."""
-_HARDLY = 1e-3
-"""So small a part of the pencil's errors makes everything scatter in proportion."""
+_FEW = 500  # drawings where many problems are compared
+_FEWER = 250  # drawings of each mistake
+_HARDLY = 1e-3  # so small a part of the pencil's errors makes everything scatter in proportion
 _STEEP = 1.2
 """A scatter that is so many times larger or smaller than in proportion is said to be; near a dead point it is."""
-_FAILED = 0.05
-"""Where the links do not meet in a larger part of the drawings, too, paper cannot tell the value."""
-_NOTHING = 1e-9
-"""A value that is a smaller part of the largest of its kind is 0."""
+_FAILED = 0.05  # where the links do not meet in a larger part of the drawings, too, paper cannot tell the value
+_NOTHING = 1e-9  # a value that is a smaller part of the largest of its kind is 0
 
 
 def make_key(
@@ -269,8 +264,7 @@ def by_other_methods(method: Method, key: Key, quantities: Sequence[Quantity]) -
 # --- two mistakes together ---------------------------------------------------------------------
 
 
-_MOST = 6000
-"""Pairs beyond so many are not tried: among so many, chance hits outweigh hints."""
+_MOST = 6000  # pairs beyond so many are not tried: among so many, chance hits outweigh hints
 
 
 def pairs_of(method: Method, plot: Plot, key: Key, quantities: Sequence[Quantity]) -> Hypotheses:

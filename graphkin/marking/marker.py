@@ -27,11 +27,9 @@ from graphkin.model.quantities import Moving, Quantity, Rotation
 from graphkin.planning import Method
 from graphkin.running import replay_all
 
-_HALF = 0.5
-"""What a value is worth whose sense or whose unit alone is wrong."""
+_HALF = 0.5  # what a value is worth whose sense or whose unit alone is wrong
 _LARGE = 1e30
-_FURTHER = 40
-"""So many quantities of a student beyond those of the key are marked at most."""
+_FURTHER = 40  # so many quantities of a student beyond those of the key are marked at most
 
 
 class Marker:

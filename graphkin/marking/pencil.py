@@ -24,10 +24,8 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.planning import Method
 from graphkin.running.path import turned
 
-_STAGES = 3
-"""Links are fitted anew while errors grow by this part of what they come to."""
-_NO_ARROW = 1e-6
-"""An arrow shorter than this part of what the pencil errs by is not drawn."""
+_STAGES = 3  # links are fitted anew while errors grow by this part of what they come to
+_NO_ARROW = 1e-6  # an arrow shorter than this part of what the pencil errs by is not drawn
 
 
 @frozen

@@ -20,10 +20,8 @@ from graphkin.marking.weights import MOVED, ONE, shifts
 _Parts = tuple[Observed, float, float, float]
 """An observer's view of a mistake; part of its students who have a wrong value, are told of it, and of no other."""
 _DIGITS = 4
-_RIGHT = 2000
-"""Students who work right: a mistake named to one of them is a false alarm."""
-_AT_ONCE = 64
-"""Mistakes whose students are drawn up at once."""
+_RIGHT = 2000  # students who work right: a mistake named to one of them is a false alarm
+_AT_ONCE = 64  # mistakes whose students are drawn up at once
 
 
 @frozen

@@ -28,12 +28,9 @@ from graphkin.model.quantities import Quantity, kinds
 from graphkin.model.quantities.kinds import on_axis
 from graphkin.planning import Method
 
-_ALONG = math.radians(5)
-"""An arrow that is nearer to its link's direction turns it neither way."""
-ASTRAY = math.radians(15)
-"""A known arrow that is laid off farther from where it should point is laid off another way."""
-_SHORT = 0.02
-"""Of an arrow that is a smaller part of its polygon's longest no direction is told."""
+_ALONG = math.radians(5)  # an arrow that is nearer to its link's direction turns it neither way
+ASTRAY = math.radians(15)  # a known arrow that is laid off farther from where it should point is laid off another way
+_SHORT = 0.02  # of an arrow that is a smaller part of its polygon's longest no direction is told
 
 Rates = Mapping[tuple[str, str], float]
 

@@ -82,8 +82,7 @@ class Marked:
         return sum(one.points * one.credit for one in self.judged) / total if total else None
 
 
-Drawn = Mapping[Plane, Mapping[str, complex]]
-"""Points of a drawing by plane and letter, SI, from any of them."""
+Drawn = Mapping[Plane, Mapping[str, complex]]  # points of a drawing by plane and letter, SI, from any of them
 
 
 @frozen

@@ -13,11 +13,9 @@ from graphkin.construction import Facts, Image, InStep, LayOff, Measure, Meet, P
 from graphkin.marking.hand import PolygonHand, Redrawing
 from graphkin.planning import Method
 
-PARALLEL = np.sin(np.radians(0.5))
-"""Sine of the angle under which lines are not taken to cross."""
+PARALLEL = np.sin(np.radians(0.5))  # sine of the angle under which lines are not taken to cross
 
-NOTHING = 1e-9
-"""What a right value counts as nothing beside, as part of a wrong one."""
+NOTHING = 1e-9  # what a right value counts as nothing beside, as part of a wrong one
 
 Spot = tuple[Hashable, ...]
 """A place of a drawing: ("arrow", plane, size), ("laid", plane, tip), ("line", plane, crossing's step, ray),

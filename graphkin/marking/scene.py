@@ -223,8 +223,7 @@ class Mistake:
     find: Finder
 
 
-MISTAKES: dict[str, Mistake] = {}
-"""Every mistake by its id."""
+MISTAKES: dict[str, Mistake] = {}  # every mistake by its id
 
 
 def mistake(id: str, topic: str, rule: str) -> Callable[[Finder], Finder]:

@@ -23,8 +23,7 @@ from graphkin.model.quantities.reading import read
 from graphkin.planning import Method, plan
 from graphkin.proof.readings import readings
 
-_SAME = 1e-9
-"""Answers that differ by a smaller part are the same."""
+_SAME = 1e-9  # answers that differ by a smaller part are the same
 
 
 @frozen

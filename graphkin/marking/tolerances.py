@@ -21,10 +21,8 @@ from graphkin.planning import Method
 
 _AT_ONCE, _NUMBERS = 64, 2**21
 """Mistakes that are drawn at once, each many times; fewer where more numbers than these are read off."""
-_HARDLY = 0.05
-"""Where a smaller part of the drawings closes, nobody begins again."""
-DRAWINGS = 2000
-"""Drawings of the right construction."""
+_HARDLY = 0.05  # where a smaller part of the drawings closes, nobody begins again
+DRAWINGS = 2000  # drawings of the right construction
 _PARTS = ((0.6826894921370859, 1.0), (0.99, 2.5758293035489004))
 """These parts of its values lie within so many standard deviations of a normal quantity."""
 
@@ -157,8 +155,7 @@ def drawings_of(method: Method, marking: Marking, count: int, part: float = 1.0)
 
 
 _FEWER = 500
-_COUNTS = 1e-4
-"""A step with a smaller part of the scatter is left out."""
+_COUNTS = 1e-4  # a step with a smaller part of the scatter is left out
 
 
 @frozen

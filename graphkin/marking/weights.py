@@ -18,18 +18,14 @@ from graphkin.marking.key import Columns, Hypotheses, Key, columns_of, differenc
 _RIGHT, ONE, TWO, _NONE = np.log((0.05, 0.35, 0.05, 0.1))
 """Logarithms of the frequencies, where a value is beyond its tolerance, of right work gone astray by the pencil alone,
 of one mistake, of two, and of other work."""
-MOVED = 3.0
-"""A mistake that moves no handed-in value by more standard deviations cannot be seen."""
+MOVED = 3.0  # a mistake that moves no handed-in value by more standard deviations cannot be seen
 _COMMON = (0.5, 0.9)
 """Parts of the scatter of several values that may come from what they are all read off, beside none; the rest is each
 value's own."""
-FITS = 4.5
-"""A value that is off by more standard deviations is not explained."""
-_REACH = 5.0
-"""Random numbers are of any size from the right one divided by this to it multiplied by this."""
+FITS = 4.5  # a value that is off by more standard deviations is not explained
+_REACH = 5.0  # random numbers are of any size from the right one divided by this to it multiplied by this
 _TURN = 2 * np.pi
-_PRODUCT = 1 << 18
-"""Products of a matrix of so many are left to one thread: more cost more than they give."""
+_PRODUCT = 1 << 18  # products of a matrix of so many are left to one thread: more cost more than they give
 
 
 @frozen

@@ -25,8 +25,7 @@ KeyPath: TypeAlias = tuple[str | int, ...]
 
 Dimension = Literal["length", "angle", "angular velocity", "angular acceleration", "velocity", "acceleration"]
 
-FRAME = "frame"
-"""The fixed link's own name in every mapping by link; `Mechanism.frame` is what people call it."""
+FRAME = "frame"  # the fixed link's own name in every mapping by link; `Mechanism.frame` is what people call it
 
 _Kind = TypeVar("_Kind", bound=Pair)
 
@@ -121,8 +120,7 @@ ROUNDING = 1e-7
 """Sizes below this part of what is usual of their kind are rounding noise: an angle typed to five decimals of a degree,
 or a length to a hundred thousandth of a millimetre, says no more."""
 
-Rates = Sequence[tuple[float, float]]
-"""Of drivers: velocity and acceleration."""
+Rates = Sequence[tuple[float, float]]  # of drivers: velocity and acceleration
 
 
 @frozen

@@ -25,8 +25,7 @@ from graphkin.model.quantities import Quantity, kinds, named
 from graphkin.model.units import Measured, Number, Numbers, Vector, Vectors, measured
 
 _M = TypeVar("_M", bound=Measured, covariant=True)
-MeasuredValue: TypeAlias = Number | Vector | Numbers
-"""A value with its unit, of one position or of many (n,)."""
+MeasuredValue: TypeAlias = Number | Vector | Numbers  # a value with its unit, of one position or of many (n,)
 
 _TURNS = {"theta": "rad", "omega": "rad/s", "alpha": "rad/s^2"}
 """Tables of links: the frame, by the name that it always has, stands still."""

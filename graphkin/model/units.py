@@ -25,8 +25,7 @@ from graphkin.base.value import frozen
 
 # --- at the edge ------------------------------------------------------------------------------
 
-GRAVITY = 9.80665
-"""Standard acceleration of gravity [m/s^2]."""
+GRAVITY = 9.80665  # standard acceleration of gravity [m/s^2]
 
 
 @frozen
@@ -59,8 +58,7 @@ EDGE = {
 }  # fmt: skip
 """By SI unit, how results are shown."""
 
-IN_GRAVITY = Unit("g", "g", 1 / GRAVITY)
-"""The second unit in which accelerations are shown."""
+IN_GRAVITY = Unit("g", "g", 1 / GRAVITY)  # the second unit in which accelerations are shown
 
 
 def driven(slides: bool) -> str:
@@ -68,8 +66,7 @@ def driven(slides: bool) -> str:
     return "m" if slides else "rad"
 
 
-_EXACT = 1e-9
-"""A figure that is off by no more than this part is exact."""
+_EXACT = 1e-9  # a figure that is off by no more than this part is exact
 
 
 def significant(value: float, digits: int) -> str:

@@ -19,8 +19,7 @@ from graphkin.model.pairs import Pair, Slide
 Stacked: TypeAlias = Any
 """A number of each mechanism as an array (n,), or one that all share, to stand where a class declares a number."""
 
-SAME_PLACE = 1e-9
-"""Points of a link nearer than this to each other do not give its axis [size]; as `Link.axis` has it."""
+SAME_PLACE = 1e-9  # points of a link nearer than this to each other do not give its axis [size]; as `Link.axis` has it
 
 
 def topology(mechanism: Mechanism) -> tuple[object, ...]:

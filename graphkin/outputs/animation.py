@@ -24,10 +24,8 @@ from graphkin.sheet.page import Layer
 
 SECONDS = 8.0
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
-_STILL = ("id", "class", "step")
-"""Attributes that tell marks apart, and never move."""
-Row = list[Mark | None]
-"""A mark as it is on each sheet; None where it is not there."""
+_STILL = ("id", "class", "step")  # attributes that tell marks apart, and never move
+Row = list[Mark | None]  # a mark as it is on each sheet; None where it is not there
 
 
 def animation(frames: Sequence[Sheet], seconds: float = SECONDS, ink: Ink = "accent") -> str:

@@ -21,8 +21,7 @@ if TYPE_CHECKING:
     from graphkin.sheet import Sheet
 
 _MARKS = (files.NAMESPACE.encode(), b"graphkin sheet")
-_ADDED = ("other", "words")
-"""Notes of the ruler on signs and letters that are more or fewer than were drawn."""
+_ADDED = ("other", "words")  # notes of the ruler on signs and letters that are more or fewer than were drawn
 
 
 @frozen

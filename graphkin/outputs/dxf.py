@@ -22,10 +22,8 @@ _LAYERS = {"": 7, "mechanism": 7, "velocity": 5, "acceleration": 1, "centres": 3
 """Each layer with its colour, as AutoCAD numbers them."""
 _NAMES = {"position": "mechanism"}
 _HEAD = 2.8
-_WIDE = 0.7 / 2.8
-"""Half the width of a head against its length."""
-_CAP = 0.66
-"""Height of a capital letter against the em: what a drawing program calls the height of a text."""
+_WIDE = 0.7 / 2.8  # half the width of a head against its length
+_CAP = 0.66  # height of a capital letter against the em: what a drawing program calls the height of a text
 
 
 def dxf(sheet: Sheet) -> bytes:

@@ -15,12 +15,9 @@ from typing import Any, ClassVar
 
 from graphkin.errors import CannotWrite, GraphkinError, Lang, NoFolder
 
-NAMESPACE = "https://graphkin.invalid/sheet/1"
-"""By this a program knows a drawing of graphkin's."""
-_DRAFT = ".draft"
-"""The end of the name of a file that is being written."""
-_GLANCE = 4096
-"""How much of a file's beginning and end is looked at for a mark of graphkin."""
+NAMESPACE = "https://graphkin.invalid/sheet/1"  # by this a program knows a drawing of graphkin's
+_DRAFT = ".draft"  # the end of the name of a file that is being written
+_GLANCE = 4096  # how much of a file's beginning and end is looked at for a mark of graphkin
 
 
 class FileInTheWay(GraphkinError):

@@ -17,8 +17,7 @@ from graphkin.marking.key import Doubt, Hypotheses, Key, KeyEntry, KeyStep, Mark
 
 FORMAT, KIND = 1, "graphkin key"
 Json = dict[str, Plain]
-Read = Mapping[str, Any]
-"""Plain data as it is read, before it is looked at."""
+Read = Mapping[str, Any]  # plain data as it is read, before it is looked at
 
 
 # --- out --------------------------------------------------------------------------------------

@@ -24,8 +24,7 @@ MARKS = [KIND.encode()]
 HEAD = f'{{"kind": "{KIND}", "format": {FORMAT},\n"results": ['
 END = "]}"
 Json = dict[str, Plain]
-Record = Mapping[str, Any]
-"""A record as it is read."""
+Record = Mapping[str, Any]  # a record as it is read
 _LINE = ("format", "student", "file", "status", "reason", "score")
 _QUANTITY = ("given", "right", "carried", "tolerance", "verdict", "sense")
 _MISTAKE = ("ids", "probability", "margin", "explains")

@@ -21,8 +21,7 @@ from graphkin.sheet import Sheet
 
 MARK = b"graphkin sheet"
 SERIF = "STIXGeneral"
-_COLOURS = 64
-"""Of a moving picture."""
+_COLOURS = 64  # of a moving picture
 _PAGE = """#set document(title: sys.inputs.title, author: "graphkin sheet", date: none)
 #set text(lang: sys.inputs.lang)
 #set page(width: {width}mm, height: {height}mm, margin: 0mm)

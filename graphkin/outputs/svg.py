@@ -31,16 +31,14 @@ _CONTROL = "[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]"
 
 Attributes = Mapping[str, str]
 Inside = str | Sequence[ET.Element]
-Form = tuple[str, dict[str, str], Inside]
-"""An element's name, attributes, and what is in it: letters or other elements."""
+Form = tuple[str, dict[str, str], Inside]  # an element's name, attributes, and what is in it: letters or other elements
 
 _NONE: Attributes = {}
 _SPECIAL = re.compile('[&<>"\r\n\t]')
 _LETTERED = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;"})
 _QUOTED = _LETTERED | str.maketrans({'"': "&quot;", "\r": "&#13;", "\n": "&#10;", "\t": "&#09;"})
 """What letters between elements, and in attributes, are written as."""
-_TIP = 2.8
-"""Length of an arrow head; on arrows too short for it, half of that [mm]."""
+_TIP = 2.8  # length of an arrow head; on arrows too short for it, half of that [mm]
 
 
 class Unwritable(GraphkinError):

@@ -31,12 +31,9 @@ if TYPE_CHECKING:
 FORMATS = (".csv", ".json", ".jsonl", ".parquet")
 MARKS = (b" [deg]", b" [mm]", b' [rad]": ', b' [m]": ', b'"format": 1', b"graphkin")
 _SI = {name: Unit("" if name == "1" else name, name) for name in EDGE}
-_LINES = 4096
-"""So many lines are made at once."""
-_SHOWN = 8
-"""Rows at either end of a table in a notebook."""
-Seen = Callable[[Sweep], None]
-"""A function that sees each part that is done."""
+_LINES = 4096  # so many lines are made at once
+_SHOWN = 8  # rows at either end of a table in a notebook
+Seen = Callable[[Sweep], None]  # a function that sees each part that is done
 
 
 class NoParquet(GraphkinError):

@@ -14,12 +14,10 @@ from graphkin.sheet.marks import Place, Text
 
 LATIN = "Times New Roman, Liberation Serif, Tinos, serif"
 _CHINESE = "Noto Serif CJK SC, Source Han Serif SC, Songti SC, SimSun, WenQuanYi Micro Hei, serif"
-_CHINESE_SIGNS = "√∥⊥"
-"""Signs that the Chinese letters have, and Latin ones may not."""
+_CHINESE_SIGNS = "√∥⊥"  # signs that the Chinese letters have, and Latin ones may not
 _DOTTED = {"\u1e61": "s\u02d9", "s\u0308": "s\u00a8"}
 """Letters that few fonts have: another one, and the dots over it by themselves."""
-_OVER = 0.07
-"""So far to the right of where the letter begins the dots begin, which are less wide and lean [em]."""
+_OVER = 0.07  # so far to the right of where the letter begins the dots begin, which are less wide and lean [em]
 _ANY_DOTTED = re.compile(f"({'|'.join(_DOTTED)})")
 
 

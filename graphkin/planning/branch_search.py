@@ -26,10 +26,8 @@ from graphkin.model.mechanism import FRAME
 from graphkin.planning.fit_starts import Branches, GroupFitter
 from graphkin.planning.structure import Topology
 
-WIDTHS = (1, 8, 64)
-"""Branches kept while a first assembly is looked for."""
-WIDEST = 1024
-"""Branches kept at most; the same before a group is fitted, which is tried from many starts for each."""
+WIDTHS = (1, 8, 64)  # branches kept while a first assembly is looked for
+WIDEST = 1024  # branches kept at most; the same before a group is fitted, which is tried from many starts for each
 WIDEST_FITTED = 128
 BETWEEN = 0.04
 """A sketch lies between two assemblies if their squared distances from it differ by less than this part of the square

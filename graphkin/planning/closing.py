@@ -17,8 +17,7 @@ from dataclasses import replace
 from graphkin.base.value import frozen
 from graphkin.construction import Arc, Drawn, Equation, Given, LayOff, Meet, Ray, Span, Step, Term
 
-Aside = Callable[[], str]
-"""Names a point that only helps the drawing."""
+Aside = Callable[[], str]  # names a point that only helps the drawing
 Corner = Callable[[Term], str | None]
 """The end of a known arrow that has moved: at a new corner where a point of a link was, None where it was a corner."""
 

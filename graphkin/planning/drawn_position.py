@@ -30,8 +30,7 @@ from graphkin.planning.refusals import extent, refuse_open
 from graphkin.planning.stages import stages
 from graphkin.planning.structure import Aside, SetAside, Topology
 
-TRIES = 64
-"""So many choices of poses to leave out are tried."""
+TRIES = 64  # so many choices of poses to leave out are tried
 
 
 @frozen

@@ -19,16 +19,12 @@ from graphkin.model.mechanism import FRAME
 from graphkin.planning.structure import Topology
 
 _TABLES = ("near", "position", "theta", "s", "sines", "misses", "senses")
-STARTS = 96
-"""Places where fitting starts, for each branch."""
-AT_ONCE = 64
-"""Branches fitted at once, to keep arrays short."""
+STARTS = 96  # places where fitting starts, for each branch
+AT_ONCE = 64  # branches fitted at once, to keep arrays short
 NEAR = 0.05
 """A start this near to what fits, as part of how far the group is from its dead points, has no other as near."""
-OTHERS = 0.1
-"""Nearer than this, measured alike, there is surely no other assembly of the group."""
-SAME = 1e-6
-"""Assemblies of a group whose unknowns differ by less are one [rad, of its size]."""
+OTHERS = 0.1  # nearer than this, measured alike, there is surely no other assembly of the group
+SAME = 1e-6  # assemblies of a group whose unknowns differ by less are one [rad, of its size]
 
 
 @filled

@@ -24,17 +24,12 @@ from graphkin.model.naming import PairName, named
 from graphkin.planning.constraint_jacobian import Array, ConstraintRows, Restraints, over
 from graphkin.planning.structure import ConstraintRow, SetAside, Topology
 
-_NUDGE = 0.05
-"""Bodies are moved as far to see the general rank [size, rad]."""
+_NUDGE = 0.05  # bodies are moved as far to see the general rank [size, rad]
 _NUDGES = 4
-_MISSED = 1e-8
-"""A gap of more than this contradicts [size, rad]."""
-_LEAST = 1e-6
-"""Lines that diverge by less do not [deg]."""
-_NEAR = 0.03
-"""A constraint that repeats others but for this [rad, share of a length] was meant to."""
-_RIGID = 0.2
-"""The same where the pairs let nothing move: then it is no driver that is too much."""
+_MISSED = 1e-8  # a gap of more than this contradicts [size, rad]
+_LEAST = 1e-6  # lines that diverge by less do not [deg]
+_NEAR = 0.03  # a constraint that repeats others but for this [rad, share of a length] was meant to
+_RIGID = 0.2  # the same where the pairs let nothing move: then it is no driver that is too much
 
 
 def redundant_constraints(mechanism: Mechanism, structure: Topology) -> tuple[SetAside, ...]:

@@ -18,11 +18,9 @@ from graphkin.model.pairs import Gear
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Topology
 
-DEAD_DEG = 0.5
-"""Lines that meet under less than this give no usable drawing [deg]."""
+DEAD_DEG = 0.5  # lines that meet under less than this give no usable drawing [deg]
 DEAD_SINE = float(np.sin(np.radians(DEAD_DEG)))
-FAR = 1.4
-"""A sketch is rough: so many times longer or shorter than it is no matter."""
+FAR = 1.4  # a sketch is rough: so many times longer or shorter than it is no matter
 
 
 def refuse_bad_positions(structure: Topology, construction: Construction, plot: Plot) -> None:

@@ -21,8 +21,7 @@ from graphkin.planning.loop_terms import Hop, LinkArm, Slip, outward, way_round
 from graphkin.planning.stages import Group, Stage
 from graphkin.planning.structure import Topology
 
-APART = 0.1
-"""Least sine of the angle under which two legs' lines may meet, where another pair is better."""
+APART = 0.1  # least sine of the angle under which two legs' lines may meet, where another pair is better
 
 
 @frozen

@@ -24,10 +24,8 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.loop_search import KnownMotion, LoopPaths
 from graphkin.planning.structure import Hinge, Joint, Topology
 
-MOST = 8
-"""Unknown scalars of one loop of a group."""
-_FEW = 8
-"""Loops and contacts of which every set is tried as a group."""
+MOST = 8  # unknown scalars of one loop of a group
+_FEW = 8  # loops and contacts of which every set is tried as a group
 
 
 @frozen

@@ -32,10 +32,8 @@ if TYPE_CHECKING:
 
 __all__ = ["AGREE", "PLACES", "Proved", "apart", "apart_each", "compare", "held", "hold_rows", "proved"]
 
-AGREE = 1e-6
-"""Results of the two roads that differ by more are not given; the tests hold them to 1e-9."""
-PLACES = 12
-"""Of many positions, or many mechanisms, both ends are held, and ten between."""
+AGREE = 1e-6  # results of the two roads that differ by more are not given; the tests hold them to 1e-9
+PLACES = 12  # of many positions, or many mechanisms, both ends are held, and ten between
 FLAT = float(np.sin(np.radians(0.5)))
 """If lines meet under a smaller angle the mechanism stands at a dead point, and digits are lost."""
 

@@ -25,26 +25,20 @@ from graphkin.running.singularities import Crossing, choice_of, crossings, event
 QUICK, LONGER = (Compass(fit=partial(fit, rounds=rounds)) for rounds in (3, 15))
 """Links that come close to where they fit do so in these steps of Newton's method; close to a dead point it takes more,
 each of which leaves half of what was missing."""
-FIRST = 1 / 32
-"""The first step, of which nothing is foretold but its direction, as part of the longest."""
-FARTHEST = 0.2
-"""A link turns no farther in a step [rad], or slides, in lengths of the mechanism."""
+FIRST = 1 / 32  # the first step, of which nothing is foretold but its direction, as part of the longest
+FARTHEST = 0.2  # a link turns no farther in a step [rad], or slides, in lengths of the mechanism
 AWAY, SWERVE = 1e-3, 3e-3
 """Links may come so far from where they were expected, and turn so much otherwise over a step [rad, lengths]."""
-SHORTEST = 1e-6
-"""Steps are not halved below this part of the longest."""
-SOON = 1.25
-"""So many longest steps ahead a change point is looked for."""
+SHORTEST = 1e-6  # steps are not halved below this part of the longest
+SOON = 1.25  # so many longest steps ahead a change point is looked for
 STRETCH, HALVINGS = 20, 6
 """Steps tried at once, and halvings."""
 FELT = 0.001
 """Steps below this part of the longest are felt for one by one, and tried longer: the way may be about to end."""
 GROWTH, STEADY = 1.5, 0.9
 """Each step may be so much longer than the one before, and this part of the longest that would do is taken."""
-LEAST = 0.05
-"""The others are at least this part of the first step of a stretch."""
-BETWEEN = 8
-"""From one position found to the next so many are foretold, from which others are found."""
+LEAST = 0.05  # the others are at least this part of the first step of a stretch
+BETWEEN = 8  # from one position found to the next so many are foretold, from which others are found
 
 
 def continued(method: Method, path: DriverPath) -> DriverPath:

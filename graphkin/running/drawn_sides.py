@@ -15,8 +15,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing, replay
 from graphkin.planning import Method
 
-_PLAIN = 0.02
-"""A point that lies by a smaller part of its distance to one side is not seen to lie there."""
+_PLAIN = 0.02  # a point that lies by a smaller part of its distance to one side is not seen to lie there
 _SAME = 1e-6
 Places = dict[str, complex]
 

@@ -108,8 +108,7 @@ FLAGS = (
     "-shared", "-fPIC",
 )  # fmt: skip
 """Roots and choices that can be done on vectors; results are those of the same operations one by one."""
-LONGEST_S = 60
-"""The time that a compiler may take at most [s]."""
+LONGEST_S = 60  # the time that a compiler may take at most [s]
 
 
 @cache

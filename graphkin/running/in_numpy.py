@@ -89,8 +89,7 @@ _OWN: dict[str, Callable[..., object]] = {
 
 LEAST, MOST = 2**15, 2**23
 """Numbers in what is lent, and kept, at the least and at most: from a quarter of a MiB to 64."""
-KEPT = 3
-"""Pieces that are kept at most: results of a program, its registers, and what results are put together in."""
+KEPT = 3  # pieces that are kept at most: results of a program, its registers, and what results are put together in
 _KEPT: dict[int, np.ndarray] = {}
 """By identity, in the order in which they came back. Each change is one step, whatever else a thread does meanwhile."""
 

@@ -22,21 +22,15 @@ from graphkin.running.replay_program import ReplayProgram, recorded_program
 from graphkin.running.tape import CannotRecord
 from graphkin.running.tracing import trace
 
-SURPRISE = 0.02
-"""A link may turn so far beside what its turning so far foretold [rad]; more, and the step is halved."""
-SHORTEST = 1 / 256
-"""Steps are not halved below this part of the longest, for many positions at once."""
-MANY = 64
-"""From so many positions on a program is worth being made: a few such sweeps take as long as making it."""
-FITTED_MANY = 2000
-"""The same where links are fitted: to fit so many plainly takes about as long as making the program."""
-PART = 4096
-"""Positions that are fitted at once."""
+SURPRISE = 0.02  # a link may turn so far beside what its turning so far foretold [rad]; more, and the step is halved
+SHORTEST = 1 / 256  # steps are not halved below this part of the longest, for many positions at once
+MANY = 64  # from so many positions on a program is worth being made: a few such sweeps take as long as making it
+FITTED_MANY = 2000  # the same where links are fitted: to fit so many plainly takes about as long as making the program
+PART = 4096  # positions that are fitted at once
 
 _PROGRAMS: dict[int, ReplayProgram | None] = {}
 """By the identity of their methods, as long as these live: methods are alike by value, and too large to be hashed."""
-_COUNTS: dict[int, int] = {}
-"""Numbers of positions that were replayed without a program, by method, the same."""
+_COUNTS: dict[int, int] = {}  # numbers of positions that were replayed without a program, by method, the same
 
 
 # --- single positions -------------------------------------------------------------------------

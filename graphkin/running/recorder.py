@@ -27,12 +27,10 @@ from graphkin.running.tape import CannotRecord, Tape
 
 TABLES = tuple(each.name for each in fields(Plot) if each.name not in ("facts", "near", "follows"))
 """The tables of a plot."""
-Entry = tuple[str, str]
-"""A table of a plot, or "turn", and a name in it (a plane and a point in that of sines)."""
+Entry = tuple[str, str]  # a table of a plot, or "turn", and a name in it (a plane and a point in that of sines)
 Quantity: TypeAlias = Union[Value, "Recorded"]
 STEPS = 2
-SHORT = 1e-7
-"""The last step at most [rad, of the group's size]; what it leaves is of the order of its square."""
+SHORT = 1e-7  # the last step at most [rad, of the group's size]; what it leaves is of the order of its square
 
 
 def _real(does: str, *of: Recorded) -> Recorded:

@@ -22,18 +22,14 @@ from graphkin.running.recorder import TABLES, Entry, GroupSense, Recorded, Recor
 
 USUAL = ("position", "velocity", "acceleration", "theta", "omega", "alpha", "turn")
 """Tables that are calculated at once; the others when they are read."""
-BLOCK = 8192
-"""Positions done at once: what they need stays in the processor's cache."""
-VERY_MANY = 10**6
-"""From so many positions on a C compiler is asked for without being told to."""
-MOST_CALLS = 1000
-"""Of more NumPy calls no C function is made: a compiler takes seconds for them, and they gain less."""
+BLOCK = 8192  # positions done at once: what they need stays in the processor's cache
+VERY_MANY = 10**6  # from so many positions on a C compiler is asked for without being told to
+MOST_CALLS = 1000  # of more NumPy calls no C function is made: a compiler takes seconds for them, and they gain less
 FLAT_SINE = 1e-5
 """Crossings under a smaller angle are dead points but for rounding: such positions are replayed plainly."""
 Run = Callable[[Sequence[np.ndarray], np.ndarray, int, Iterable[slice]], list[np.ndarray]]
 """Fills a room (its first numbers are results) of inputs, block by block; positions that are doubtful."""
-PLANES = ("position", "velocity", "acceleration")
-"""Tables of vectors; the others are of numbers."""
+PLANES = ("position", "velocity", "acceleration")  # tables of vectors; the others are of numbers
 
 
 def recorded_program(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> ReplayProgram:

@@ -21,18 +21,15 @@ from graphkin.running.path import DriverPath, Event, along, stride
 
 LOOK_DEG, LOOK_PART = 0.5, 0.002
 """The steps in which the path is looked at [deg, of the mechanism's size]."""
-TOUCHING_SINE = 3e-6
-"""The sine to which two loci come down, as closely as it is looked at, where they touch."""
-LOW_SINE = 0.3
-"""Below this a least angle between two loci is looked at more closely."""
+TOUCHING_SINE = 3e-6  # the sine to which two loci come down, as closely as it is looked at, where they touch
+LOW_SINE = 0.3  # below this a least angle between two loci is looked at more closely
 FALLEN = 0.9
 """A sine that comes to 0 between two positions is less than this part of what it is at the one before or after them:
 in straight lines it were a third. One that keeps its value has lows of rounding alone, and is not looked at."""
 ROUNDS, FINE = 3, 201
 FEW, CLOSE = 5, 0.01
 """Positions where a sine goes through 0, and how far from there others are looked at, as part of how far these are."""
-CENTRING = 1e-3
-"""A touching is weighed so far to both sides, as part of the steps in which the path is looked at."""
+CENTRING = 1e-3  # a touching is weighed so far to both sides, as part of the steps in which the path is looked at
 
 Crossing = Meet | Swing | Fit
 

@@ -11,8 +11,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import NamedTuple
 
 NUMBER, INPUT = "number", "input"
-FAILING = ("reciprocal", "sqrt")
-"""Operations that have no finite value for some numbers."""
+FAILING = ("reciprocal", "sqrt")  # operations that have no finite value for some numbers
 
 WITH_NUMBERS: Mapping[str, Callable[..., float]] = {
     "add": lambda a, b: a + b,

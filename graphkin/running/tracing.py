@@ -24,10 +24,8 @@ from graphkin.running.singularities import LOOK_DEG, LOOK_PART, Crossing, choice
 
 FAST, HALVINGS = 0.5, 6
 """If a link turns more between two positions [rad], those between are looked at, too; so often."""
-MOST = 1e7
-"""Points looked at on a path, at most: some 0.3 GB."""
-FITTING = 30
-"""The cost of a position where links are fitted, beside another."""
+MOST = 1e7  # points looked at on a path, at most: some 0.3 GB
+FITTING = 30  # the cost of a position where links are fitted, beside another
 
 
 def trace(

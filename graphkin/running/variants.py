@@ -30,10 +30,8 @@ from graphkin.planning.refusals import DEAD_SINE
 from graphkin.running import replay_all
 from graphkin.running.recorder import TABLES
 
-PART = 2048
-"""So many mechanisms at once; what they need stays in the cache."""
-CHOICES = 6
-"""Crossings of circles of which every combination is drawn."""
+PART = 2048  # so many mechanisms at once; what they need stays in the cache
+CHOICES = 6  # crossings of circles of which every combination is drawn
 
 
 @frozen

@@ -21,8 +21,7 @@ from graphkin.say.numbers import number
 from graphkin.say.reading import Reading
 from graphkin.say.solution_goal import SolutionGoal
 
-_NO_DEVIATION = 1e-6
-"""Parts below this are none [%]."""
+_NO_DEVIATION = 1e-6  # parts below this are none [%]
 
 
 @frozen

@@ -16,8 +16,7 @@ from typing import get_args
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 
-Phrases = Mapping[str, tuple[str, str]]
-"""By full name: English, Chinese."""
+Phrases = Mapping[str, tuple[str, str]]  # by full name: English, Chinese
 
 SHARED_FILES: Mapping[str, tuple[str, ...]] = {
     "centres": ("about",),

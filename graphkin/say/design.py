@@ -17,8 +17,7 @@ from graphkin.say.numbers import SentenceNumber
 from graphkin.studies.design import Design, Family, Reason, Solution, linkage_of, proof
 from graphkin.studies.linkages import filed
 
-_DIGITS = 5
-"""As `Figure` has them."""
+_DIGITS = 5  # as `Figure` has them
 
 
 def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:

@@ -18,16 +18,14 @@ from graphkin.say.catalogue import phrase, say
 from graphkin.say.text_table import width
 
 _WIDE, _INDENT = 110, 4
-_LINED = ("roll", "profile")
-"""The tables that have the keys of a line from `slide`."""
+_LINED = ("roll", "profile")  # the tables that have the keys of a line from `slide`
 _SIGNS = {
     "file": "TOML", "title": "title", "frame": "[frame]", "link": "[links.NAME]", "slide": "[[slide]]",
     "gear": "[[gear]]", "roll": "[[roll]]", "cam": "[[cam]]", "profile": "profiles", "driver": "[[driver]]",
     "pose": "[[pose]]", "sketch": "[sketch]", "scales": "[scales]",
 }  # fmt: skip
 """The head of each table in the file."""
-_FOLLOWING = " ，。；：、）”"
-"""These begin no line."""
+_FOLLOWING = " ，。；：、）”"  # these begin no line
 
 
 def head(table: str, lang: Lang) -> str:

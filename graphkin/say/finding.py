@@ -20,12 +20,9 @@ from graphkin.studies.finding.answers import Findings, Interval, Phase, Position
 from graphkin.studies.finding.conditions import Comparison, Condition, Extreme, Scaling, Slowest
 from graphkin.studies.finding.varying import VaryingTable
 
-_SIGNS = "φ", "s"
-"""Of what a driver turns, and of what it slides."""
-_DIGITS = 6
-"""Of what is computed."""
-_MARKED = re.compile("\0([^\0]+)\0")
-"""A driver's name where it stands for its value."""
+_SIGNS = "φ", "s"  # of what a driver turns, and of what it slides
+_DIGITS = 6  # of what is computed
+_MARKED = re.compile("\0([^\0]+)\0")  # a driver's name where it stands for its value
 
 
 # --- values -----------------------------------------------------------------------------------

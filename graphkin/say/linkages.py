@@ -15,10 +15,8 @@ from graphkin.studies.linkages import FAMILY, FoundLinkage, Linkage, Report, fil
 from graphkin.studies.linkages.linkage import LinkagePosition
 from graphkin.studies.linkages.triangles import EVEN
 
-_DIGITS = 5
-"""Of K."""
-_COSINE_DIGITS = 6
-"""An angle follows from its cosine, so this has more than what is read off paper."""
+_DIGITS = 5  # of K
+_COSINE_DIGITS = 6  # an angle follows from its cosine, so this has more than what is read off paper
 
 HELD_BLOCKS = ("oscillating guide bar", "rotating guide bar", "slider-crank", "rocker-slider")
 """Kinds that have a name of their own where the block is joined to the frame."""

@@ -14,8 +14,7 @@ from graphkin.say.catalogue import is_phrase, say
 from graphkin.say.numbers import number
 from graphkin.say.text_table import aligned
 
-_SETS = 4
-"""Mistakes of one set that are written out; of more the number is said."""
+_SETS = 4  # mistakes of one set that are written out; of more the number is said
 
 
 # --- one submission -----------------------------------------------------------------------------

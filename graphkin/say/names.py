@@ -19,8 +19,7 @@ SLIDING: dict[Plane, str] = {"position": "s", "velocity": "ṡ", "acceleration":
 
 _RAISED = {"n": "ⁿ", "t": "ᵗ", "k": "ᵏ", "r": "ʳ"}
 _GREEK = {"theta": "θ", "omega": "ω", "alpha": "α"}
-_COUNTED = re.compile(r"(?<=[a-z])(\w*\d)_(\d+)(?=')")
-"""The second corner of one letter and link: n4,1'."""
+_COUNTED = re.compile(r"(?<=[a-z])(\w*\d)_(\d+)(?=')")  # the second corner of one letter and link: n4,1'
 _STARTS = " origin"
 _OPEN, _CLOSE = "\ue000", "\ue001"
 _MARKED = re.compile(f"{_OPEN}(.*?){_CLOSE}")

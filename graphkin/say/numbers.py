@@ -22,11 +22,9 @@ from graphkin.model.quantities import EDGE, IN_GRAVITY
 from graphkin.model.units import significant
 from graphkin.say.catalogue import say
 
-DIGITS = 4
-"""Of what is read off paper."""
+DIGITS = 4  # of what is read off paper
 _COMPUTED = 6
-_PLAIN = range(-6, 9)
-"""Powers of ten that are still written out."""
+_PLAIN = range(-6, 9)  # powers of ten that are still written out
 
 
 def number(value: float, zero: float = 0.0, digits: int = DIGITS) -> str:
@@ -77,8 +75,7 @@ def degrees(vector: complex, read: Callable[[float], float] = float) -> str:
     return f"{number(angle if float(f'{angle:.4g}') < 360 else 0.0)}°"
 
 
-_CIRCLED = ((1, 0x2460), (21, 0x3251), (36, 0x32B1), (51, 0))
-"""From which number on the signs begin at which code."""
+_CIRCLED = ((1, 0x2460), (21, 0x3251), (36, 0x32B1), (51, 0))  # from which number on the signs begin at which code
 
 
 def circled(count: int) -> str:

@@ -20,10 +20,8 @@ from graphkin.say.rolling import rolled, touched
 from graphkin.say.simultaneous import fitted, link_angle, special_point
 from graphkin.say.tangents import Tangents
 
-_SPARE = "WXYHJ"
-"""For points that nobody named."""
-_LEVEL = 0.5
-"""A line whose slope is above this part of its length is called upright."""
+_SPARE = "WXYHJ"  # for points that nobody named
+_LEVEL = 0.5  # a line whose slope is above this part of its length is called upright
 
 
 @dataclass

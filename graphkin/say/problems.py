@@ -18,8 +18,7 @@ from graphkin.running.drawn_sides import DrawnSides, PointSide
 from graphkin.say import names
 from graphkin.say.catalogue import is_phrase, say
 
-MADE = "-- graphkin problems"
-"""The last line of a text that this program wrote."""
+MADE = "-- graphkin problems"  # the last line of a text that this program wrote
 
 
 def problem(

@@ -26,8 +26,7 @@ if TYPE_CHECKING:
     from graphkin.marking.ruler import Ruler
 
 
-TOO_SHORT_MM = 0.5
-"""Shorter lines are not drawn on paper."""
+TOO_SHORT_MM = 0.5  # shorter lines are not drawn on paper
 
 
 def aside(along: complex, arm: complex) -> float:

@@ -18,8 +18,7 @@ from graphkin.say.numbers import at_edge, exact, number
 from graphkin.say.text_table import table
 from graphkin.studies.sweeps import Course, Series, Sweep
 
-CONSTANT = 1e-9
-"""Beside the value itself, less than this is no change."""
+CONSTANT = 1e-9  # beside the value itself, less than this is no change
 _BOOK_UNITS = ("rad", "m", "rad/s", "m/s", "rad/s^2", "m/s^2", "1")
 
 

@@ -16,10 +16,8 @@ from graphkin.say.marks import edge_value, marks_table
 from graphkin.say.names import in_signs
 from graphkin.say.numbers import number
 
-_MOST_STEPS = 10
-"""Steps that are printed."""
-_MOST_PAIRS = 10
-"""Pairs of mistakes that are printed."""
+_MOST_STEPS = 10  # steps that are printed
+_MOST_PAIRS = 10  # pairs of mistakes that are printed
 _SCALES = {"length": "μ_l = {} m/mm", "velocity": "μ_v = {} (m/s)/mm", "acceleration": "μ_a = {} (m/s²)/mm"}
 
 

@@ -33,16 +33,11 @@ from graphkin.studies.centres.about_bobillier import Bobillier
 
 _POLE, _MOST = 2.6, 1.5
 """So many times larger the figure may become for the pole; and then for circles and centres of curvature."""
-_LONGEST = 28.0
-"""The longest velocity arrow [mm]."""
-_FIELD = 17.0
-"""How far the arrows of the field stand apart [mm]."""
-_LIGHT = 0.5
-"""The field's arrows are so much shorter than the scale says, not to cover one another."""
-_AXIS = 38.0
-"""Half of the pole tangent, and of the normal [mm]."""
-_TOWARDS = 30.0
-"""How far a ray goes to a pole that is not on the paper [mm]."""
+_LONGEST = 28.0  # the longest velocity arrow [mm]
+_FIELD = 17.0  # how far the arrows of the field stand apart [mm]
+_LIGHT = 0.5  # the field's arrows are so much shorter than the scale says, not to cover one another
+_AXIS = 38.0  # half of the pole tangent, and of the normal [mm]
+_TOWARDS = 30.0  # how far a ray goes to a pole that is not on the paper [mm]
 
 _CURVATURE, _BEYOND = 2.6, 7.0
 """So many times larger Bobillier's figure may become; how far its lines go on past their points [mm]."""

@@ -29,19 +29,14 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import SWEEP, spin
 from graphkin.sheet.text_blocks import EquationBlock, WrittenLines
 
-_RADII = (7.0, 9.5, 12.0, 15.0)
-"""Of the arcs that show how a link turns [mm]."""
+_RADII = (7.0, 9.5, 12.0, 15.0)  # of the arcs that show how a link turns [mm]
 _ROUND = tuple(cmath.rect(1, math.tau * k / 48) for k in range(48))
 _TURNS, _SWEPT = _ROUND[::2], 1 + round(48 * SWEEP / math.tau)
 """Directions round a point in which places are tried; those in which an arc may start, and the number it passes."""
-_NARROWER = (75.0, 50.0, 30.0, 20.0)
-"""Given dimensions are written in shorter lines where long ones have no room [mm]."""
-_SHORT = 5.0
-"""A shorter length is told by words alone [mm]."""
-_TRIED = 12
-"""So many places are tried for an arc whose letter finds no room beside it."""
-_HALF = 0.9
-"""Half of the width that an arc with its head takes [mm]."""
+_NARROWER = (75.0, 50.0, 30.0, 20.0)  # given dimensions are written in shorter lines where long ones have no room [mm]
+_SHORT = 5.0  # a shorter length is told by words alone [mm]
+_TRIED = 12  # so many places are tried for an arc whose letter finds no room beside it
+_HALF = 0.9  # half of the width that an arc with its head takes [mm]
 _LETTERS: dict[str, tuple[str, Plane]] = {"omega": ("ω", "velocity"), "alpha": ("α", "acceleration")}
 
 

@@ -20,20 +20,14 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.marks import Half, Mark, PointMark, VectorMark
 from graphkin.sheet.window import Figure
 
-ASIDE = 1.2
-"""Arrows on one line are drawn so far apart [mm]."""
+ASIDE = 1.2  # arrows on one line are drawn so far apart [mm]
 _ON, _ALONG = 0.3, 1.0
 """Nearer than this to a line, over more than this of it, an arrow lies on it [mm]."""
-_SHORT = 0.9
-"""Shorter arrows stay where they are [mm]."""
-_NO_LENGTH = 1e-9
-"""Nothing is divided by less [mm]."""
-_SAME = 0.2
-"""Heads nearer than this are at one place [mm]."""
-_MELT = math.radians(22)
-"""Under a smaller angle two heads become one to the eye."""
-_STEP = 3.4
-"""From a head to the next one behind it [mm]."""
+_SHORT = 0.9  # shorter arrows stay where they are [mm]
+_NO_LENGTH = 1e-9  # nothing is divided by less [mm]
+_SAME = 0.2  # heads nearer than this are at one place [mm]
+_MELT = math.radians(22)  # under a smaller angle two heads become one to the eye
+_STEP = 3.4  # from a head to the next one behind it [mm]
 
 
 def side_by_side(figure: Figure) -> Figure:

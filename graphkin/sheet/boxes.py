@@ -102,8 +102,7 @@ class Edges(NamedTuple):
 
 _SIZE, _CELL = 16, 6.0
 """So many boxes are a block; those are close together whose middles lie in one square so wide [mm]."""
-_AT_ONCE = 2048
-"""So many blocks are held against something at once: few enough to stay in the processor's memory."""
+_AT_ONCE = 2048  # so many blocks are held against something at once: few enough to stay in the processor's memory
 
 
 class Blocks(NamedTuple):

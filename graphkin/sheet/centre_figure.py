@@ -21,24 +21,16 @@ from graphkin.sheet.symbols import BLOCK, HINGE
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.centres import Centres
 
-_BEYOND = 4.0
-"""How far a line goes on past the centres on it [mm]."""
-_NORMAL = 12.0
-"""How far a common normal goes on past the contact [mm]."""
-_PARALLEL = 16.0
-"""How far lines to a centre at infinity go on [mm]."""
-_SHORT = 0.8
-"""A shorter rest of a line already drawn is not drawn [mm]."""
-INFINITY: Label = plain(" → ∞ ")
-"""The room after the sign is because it is wider than what letters count as."""
+_BEYOND = 4.0  # how far a line goes on past the centres on it [mm]
+_NORMAL = 12.0  # how far a common normal goes on past the contact [mm]
+_PARALLEL = 16.0  # how far lines to a centre at infinity go on [mm]
+_SHORT = 0.8  # a shorter rest of a line already drawn is not drawn [mm]
+INFINITY: Label = plain(" → ∞ ")  # the room after the sign is because it is wider than what letters count as
 _ARROW, _EDGE_ARROW = 13.0, 8.0
 """An arrow to infinity, and one to a centre beyond the edge [mm]."""
-_OFF = BLOCK.imag / 2 + 1.0
-"""From a block's middle to where its arrow starts [mm]."""
-_APART = 5.0
-"""Arrows in one direction start at least so far from one another [mm]."""
-_Start = tuple[Place, complex]
-"""The start of an arrow, and its direction."""
+_OFF = BLOCK.imag / 2 + 1.0  # from a block's middle to where its arrow starts [mm]
+_APART = 5.0  # arrows in one direction start at least so far from one another [mm]
+_Start = tuple[Place, complex]  # the start of an arrow, and its direction
 _CIRCLE, _DOT = 1.0, 0.5
 """Radius of the circle and of the dot that mark a centre [mm]."""
 _BETWEEN = ", "

@@ -21,8 +21,7 @@ from graphkin.sheet.window import Window
 from graphkin.studies.centres import Centres
 from graphkin.studies.centres.underlay import CommonNormal
 
-SAME = 0.05
-"""Places closer than this are one on paper [mm]."""
+SAME = 0.05  # places closer than this are one on paper [mm]
 
 
 @frozen

@@ -24,23 +24,17 @@ from graphkin.sheet.window import Extent, Window, corners
 from graphkin.studies.centres import Centres
 
 _HEADING: dict[Lang, str] = {"en": "Mechanism and instant centres", "zh": "机构的速度瞬心"}
-_CROWDED = 10
-"""With more labels at the end of leaders than this, another layout is tried."""
-_FEW = 4
-"""So many labels without a place are put farther off at once; with more of them other layouts are tried first."""
+_CROWDED = 10  # with more labels at the end of leaders than this, another layout is tried
+_FEW = 4  # so many labels without a place are put farther off at once; with more of them other layouts are tried first
 _TRIES = 3
-_TRIAL = 80.0
-"""Size of the mechanism when it is drawn to see how far its signs reach [mm]."""
-_LETTERS = 7.0
-"""Room for labels and arrows around the figure [mm]."""
+_TRIAL = 80.0  # size of the mechanism when it is drawn to see how far its signs reach [mm]
+_LETTERS = 7.0  # room for labels and arrows around the figure [mm]
 _LARGE_ENOUGH = 14.0
 """The mechanism is to be so large, times the root of how many centres there are, which want letters in it [mm]."""
 _SHOWN, _LARGER_PAPER = 16, 30
 """Worth of a centre on the sheet, and cost of a larger paper, which fewer printers have."""
-_NEAR = (2.0, 1.3, 0.9, 0.6, 0.3, 0.0)
-"""Centres so many times the mechanism's size away are looked for room for."""
-_FIT = 20.0
-"""The same, where all centres are to be on the sheet."""
+_NEAR = (2.0, 1.3, 0.9, 0.6, 0.3, 0.0)  # centres so many times the mechanism's size away are looked for room for
+_FIT = 20.0  # the same, where all centres are to be on the sheet
 _TITLE, _BAR = 70.0, 10.0
 """Width of the title block; height of the check bar under the table [mm]."""
 

@@ -27,10 +27,8 @@ _KEY: dict[Lang, dict[PenName, str]] = {
     "zh": {"thin": "由定义直接确定", "dashed": "由三心定理确定", "centre": "由速度求得"},
 }
 _DIAGRAM: dict[Lang, str] = {"en": "Circle diagram", "zh": "消元法圆图"}
-_BALL = 1.95
-"""Radius of the circle around a chord's number [mm]."""
-_NUMBERS = 8.0
-"""Room for the links' numbers around the circle [mm]."""
+_BALL = 1.95  # radius of the circle around a chord's number [mm]
+_NUMBERS = 8.0  # room for the links' numbers around the circle [mm]
 _HEAD, _LINE = 8.0, 4.6
 """Height of the heading, and of a line of the key [mm]."""
 _SHARES = tuple(0.5 + sign * k / 40 for k in range(15) for sign in (1, -1))

@@ -23,12 +23,9 @@ from graphkin.sheet.window import Figure, corners, enlarged
 from graphkin.studies.centres.centrodes import Centrodes
 
 FRAMES = 48
-_ROUND = 0.75
-"""Curves are shown so far around the mechanism, as part of its size."""
-_CENTRE = 2.0
-"""So many times larger the figure may become to show the centre itself."""
-_AGAIN = 0.03
-"""A curve that runs over itself within this is drawn once [mm]."""
+_ROUND = 0.75  # curves are shown so far around the mechanism, as part of its size
+_CENTRE = 2.0  # so many times larger the figure may become to show the centre itself
+_AGAIN = 0.03  # a curve that runs over itself within this is drawn once [mm]
 _FIXED: PenName = "visible"
 _MOVING: PenName = "dashed"
 

@@ -37,8 +37,7 @@ from graphkin.sheet.titleblock import Strip, Table, strip_height
 from graphkin.sheet.window import Extent, Figure, Window, constructions
 
 Style = Literal["construction", "result", "given"]
-_COARSER = 1.34
-"""So much coarser a figure may be drawn to have room for its equations over it."""
+_COARSER = 1.34  # so much coarser a figure may be drawn to have room for its equations over it
 _FITTED: dict[Lang, str] = {"en": "fitted by trial", "zh": "样板法试凑"}
 _TOGETHER: dict[Lang, str] = {"en": "solved together", "zh": "联立求解"}
 

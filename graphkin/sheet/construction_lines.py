@@ -31,14 +31,10 @@ from graphkin.sheet.window import Window
 _BEYOND, _LIKED, _SHORT = 11.0, 7.0, 2.5
 """Lengths of a direction line past where it meets the other; for labels to keep off if they can; shorter than
 this it says nothing [mm]."""
-_SQUARE = 1.9
-"""Side of the square in a right angle [mm]."""
-_RING = 1.9
-"""Radius of the circle about a number [mm]."""
-_NOTHING = 0.05
-"""Arrows up to this have no length [mm]."""
-_RIGHT = (("n", "t"), ("k", "r"), ("rn", "rt"))
-"""Parts of one motion that stand at right angles to each other."""
+_SQUARE = 1.9  # side of the square in a right angle [mm]
+_RING = 1.9  # radius of the circle about a number [mm]
+_NOTHING = 0.05  # arrows up to this have no length [mm]
+_RIGHT = (("n", "t"), ("k", "r"), ("rn", "rt"))  # parts of one motion that stand at right angles to each other
 
 
 @frozen
@@ -219,8 +215,7 @@ def _clear(stroke: Stroke, free: FreeRoom) -> bool:
 
 
 Pages = Mapping[tuple[Plane, Step], int]
-_RAY_BEYOND = 9.0
-"""The length of a direction line past its points [mm]."""
+_RAY_BEYOND = 9.0  # the length of a direction line past its points [mm]
 _SWING, _STROKE = math.radians(22), 12.0
 """Half of an arc: this angle, or this length [mm] if that is less."""
 

@@ -25,18 +25,13 @@ from graphkin.sheet.single_figure import SingleFigure
 from graphkin.sheet.window import Entry, Figure
 from graphkin.studies.design import Family, Solution
 
-_BEYOND = 5.0
-"""How far a construction line goes on past its points [mm]."""
-_NEAR = 0.25
-"""Points nearer than this on paper are one [mm]."""
+_BEYOND = 5.0  # how far a construction line goes on past its points [mm]
+_NEAR = 0.25  # points nearer than this on paper are one [mm]
 _DOT = 0.45
 _PENS: Mapping[str, PenName] = {"admissible": "thin", "FG": "dashed", "minor": "dashed"}
-_PART = math.radians(14)
-"""Half of a drawn arc of a compass."""
-_SQUARE = 2.2
-"""Side of the square in a right angle [mm]."""
-_ARC = 13.0
-"""Radius of the arcs that show angles [mm]."""
+_PART = math.radians(14)  # half of a drawn arc of a compass
+_SQUARE = 2.2  # side of the square in a right angle [mm]
+_ARC = 13.0  # radius of the arcs that show angles [mm]
 
 
 @frozen

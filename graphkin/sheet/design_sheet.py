@@ -29,8 +29,7 @@ from graphkin.studies.design import Design, Solution
 
 _COLUMN, _LINE = 42.0, 6.2
 """Between sizes in the strip [mm]."""
-_MOST = 3.0
-"""So many times larger than the linkage the figure may become, for centres and circles."""
+_MOST = 3.0  # so many times larger than the linkage the figure may become, for centres and circles
 _HEADING: dict[Lang, str] = {"en": "Design by construction", "zh": "图解设计"}
 
 

@@ -25,29 +25,20 @@ from graphkin.sheet.page import Panel
 from graphkin.sheet.paper import BODY, Room
 from graphkin.sheet.window import Figure, Window, magnified
 
-_RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)
-"""Of the circles that are tried about a part of a figure [mm]."""
+_RADII = (1.6, 2.5, 4.0, 6.0, 9.0, 13.0)  # of the circles that are tried about a part of a figure [mm]
 _FEW = 6
 """Fewer labels in a circle are no knot; nor are as many as stand around it by themselves: one a millimetre of it."""
 _TIMES = (20.0, 10.0, 5.0, 4.0, 3.0, 2.5)
-_LARGEST = 45.0
-"""Radius of a detail [mm]."""
+_LARGEST = 45.0  # radius of a detail [mm]
 _AROUND, _HEAD = 8.0, 4.0
 """Room for letters around a detail, and for its own heading over it [mm]."""
-_MANY = 150
-"""More labels than this no detail relieves."""
-_SAVED = 4
-"""A detail is drawn where it saves so many leaders, or labels without a place."""
-_EASIER = 0.5
-"""The burden of a leader in a detail, where lines are wide apart."""
-_ON = 0.05
-"""Nearer than this to a circle's rim is still in it [mm]."""
-_CROWD = 60
-"""Among more labels only the detail of the worst knot is tried."""
-_OWN = 3
-"""A detail of which a part is drawn once more keeps at least so many labels, with that part's numeral."""
-_NUMERALS = ("I", "II")
-"""Of the details of one figure, which has no more."""
+_MANY = 150  # more labels than this no detail relieves
+_SAVED = 4  # a detail is drawn where it saves so many leaders, or labels without a place
+_EASIER = 0.5  # the burden of a leader in a detail, where lines are wide apart
+_ON = 0.05  # nearer than this to a circle's rim is still in it [mm]
+_CROWD = 60  # among more labels only the detail of the worst knot is tried
+_OWN = 3  # a detail of which a part is drawn once more keeps at least so many labels, with that part's numeral
+_NUMERALS = ("I", "II")  # of the details of one figure, which has no more
 _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u2032"}
 
 

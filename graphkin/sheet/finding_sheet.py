@@ -28,20 +28,14 @@ from graphkin.sheet.window import Extent, Figure, Window
 from graphkin.studies.finding import Findings
 from graphkin.studies.finding.answers import SlowPoint
 
-MOST = 12
-"""Positions on one sheet, at most."""
-_TRIAL = 60.0
-"""Size of a figure when it is drawn to see how far its signs reach [mm]."""
-_LETTERS = 6.0
-"""Room for labels around a figure [mm]."""
-_FOOT = 11.0
-"""Room for a caption of two lines under each figure [mm]."""
-_LARGE_ENOUGH = 48.0
-"""A figure of this size needs no larger paper [mm]."""
+MOST = 12  # positions on one sheet, at most
+_TRIAL = 60.0  # size of a figure when it is drawn to see how far its signs reach [mm]
+_LETTERS = 6.0  # room for labels around a figure [mm]
+_FOOT = 11.0  # room for a caption of two lines under each figure [mm]
+_LARGE_ENOUGH = 48.0  # a figure of this size needs no larger paper [mm]
 _DOT, _RING = 0.7, 1.7
 """The slowest point: a dot in a ring, which no point of a mechanism is [mm]."""
-_FAR = 1.9
-"""So many times larger the figure may become for its sake."""
+_FAR = 1.9  # so many times larger the figure may become for its sake
 
 
 def drawn(

@@ -19,10 +19,8 @@ from graphkin.sheet.window import Figure
 
 _REACH, _AWAY, _STUB = 13.0, 18.0, 6.5
 """How far a fixed guide is drawn to each side of its block; away from a bar over it, and under it [mm]."""
-_OVER = math.cos(math.radians(12))
-"""A bar lies over a guide that leaves its block under a smaller angle."""
-_APART = 3.0
-"""Between two arcs about one point [mm]."""
+_OVER = math.cos(math.radians(12))  # a bar lies over a guide that leaves its block under a smaller angle
+_APART = 3.0  # between two arcs about one point [mm]
 
 
 def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:

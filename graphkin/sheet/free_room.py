@@ -21,14 +21,12 @@ from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import Obstacles, bounds, obstacles, places
 from graphkin.sheet.text_blocks import EquationBlock
 
-_CLEAR = 0.6
-"""The distance of what is added from everything there [mm]."""
+_CLEAR = 0.6  # the distance of what is added from everything there [mm]
 _WORD = np.array((2.2, -0.6))
 """Letters beside others read as theirs when nearer; how far above or below they may be for that [mm]."""
 _EDGE, _GRID = 2.0, 3.0
 """The distance of a rectangle from all others; the grid of the places that are tried for it [mm]."""
-_STEPS = 0.5
-"""The steps in which a line is shortened [mm]."""
+_STEPS = 0.5  # the steps in which a line is shortened [mm]
 
 
 @frozen

@@ -19,8 +19,7 @@ from graphkin.sheet.skeleton import off_stretch
 from graphkin.sheet.wheels import Wheel, wheels_of
 from graphkin.sheet.window import Figure, Window
 
-_LEAST = 0.4
-"""A circle smaller than this is a point [mm]."""
+_LEAST = 0.4  # a circle smaller than this is a point [mm]
 
 
 @frozen

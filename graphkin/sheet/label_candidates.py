@@ -22,20 +22,15 @@ from graphkin.sheet.marks import Mark, Place, Text, VectorMark
 from graphkin.sheet.obstacles import Obstacles, obstacles, places
 from graphkin.sheet.paper import Room
 
-_NEARER = 0.3
-"""By so much, to the eye [mm]."""
-_SHORTEST = 0.1
-"""Shorter arrows are points [mm]."""
+_NEARER = 0.3  # by so much, to the eye [mm]
+_SHORTEST = 0.1  # shorter arrows are points [mm]
 
 
 NEAR, LED, FAR, FARTHEST = range(4)
 """Places at what a label names, on a leader about that, and farther off."""
-MANY = 150
-"""More labels than this are a crowd that far places do not relieve."""
-_FEWER = 6
-"""Of the places of a crowd beyond help one in so many is rated."""
-_CELL = 1.0
-"""The size of the squares that surely hold something [mm]."""
+MANY = 150  # more labels than this are a crowd that far places do not relieve
+_FEWER = 6  # of the places of a crowd beyond help one in so many is rated
+_CELL = 1.0  # the size of the squares that surely hold something [mm]
 _CLEAR, _EASY = 0.45, 1.3
 """The distance of a label from lines at least, and the one it likes [mm]."""
 

@@ -12,8 +12,7 @@ from graphkin.base.geometry import Array
 from graphkin.sheet.boxes import meet, overlap, through
 from graphkin.sheet.label_candidates import Boxes, Rated
 
-_PASSING = 0.4
-"""The distance of a leader from other labels [mm]."""
+_PASSING = 0.4  # the distance of a leader from other labels [mm]
 _ONE, _BESIDE = 0.5, 2.5
 """Leaders that end nearer together than the second look like one; than the first, they end at one place [mm]."""
 _WORD = np.array([[2.2], [-1.2]])

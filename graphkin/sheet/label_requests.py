@@ -37,20 +37,14 @@ LEAST = (0.0, *(_LEADER + _FARTHER * float(rings[0]) for rings in (_LED, _FAR, _
 """No place of the tiers costs less: near, led, far, farthest."""
 _FAR_TURNS = np.array([cmath.rect(1, math.tau * k / 32) for k in range(32)])
 _FAR_LEANING = _leaning(_FAR_TURNS)
-_ANCHORS = (0.5, 0.3, 0.7)
-"""Places along a line for the end of a far leader."""
-_LED_ALONG = (0.3, 0.7)
-"""Places beside its middle for the end of a leader at an arrow."""
+_ANCHORS = (0.5, 0.3, 0.7)  # places along a line for the end of a far leader
+_LED_ALONG = (0.3, 0.7)  # places beside its middle for the end of a leader at an arrow
 _OFF_MIDDLE = 0.5
 _ALONG = np.array([0.5, 0.42, 0.58, 0.34, 0.66, 0.26, 0.74, 0.18, 0.82])
-_OFF = np.array([0.0, 0.75, 1.65])[:, None]
-"""Distances of a label from its line beyond what it needs [mm]."""
-_SPACE = 2.0
-"""Beside and over a label [mm]."""
-CRAMMED = 0.2
-"""A figure whose labels take a larger part of its room has no place for all of them."""
-_POINT = 1.5
-"""A shorter line is a point [mm]."""
+_OFF = np.array([0.0, 0.75, 1.65])[:, None]  # distances of a label from its line beyond what it needs [mm]
+_SPACE = 2.0  # beside and over a label [mm]
+CRAMMED = 0.2  # a figure whose labels take a larger part of its room has no place for all of them
+_POINT = 1.5  # a shorter line is a point [mm]
 
 
 class LabelCandidates(NamedTuple):

@@ -22,20 +22,15 @@ from graphkin.sheet.label_requests import LEAST, LabelRequest
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Disc, Mark, Place, Stroke
 
-_TOUCH = 0.05
-"""Closer than this to a box's edge is not yet on it [mm]."""
+_TOUCH = 0.05  # closer than this to a box's edge is not yet on it [mm]
 _MOST, _LEAST, _ALL = 80, 16, 8000
 """So many places of a label are kept in mind, fewer of each of many labels, and of all together."""
-_FEW = 8
-"""For so many labels without a good place others make way."""
+_FEW = 8  # for so many labels without a good place others make way
 _PATIENCE, _WORK = 24, 900
 """A label may claim a place so often; less often in a crowd, of which so many labels are asked at most."""
-_CHAIN = 3
-"""So many labels may claim places one after the other."""
-_YIELDING = 0.02
-"""The cost of others that make way."""
-_CHEAPER = 0.5
-"""A label moves where that saves more."""
+_CHAIN = 3  # so many labels may claim places one after the other
+_YIELDING = 0.02  # the cost of others that make way
+_CHEAPER = 0.5  # a label moves where that saves more
 
 
 class LabelPlacing:
@@ -240,12 +235,9 @@ class LabelPlacing:
         return [int(label) for label in rows[bad]]
 
 
-_DOT = 0.3
-"""At the end of a leader on an arrow is a dot of this radius, so that it is plain which of two it means [mm]."""
-_ROUNDS = 30
-"""Some are left out so often, to give others a place."""
-_NEIGHBOUR = 15.0
-"""So near to a label without a place, others that say nothing new are left out [mm]."""
+_DOT = 0.3  # at the end of a leader on an arrow is a dot of this radius, so that it is plain which of two it means [mm]
+_ROUNDS = 30  # some are left out so often, to give others a place
+_NEIGHBOUR = 15.0  # so near to a label without a place, others that say nothing new are left out [mm]
 
 
 class Settled(NamedTuple):

@@ -35,24 +35,16 @@ from graphkin.sheet.paper import (
 )
 from graphkin.sheet.window import Extent, Over, Window, height_over
 
-HEAD = 7.5
-"""Height of a figure's heading [mm]."""
-HEAD_LEFT = 3.0
-"""From the side of a room to its heading [mm]."""
-_SECOND = 5.5
-"""Its additional height where the scale stands under it, in a narrow room [mm]."""
-_NARROWEST = 46.0
-"""A heading wants at least so much [mm]."""
-_MECHANISM = 1.3
-"""The weight of the mechanism: its signs keep their size and need room between them."""
-_INK = 2.0
-"""The worth of paper that is used."""
-_LARGE_ENOUGH = 130.0
-"""A figure of this size alone on its paper needs no larger one [mm]."""
+HEAD = 7.5  # height of a figure's heading [mm]
+HEAD_LEFT = 3.0  # from the side of a room to its heading [mm]
+_SECOND = 5.5  # its additional height where the scale stands under it, in a narrow room [mm]
+_NARROWEST = 46.0  # a heading wants at least so much [mm]
+_MECHANISM = 1.3  # the weight of the mechanism: its signs keep their size and need room between them
+_INK = 2.0  # the worth of paper that is used
+_LARGE_ENOUGH = 130.0  # a figure of this size alone on its paper needs no larger one [mm]
 
 
-Height = Callable[[Paper], float]
-"""The height that the tables and the title need on a paper [mm]."""
+Height = Callable[[Paper], float]  # the height that the tables and the title need on a paper [mm]
 Divisions = Callable[[Rooms, tuple[Plane, ...]], Iterator[dict[Plane, Rooms]]]
 """Divisions of a field, each with all its shares."""
 

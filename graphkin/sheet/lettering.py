@@ -13,14 +13,11 @@ from typing import Literal, NamedTuple
 
 from graphkin.model.units import significant
 
-SMALL = 0.68
-"""Size of sub- and superscripts, against the letters they belong to."""
-_LEAST = 2.5
-"""They are no smaller than this, where what they belong to is not [mm]."""
+SMALL = 0.68  # size of sub- and superscripts, against the letters they belong to
+_LEAST = 2.5  # they are no smaller than this, where what they belong to is not [mm]
 _DROP, _RISE = 0.22, -0.40
 _ASCENT, _DESCENT = 0.68, 0.20
-_BOLD = 1.08
-"""The width of bold letters, as a part of plain ones."""
+_BOLD = 1.08  # the width of bold letters, as a part of plain ones
 
 _ROMAN = (
     "250 333 408 500 500 833 778 180 333 333 500 564 250 333 250 278 500 500 500 500 500 500 500 500 500 500 278 278 "
@@ -47,8 +44,7 @@ _ALL = (
 _WIDTHS = {letter: (int(roman) / 1000, int(italic) / 1000) for letter, roman, italic in _ALL}
 """Roman and italic width of each letter [em]."""
 _CORNER = re.compile(r"([a-z])_([^\W\d_]\w*?)(?:_(\d+))?('*)")
-_EQUIVALENT = re.compile(r"e [a-z]+(\d*)")
-"""A link of the lower-pair equivalent, which is written e, the second e2."""
+_EQUIVALENT = re.compile(r"e [a-z]+(\d*)")  # a link of the lower-pair equivalent, which is written e, the second e2
 _WIDE = (("\u2160", "\u217f"), ("\u2460", "\u2473"), ("\u2e80", "\u9fff"), ("\uff00", "\uffef"))
 """Ranges of characters that are one em wide."""
 

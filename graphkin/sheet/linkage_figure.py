@@ -24,24 +24,18 @@ from graphkin.studies.linkages import Linkage, Report
 from graphkin.studies.linkages.assembled import posed
 from graphkin.studies.linkages.linkage import LinkagePosition
 
-Row = Sequence[LinkagePosition]
-"""Positions drawn over each other."""
+Row = Sequence[LinkagePosition]  # positions drawn over each other
 
 
-_SHORT = 8.0
-"""A shorter bar bears no letters of its own [mm]."""
-_TRIAL = 80.0
-"""Size of a figure when it is drawn to see how far its signs reach [mm]."""
-_FOOT = 15.0
-"""How far from the guide the stroke's dimension line lies [mm]."""
+_SHORT = 8.0  # a shorter bar bears no letters of its own [mm]
+_TRIAL = 80.0  # size of a figure when it is drawn to see how far its signs reach [mm]
+_FOOT = 15.0  # how far from the guide the stroke's dimension line lies [mm]
 _BESIDE_HINGE, _BESIDE_BLOCK = (0.42, 11.0, 30.0), (0.3, 14.0, 34.0)
 """Radius of psi: share of the output's arm, least and most [mm]; beside a block it needs more room."""
-_SEEN = 0.05
-"""An arm that leaves its link's line by more does not show its direction [mm]."""
+_SEEN = 0.05  # an arm that leaves its link's line by more does not show its direction [mm]
 _SQUARE, _PAST_BLOCK, _RIGHT = 2.4, 6.5, 1e-6
 """Side of the square in a right angle, and where it is to be seen beside a block [mm]; its cosine is no larger."""
-_NO_HEADS = 7.0
-"""An arc shorter than this has no arrow heads [mm]."""
+_NO_HEADS = 7.0  # an arc shorter than this has no arrow heads [mm]
 
 
 def pictured(positions: Row, draw: Callable[[Window], Figure], caption: Caption) -> Picture:

@@ -26,10 +26,8 @@ from graphkin.sheet.titleblock import Table, frame
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.linkages import FAMILY, Report, report
 
-_ON_A4 = 2
-"""So many linkages are drawn on A4."""
-_CAPTION = 22.0
-"""Room for a caption of four lines under each figure [mm]."""
+_ON_A4 = 2  # so many linkages are drawn on A4
+_CAPTION = 22.0  # room for a caption of four lines under each figure [mm]
 _COLUMNS, _HEAD, _FOOT = 4, 10.0, 13.0
 """Sketches of the family side by side; room for its title, and for the name under each sketch [mm]."""
 _FAMILY: dict[Lang, str] = {"en": "Linkages of four links", "zh": "平面四杆机构的类型"}

@@ -15,8 +15,7 @@ from graphkin.sheet.lettering import Label
 from graphkin.sheet.paper import PenName
 
 Place = complex
-Fill = Literal["none", "paper", "ink", "grey", "tint"]
-"""A tint hides nothing under it."""
+Fill = Literal["none", "paper", "ink", "grey", "tint"]  # a tint hides nothing under it
 Layer = Plane | Literal["centres", "detail"]
 """The layer of a mark: a plane of the construction, the instant centres over the mechanism, a detail of a plane."""
 Half = Literal["", "left", "right"]

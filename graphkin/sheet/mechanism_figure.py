@@ -140,10 +140,8 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     return symbols.slot(at - reach * along, at + 9.0 * along, shows, step=step)
 
 
-OVER_LINKS: Signs = {Cam: profiles, Slide: _sliding}
-"""The signs of pairs that stand over the links; hinges are points."""
-BEFORE_LINKS: Signs = {CircularSlot: circular_slot}
-"""Those over which links are drawn, as they are over `wheels`."""
+OVER_LINKS: Signs = {Cam: profiles, Slide: _sliding}  # the signs of pairs that stand over the links; hinges are points
+BEFORE_LINKS: Signs = {CircularSlot: circular_slot}  # those over which links are drawn, as they are over `wheels`
 
 
 def _through_bars(skeleton: Skeleton) -> list[Mark]:

@@ -35,14 +35,10 @@ from graphkin.sheet.text_blocks import LINE, EquationBlock, broken
 from graphkin.sheet.titleblock import tables_room
 from graphkin.sheet.window import PLANES
 
-_MANY_LEADERS = 10
-"""With more of them a larger paper is tried."""
-_LARGE_PAPER = 1.2
-"""The weight of leaders on a large paper that nobody asked for."""
-_WEIGHTS = (2, 4)
-"""So many times its labels count for a plane where some found no place, in other divisions."""
-_TRIALS = 4
-"""So often equations are moved into the strip, whose height leaves figures less room."""
+_MANY_LEADERS = 10  # with more of them a larger paper is tried
+_LARGE_PAPER = 1.2  # the weight of leaders on a large paper that nobody asked for
+_WEIGHTS = (2, 4)  # so many times its labels count for a plane where some found no place, in other divisions
+_TRIALS = 4  # so often equations are moved into the strip, whose height leaves figures less room
 
 
 def mechanism_sheet(

@@ -39,16 +39,11 @@ _CROWDED, _LARGE = 22, 2.0
 """Figures with more labels than this leave out those that others tell, too; with more still they stand under one
 another, in rooms so many times as wide and high."""
 _FOOT = 7.0
-_SMALL = 14.0
-"""A figure that comes out smaller beside another has a scale of its own [mm]."""
-_OFF = 2.5
-"""A point of the student's that lies farther off than this bears its letter [mm]."""
-_RING = 0.9
-"""Radius of the circles about the student's points [mm]."""
-_FAR = 2.0
-"""Points of the student's that would make the figure more than so many times as large are not drawn."""
-_OTHERWISE = 1
-"""The step that what is drawn otherwise is marked with, until it is emphasised."""
+_SMALL = 14.0  # a figure that comes out smaller beside another has a scale of its own [mm]
+_OFF = 2.5  # a point of the student's that lies farther off than this bears its letter [mm]
+_RING = 0.9  # radius of the circles about the student's points [mm]
+_FAR = 2.0  # points of the student's that would make the figure more than so many times as large are not drawn
+_OTHERWISE = 1  # the step that what is drawn otherwise is marked with, until it is emphasised
 
 
 def mistake_sheet(

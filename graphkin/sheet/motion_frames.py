@@ -41,12 +41,10 @@ from graphkin.sheet.window import PLANES, Extent, Figure, Window, constructions
 from graphkin.studies.sweeps import Course, course, prove
 
 FRAMES = 60
-_SHORT_OF_STOP = 1e-3
-"""The distance from a dead point at which the motion ends [of the path between two of them]."""
+_SHORT_OF_STOP = 1e-3  # the distance from a dead point at which the motion ends [of the path between two of them]
 _ASIDE_DEG, _ASIDE_PART = 0.05, 0.001
 """The distance from a change point at which its position is drawn, where the polygons would be 0/0."""
-_ONE = 1e-6
-"""Points of a polygon that are never farther apart are one [of its size]."""
+_ONE = 1e-6  # points of a polygon that are never farther apart are one [of its size]
 _LARGE, _ENDLESS = 4.0, 12.0
 """A polygon so many times larger than half of them are is not drawn: near a dead point; where a turn has none, but a
 special point goes far off."""
@@ -234,22 +232,16 @@ class _Frames:
 # --- letters that go along without hopping ----------------------------------------------------------------------------
 
 _SIDES = tuple(cmath.rect(1, math.tau * k / 12) for k in range(12))
-_RINGS = (0.0, 2.8)
-"""Distances of a letter from its sign: the farther gets it past a block [mm]."""
-_FARTHER = 0.15
-"""The cost of that in each position."""
-_ALONG = (0.5, 0.35, 0.65)
-"""The places beside a line for its number."""
-_CLEAR = 0.4
-"""The room that letters keep from lines [mm]."""
+_RINGS = (0.0, 2.8)  # distances of a letter from its sign: the farther gets it past a block [mm]
+_FARTHER = 0.15  # the cost of that in each position
+_ALONG = (0.5, 0.35, 0.65)  # the places beside a line for its number
+_CLEAR = 0.4  # the room that letters keep from lines [mm]
 _SELDOM = 0.1
 """Letters that points share for a moment, where they lie on one another, flash up: those on fewer of the figures."""
-_OUTSIDE = 6.0
-"""Leaving its room counts like lying on so many lines."""
+_OUTSIDE = 6.0  # leaving its room counts like lying on so many lines
 _CHOICES = (1 + len(_SIDES)) * len(_RINGS)
 
-Boxes = tuple[np.ndarray, np.ndarray]
-"""Upper left and lower right corners (n, 2) [mm]."""
+Boxes = tuple[np.ndarray, np.ndarray]  # upper left and lower right corners (n, 2) [mm]
 
 
 def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list[list[Mark]]:

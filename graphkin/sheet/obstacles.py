@@ -15,11 +15,9 @@ from graphkin.sheet.boxes import Blocks, Edges, beyond, through
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 
-_SIDES = 4
-"""An area of no more sides, all level or upright, is a rectangle."""
+_SIDES = 4  # an area of no more sides, all level or upright, is a rectangle
 
-_ROUNDED = 1e-9
-"""A touch is not lost by rounding [mm]."""
+_ROUNDED = 1e-9  # a touch is not lost by rounding [mm]
 
 
 class Areas:
@@ -137,10 +135,8 @@ def _xy(places: Array) -> Array:
 
 _TIP, _TIP_HALF = 2.8, 0.5
 """Length and half width of an arrow head [mm]."""
-_LETTER = 2.0
-"""No letter is much narrower [mm]."""
-_SAME = 1e-9
-"""Corners so close together are one [mm]."""
+_LETTER = 2.0  # no letter is much narrower [mm]
+_SAME = 1e-9  # corners so close together are one [mm]
 _CIRCLE = tuple(cmath.rect(1, k * cmath.pi / 12) for k in range(25))
 
 

@@ -33,11 +33,9 @@ HEADINGS: dict[Lang, dict[Plane, str]] = {
     "en": {"position": "Mechanism", "velocity": "Velocity polygon", "acceleration": "Acceleration polygon"},
     "zh": {"position": "机构运动简图", "velocity": "速度多边形", "acceleration": "加速度多边形"},
 }
-HEAD_WIDTH = 76.0
-"""A figure's heading with its scale beside it is no wider [mm]."""
+HEAD_WIDTH = 76.0  # a figure's heading with its scale beside it is no wider [mm]
 
-_EDGE = 3.0
-"""The margin about the figures of a trimmed page [mm]."""
+_EDGE = 3.0  # the margin about the figures of a trimmed page [mm]
 LayerName = Literal["sheet", "mechanism", "velocity", "acceleration", "leaders", "labels"]
 _LAYERS: Mapping[Plane, LayerName] = {
     "position": "mechanism", "velocity": "velocity", "acceleration": "acceleration",

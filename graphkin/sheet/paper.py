@@ -98,8 +98,7 @@ PAPERS: Mapping[str, Paper] = {
 }
 USUAL = tuple(PAPERS.values())[:4]
 """In the order in which they are tried: the smallest that fits is taken. Letter paper has to be asked for."""
-LARGE = (PAPERS["A3-landscape"], PAPERS["A3"])
-"""Tried, too, where a smaller one holds all but leaves it little room."""
+LARGE = (PAPERS["A3-landscape"], PAPERS["A3"])  # tried, too, where a smaller one holds all but leaves it little room
 
 PenName = Literal[
     "visible", "outline", "vector", "laid", "thin", "hatch", "dashed", "centre", "construction", "measured",
@@ -129,14 +128,10 @@ PENS: Mapping[PenName, Pen] = {
     "leader": Pen(0.18),
 }
 
-TITLE = 4.5
-"""Size of the title's letters [mm]: the em of the font."""
-LABEL = 3.8
-"""Labels of points, vectors and links, and headings [mm]."""
-BODY = 3.2
-"""Tables and the title block [mm]."""
-LEAST = 2.5
-"""Nothing is lettered smaller [mm]."""
+TITLE = 4.5  # size of the title's letters [mm]: the em of the font
+LABEL = 3.8  # labels of points, vectors and links, and headings [mm]
+BODY = 3.2  # tables and the title block [mm]
+LEAST = 2.5  # nothing is lettered smaller [mm]
 
 
 LETTERS: dict[Plane, str] = {"position": "l", "velocity": "v", "acceleration": "a"}
@@ -146,8 +141,7 @@ KEYS: dict[Plane, str] = {"position": "length", "velocity": "velocity", "acceler
 SERIES = (1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0)
 """The first digits of scales: 1-2-5 (ISO 5455, the first series of GB/T 14690) and between them its second series."""
 _NONE = 1e-300
-_CLOSE = 1 - 1e-9
-"""A scale that is too fine by rounding alone still fits."""
+_CLOSE = 1 - 1e-9  # a scale that is too fine by rounding alone still fits
 
 
 class TooLargeForPaper(GraphkinError):

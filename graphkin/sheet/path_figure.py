@@ -22,16 +22,12 @@ from graphkin.sheet.window import Entry, Figure, Window
 if TYPE_CHECKING:
     from graphkin.studies.sweeps import PointPath
 
-_FINE = 0.01
-"""How far a drawn curve may stand off from the true one [mm]."""
+_FINE = 0.01  # how far a drawn curve may stand off from the true one [mm]
 _TICK, _NUMBERED = 0.9, 1.5
 """Half of a tick [mm]."""
-_LONGEST = 16.0
-"""The longest velocity [mm]."""
-_HERE = "\0"
-"""The place of a name in a text."""
-_PITCH = 3.8
-"""From line to line of what is said of the paths [mm]."""
+_LONGEST = 16.0  # the longest velocity [mm]
+_HERE = "\0"  # the place of a name in a text
+_PITCH = 3.8  # from line to line of what is said of the paths [mm]
 
 
 def clipped(

@@ -23,13 +23,10 @@ from graphkin.sheet.titleblock import Strip, Table, strip_height
 from graphkin.sheet.window import Entry, Extent, Figure, Window
 from graphkin.studies.centres.two_velocities import TwoVelocities
 
-_ARROW = 45.0
-"""The greater velocity is drawn no longer than this [mm]."""
-_BEYOND = 12.0
-"""The length of lines past their points [mm]; a line that meets none, so much more."""
+_ARROW = 45.0  # the greater velocity is drawn no longer than this [mm]
+_BEYOND = 12.0  # the length of lines past their points [mm]; a line that meets none, so much more
 _SQUARE, _RADIUS = 2.2, 9.0
-_FOOT = 24.0
-"""Room for what is said under the figure [mm]."""
+_FOOT = 24.0  # room for what is said under the figure [mm]
 
 
 def pole_sheet(velocities: TwoVelocities, lang: Lang = "en", *, paper: str | None = None) -> Sheet:

@@ -21,16 +21,11 @@ from graphkin.sheet.paper import PenName
 from graphkin.sheet.skeleton import hull, in_line
 from graphkin.sheet.window import Figure, Window
 
-_SAME = 0.15
-"""Closer than this two points are one on paper [mm]."""
-_LETTERS = 8
-"""Of the points in one place so many are lettered at most."""
-_NAMES = 4
-"""So many names an arrow bears; others are read from the letters at its head."""
-_NOTHING = 0.1
-"""Shorter arrows are points [mm]."""
-_EXACT = 5
-"""Arrows whose ends are the same to so many digits of a millimetre are one."""
+_SAME = 0.15  # closer than this two points are one on paper [mm]
+_LETTERS = 8  # of the points in one place so many are lettered at most
+_NAMES = 4  # so many names an arrow bears; others are read from the letters at its head
+_NOTHING = 0.1  # shorter arrows are points [mm]
+_EXACT = 5  # arrows whose ends are the same to so many digits of a millimetre are one
 
 
 @frozen

@@ -23,8 +23,7 @@ from graphkin.sheet.text_blocks import WrittenLines
 from graphkin.sheet.titleblock import SIZE, Table
 
 _SENSE: dict[Lang, tuple[str, str]] = {"en": ("ccw", "cw"), "zh": ("逆", "顺")}
-_WIDE = 62.0
-"""Lines of what is given are no longer [mm]."""
+_WIDE = 62.0  # lines of what is given are no longer [mm]
 
 
 # --- results, as far as there is room ---------------------------------------------------------------------------------

@@ -20,8 +20,7 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Strip, Table, strip_height, two_lines
 from graphkin.sheet.window import Extent, Figure, Window
 
-_LABELS = 20
-"""The number of labels by which upright paper or paper on its side is chosen."""
+_LABELS = 20  # the number of labels by which upright paper or paper on its side is chosen
 
 
 @frozen

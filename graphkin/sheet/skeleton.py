@@ -14,8 +14,7 @@ from graphkin.model.pairs import Line, Slide
 from graphkin.sheet.marks import Place
 from graphkin.sheet.window import Window
 
-OVERRUN = 9.0
-"""How far a bar goes on beyond its block [mm]."""
+OVERRUN = 9.0  # how far a bar goes on beyond its block [mm]
 
 
 class PlacedMechanism(Protocol):

@@ -19,12 +19,9 @@ from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.window import Figure, corners
 
-_BEYOND = 6.0
-"""How far a leg's line goes on past the special point [mm]."""
-_CUT = 34.0
-"""How much is drawn of a line to a special point off the paper [mm]."""
-_FAR = 1.9
-"""So many times larger the mechanism may become for a special point's sake."""
+_BEYOND = 6.0  # how far a leg's line goes on past the special point [mm]
+_CUT = 34.0  # how much is drawn of a line to a special point off the paper [mm]
+_FAR = 1.9  # so many times larger the mechanism may become for a special point's sake
 
 
 @frozen

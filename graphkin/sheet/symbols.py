@@ -15,16 +15,11 @@ from graphkin.construction import Plane
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName
 
-HINGE = 1.3
-"""Radius of a hinge [mm]."""
-PIVOT_DEPTH = 4.6
-"""From a pivot's centre to the ground [mm]."""
-BLOCK = complex(10.0, 5.6)
-"""Length and height of a block [mm]."""
-TUBE = 0.6
-"""Length of a cylinder's tube, of its length from hinge to hinge."""
-SWEEP = math.radians(62)
-"""Angle of a turning arrow."""
+HINGE = 1.3  # radius of a hinge [mm]
+PIVOT_DEPTH = 4.6  # from a pivot's centre to the ground [mm]
+BLOCK = complex(10.0, 5.6)  # length and height of a block [mm]
+TUBE = 0.6  # length of a cylinder's tube, of its length from hinge to hinge
+SWEEP = math.radians(62)  # angle of a turning arrow
 _SLOT = 1.75
 _HEAD = 3.0
 _PITCH, _SLANT = 1.5, 1.7

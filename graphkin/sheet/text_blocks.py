@@ -14,8 +14,7 @@ from graphkin.sheet.lettering import Label, formula, joined, plain, width
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.paper import BODY, LEAST
 
-_PITCH = 1.45
-"""From base line to base line, as a part of the letters' size."""
+_PITCH = 1.45  # from base line to base line, as a part of the letters' size
 
 
 @frozen
@@ -48,12 +47,9 @@ class WrittenLines:
             yield Text(line, corner + 1j * self.letters * (_PITCH * k + 1.0), self.letters, step)
 
 
-LINE = 1.4
-"""From base line to base line, as a part of the letters' size."""
-_INDENT = 2.5
-"""The indent of the further lines of a sentence [mm]."""
-_MOST = 16
-"""Lines in a strip; what is longer is cut."""
+LINE = 1.4  # from base line to base line, as a part of the letters' size
+_INDENT = 2.5  # the indent of the further lines of a sentence [mm]
+_MOST = 16  # lines in a strip; what is longer is cut
 _STOPS = r"[\u3001\u3002\uff0c\uff1b\uff09]?"
 _WORD = r"[^\s\u2e80-\uffef]+"
 _PIECE = rf"{_WORD}(?: [=≈<>] {_WORD})*{_STOPS}|[\u2e80-\uffef]{_STOPS}|\s+"
@@ -101,8 +97,7 @@ class Paragraphs:
 
 
 _SIZES = (BODY, LEAST, LEAST)
-_LINES = (3.2, 7.3, 11.2)
-"""Base lines of the terms and of the two rows under them [mm]."""
+_LINES = (3.2, 7.3, 11.2)  # base lines of the terms and of the two rows under them [mm]
 _HIGH, _GAP, _BETWEEN = 13.0, 2.2, 8.0
 
 

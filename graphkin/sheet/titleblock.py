@@ -17,10 +17,8 @@ from graphkin.sheet.marks import Mark, Place, Shows, Stroke, Text
 from graphkin.sheet.paper import BODY, LEAST, TITLE, Paper, Room, written
 from graphkin.sheet.text_blocks import EquationBlock, Paragraphs, flowed, head_of, laid_out
 
-PITCH = 4.2
-"""From base line to base line [mm]."""
-SIZE = 3.0
-"""Letters of the table [mm]."""
+PITCH = 4.2  # from base line to base line [mm]
+SIZE = 3.0  # letters of the table [mm]
 _GAP, _CLOSE, _BETWEEN = 2.6, 1.0, 6.0
 _MOST_ROWS = 12
 Cell = tuple[float | None, float]
@@ -166,15 +164,11 @@ def _drawn(table: Table, corner: Place) -> Iterator[Mark]:
     yield Stroke((under, under + table.wide), "thin")
 
 
-_WIDE = 64.0
-"""Width of the title block [mm]."""
+_WIDE = 64.0  # width of the title block [mm]
 _LEAST_HEIGHT = 33.0
-_SHARE = 0.3
-"""So much of a paper's height equations may take at most."""
-_BAR = 9.0
-"""Room for the check bar under the tables [mm]."""
-_SENTENCE = 2.8
-"""Letters of sentences [mm]."""
+_SHARE = 0.3  # so much of a paper's height equations may take at most
+_BAR = 9.0  # room for the check bar under the tables [mm]
+_SENTENCE = 2.8  # letters of sentences [mm]
 _CHECK: dict[Lang, str] = {"en": "100 mm when printed to scale", "zh": "按实际尺寸打印时为 100 mm"}
 
 

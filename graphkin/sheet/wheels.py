@@ -18,19 +18,14 @@ from graphkin.sheet.marks import Disc, Mark, Place, Shows, Stroke
 from graphkin.sheet.skeleton import OVERRUN, Skeleton
 from graphkin.sheet.window import Figure
 
-_RIM = 3.0
-"""Thickness of a ring's rim, and of the edge that is hatched in a fixed wheel [mm]."""
+_RIM = 3.0  # thickness of a ring's rim, and of the edge that is hatched in a fixed wheel [mm]
 _CROSS = 4.4
-_SMALL = 9.0
-"""In a wheel of less radius there is no room for its number [mm]."""
-_REACH = 14.0
-"""How far a slot of the equivalent goes to both sides of its block [mm]."""
+_SMALL = 9.0  # in a wheel of less radius there is no room for its number [mm]
+_REACH = 14.0  # how far a slot of the equivalent goes to both sides of its block [mm]
 _ROD, _BUSH = 34.0, (15.0, 27.0)
 """A follower's rod from its tip, and where it is guided [mm]."""
-_ARC = 15.0
-"""How far a slot goes on to both sides of its pin, along the arc [mm]."""
-_MOST = 2.4
-"""Half of the widest slot there is room for on a small circle [rad]."""
+_ARC = 15.0  # how far a slot goes on to both sides of its pin, along the arc [mm]
+_MOST = 2.4  # half of the widest slot there is room for on a small circle [rad]
 
 
 @frozen

@@ -68,16 +68,11 @@ def constructions(method: Method) -> dict[Plane, Construction]:
     return {"position": method.position, "velocity": method.velocity, "acceleration": method.acceleration}
 
 
-_TRIAL = 100.0
-"""Size of a figure when it is drawn to see how far its signs reach [mm]."""
-_LETTERS = 6.5
-"""Room for labels around a figure [mm]."""
-_LEAST = 5.0
-"""Points in less room than this are no figure [mm]."""
-_TOO_HIGH = 1e6
-"""Higher than any room [mm]."""
-_CLOSE = 1 + 1e-9
-"""A figure that is too large by rounding alone still fits."""
+_TRIAL = 100.0  # size of a figure when it is drawn to see how far its signs reach [mm]
+_LETTERS = 6.5  # room for labels around a figure [mm]
+_LEAST = 5.0  # points in less room than this are no figure [mm]
+_TOO_HIGH = 1e6  # higher than any room [mm]
+_CLOSE = 1 + 1e-9  # a figure that is too large by rounding alone still fits
 
 Over = tuple[complex, complex]
 """Width and height of what stands over a figure: side by side, and one under the other [mm]."""

@@ -24,13 +24,11 @@ from graphkin.submissions.numbers import parsed_value, plain, short
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import HandedValue, Limits, ReadableProblem
 
-Entry = tuple[str, object, Where]
-"""The name of an answer, its value as it stands there, and where."""
+Entry = tuple[str, object, Where]  # the name of an answer, its value as it stands there, and where
 
 _NOTHING = {"", "-", "--", "---", "/", "\\", "?", "n/a", "na", "none", "null", "无", "空", "未答", "未作答"}
 _DRIVER_VALUE = re.compile(r"(?<=\s)@\s*(-?[0-9]+(?:[.,][0-9]+)?) ?(?:deg|°|mm)?(?![\w.])")
-_NEAR = 0.05
-"""A driver's value that is typed may be off by so much [deg, mm]."""
+_NEAR = 0.05  # a driver's value that is typed may be off by so much [deg, mm]
 
 
 @frozen

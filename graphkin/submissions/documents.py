@@ -23,8 +23,7 @@ from graphkin.submissions.numbers import plain, short
 from graphkin.submissions.questions import begins_like_one
 from graphkin.submissions.submission import Limits
 
-Cells = Iterator[tuple[int, Sequence[object]]]
-"""Rows as they stand, with the number of their line."""
+Cells = Iterator[tuple[int, Sequence[object]]]  # rows as they stand, with the number of their line
 
 IDS = (
     "student", "student id", "studentid", "student number", "学号", "id", "id number", "学生学号", "考号",

@@ -30,13 +30,10 @@ from graphkin.submissions.polygons import PaperPolygon, PolygonVector, polygons
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing, ReadableProblem
 
-_SHORTEST = 1.0
-"""A known vector shorter than this gives no scale [mm]."""
+_SHORTEST = 1.0  # a known vector shorter than this gives no scale [mm]
 _KEYS: Mapping[Plane, str] = {"position": "mu_l", "velocity": "mu_v", "acceleration": "mu_a"}
-_SEVERAL = re.compile(r"[,;，；]\s+(?=[^,;=，；]+=)")
-"""Between `ω3 = 3.92 rad/s, α3 = 62 rad/s²`."""
-_OFF = 0.03
-"""A drawn length that is off by a larger part is of other points."""
+_SEVERAL = re.compile(r"[,;，；]\s+(?=[^,;=，；]+=)")  # between `ω3 = 3.92 rad/s, α3 = 62 rad/s²`
+_OFF = 0.03  # a drawn length that is off by a larger part is of other points
 _LENGTHS, _AGREE = 3, 2 / 3
 """So many lengths must agree, and more than this part of all: with two letters exchanged half of them may."""
 

@@ -13,12 +13,9 @@ from graphkin.errors import BrokenSubmission, GraphkinError, TooMuch, WantsExtra
 from graphkin.submissions.picture import Dot, Line, PagePicture, PictureText
 from graphkin.submissions.submission import Limits
 
-_Dxf = Any
-"""A document or an entity of ezdxf."""
-_MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}
-"""By $INSUNITS: unitless counts as mm."""
-_WIDE = 0.8
-"""A letter's width in parts of its height."""
+_Dxf = Any  # a document or an entity of ezdxf
+_MM = {0: 1.0, 1: 25.4, 2: 304.8, 4: 1.0, 5: 10.0, 6: 1000.0, 14: 100.0}  # by $INSUNITS: unitless counts as mm
+_WIDE = 0.8  # a letter's width in parts of its height
 _STACK = re.compile(r"\\S([^;^#/\\]*)\^ ?([^;\\]*);")
 """A raised and a lowered piece of a text, one of which may be empty."""
 _Mark = Line | Dot | PictureText

@@ -20,28 +20,20 @@ from graphkin.construction import Plane
 from graphkin.submissions.picture import Figures, Line, PagePicture, PictureText, distances
 from graphkin.submissions.polygons import PaperPolygon, by_name, loosely, pieces_of, spellings, texts_of
 
-_REACH = 6.0
-"""A letter belongs to no dot farther from it [mm]."""
-_NEAR = 4.0
-"""Nor to the end of a line or a crossing so far from it, which may be anything [mm]."""
-_FARTHER = 0.2
-"""Each millimetre more counts for more than the one before [1/mm]."""
-_JOINED = 2.5
-"""What a vector that is drawn makes up for [mm]."""
-_SAME = 0.2
-"""Closer than this, marks of one point are one [mm]."""
+_REACH = 6.0  # a letter belongs to no dot farther from it [mm]
+_NEAR = 4.0  # nor to the end of a line or a crossing so far from it, which may be anything [mm]
+_FARTHER = 0.2  # each millimetre more counts for more than the one before [1/mm]
+_JOINED = 2.5  # what a vector that is drawn makes up for [mm]
+_SAME = 0.2  # closer than this, marks of one point are one [mm]
 _END, _LEADER, _CROSSING = 1.5, 2.5, 3.0
 """A dot is meant before a line's end, that before where a leader from the letter leads to or a crossing [mm]."""
-_TOUCHES = 3.0
-"""A leader begins so near its letter [mm]."""
-_CLEAR = 1.5
-"""By so much the best point must be better than the next [mm]."""
+_TOUCHES = 3.0  # a leader begins so near its letter [mm]
+_CLEAR = 1.5  # by so much the best point must be better than the next [mm]
 _CANDIDATES = 12
 _LINES_NEAR = 40
 _ROUNDS = 8
 
-Place = tuple[float, complex]
-"""How far a candidate is from its letter, and where it is [mm]."""
+Place = tuple[float, complex]  # how far a candidate is from its letter, and where it is [mm]
 
 
 @frozen

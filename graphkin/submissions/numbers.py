@@ -51,8 +51,7 @@ DIMENSIONS: Mapping[str, Dimension | None] = {
 }  # fmt: skip
 """By the SI unit of a quantity, whose units may stand with it."""
 _TURNING = ("angle", "angular velocity", "angular acceleration")
-LONGEST = 200
-"""No value is written with more letters."""
+LONGEST = 200  # no value is written with more letters
 
 _BODY = r"[0-9]+(?:[ ',.][0-9]+)*[.,]?|[.,][0-9]+"
 _POWER = r"[eE][+-]?[0-9]+| ?(?:\*|x|X) ?10 ?(?:\^|\*\*)? ?\(?[+-]?[0-9]+\)?"

@@ -69,10 +69,8 @@ class PagePicture:
     scales: Mapping[Plane, float] = field(default_factory=dict)
 
 
-_TOUCH = 0.2
-"""Lines nearer to each other are joined [mm]."""
-_LARGEST = 2_000
-"""Lines of a figure that are followed at most; of a larger one nothing is told."""
+_TOUCH = 0.2  # lines nearer to each other are joined [mm]
+_LARGEST = 2_000  # lines of a figure that are followed at most; of a larger one nothing is told
 
 Line = tuple[complex, complex]
 

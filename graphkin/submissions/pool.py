@@ -25,15 +25,11 @@ from graphkin.errors import TookTooLong, Where
 
 _Item = TypeVar("_Item")
 _Result = TypeVar("_Result")
-_AGAIN = 0.2
-"""A reader that swallows the alarm hears it again so soon [s]."""
-_LATER = 2.0
-"""So long after the alarm the watchdog ends the process [s]."""
-_ENDED = 1
-"""The exit status of a process that its watchdog has ended."""
+_AGAIN = 0.2  # a reader that swallows the alarm hears it again so soon [s]
+_LATER = 2.0  # so long after the alarm the watchdog ends the process [s]
+_ENDED = 1  # the exit status of a process that its watchdog has ended
 _AHEAD = 3
-_GRACE = 5.0
-"""Beyond its limits a batch is waited for so long [s]."""
+_GRACE = 5.0  # beyond its limits a batch is waited for so long [s]
 
 
 class _Watched:

@@ -19,8 +19,7 @@ from graphkin.model.quantities import Centre, Quantity
 from graphkin.model.quantities.reading import read
 from graphkin.submissions.numbers import plain, unaccented, unit_named
 
-LONGEST = 120
-"""No question is longer."""
+LONGEST = 120  # no question is longer
 _HEADS = (
     (r"omega|w|角速度", "omega"), (r"alpha|epsilon|角加速度", "alpha"), (r"theta|phi|转角", "theta"),
     (r"velocity of|velocity|速度|v", "v"), (r"acceleration of|acceleration|加速度|a", "a"),

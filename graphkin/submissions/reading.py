@@ -27,8 +27,7 @@ _DOCUMENTS = {
     ".toml": documents.read_toml, ".json": documents.read_json, ".txt": documents.read_lines,
     ".md": documents.read_lines,
 }  # fmt: skip
-_INNER = 50
-"""Files in an archive that a student hands in."""
+_INNER = 50  # files in an archive that a student hands in
 
 
 def read(paths: Iterable[str | Path], asked: Key, limits: Limits = USUAL) -> Iterator[Submission]:

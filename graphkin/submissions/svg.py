@@ -26,8 +26,7 @@ _LINES = ("line", "polyline", "polygon", "path")
 _WIDE, _ABOVE, _BELOW = 0.52, 0.75, 0.22
 """A letter's width, and how far letters reach over and under their line, in parts of the type's size."""
 _KEYS: Mapping[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
-_FAR = 1e9
-"""No page is so large [mm]."""
+_FAR = 1e9  # no page is so large [mm]
 _Mark = list[tuple[complex, complex]] | Dot | PictureText
 
 

@@ -15,11 +15,9 @@ import numpy as np
 from graphkin.base.geometry import Array, Real, Value, unit
 from graphkin.base.value import frozen
 
-Homogeneous = Array
-"""Three coordinates (3,) or (3, n)."""
+Homogeneous = Array  # three coordinates (3,) or (3, n)
 
-INFINITE = 1e-9
-"""A point farther off than the unit of coordinates divided by this counts as at infinity."""
+INFINITE = 1e-9  # a point farther off than the unit of coordinates divided by this counts as at infinity
 
 
 def proper(at: Value) -> Homogeneous:

@@ -24,8 +24,7 @@ from graphkin.construction.plot import length
 
 # --- sums done beside the drawing: angles [rad], lengths [m] ----------------------------------
 
-ROUNDING = 1e-9
-"""Sines below this are none."""
+ROUNDING = 1e-9  # sines below this are none
 
 
 def theta_of(k: float) -> float:

@@ -20,8 +20,7 @@ if TYPE_CHECKING:
 
 __all__ = ["KINDS", "chosen", "groups", "has", "load", "names", "text", "titles"]
 
-KINDS = ("hinge", "slide", "gear", "roll", "cam")
-"""The kinds of pair that `chosen` looks for."""
+KINDS = ("hinge", "slide", "gear", "roll", "cam")  # the kinds of pair that `chosen` looks for
 
 _SUFFIX = ".toml"
 

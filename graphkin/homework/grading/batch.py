@@ -23,13 +23,11 @@ from graphkin.model.quantities import at_position, position_of
 from graphkin.outputs.marks_json import FORMAT, KIND, drawn_of, records_in
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
 
-_EACH = 0.1
-"""A batch is marked at once in the time of one submission and so much more for each [s]."""
+_EACH = 0.1  # a batch is marked at once in the time of one submission and so much more for each [s]
 _ONCE_MORE = (OwnFault, errors.TookTooLong, errors.Unreadable, errors.WantsExtra)
 """Reasons that may be gone when it is tried again."""
 _GLANCE = 200
-_POINTS = {"right": True, "wrong": False}
-"""Of a drawn vector; of a number its sign says it again."""
+_POINTS = {"right": True, "wrong": False}  # of a drawn vector; of a number its sign says it again
 
 
 # --- records of before ------------------------------------------------------------------------------------------------

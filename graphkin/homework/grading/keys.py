@@ -32,8 +32,7 @@ from graphkin.results import driver_values
 from graphkin.running import replay_all
 
 _LARGEST = 64 << 20
-_SAME = 1e-6
-"""Values of both mechanisms that differ by a smaller part, of the largest of their kind, are the same."""
+_SAME = 1e-6  # values of both mechanisms that differ by a smaller part, of the largest of their kind, are the same
 KEYS: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
 

@@ -21,8 +21,7 @@ from graphkin.submissions import ReadableProblem
 
 KIND = "graphkin keys"
 FORMAT = 1
-_KEPT = 32
-"""Keys that are held ready."""
+_KEPT = 32  # keys that are held ready
 
 
 class SetMarker:

@@ -19,8 +19,7 @@ from graphkin.homework.platforms.result import texts_in
 from graphkin.homework.platforms.tables import points, rounded, tolerated
 from graphkin.say.catalogue import say
 
-RING = Decimal("2.5")
-"""Half of the points are given within so many tolerances."""
+RING = Decimal("2.5")  # half of the points are given within so many tolerances
 
 
 @frozen

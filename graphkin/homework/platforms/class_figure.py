@@ -21,8 +21,7 @@ if TYPE_CHECKING:
 _MM = 1 / 25.4
 _WIDTH, _LEFT, _RIGHT = 180.0, 62.0, 8.0
 _TOP, _BETWEEN, _ROW, _SCORES = 12.0, 20.0, 6.0, 45.0
-_MOST = 25
-"""Mistakes and steps that are shown; tables have the rest."""
+_MOST = 25  # mistakes and steps that are shown; tables have the rest
 _LONGEST = 44
 _VERDICTS = (
     ("right", "#ffffff", ""), ("carried", "#dddddd", "////"), ("wrong", "#555555", ""), ("missing", "#ffffff", "...."),

@@ -18,8 +18,7 @@ from graphkin.marking.diagnosis import Habit
 from graphkin.marking.records import Verdict
 from graphkin.say.catalogue import say
 
-RANGES = 10
-"""Scores are counted in so many ranges of the same width."""
+RANGES = 10  # scores are counted in so many ranges of the same width
 _FAILED: tuple[Verdict, ...] = ("wrong", "missing")
 _ALWAYS: tuple[Verdict, ...] = ("right", "carried", *_FAILED)
 """Wrong lines come before those that are left out, which is normal on the way."""

@@ -21,8 +21,7 @@ from graphkin.say.numbers import number
 
 Reveal = Literal["hint", "mistake", "answer"]
 """A hint: the verdicts, and where to look again; a mistake: what the numbers are consistent with; the right values."""
-SETS = 4
-"""So many mistakes that cannot be told apart are written out; of more the number is said."""
+SETS = 4  # so many mistakes that cannot be told apart are written out; of more the number is said
 
 
 @frozen

@@ -26,15 +26,13 @@ from graphkin.homework.platforms.tables import line
 from graphkin.say.catalogue import say
 
 _MOODLE = re.compile(r"(?P<who>[^_/]*)_(?P<id>[0-9]{1,18})_(?P<plugin>assignsubmission_[a-z]+).*", re.S)
-_ARCHIVE = re.compile(r"^.*?\.zip!", re.S | re.I)
-"""Before the name of a member of an archive: `class.zip!name`."""
+_ARCHIVE = re.compile(r"^.*?\.zip!", re.S | re.I)  # before the name of a member of an archive: `class.zip!name`
 HEADERS = (
     "Identifier", "Full name", "Status", "Grade", "Maximum grade", "Last modified (grade)", "Feedback comments",
 )  # fmt: skip
 """Of the worksheet, as an English Moodle reads them."""
 _CANVAS_FRONT = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
-LARGEST = 1_000_000
-"""Bytes of PrairieLearn's file at most."""
+LARGEST = 1_000_000  # bytes of PrairieLearn's file at most
 _SHORTER = (20_000, 2_000, 200, 20)
 T = TypeVar("T")
 

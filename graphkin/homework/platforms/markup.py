@@ -48,11 +48,9 @@ def xml(root: ET.Element) -> bytes:
 
 
 _COMMENT = b"graphkin"
-ZIP_MARKS = (_COMMENT,)
-"""At the end of each archive: by this graphkin knows its own."""
+ZIP_MARKS = (_COMMENT,)  # at the end of each archive: by this graphkin knows its own
 _LONG_AGO = (1980, 1, 1, 0, 0, 0)
-_NOWHERE = frozenset('\\:*?"<>|')
-"""Letters that no file of Windows has in its name."""
+_NOWHERE = frozenset('\\:*?"<>|')  # letters that no file of Windows has in its name
 
 
 def pack(file: Path | BinaryIO, members: Iterable[tuple[str, bytes | Iterable[bytes]]]) -> None:

@@ -16,8 +16,7 @@ from graphkin.homework.platforms.result import ResultPicture
 from graphkin.homework.platforms.tables import line, workbook_files
 from graphkin.say.catalogue import say
 
-PAGE = b'<meta name="generator" content="graphkin">'
-"""By this a page is known as graphkin's own."""
+PAGE = b'<meta name="generator" content="graphkin">'  # by this a page is known as graphkin's own
 _SVG = "image/svg+xml"
 _STYLE = """
 body { font-family: sans-serif; max-width: 52em; margin: 2em auto; padding: 0 1em; line-height: 1.5 }

@@ -23,10 +23,8 @@ from graphkin.say.catalogue import say
 from graphkin.say.marks import mistakes_together
 from graphkin.sheet.mistake_sheet import mistake_sheet
 
-_KEPT = 64
-"""Pictures that are held ready: many students of one key make one mistake."""
-_SAME = 8
-"""So many mistakes that cannot be told apart are tried, for one that draws something otherwise."""
+_KEPT = 64  # pictures that are held ready: many students of one key make one mistake
+_SAME = 8  # so many mistakes that cannot be told apart are tried, for one that draws something otherwise
 
 
 class PolygonPictures:

@@ -33,15 +33,12 @@ from graphkin.say.tolerances import discriminability_lines
 from graphkin.sheet.single_figure import problem_sheet
 from graphkin.submissions import safe_name
 
-MARK = "graphkin problems"
-"""By which graphkin knows files of its own, which it writes anew."""
+MARK = "graphkin problems"  # by which graphkin knows files of its own, which it writes anew
 KEY = ".key.json"
 FIGURE = ".svg"
 TOLD = "set.mistakes.txt"
-LIST = "set.json"
-"""No student's file has two dots in its name but a key."""
-_TRIED = 3
-"""Problems whose false alarms are counted."""
+LIST = "set.json"  # no student's file has two dots in its name but a key
+_TRIED = 3  # problems whose false alarms are counted
 _MARKS = [MARK.encode(), b'"kind": "graphkin key']
 
 

@@ -14,8 +14,7 @@ from graphkin.model.quantities import EDGE, at_position
 from graphkin.say.catalogue import LANGUAGES
 from graphkin.say.marks import mistake
 
-Text = Mapping[Lang, str]
-"""A text in each language."""
+Text = Mapping[Lang, str]  # a text in each language
 
 
 @frozen

@@ -28,8 +28,7 @@ from graphkin.outputs.files import beside
 from graphkin.say.catalogue import in_both, say
 from graphkin.submissions import safe_name
 
-CLASS_TABLE = "class.csv"
-"""In this table of a results folder teachers write their overrides."""
+CLASS_TABLE = "class.csv"  # in this table of a results folder teachers write their overrides
 _JSON, _TABLE = (b'"graphkin"',), (b"override",)
 _REPORT = tuple(title.encode() for title in in_both("class_report.title").values())
 

@@ -16,12 +16,9 @@ from xml.sax.saxutils import escape
 
 from graphkin.homework.platforms.markup import OFFICE, clean, element, office_link, office_package, one_line, xml
 
-HUNDREDTH = Decimal("0.01")
-"""Points are given in these."""
-_FINER = 3
-"""A number is rounded to this many digits finer than its tolerance."""
-_ALL = 12
-"""Digits of a number without tolerance."""
+HUNDREDTH = Decimal("0.01")  # points are given in these
+_FINER = 3  # a number is rounded to this many digits finer than its tolerance
+_ALL = 12  # digits of a number without tolerance
 
 
 def points(value: float) -> Decimal:
@@ -68,8 +65,7 @@ def exponentless(number: Decimal) -> str:
 
 
 Cell = str | Decimal | int | None
-BOM = "\ufeff"
-"""By this Excel knows UTF-8."""
+BOM = "\ufeff"  # by this Excel knows UTF-8
 _FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠")
 _SEPARATORS = ",;\t"
 
@@ -130,8 +126,7 @@ def columns_of(head: Sequence[str]) -> dict[str, int]:
 
 _MAIN = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
 _KIND = "application/vnd.openxmlformats-officedocument.spreadsheetml"
-_LONGEST = 32_767
-"""Letters that a cell of Excel holds."""
+_LONGEST = 32_767  # letters that a cell of Excel holds
 
 
 def workbook_files(rows: Iterable[Iterable[Cell]], name: str) -> Iterator[tuple[str, bytes | Iterable[bytes]]]:

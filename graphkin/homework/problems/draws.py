@@ -26,18 +26,14 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.running.drawn_sides import DrawnSides, drawn_sides
 
 _TRIES = 200
-_HOPELESS = 20
-"""Where so many draws do not assemble, and no other did better, the template is wrong."""
-_APART = 60
-"""So many draws look for numbers that no other student has; then well-posed is enough."""
+_HOPELESS = 20  # where so many draws do not assemble, and no other did better, the template is wrong
+_APART = 60  # so many draws look for numbers that no other student has; then well-posed is enough
 _DISTINCT = 0.02
 """Two problems whose answers all differ by a smaller part, or by less than paper allows, are like each other."""
-_FAILS = 0.02
-"""Where more of the drawings with a pencil do not close, a dead point is too near."""
+_FAILS = 0.02  # where more of the drawings with a pencil do not close, a dead point is too near
 _SAMPLE, _SAMPLE_TRIES = 9, 60
 """So many problems show how well mistakes can be told apart in a template; of so many draws at most."""
-_LAID_OUT = 3
-"""So many sheets of the sample are laid out, for the usual size of a drawing."""
+_LAID_OUT = 3  # so many sheets of the sample are laid out, for the usual size of a drawing
 
 
 @frozen

@@ -25,8 +25,7 @@ from graphkin.running.drawn_sides import drawn_sides
 
 Refused = Literal["assembly", "dead point", "short", "taken"]
 
-DEAD = math.radians(5)
-"""Lines that meet at a smaller angle are too near a dead point."""
+DEAD = math.radians(5)  # lines that meet at a smaller angle are too near a dead point
 SHORTEST = 0.02
 """A vector that is a smaller part of the longest of its polygon is too short to be read off: 2 mm beside 100 mm."""
 _NOTHING = 1e-9

@@ -26,8 +26,7 @@ _HEADER = re.compile(r"^[ \t]*\[", re.M)
 _POINTS = re.compile(r"^[ \t]*\[[ \t]*points[ \t]*\][^\n]*\n?", re.M)
 _NUMBER = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(.*?)\s*", re.S)
 _MARK = 7_310_000_000_000
-MOST = 100_000
-"""Values that one range has at most."""
+MOST = 100_000  # values that one range has at most
 
 
 @frozen

@@ -19,8 +19,7 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import in_step
 from graphkin.planning.stages import Group, Mesh
 
-REST = 1e-9
-"""What counts as nothing, as part of the largest of its kind."""
+REST = 1e-9  # what counts as nothing, as part of the largest of its kind
 
 
 @mistake("centre-ratio", "centre", "3-2.2")

@@ -12,8 +12,7 @@ from graphkin.marking.hand import Redrawing
 from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
 from graphkin.marking.scene import Scene, mistake
 
-NOTHING = 1e-6
-"""Sine of an angle under which two directions count as one."""
+NOTHING = 1e-6  # sine of an angle under which two directions count as one
 
 
 def rays(scene: Scene, plane: Plane) -> Iterator[tuple[Meet, Ray, str]]:

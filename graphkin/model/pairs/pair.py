@@ -80,8 +80,7 @@ class Rolling:
     left: bool = True
 
 
-Circle = tuple[str, str, float]
-"""Link, centre, radius [m]."""
+Circle = tuple[str, str, float]  # link, centre, radius [m]
 
 
 class Pair:

@@ -19,16 +19,14 @@ from graphkin.model.quantities.kinds import Axis, Quantity, has_part
 WORDS = (
     "theta", "omega", "alpha", "s", "v", "a", "a_n", "a_t", "a_k", "a_r", "x", "y", "path", "v_x", "v_y", "a_x", "a_y"
 )  # fmt: skip
-SHAPE = r"\S+ \S+(?: ?/ ?\S+ \S+)?"
-"""A quantity or a quotient, as a regular expression."""
+SHAPE = r"\S+ \S+(?: ?/ ?\S+ \S+)?"  # a quantity or a quotient, as a regular expression
 
 _ONE = re.compile(r"(\w+) +(\S+)")
 _COMMA = r",\s*(?=[a-z]\w* |P[\w@']+\s*(?:,|$))"
 _LONGEST_FIRST = sorted(WORDS, key=len, reverse=True)
 _AXES: dict[str, Axis] = {"x": "x", "y": "y"}
 _GREEK = {"ω": "omega", "α": "alpha", "θ": "theta", "φ": "theta"}
-_OF_TWO = ("a_n", "a_t", "a_k", "a_r")
-"""Parts of an acceleration seen from another point."""
+_OF_TWO = ("a_n", "a_t", "a_k", "a_r")  # parts of an acceleration seen from another point
 _AT = r"\s*[#＃]\s*([1-9][0-9]{0,3})(?![0-9])"
 _TYPED = r"\b(?:(?:omega|alpha|theta) [\w'′]+|[sva](?:_[nktrxy])? [\w'′@,]*\w[\w'′@]*)"
 

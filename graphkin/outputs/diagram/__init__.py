@@ -25,8 +25,7 @@ if TYPE_CHECKING:
 __all__ = ["FORMATS", "MARK", "NotADiagram", "NothingToDraw", "figure", "metadata", "refuse", "settings", "write"]
 
 FORMATS = (".svg", ".png", ".pdf")
-MARK = "https://graphkin.invalid/diagram/1"
-"""By this graphkin knows a diagram of its own, whatever the format."""
+MARK = "https://graphkin.invalid/diagram/1"  # by this graphkin knows a diagram of its own, whatever the format
 DPI = 200
 _ALONE = RLock()
 """matplotlib's settings, and what it writes formulas by, are one for all threads: diagrams are made one at a time."""

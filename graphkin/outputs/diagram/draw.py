@@ -41,8 +41,7 @@ LEFT, PLAIN_RIGHT, SIDE = 16.0, 5.0, 14.0
 """Room left of the panels, right of them, and for each axis on the right [mm]."""
 HIGH, LOW = 58.0, 34.0
 TOP, FOOT, LINE, BETWEEN = 14.0, 10.5, 4.0, 3.5
-ROW = 4.8
-"""Height of a row of a legend [mm]."""
+ROW = 4.8  # height of a row of a legend [mm]
 BROAD, THIN = 0.35, 0.18
 """Lines after ISO 128 [mm]."""
 GREY = "#d8d8d8"

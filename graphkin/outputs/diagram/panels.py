@@ -18,12 +18,10 @@ from graphkin.sheet.lettering import link_label
 from graphkin.sheet.lettering import number as number_label
 from graphkin.studies.sweeps import Course
 
-MOST = 6
-"""More curves than these do not stand together."""
+MOST = 6  # more curves than these do not stand together
 KINDS = ("position", "velocity", "acceleration", "ratio")
 LETTERS = {"rad": "θ", "m": "s", "rad/s": "ω", "m/s": "v", "rad/s^2": "α", "m/s^2": "a", "g": "a", "1": ""}
-HEADROOM = 0.16
-"""Room above and below the curves for what is written at them, as a part of their height."""
+HEADROOM = 0.16  # room above and below the curves for what is written at them, as a part of their height
 
 
 _PLACE = {"rad": (0, 0), "m": (0, 1), "rad/s": (1, 0), "m/s": (1, 1), "rad/s^2": (2, 0), "m/s^2": (2, 1), "1": (3, 0)}

@@ -30,11 +30,9 @@ from graphkin.sheet.window import PLANES
 __all__ = ["TriedOut", "ggb"]
 
 _COLOURS: Mapping[Plane, Colour] = {"position": BLACK, "velocity": (11, 79, 156), "acceleration": (163, 32, 13)}
-_GAP = 30.0
-"""Between the figures, in units of the drawing [mm]."""
+_GAP = 30.0  # between the figures, in units of the drawing [mm]
 MARK = b"graphkin sheet"
-_MADE = (1980, 1, 1, 0, 0, 0)
-"""The date of what is in the zip: always the same, as the bytes are to be."""
+_MADE = (1980, 1, 1, 0, 0, 0)  # the date of what is in the zip: always the same, as the bytes are to be
 
 
 class TriedOut(GraphkinError):

@@ -15,8 +15,7 @@ from xml.sax.saxutils import quoteattr
 
 from graphkin.base.value import frozen
 
-_SIMPLE = re.compile(r"[\w.{}']+|\w+\([^()]*\)")
-"""A number, a label, or a function of one: what needs no brackets."""
+_SIMPLE = re.compile(r"[\w.{}']+|\w+\([^()]*\)")  # a number, a label, or a function of one: what needs no brackets
 _NUMBER = re.compile(r"-?[0-9.]+")
 _POINT_NAME = re.compile(r"([A-Za-df-hj-w])(_\{\d\w*\})?('*)")
 """Letters that stand for nothing else in a formula (e, i, x, y and z do), as people write them."""

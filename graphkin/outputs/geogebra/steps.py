@@ -23,15 +23,12 @@ from graphkin.planning import Method
 from graphkin.running.path import along, turned
 from graphkin.studies.sweeps import course
 
-ROUNDS = 4
-"""Steps of Newton's, from a place between two of the list: each doubles the digits that are right."""
+ROUNDS = 4  # steps of Newton's, from a place between two of the list: each doubles the digits that are right
 _APART_DEG, _PARTS = 1.0, 360
 """Distance of the places of the list: an angle of the driver's, or a part of a slide's path."""
-_SHORT = 1e-6
-"""Distance from a dead point at which the list ends, as a part of the path."""
+_SHORT = 1e-6  # distance from a dead point at which the list ends, as a part of the path
 
-Row = tuple[str, Mapping[str, str]]
-"""known + sum of coefficient * unknown = 0, as formulas."""
+Row = tuple[str, Mapping[str, str]]  # known + sum of coefficient * unknown = 0, as formulas
 
 
 @frozen

@@ -25,19 +25,15 @@ from graphkin.running.path import DriverPath, along
 from graphkin.studies.centres.about import link_of
 from graphkin.studies.centres.instant_centres import Centres, carried_to, over
 
-FAR = 25.0
-"""A centre is followed so many times the mechanism's size away."""
-MARGIN = 1e-6
-"""The curves end so far inside a dead point, as part of the path."""
-CLOSE = 1e-8
-"""Places closer than this part of the size are one."""
+FAR = 25.0  # a centre is followed so many times the mechanism's size away
+MARGIN = 1e-6  # the curves end so far inside a dead point, as part of the path
+CLOSE = 1e-8  # places closer than this part of the size are one
 WHERE = Where("--centrodes")
 FIRST, DEEPEST = 90, 9
 """Cells to begin with, and the number of times a cell may be halved."""
 BEND, FLAT = 0.08, 2e-4
 """A cell is halved while its half chords make a greater angle [rad], or its middle stands off more [of the size]."""
-LEAST = 1e-5
-"""Nothing smaller is looked at [of the size]."""
+LEAST = 1e-5  # nothing smaller is looked at [of the size]
 
 
 class Coursed(Protocol):

@@ -23,8 +23,7 @@ from graphkin.running.path import DriverPath, along, stride
 from graphkin.studies.centres.search import WELL_APART, Centring, centre_name, lines_to, search
 from graphkin.studies.centres.underlay import board_over, from_velocities, pole_name
 
-LEAN = 0.02
-"""Two lines that are less than this far from being one do not tell where they meet."""
+LEAN = 0.02  # two lines that are less than this far from being one do not tell where they meet
 BESIDE = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])
 ASIDE_DEG, ASIDE_PART = 0.05, 0.001
 """Neighbours of a change point, and how far apart they stand [deg, of the mechanism's size]."""

@@ -17,8 +17,7 @@ from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.studies.centres.instant_centres import Centres
 
-NEAR = 1e-6
-"""Lengths below this part of the mechanism's size are none on paper."""
+NEAR = 1e-6  # lengths below this part of the mechanism's size are none on paper
 SCALE = "scale"
 
 

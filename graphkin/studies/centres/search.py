@@ -38,10 +38,8 @@ from graphkin.proof.readings import readings
 from graphkin.studies.centres import underlay
 from graphkin.studies.centres.underlay import CommonNormal
 
-CLEAR = 1e-3
-"""Two lines that are less than this far from being one give no centre."""
-WELL_APART = 0.05
-"""Lines that are less than this far from being one are left for a later round."""
+CLEAR = 1e-3  # two lines that are less than this far from being one give no centre
+WELL_APART = 0.05  # lines that are less than this far from being one are left for a later round
 
 Pair = frozenset[str]
 

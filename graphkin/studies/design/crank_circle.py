@@ -33,8 +33,7 @@ from graphkin.construction.drafting import (
 from graphkin.studies.design.model import CentreArc, Family, Reason
 from graphkin.studies.linkages.triangles import greatest_between
 
-_COUNT = 721
-"""Directions looked at on an arc."""
+_COUNT = 721  # directions looked at on an arc
 _HALVINGS = 80
 _LENGTHS = {"frame": "d", "crank": "a", "coupler": "b", "rod": "b", "offset": "e", "ac1": "ac1"}
 """Of each condition the length that it is put on, by its key in `Chord.lengths`."""

@@ -17,12 +17,9 @@ from graphkin.errors import GraphkinError
 from graphkin.studies.design.model import Reason, Solution
 from graphkin.studies.linkages import FourBar, GuideBar, Linkage, Report, SliderCrank, report
 
-_LINE = 1e-7
-"""Sine of an angle that counts as none."""
-_EDGE = 1e-7
-"""So far beyond its range an angle is still at its end [rad]."""
-_CLEAR = 0.1
-"""A position whose coupler and rocker cross at a smaller sine is not drawn: it is nearly a dead point."""
+_LINE = 1e-7  # sine of an angle that counts as none
+_EDGE = 1e-7  # so far beyond its range an angle is still at its end [rad]
+_CLEAR = 0.1  # a position whose coupler and rocker cross at a smaller sine is not drawn: it is nearly a dead point
 
 Positions = Sequence[Mapping[str, complex]]
 

@@ -42,15 +42,12 @@ from graphkin.errors import CouplerChanges, NotOnBisector, SameWanted, WantedRan
 from graphkin.studies.design.model import Design, Reason, Solution, gamma_four, positive
 from graphkin.studies.design.passing import passing, shown
 
-Hinges = Sequence[tuple[complex, complex]]
-"""B and C [m], position by position."""
+Hinges = Sequence[tuple[complex, complex]]  # B and C [m], position by position
 
 _HINGE = {"A": "B", "D": "C"}
 _COUNT = 161
-_REACH = 2.5
-"""Pivots are looked for so far from C1C2 and B1B2, in lengths of coupler and moves together."""
-_SMALL = 0.15
-"""No link shorter than this part of the longest."""
+_REACH = 2.5  # pivots are looked for so far from C1C2 and B1B2, in lengths of coupler and moves together
+_SMALL = 0.15  # no link shorter than this part of the longest
 _SINGULAR = 1e-10
 
 

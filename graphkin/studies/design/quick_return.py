@@ -42,8 +42,7 @@ from graphkin.studies.design import model
 from graphkin.studies.design.crank_circle import Chord, bounds, family, steps_to_centre, worth_of
 from graphkin.studies.design.model import Design, Family, Kind, Reason, Solution
 
-LOW = math.radians(40)
-"""A least transmission angle below this is said to be small (教材：一般 gamma_min >= 40 deg)."""
+LOW = math.radians(40)  # a least transmission angle below this is said to be small (教材：一般 gamma_min >= 40 deg)
 CHANGE = 1e-4
 """A least transmission angle this small is a change point: limits are known to half of all figures only [rad]."""
 _PARTS = (0.5, 0.35, 0.65, 0.25, 0.75)

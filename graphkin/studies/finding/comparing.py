@@ -20,10 +20,8 @@ from graphkin.studies.finding.stretch import ROUNDING, Stretch
 from graphkin.studies.sweeps import Series
 from graphkin.studies.sweeps.ranges import TURN
 
-EQUAL = 1e-9
-"""Extremes that differ by less than this part of the quantity's change are equal."""
-BOUNDLESS = 1e5
-"""A value so many times the usual one, ever larger the closer to a place it is read, has no limit."""
+EQUAL = 1e-9  # extremes that differ by less than this part of the quantity's change are equal
+BOUNDLESS = 1e5  # a value so many times the usual one, ever larger the closer to a place it is read, has no limit
 
 
 @frozen
@@ -232,8 +230,7 @@ def extremes(stretch: Stretch, *, size: bool = False) -> Extremes:
     return Extremes(curve, _best(stretch, curve, 1.0, "max"), _best(stretch, curve, -1.0, "min"), False)
 
 
-Candidate = tuple[float, float, Kind]
-"""A value, its place t, and its kind."""
+Candidate = tuple[float, float, Kind]  # a value, its place t, and its kind
 
 
 def _best(stretch: Stretch, curve: Curve, sign: float, kind: Kind) -> tuple[Position, ...]:

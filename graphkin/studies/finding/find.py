@@ -31,8 +31,7 @@ from graphkin.studies.sweeps.sweep import series
 
 _DEGREES = {"rad/s": 1, "m/s": 1, "rad/s^2": 2, "m/s^2": 2}
 """Velocities grow with the speeds, accelerations with their square."""
-_SMALL = 1e-6
-"""A factor below this part of its largest size is none."""
+_SMALL = 1e-6  # a factor below this part of its largest size is none
 
 
 def find(method: Method, condition: str, ranges: Sequence[str] = (), by: Road = "construction") -> Findings:

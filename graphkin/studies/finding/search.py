@@ -15,10 +15,8 @@ from graphkin.base.value import frozen
 Function = Callable[[np.ndarray], np.ndarray]
 
 ROUNDS = 70
-BENT = 0.01
-"""Between places where a curve bends by more than this part of its range, it is read more closely."""
-GRAZE = 1e-10
-"""A curve that comes so near to zero, as a part of its size, grazes it."""
+BENT = 0.01  # between places where a curve bends by more than this part of its range, it is read more closely
+GRAZE = 1e-10  # a curve that comes so near to zero, as a part of its size, grazes it
 EVEN = 501
 STENCIL = np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
 WEIGHTS = np.array([1 / 280, -4 / 105, 1 / 5, -4 / 5, 4 / 5, -1 / 5, 4 / 105, -1 / 280])

@@ -38,14 +38,10 @@ LEAST, MOST = 1441, 40_001
 """Places at which a stretch is read, at least and at most."""
 FINE_DEG, FINE_PART = 0.25, 0.001
 """They are at most so far apart [deg, of the mechanism's size]."""
-HALVINGS = 24
-"""Before a dead point they lie each half as far from it as the one before."""
-ROUNDING = 1e-11
-"""Values below this part of others of their kind are rounding."""
-SECOND = 100.0
-"""Accelerations, read off a second polygon, have so much more of it beside a change point."""
-BEYOND = 4
-"""Places beyond an end, so that an extreme right at the end is seen."""
+HALVINGS = 24  # before a dead point they lie each half as far from it as the one before
+ROUNDING = 1e-11  # values below this part of others of their kind are rounding
+SECOND = 100.0  # accelerations, read off a second polygon, have so much more of it beside a change point
+BEYOND = 4  # places beyond an end, so that an extreme right at the end is seen
 
 
 # --- quantities -------------------------------------------------------------------------------

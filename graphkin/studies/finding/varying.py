@@ -32,8 +32,7 @@ from graphkin.studies.sweeps import Road
 from graphkin.studies.sweeps.ranges import plain
 
 WHERE = Where("--vary")
-MOST = 10_000
-"""Values of a dimension, at most."""
+MOST = 10_000  # values of a dimension, at most
 Plan = Callable[[Mechanism], Method]
 
 

@@ -10,10 +10,8 @@ from graphkin.model.mechanism import FRAME, Driver, Link, Mechanism
 from graphkin.model.pairs import Line, Slide
 from graphkin.studies.linkages.linkage import Linkage, LinkagePosition
 
-Places = Mapping[str, complex]
-"""The points of a link as they are drawn [m]."""
-_PUSH = 0.1
-"""The speed of a driven slide [m/s]."""
+Places = Mapping[str, complex]  # the points of a link as they are drawn [m]
+_PUSH = 0.1  # the speed of a driven slide [m/s]
 
 
 def assembled(

@@ -17,10 +17,8 @@ from graphkin.base.value import frozen
 from graphkin.model.mechanism import Mechanism
 from graphkin.studies.linkages.triangles import MotionRange, even
 
-SLIDES = ("slider", "slide")
-"""The parts whose motion is a displacement [m]; all others turn [rad]."""
-CRANKS = ("crank", "rocker")
-"""The drivers that can turn round and round and have an output with two ends."""
+SLIDES = ("slider", "slide")  # the parts whose motion is a displacement [m]; all others turn [rad]
+CRANKS = ("crank", "rocker")  # the drivers that can turn round and round and have an output with two ends
 
 
 @frozen

@@ -18,8 +18,7 @@ from graphkin.studies.linkages.linkage import CRANKS, SLIDES, Linkage, LinkagePo
 from graphkin.studies.linkages.recognised import FoundLinkage
 from graphkin.studies.linkages.triangles import MotionRange, even, greatest_between, whole
 
-_SAME = 1e-9
-"""Transmission angles nearer than this are both the least [rad]."""
+_SAME = 1e-9  # transmission angles nearer than this are both the least [rad]
 _STEPS, _SAMPLES = 720, 180
 """Steps over a full turn in which the least advantage is searched; over the range of a linkage behind another."""
 

@@ -10,10 +10,8 @@ from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, CannotClose, CannotDriveBy, NotALength, OnlyStretched
 from graphkin.model.mechanism import ROUNDING
 
-EVEN = 1e-9
-"""Sums of lengths that differ by less than this part of all lengths together are equal: a change point."""
-_IN_LINE = 1e-7
-"""Lines at a smaller angle lie in line: positions are laid in line from 4e-5 on (`EVEN`)."""
+EVEN = 1e-9  # sums of lengths that differ by less than this part of all lengths together are equal: a change point
+_IN_LINE = 1e-7  # lines at a smaller angle lie in line: positions are laid in line from 4e-5 on (`EVEN`)
 TURNS = tuple(math.radians(turn) for turn in (60, 100, 35, 140, 80, 15, 165))
 """The crank is drawn at the first of these at which the driver is well off a dead point, if nothing else is said."""
 _WELL = math.sin(math.radians(25))

@@ -17,17 +17,14 @@ from graphkin.studies.sweeps.ranges import TURN
 from graphkin.studies.sweeps.roads import prove
 from graphkin.studies.sweeps.sweep import quantities_at
 
-_FINE = 2e-4
-"""A chord may stand so far off the curve, as part of the curve's size."""
+_FINE = 2e-4  # a chord may stand so far off the curve, as part of the curve's size
 _FIRST, _ROUNDS, _MOST = 181, 7, 20_000
 """Positions at first, the number of times that chords are halved, and positions that are enough."""
-_INSIDE = 1e-7
-"""The curve ends so far inside of dead points, as part of the path."""
+_INSIDE = 1e-7  # the curve ends so far inside of dead points, as part of the path
 _FAR = 4.0
 """The curve is followed so far off from where the point is drawn, in sizes of the mechanism there (width and height
 added): of one that runs off to infinity the rest would leave nothing to be seen of the mechanism."""
-_SAME = 1e-6
-"""Ends nearer than this part of its size close a curve."""
+_SAME = 1e-6  # ends nearer than this part of its size close a curve
 _DEGREES = (30, 10, 5, 2, 1, 0.5, 0.2, 0.1)
 """Steps from tick to tick of an angle: the largest that gives enough of them."""
 _ENOUGH = 6

@@ -20,8 +20,7 @@ Ranges = Sequence[str] | Mapping[str, object] | np.ndarray | Sequence[float]
 TURN = 2 * math.pi
 WHERE = Where("--driver")
 MOST_TURNS, MOST_STEPS = 1000, 1e7
-ROWS = 36
-"""Rows of a table over the reachable range of a slide, and over a turn."""
+ROWS = 36  # rows of a table over the reachable range of a slide, and over a turn
 
 
 @frozen

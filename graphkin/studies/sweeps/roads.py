@@ -35,8 +35,7 @@ ASIDE_DEG, ASIDE_PART = 1.2, 0.02
 """Distance between the neighbours of a change point [deg, of the mechanism's size]."""
 ALIKE, NEARER = 1e-7, 4
 """Neighbours are nearer by half, so often at most, where all and the inner six lead farther apart [of the size]."""
-CLEAR = 10
-"""Another change point, or a stop, is as many times their distance away."""
+CLEAR = 10  # another change point, or a stop, is as many times their distance away
 PLACES = np.array([-4, -3, -2, -1, 1, 2, 3, 4], dtype=float)
 INNER = weights_of(np.zeros(1), PLACES)[0]
 INNER[1:-1] -= weights_of(np.zeros(1), PLACES[1:-1])[0]

@@ -27,11 +27,9 @@ from graphkin.studies.sweeps.course import Course, course
 from graphkin.studies.sweeps.ranges import TURN, Ranges
 from graphkin.studies.sweeps.roads import Road, centre_path, moving, prove
 
-Quantities = Mapping[str, Quantity]
-"""Quantities, by their names as they were written."""
+Quantities = Mapping[str, Quantity]  # quantities, by their names as they were written
 
-PART = 8192
-"""Positions done at once: what they need stays in the processor's cache, and memory stays flat."""
+PART = 8192  # positions done at once: what they need stays in the processor's cache, and memory stays flat
 FINE_DEG, FINE_PART = 0.5, 0.002
 """Angles are followed in such steps, so that none jumps by a turn [deg, of the mechanism's size]."""
 
