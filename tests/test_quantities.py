@@ -64,8 +64,8 @@ def test_readers_of_all_kinds_leave_none_to_chance():
     matches = [(place(path), node) for path in FILES for node in ast.walk(ast.parse(path.read_text("utf-8")))
                if isinstance(node, ast.Match)]  # fmt: skip
     readers = [(where, node) for where, node in matches if KINDS & {
-        part.cls.id for case in node.cases for part in ast.walk(case.pattern)
-        if isinstance(part, ast.MatchClass) and isinstance(part.cls, ast.Name)
+        ast.unparse(part.cls).rpartition(".")[2] for case in node.cases for part in ast.walk(case.pattern)
+        if isinstance(part, ast.MatchClass)
     } and "quantit" in (PACKAGE / where).read_text("utf-8")]  # fmt: skip
     assert len(readers) > 12
     for where, node in readers:

@@ -128,14 +128,14 @@ def test_the_problems_taken_are_the_better_ones(template: Path):
     read_one, goal = read_template(template), draws._Goal.of(read_template(template), "1")
     found = variants(read_one, roster("12"), "1")
     first = [next(draws._sample(read_one, f"other {k}")) for k in range(12)]
-    usual = [goal.always.told(goal.telling(one)).lost for one in first]
+    usual = [goal.always.told(goal.visibility(one)).lost for one in first]
     assert np.mean([one.told.lost for one in found]) < np.mean(usual)
 
 
 def test_no_answer_of_a_neighbour_is_right(template: Path):
     read_one = read_template(template)
     goal, problems = draws._Goal.of(read_one, "1"), [well_posed(v.mechanism) for v in variants(read_one, roster("12"), "1")]
-    for one, other in combinations([goal.telling(posed) for posed in problems if not isinstance(posed, str)], 2):
+    for one, other in combinations([goal.visibility(posed) for posed in problems if not isinstance(posed, str)], 2):
         assert np.any(np.abs(one.right - other.right) > np.minimum(one.tolerance, other.tolerance))
 
 

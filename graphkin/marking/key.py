@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, fields
 from functools import cached_property
 from typing import Literal
 
@@ -168,7 +168,7 @@ def columns(entries: Sequence[KeyEntry]) -> Columns:
 
 def columns_of(table: Columns, which: np.ndarray) -> Columns:
     """Some of the columns."""
-    return Columns(*(getattr(table, name)[which] for name in Columns.__match_args__))
+    return Columns(*(getattr(table, each.name)[which] for each in fields(Columns)))
 
 
 def upright(table: Columns, values: np.ndarray) -> np.ndarray:

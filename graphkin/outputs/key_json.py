@@ -6,6 +6,7 @@ import base64
 import json
 import math
 from collections.abc import Iterable, Mapping
+from dataclasses import fields
 from typing import Any, cast, get_args
 
 import numpy as np
@@ -52,7 +53,7 @@ def key_data(key: Key) -> Json:
         },
         "given": list(key.given),
         "quantities": [
-            {name: getattr(entry, name) for name in KeyEntry.__match_args__ if name != "doubt" or entry.doubt}
+            {each.name: getattr(entry, each.name) for each in fields(KeyEntry) if each.name != "doubt" or entry.doubt}
             for entry in key.entries
         ],
         "together": [[round(float(x), 6) for x in row] for row in key.together],

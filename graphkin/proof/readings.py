@@ -99,6 +99,7 @@ def mechanism_at(method: Method, values: Sequence[float]) -> Mechanism:
 
     Its text has the drivers' values, the poses and the sketch of there. Raises NotReached.
 
+    >>> import math
     >>> from graphkin import api
     >>> turned = mechanism_at(api.plan(api.load("ex3-1")), [math.radians(120)])
     >>> turned.drivers[0].value == math.radians(120), f"{turned.sketch['C'] * 1000:.4f}"
