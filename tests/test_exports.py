@@ -153,7 +153,7 @@ def test_a_file_of_another_is_kept(kind: str, tmp_path: Path):
     path = tmp_path / f"a{kind}"
     path.write_bytes(b"mine")
     done = CliRunner().invoke(main, ["draw", "ex3-1", "-o", str(path)])
-    assert done.exit_code == 3
+    assert done.exit_code == 3, done.output
     assert path.read_bytes() == b"mine"
     path.unlink()
     for _ in range(2):
@@ -164,6 +164,6 @@ def test_a_file_of_another_is_kept(kind: str, tmp_path: Path):
 def test_a_package_that_is_missing_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setitem(__import__("sys").modules, "ezdxf", None)
     done = CliRunner().invoke(main, ["draw", "ex3-1", "-o", str(tmp_path / "a.dxf")])
-    assert done.exit_code == 3
+    assert done.exit_code == 3, done.output
     assert "graphkin[dxf]" in done.output
     assert not list(tmp_path.iterdir())

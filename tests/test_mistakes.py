@@ -153,7 +153,7 @@ def hold_printed(found: float, digits: str):
 def test_every_mistake_is_in_the_table_or_beyond():
     beyond = {"centre-ratio", "centre-acceleration-zero", "arm-ignored", "relative-as-absolute", "slider-normal-term",
               "driver-acceleration-dropped", "other-assembly", "angle-clockwise", "conversion"}  # fmt: skip
-    assert {words[0] for _, words, _ in TABLE} | beyond == set(MISTAKES)
+    assert {words[0] for _, words, _ in TABLE} | beyond == set(MISTAKES), "a row of TABLE for each, or a test beyond it"
 
 
 # --- what cannot be told apart ------------------------------------------------------------------

@@ -10,6 +10,7 @@ import click
 import pytest
 
 from graphkin.cli import main
+from graphkin.outputs import drawings
 
 ROOT = Path(__file__).parent.parent
 TEXT = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -49,6 +50,13 @@ def test_commands_have_the_options_that_are_named(text: str) -> None:
             kind = known[option].type
             if choices and isinstance(kind, click.Choice):
                 assert set(choices.split("\\|")) <= set(kind.choices), f"{name} {option} {choices}"
+
+
+@pytest.mark.parametrize("text", [ENGLISH, CHINESE], ids=["en", "zh"])
+def test_every_format_is_named(text: str) -> None:
+    [row] = [line for line in text.splitlines() if line.startswith("| `graphkin draw ")]
+    for ending in drawings.WRITERS:
+        assert f"{ending}\\|" in row, f"the row of draw has no {ending}"
 
 
 def test_both_halves_have_the_same_commands_and_pictures() -> None:
