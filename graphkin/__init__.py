@@ -26,17 +26,17 @@ mechanism and its polygons, on complex numbers; `construction.drafting` is besid
 subject makes data and knows no language; say, sheet, outputs and homework read any subject's data.
 
 Where a new thing goes, and the test that guides it:
-- a pair kind: a file of `model/pairs` and its line in `PAIRS`; tests/test_pairs.py names every table that lacks it.
+- a pair kind: a file of `model/pairs` and its line in `PAIRS`; tests/model/test_pairs.py names tables that lack it.
 - a quantity: a class of `model/quantities/kinds` and its place in the union `Quantity`; mypy names every reader.
 - a step: a class of `construction/kinds` and its place in the union `Step`; mypy names every reader.
 - a mistake: a function under `@mistake(id, topic, section)` in the file of `marking/mistakes` for its subject; in
   `say/phrases/mistakes.py` the lines `mistakes.made ID` and `mistakes.kind ID` (and `look TOPIC` of a new topic); a row
-  of `TABLE` in tests/test_mistakes.py, with the numbers that a student gets. If it is common, `_COMMON` in
+  of `TABLE` in tests/marking/test_mistakes.py, with the numbers that a student gets. If it is common, `_COMMON` in
   `handouts/proofs.py`. `graphkin tolerance MECHANISM --power` tells how well it is found.
 - an output format: a file of `outputs`, with its writer in `WRITERS` of `outputs/drawings.py`: the commands offer what
-  stands there. README.md names the endings in the rows of `draw`; tests/test_exports.py, test_readme.py.
-- a phrase: a line of `say/phrases/SUBJECT.py`, both languages side by side; tests/test_catalogue.py.
-- an error: a class in a file of `errors`, raised as data; tests/test_catalogue.py.
+  stands there. README.md names the endings in the rows of `draw`; tests/outputs/test_exports.py, test_readme.py.
+- a phrase: a line of `say/phrases/SUBJECT.py`, both languages side by side; tests/say/test_catalogue.py.
+- an error: a class in a file of `errors`, raised as data; tests/say/test_catalogue.py.
 - a subject: a package of `studies` with a public face of one page; `say/phrases/SUBJECT.py` and a reader
   `say/SUBJECT.py`; `sheet/SUBJECT_sheet.py` where there is something to draw; a command in `cli` with its line in
   `COMMANDS`; its command lines, in both languages, in tests/golden.py. tests/test_order.py holds the house's laws.

@@ -18,7 +18,7 @@ How to add a phrase:
 2. Ask for it where the subject is read: `say("subject.key", lang, word=..)`; in a reading, `reading.say(..)`.
 3. A choice by data is a family, a word before what is open: `say(f"subject.kind {pair.kind}", lang)`.
 4. Figures come from `numbers`, names from `names`, signs between from `common`; data carries `meaning(..)`.
-5. `pytest tests/test_catalogue.py`: a phrase that nobody asks for fails, as does one that is asked for and not there.
+5. `pytest tests/say/test_catalogue.py`: a phrase that nobody uses fails, as does one that is not there.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ plain data which links it joins, which circles and lines touch, what rolls, and 
 Two roads that never meet read these data: `graphkin.planning` makes bodies and joints of a construction of them,
 `graphkin.analytic` terms of closed vector loops.
 
-How to add a pair kind; `tests/test_pairs.py` names the table in which it is still missing:
+How to add a pair kind; `tests/model/test_pairs.py` names the table in which it is still missing:
 
     here      a file with a frozen class on `Pair`, and its class in `PAIRS`
     files     its keys in `schema` (and `graphkin.schema.json`, by `json_schema_text`), its reader in `pairs.READERS`

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from designs import DESIGNS, rad
 
 import graphkin
 from graphkin import files as loading
@@ -24,7 +25,6 @@ from graphkin.studies.design import angle_pairs, coupler_positions, guide_bar, h
 from graphkin.studies.linkages import FourBar, SliderCrank, report
 
 RANDOM = np.random.default_rng(23)
-rad = math.radians
 WELL_POSED = rad(2)
 """Nearer to a change point, lengths do not tell angles to nine figures: an arc cosine near 1."""
 
@@ -459,23 +459,6 @@ def test_positions_of_any_kind_are_judged_told_and_written():
 
 # --- told, written ----------------------------------------------------------------------------------------
 
-DESIGNS = {
-    "rocker": rocker(0.080, rad(40), 1.3, frame=0.071),
-    "rocker free": rocker(0.080, rad(40), 1.3),
-    "rocker by crank": rocker(0.080, rad(40), 1.3, crank=0.02),
-    "rocker by coupler": rocker(0.080, rad(40), 1.3, coupler=0.09),
-    "rocker by AC1": rocker(0.080, rad(40), 1.3, ac1=0.11),
-    "rocker by gamma": rocker(0.080, rad(40), 1.3, gamma_min=rad(35)),
-    "slider": slider(0.040, 1.2, offset=0.015),
-    "slider below": slider(0.040, 1.2, offset=-0.015),
-    "slider by rod": slider(0.040, 1.2, rod=0.05),
-    "guide bar": guide_bar(1.5, frame=0.1),
-    "guide bar by crank": guide_bar(1.5, crank=0.03),
-    "two positions": coupler_positions(hinges([0.02j, 0.03 + 0.03j], [0.2, 0.9], 0.05)),
-    "three positions": coupler_positions(hinges([0.02j, 0.01 + 0.025j, 0.025 + 0.022j], [0.2, 0.1, -0.2], 0.05)),
-    "pairs": angle_pairs([(rad(p), rad(q)) for p, q in ((40, 60), (70, 75), (110, 100))], 0.1),
-    "inversion": angle_pairs([(rad(p), rad(q)) for p, q in ((40, 60), (70, 75), (110, 100))], 0.1, crank=0.03),
-}
 
 
 @pytest.mark.parametrize("name", DESIGNS)

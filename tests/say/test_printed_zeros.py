@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 import rolling_machines
 from click.testing import CliRunner
-from test_mistakes_everywhere import REPEATING, from_text, repeated
+from every_family import REPEATING, from_text, repeated
 
 from graphkin.cli import main as graphkin
 from graphkin.files import library

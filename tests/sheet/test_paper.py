@@ -23,7 +23,7 @@ from graphkin.sheet.marks import Text
 
 SVG = "{http://www.w3.org/2000/svg}"
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
-FIGURES_OF_ALL = Path(__file__).parent.parent / "figures"
+FIGURES_OF_ALL = Path(__file__).parents[2] / "figures"
 FIGURES = ("mechanism", "velocity", "acceleration")
 THIN = ("p3-6b",)
 """All its points on one line, its velocities on another: it has length alone to fill a paper with."""

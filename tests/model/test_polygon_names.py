@@ -15,7 +15,7 @@ from graphkin.planning import Method, plan
 from graphkin.say import names
 from graphkin.sheet.lettering import point_label
 
-CASES = Path(__file__).parent / "cases"
+CASES = Path(__file__).parents[1] / "cases"
 LETTERS = str.maketrans("ABCE", "TKNM")
 """Letters of tips: t, k, n, and m where a point is called N."""
 

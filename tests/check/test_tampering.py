@@ -17,7 +17,7 @@ from xml.sax.saxutils import escape, unescape
 
 import book
 import pytest
-from test_read_back import FAMILIES, drawn, make, read_back, wrong
+from reading_back import FAMILIES, drawn, make, read_back, wrong
 
 from graphkin import Drawing
 from graphkin.base.plain import seal

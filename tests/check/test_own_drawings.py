@@ -12,10 +12,10 @@ from pathlib import Path
 
 import pytest
 import repeating
+from designs import DESIGNS
 from own_drawings import COMMANDS, drawings
+from reading_back import FAMILIES, make, wrong
 from renamed import renamed
-from test_design import DESIGNS
-from test_read_back import FAMILIES, make, wrong
 
 from graphkin import Drawing
 from graphkin.analytic import motion

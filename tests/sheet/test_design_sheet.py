@@ -5,7 +5,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from test_design import DESIGNS, rad
+from designs import DESIGNS, rad
 
 import graphkin
 from graphkin import files as loading

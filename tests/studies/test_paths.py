@@ -109,7 +109,7 @@ def test_a_ruler_measures_the_path(name: str, point: str, tmp_path: Path) -> Non
 @pytest.mark.parametrize(("case", "point"), [("pin-that-runs-off", "P"), ("disc-with-a-rod", "A")])
 def test_a_path_without_an_end_is_drawn_as_far_as_the_mechanism_is_seen(case: str, point: str, tmp_path: Path) -> None:
     """The pin runs off to infinity, the disc rolls on for ever; a ruler does not miss what no sheet has room for."""
-    drawing = graphkin.Drawing.of(graphkin.load(Path(__file__).parent / "cases" / f"{case}.toml"))
+    drawing = graphkin.Drawing.of(graphkin.load(Path(__file__).parents[1] / "cases" / f"{case}.toml"))
     places = point_path(drawing.method, point).places
     assert 0.5 < np.ptp(places.real) < 6
     (tmp_path / "a.svg").write_text(svg(drawing.sheet(paths=[point], only="position")), encoding="utf-8")
@@ -118,7 +118,7 @@ def test_a_path_without_an_end_is_drawn_as_far_as_the_mechanism_is_seen(case: st
 
 def test_how_far_a_slide_goes_does_not_hang_on_the_origin() -> None:
     """Coordinates of a machine hall: the disc still rolls as far as its links are long."""
-    disc = graphkin.load(Path(__file__).parent / "cases" / "disc-with-a-rod.toml")
+    disc = graphkin.load(Path(__file__).parents[1] / "cases" / "disc-with-a-rod.toml")
     away = disc.with_({"sketch.A": (1e6 + 20, 140 - 2e6)}, Q=(1e6, -2e6), B=(1e6 + 250, -2e6))
     near, far = (graphkin.sweep(each, (), "omega AB") for each in (disc, away))
     assert np.array_equal(near.driven, far.driven)

@@ -29,7 +29,7 @@ from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import owner
 from graphkin.submissions.svg import read_svg
 
-CASES = Path(__file__).parent / "cases" / "submissions"
+CASES = Path(__file__).parents[1] / "cases" / "submissions"
 DRAWING = api.Drawing.of(book.example())
 USUAL = Limits()
 EVERY = {"v B2", "v B3", "v B3B2", "a B2", "a_n B3D", "a_t B3D", "a_k B3B2", "a_r B3B2", "a B3"}

@@ -10,7 +10,7 @@ import pytest
 import graphkin
 from graphkin.results import results
 
-WRITTEN = Path(__file__).parent / "cases" / "written"
+WRITTEN = Path(__file__).parents[1] / "cases" / "written"
 SIXTH = math.radians(30)
 EXPECTED = {
     "scotch-yoke": {"v C": -0.05 * 10 * math.sin(SIXTH), "a C": -0.05 * 100 * math.cos(SIXTH)},

@@ -39,7 +39,7 @@ from graphkin.say.numbers import number
 from graphkin.say.problem_data import problem_data
 from graphkin.say.reading import Reading
 
-WRITTEN = sorted((Path(__file__).parent / "cases" / "written").glob("*.toml"))
+WRITTEN = sorted((Path(__file__).parents[1] / "cases" / "written").glob("*.toml"))
 FAMILIES: tuple[Callable[[int], Mechanism], ...] = (
     cam, chain, circular_slot, cylinder, epicyclic, geared_five_bar, rolling, triad
 )  # fmt: skip

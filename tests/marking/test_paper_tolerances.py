@@ -10,8 +10,8 @@ from functools import cache
 
 import numpy as np
 import pytest
+from every_family import FAMILIES
 from large_mechanisms import triads
-from test_mistakes_everywhere import FAMILIES
 
 from graphkin.analytic import motion
 from graphkin.construction import Plot, replay

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
+from template_text import TEXT
 
 from graphkin import api
 from graphkin import files as loading
@@ -24,45 +25,6 @@ from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say.problems import problem
 from graphkin.submissions import ReadableProblem, read
-
-TEXT = """# a comment with AB = { from = 1, to = 2 } in it
-title  = { en = "Four-bar # with a slide", zh = "含移动副的四杆机构" }
-ask    = ["omega 3", "alpha 3", "a_k B3B2"]   # { from = 1, to = 2 }
-
-[points]
-"omega 3" = 2
-"alpha 3" = 3
-
-[frame]
-name = "4"
-A = [0, 0]
-D = [{ from = 74, to = 84, step = 0.5 }, 0]
-
-[links.1]
-AB = { from = 20, to = 28, step = 1 }   # crank
-
-[links.2]
-points = ["B"]
-
-[links.3]
-DC = 48
-
-[[slide]]
-block = "2"
-point = "B"
-guide = "3"
-through = "C"
-from = "DC"
-angle = 100
-
-[[driver]]
-vector = "AB"
-angle = { from = 30, to = 150, step = 5 }
-omega = { from = "60 rpm", to = "120 rpm", step = "10 rpm" }
-
-[sketch]
-C = [65, 46]
-"""
 
 
 @pytest.fixture

@@ -14,8 +14,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from programs import COUNT, MAKERS, alike_on_its_way, around, hold_alike, plainly, random_tape, records
 from random_mechanisms import cylinder, rolling
-from test_compiled import COUNT, MAKERS, alike_on_its_way, around, hold_alike, plainly, random_tape, records
 
 import graphkin
 from graphkin.errors import GraphkinError

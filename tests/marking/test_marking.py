@@ -25,7 +25,7 @@ from graphkin.marking.tolerances import Drawings, drawings_of, spread, tolerance
 from graphkin.model.quantities import named
 from graphkin.outputs.key_json import key_data, key_of, key_text
 
-CASES = Path(__file__).parent / "cases"
+CASES = Path(__file__).parents[1] / "cases"
 
 
 @cache

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
-from test_problems import TEXT
+from template_text import TEXT
 
 from graphkin import api
 from graphkin import files as loading

@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import os
-import random
 import warnings
-from collections.abc import Callable, Iterator
-from functools import partial
+from collections.abc import Iterator
 
 import numpy as np
 import pytest
-import random_mechanisms
-import repeating
-import rolling_machines
+from every_family import FAMILIES
 
 from graphkin.construction import Plot
 from graphkin.errors import DeadPoint
-from graphkin.files import library, loads
+from graphkin.files import library
 from graphkin.marking import MISTAKES, Consequences, combined, consequences, redraw
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import Quantity, read
@@ -27,28 +23,8 @@ from graphkin.say.phrases.mistakes import PHRASES
 COUNT = max(1, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 400)
 """Random mechanisms of each family; more of them with GRAPHKIN_RANDOM=8000 in the environment."""
 
-Make = Callable[[int], Mechanism]
-OTHERS = ("cylinder", "relative_angle", "coupler_angle", "chain", "triad", "six_bar", "geared_five_bar", "epicyclic",
-          "rolling", "cam")  # fmt: skip
-REPEATING = ("table_on_guides", "wheel_between_plates", "wheel_between_racks", "wheel_on_belt", "carriage",
-             "cardan_wheel", "twin_cams", "breadth_cam", "planets", "cranks", "trammel")  # fmt: skip
 
 
-def from_text(write: Callable[[int], str], seed: int) -> Mechanism:
-    return loads(write(seed), name="file", file="file.toml")
-
-
-def repeated(name: str, seed: int) -> str:
-    text: str = getattr(repeating, name)(random.Random(seed), 0.0)
-    return text
-
-
-FAMILIES: dict[str, Make] = {
-    **{kind: partial(random_mechanisms.dyad, kind) for kind in random_mechanisms.DYADS},
-    **{name: getattr(random_mechanisms, name) for name in OTHERS},
-    **{name: partial(from_text, family) for name, family in rolling_machines.FAMILIES.items()},
-    **{name: partial(from_text, partial(repeated, name)) for name in REPEATING},
-}
 
 
 def everything(mechanism: Mechanism) -> list[Quantity]:
