@@ -79,10 +79,8 @@ def _plain(text: str) -> str:
 
 def steers(letter: str) -> bool:
     """True of a character that steers a screen or a printer instead of showing something, or may stand in no text.
-
     Controls, lone halves of characters, ends of lines and paragraphs, marks that turn the direction of reading, and
-    what Unicode calls noncharacters. Letters too new for this Python are not among them.
-    """
+    what Unicode calls noncharacters. Letters too new for this Python are not among them."""
     if letter.isprintable():
         return False
     number = ord(letter)

@@ -15,8 +15,7 @@ Vector = tuple[str, str]
 def read_drivers(draft: Draft, tables: Sequence[DriverTable], poses: int) -> tuple[Driver, ...]:
     """The drivers; as many may leave their value out as there are poses."""
     drivers: list[Driver] = []
-    freedoms: set[tuple[str, str]] = set()
-    """A slide's displacement, or the turning of one link against another."""
+    freedoms: set[tuple[str, str]] = set()  # A slide's displacement, or the turning of one link against another
     for number, table in enumerate(tables):
         with draft.noting():
             driver = _driver(draft, table, ("driver", number))
@@ -43,9 +42,25 @@ def read_poses(draft: Draft, tables: Sequence[PoseTable]) -> tuple[Pose, ...]:
 def _driver(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
     match _only(draft, {"vector": table.vector, "link": table.link, "slide": table.slide}, path):
         case "vector":
-            return _vector_driver(draft, table, path)
+            link, vector, from_link = _turning(draft, table, path)
+            length = abs(draft.links[link].arm(*vector))
+            rates = (("omega", table.omega, "velocity", table.velocity),
+                     ("alpha", table.alpha, "acceleration", table.acceleration))  # fmt: skip
+            for key, turning, other, tip in rates:
+                if turning is not None and tip is not None:
+                    raise errors.KeyClash(draft.where(*path, other), key, other)
+            rate, acceleration = (turning or (tip or 0.0) / length for _, turning, _, tip in rates)
+            also = tuple(table.also)
+            return Driver("angle", link, vector, from_link, table.from_, table.angle, rate, acceleration, also)
         case "link":
-            return _spin(draft, table, path)
+            # a wheel whose own direction does not matter
+            assert table.link is not None
+            others = {"angle": table.angle, "from": table.from_, "at": table.at, "also": table.also or None}
+            _refuse(draft, others | {"velocity": table.velocity, "acceleration": table.acceleration}, "spin", path)
+            link = draft.link(table.link, *path, "link")
+            if link == FRAME:
+                raise errors.DrivenFrame(draft.where(*path, "link"), table.link)
+            return Driver("spin", link, rate=table.omega or 0.0, acceleration=table.alpha or 0.0)
         case _:
             _refuse(draft, {"omega": table.omega, "alpha": table.alpha}, "slide", path)
             rate, acceleration = table.velocity or 0.0, table.acceleration or 0.0
@@ -61,19 +76,6 @@ def _only(draft: Draft, subjects: Mapping[str, object], path: KeyPath) -> str:
     if len(stated) > 1:
         raise errors.KeyClash(draft.where(*path, stated[1]), stated[0], stated[1])
     return stated[0]
-
-
-def _vector_driver(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
-    link, vector, from_link = _turning(draft, table, path)
-    length = abs(draft.links[link].arm(*vector))
-    rates = (("omega", table.omega, "velocity", table.velocity),
-             ("alpha", table.alpha, "acceleration", table.acceleration))  # fmt: skip
-    for key, turning, other, tip in rates:
-        if turning is not None and tip is not None:
-            raise errors.KeyClash(draft.where(*path, other), key, other)
-    rate, acceleration = (turning or (tip or 0.0) / length for _, turning, _, tip in rates)
-    also = tuple(table.also)
-    return Driver("angle", link, vector, from_link, table.from_, table.angle, rate, acceleration, also)
 
 
 def _turning(draft: Draft, table: PoseTable, path: KeyPath) -> tuple[str, Vector, str]:
@@ -101,17 +103,6 @@ def _owners(draft: Draft, vector: Vector, path: KeyPath) -> list[str]:
         arms = ("".join(draft.named(link)[:2]) for link in draft.links if len(draft.named(link)) > 1)
         raise errors.NoVector(draft.where(*path), "".join(vector), tuple(arms))
     return owners
-
-
-def _spin(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
-    """A wheel whose own direction does not matter."""
-    assert table.link is not None
-    others = {"angle": table.angle, "from": table.from_, "at": table.at, "also": table.also or None}
-    _refuse(draft, others | {"velocity": table.velocity, "acceleration": table.acceleration}, "spin", path)
-    link = draft.link(table.link, *path, "link")
-    if link == FRAME:
-        raise errors.DrivenFrame(draft.where(*path, "link"), table.link)
-    return Driver("spin", link, rate=table.omega or 0.0, acceleration=table.alpha or 0.0)
 
 
 def _slide(draft: Draft, table: PoseTable, path: KeyPath) -> str:

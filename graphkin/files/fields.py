@@ -215,7 +215,16 @@ def table(cls: type[_T]) -> type[_T]:
     cls.__doc__ = cls.__doc__ or f"`{cls.__name__}`"
     made = frozen(cls)
     rest = next((each for each in _fields(made) if "further" in each.metadata), None)
-    _KINDS[made] = FieldKind(_checking(made, rest), _object(made, rest))
+    json: Schema = {
+        "type": "object",
+        "additionalProperties": False,
+        "properties": {name: each.metadata["kind"].json for name, each in keys(made).items()},
+    }
+    if required := [name for name, each in keys(made).items() if _required(each)]:
+        json["required"] = required
+    if rest is not None:
+        json["patternProperties"] = {rest.metadata["pattern"]: rest.metadata["further"].json}
+    _KINDS[made] = FieldKind(_checking(made, rest), json)
     return cls
 
 
@@ -289,16 +298,3 @@ def _checking(cls: type, rest: Field[object] | None) -> Schema:
     }  # fmt: skip
     checked = {"type": "typed-dict", "fields": named, **others}
     return {"type": "function-after", "function": {"type": "no-info", "function": make}, "schema": checked}
-
-
-def _object(cls: type, rest: Field[object] | None) -> Schema:
-    json: Schema = {
-        "type": "object",
-        "additionalProperties": False,
-        "properties": {name: each.metadata["kind"].json for name, each in keys(cls).items()},
-    }
-    if required := [name for name, each in keys(cls).items() if _required(each)]:
-        json["required"] = required
-    if rest is not None:
-        json["patternProperties"] = {rest.metadata["pattern"]: rest.metadata["further"].json}
-    return json

@@ -29,9 +29,6 @@ def read_pairs(draft: Draft, file: File) -> tuple[Pair, ...]:
     return tuple(pairs)
 
 
-# --- slides -----------------------------------------------------------------------------------
-
-
 def _slide(draft: Draft, table: SlideTable, path: KeyPath, before: Sequence[Pair]) -> Slide | CircularSlot:
     """A block or a pin on a line, or a pin on a circle if any key of a circle is there."""
     on_circle = table.centre is not None or table.radius is not None
@@ -78,7 +75,15 @@ def _straight(draft: Draft, table: SlideTable, before: Sequence[Pair], path: Key
         block, point, tilt = None, _pin(draft, table, table.pin, guide, path), 0.0
     else:
         block, point = _block(draft, table, guide, path)
-        tilt = _tilt(draft, table, block, before, path)
+        # angle from the line to the block's own direction. A block of one point takes its direction from its first
+        # slide's line; in a second slide, as the frame and a block of more points, it has one already
+        slid_before = any(isinstance(pair, Slide) and pair.block == block for pair in before)
+        has_direction = block == FRAME or len(draft.links[block].points) > 1 or slid_before
+        if has_direction and table.tilt is None:
+            raise errors.NeedsTilt(draft.where(*path), block)
+        if table.tilt and not has_direction:
+            raise errors.NoMeaning(draft.where(*path, "tilt"), "tilt", "tilt")
+        tilt = table.tilt or 0.0
     line = read_line(draft, table, guide, f"s{path[1]}", path)
     return Slide(name, table.name is not None, line, point, block, tilt)
 
@@ -111,21 +116,6 @@ def _block(draft: Draft, table: SlideTable, guide: str, path: KeyPath) -> tuple[
     if shared:
         raise errors.RigidlyJoined(draft.where(*path), guide, block, shared)
     return block, point
-
-
-def _tilt(draft: Draft, table: SlideTable, block: str, before: Sequence[Pair], path: KeyPath) -> float:
-    """Angle from the line to the block's own direction. A block of one point takes its direction from its
-    first slide's line; in a second slide, as the frame and a block of more points, it has one already."""
-    slid_before = any(isinstance(pair, Slide) and pair.block == block for pair in before)
-    has_direction = block == FRAME or len(draft.links[block].points) > 1 or slid_before
-    if has_direction and table.tilt is None:
-        raise errors.NeedsTilt(draft.where(*path), block)
-    if table.tilt and not has_direction:
-        raise errors.NoMeaning(draft.where(*path, "tilt"), "tilt", "tilt")
-    return table.tilt or 0.0
-
-
-# --- pairs whose links touch ------------------------------------------------------------------
 
 
 def _two_links(draft: Draft, names: Sequence[str], path: KeyPath) -> tuple[str, str]:

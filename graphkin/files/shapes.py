@@ -162,10 +162,8 @@ class _LayoutSearch:
         self.stuck: tuple[str, ...] = ()
 
     def first_two(self) -> list[Places]:
-        """Two layouts if there are so many, none if `ccw` forbids all.
-
-        Raises if the measures are too few or contradict each other.
-        """
+        """Two layouts if there are so many, none if `ccw` forbids all. Raises if the measures are too few or contradict
+        each other."""
         starts = [measure for measure in self.shape.measures if isinstance(measure, Length)]
         for start in starts:
             first, second = start.points
@@ -185,24 +183,20 @@ class _LayoutSearch:
         if not missing:
             yield placed
             return
-        choice = self._clearest(missing, placed)
+        # the point with the fewest places, the first that has one only; None if the measures fix no point yet
+        choice: tuple[str, list[complex]] | None = None
+        for point in missing:
+            places = self._candidates(point, placed)
+            if places is not None and (choice is None or len(places) < len(choice[1])):
+                choice = point, places
+            if choice is not None and len(choice[1]) < 2:
+                break
         if choice is None or self.trials > MOST_TRIALS:
             self.stuck = min(self.stuck or missing, missing, key=len)
             return
         point, places = choice
         for place in places:
             yield from self._complete({**placed, point: place})
-
-    def _clearest(self, missing: Sequence[str], placed: Places) -> tuple[str, list[complex]] | None:
-        """The point with the fewest places, the first that has one only; None if the measures fix no point yet."""
-        best: tuple[str, list[complex]] | None = None
-        for point in missing:
-            places = self._candidates(point, placed)
-            if places is not None and (best is None or len(places) < len(best[1])):
-                best = point, places
-            if best is not None and len(best[1]) < 2:
-                break
-        return best
 
     def _candidates(self, point: str, placed: Places) -> list[complex] | None:
         """The places at which the point can lie; None while fewer than two measures fix it."""

@@ -15,8 +15,6 @@ from graphkin import errors
 from graphkin.errors import NOWHERE
 from graphkin.model.mechanism import Dimension
 
-# --- names ------------------------------------------------------------------------------------
-
 _POINT = r"[A-Z][0-9]*'*"
 POINT = re.compile(_POINT)
 LINK = re.compile(r"[\w']+")
@@ -60,8 +58,6 @@ def _letters(name: str) -> int:
 
     return sum(2 if unicodedata.east_asian_width(letter) in "WF" else 1 for letter in name)
 
-
-# --- quantities -------------------------------------------------------------------------------
 
 _LENGTH = {"mm": (1, 1000), "cm": (1, 100), "m": (1, 1), "in": (254, 10000), "ft": (3048, 10000)}
 _TURN = {"rad/s": (1, 1), "deg/s": (math.pi, 180), "°/s": (math.pi, 180), "rev/s": (2 * math.pi, 1)}
@@ -152,9 +148,6 @@ def scale_value(value: object) -> float:
     if value > LARGEST:
         raise errors.OutOfRange(NOWHERE, shown_value(value))
     return float(value)
-
-
-# --- in messages ------------------------------------------------------------------------------
 
 
 def shown_value(value: object) -> str:

@@ -45,10 +45,8 @@ def _without_numbers(pair: Pair) -> tuple[object, ...]:
 
 
 def coincidences(mechanism: Mechanism) -> NDArray[np.int8]:
-    """Coincidences of the numbers, as far as the steps hang on them: (k,), or (k, b) of mechanisms side by side.
-
-    Points of a link that lie in one place (0) or nearly so (1), and lines that are their links' own axes.
-    """
+    """Coincidences of the numbers, as far as the steps hang on them: (k,), or (k, b) of mechanisms side by side. Points
+    of a link that lie in one place (0) or nearly so (1), and lines that are their links' own axes."""
     rows: list[Array] = [np.equal(slide.line.direction, 1) for slide in mechanism.slides]
     for link in mechanism.links.values():
         points: list[Value] = [*link.points.values()]

@@ -104,14 +104,9 @@ def value_of(plot: Plot, fixes: Driver | Pose) -> Real:
     return wrapped(value - (phase(plot.arm(*fixes.from_vector)) if fixes.from_vector is not None else 0.0))
 
 
-# --- placing ----------------------------------------------------------------------------------
-
-
 def placement(mechanism: Mechanism, lower: Mechanism, repeats: Sequence[SetAside]) -> DrawnPlacement:
-    """All that is given taken together; where that does not do, without poses that the rest gives as well.
-
-    Those must say the same as the position that comes out.
-    """
+    """All that is given taken together; where that does not do, without poses that the rest gives as well. Those must
+    say the same as the position that comes out."""
     given, refusal, first = _given(mechanism), None, None
     poses = [each for each in reversed(given) if each.posed]  # left out the last first, then two of them, ..
     leaving = (left for count in range(len(poses) + 1) for left in combinations(poses, count))
@@ -206,9 +201,6 @@ def _shows_nothing(mechanism: Mechanism, structure: Topology, body: str) -> bool
     wheels |= {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
     hinges = list(structure.joints(body))
     return body in wheels and len(hinges) < 2 and len(set(structure.shapes[body].values())) == 1
-
-
-# --- drawn so ---------------------------------------------------------------------------------
 
 
 def by_pose(method: Method, plot: Plot) -> tuple[Method, Plot] | None:

@@ -51,11 +51,9 @@ Hop = LinkArm | Slip | Twist
 
 
 def halves(structure: Topology, loop: Loop) -> tuple[Site, tuple[Hop, ...], Site, tuple[Hop, ...]]:
-    """Both sides of the loop's equation: each a known site and the hops from it outward to the site sought.
-
-    They meet between the unknown hops, so that each side ends in one; a driven sliding between them stands on the side
-    from which the block is seen from its guide.
-    """
+    """Both sides of the loop's equation: each a known site and the hops from it outward to the site sought. They meet
+    between the unknown hops, so that each side ends in one; a driven sliding between them stands on the side from which
+    the block is seen from its guide."""
     start, hops, end = way_round(structure, loop)
     first, middle = (k for k, hop in enumerate(hops) if not hop.known)
     for k, hop in enumerate(hops[first:middle], first):

@@ -126,9 +126,6 @@ class Method:
         return facts_of(self.structure, values, self.drawn)
 
 
-# --- acts of the pencil -----------------------------------------------------------------------
-
-
 @frozen
 class Act:
     """Steps that the pencil does in one go.
@@ -161,10 +158,8 @@ def acts(constructions: Iterable[Construction], unnamed: Collection[str]) -> tup
 
 
 def _groups(construction: Construction, unnamed: Collection[str]) -> Iterator[tuple[tuple[Step, ...], Step]]:
-    """Steps that go together, each group with the one that finishes it.
-
-    A point that nobody named, as where a guide's line begins, is there with what it belongs to.
-    """
+    """Steps that go together, each group with the one that finishes it. A point that nobody named, as where a guide's
+    line begins, is there with what it belongs to."""
     groups: list[tuple[list[Step], Step]] = []
     begun: list[Step] = []
     for step in construction.steps:
@@ -207,9 +202,6 @@ def made(step: Step) -> tuple[str, ...]:
             return ()
         case _:
             assert_never(step)
-
-
-# --- in which act -----------------------------------------------------------------------------
 
 
 @kept(8)

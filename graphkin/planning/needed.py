@@ -82,8 +82,6 @@ class PartsReader:
     def plane(self) -> Plane:
         return self.construction.plane
 
-    # --- what a part gives ------------------------------------------------------------------------
-
     def gives(self, part: Part) -> Iterator[Fact]:
         if isinstance(part, Equation):
             for step in part.steps:
@@ -114,8 +112,6 @@ class PartsReader:
         turns, slips = QUANTITIES[self.plane]
         yield from (turning(self.method, turns, link) for link in angles)
         yield from ((slips, slide) for slide in slides)
-
-    # --- what it needs ----------------------------------------------------------------------------
 
     def needs(self, part: Part) -> Iterator[Fact]:
         """The facts that a part starts from, and does not give itself."""

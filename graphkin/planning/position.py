@@ -67,17 +67,6 @@ def _end(structure: Topology, joint: Joint, body: str) -> str:
     return joint.point if isinstance(joint, Hinge) else structure.slide_point(joint.slide, body)
 
 
-def _runs(stretches: list[Stretch], known: set[str]) -> list[list[Stretch]]:
-    """Stretches of one unknown group together; those whose direction is known one by one."""
-    runs: list[list[Stretch]] = []
-    for stretch in stretches:
-        if runs and stretch.base not in known and runs[-1][0].base == stretch.base:
-            runs[-1].append(stretch)
-        else:
-            runs.append([stretch])
-    return runs
-
-
 def _span(stretches: Sequence[Stretch]) -> terms.Span:
     return terms.Span(tuple(stretch.part for stretch in stretches))
 
@@ -124,7 +113,11 @@ def position(structure: Topology, order: tuple[Stage, ...]) -> tuple[Constructio
             case Carry(body):
                 drawing.fill(body)
             case Bridge():
-                drawing.bridge(stage)
+                tail, head = stage.points
+                span = terms.Span((terms.Arm(stage.body, tail, head),))
+                drawing.parts.append(kinds.Measure("theta", stage.body, tail, head, span=span))
+                drawing.angles.add(drawing.structure.base(stage.body))
+                drawing.fill(stage.body)
             case Mesh():
                 drawing.mesh(stage)
                 fitted.add(stage.slide)
@@ -167,16 +160,15 @@ class _PositionDrawing:
 
     # --- stages -------------------------------------------------------------------------------
 
-    def bridge(self, stage: Bridge) -> None:
-        tail, head = stage.points
-        span = terms.Span((terms.Arm(stage.body, tail, head),))
-        self.parts.append(kinds.Measure("theta", stage.body, tail, head, span=span))
-        self.angles.add(self.structure.base(stage.body))
-        self.fill(stage.body)
-
     def loop(self, stage: Loop) -> None:
         stretches = _stretches(self.structure, stage)
-        runs = _runs(stretches, self.angles)
+        # stretches of one unknown group together; those whose direction is known one by one
+        runs: list[list[Stretch]] = []
+        for stretch in stretches:
+            if runs and stretch.base not in self.angles and runs[-1][0].base == stretch.base:
+                runs[-1].append(stretch)
+            else:
+                runs.append([stretch])
         if any(
             isinstance(one.part, terms.Slid) and one.part.slide in stage.slides and one.base in stage.angles
             for one in stretches
@@ -293,10 +285,8 @@ class _PositionDrawing:
 
 
 def touching(structure: Topology) -> Iterator[tuple[str, Contact]]:
-    """Each rolling contact with a letter of its own: K, L, .., K', L', .. or what the mechanism leaves free.
-
-    Not N, whose images would be lettered as normal tips are, nor K where there may be a Coriolis tip k'.
-    """
+    """Each rolling contact with a letter of its own: K, L, .., K', L', .. or what the mechanism leaves free. Not N,
+    whose images would be lettered as normal tips are, nor K where there may be a Coriolis tip k'."""
     sliding = any(slide.guide != FRAME for slide in structure.slides.values())
     every = (letter + "'" * primes for primes in count() for letter in "KLMQRHJVWXYZ"[sliding:])
     letters = (letter for letter in every if letter not in structure.owners)

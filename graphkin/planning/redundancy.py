@@ -33,10 +33,8 @@ _RIGID = 0.2  # the same where the pairs let nothing move: then it is no driver 
 
 
 def redundant_constraints(mechanism: Mechanism, structure: Topology) -> tuple[SetAside, ...]:
-    """The constraints that repeat others, in the order in which they are set aside.
-
-    Raises NotRepeated for a constraint that comes close to repeating others, but contradicts them.
-    """
+    """The constraints that repeat others, in the order in which they are set aside. Raises NotRepeated for a constraint
+    that comes close to repeating others, but contradicts them."""
     if structure.surplus <= 0:
         return ()
     given = [driver for driver in mechanism.drivers if driver.value is not None and driver.kind != "spin"]
@@ -79,9 +77,6 @@ def still_redundant(structure: Topology, redundant: Sequence[SetAside]) -> tuple
     return over(restraints.rows(restraints.drawn_place()[0]), redundant)
 
 
-# --- candidates -------------------------------------------------------------------------------
-
-
 @frozen
 class PairEquations:
     """The pairs of a mechanism, in file and structure; `labels` are the equations there are."""
@@ -91,10 +86,8 @@ class PairEquations:
     labels: frozenset[ConstraintRow]
 
     def all(self) -> list[SetAside]:
-        """Links on hinges, whole pairs, parts of pairs; the last in the file first, what is asked for at the end.
-
-        Those that drivers and poses need may not go.
-        """
+        """Links on hinges, whole pairs, parts of pairs; the last in the file first, what is asked for at the end. Those
+        that drivers and poses need may not go."""
         wholes, lines, slips, angles = (list[SetAside]() for _ in range(4))
         m = self.mechanism
         needed = {driver.link for driver in m.drivers if driver.kind == "slide"}
@@ -159,9 +152,6 @@ class PairEquations:
         rows = [row for row, share in zip(kept.labels, shares, strict=True) if np.max(np.abs(share)) > RANK]
         pairs = dict.fromkeys(self.pair_of(row) for row in rows if row.kind != "given")
         return [pair for pair in pairs if pair[0] not in ("hinge", "links")] or list(pairs)
-
-
-# --- contradictions ---------------------------------------------------------------------------
 
 
 @frozen

@@ -190,9 +190,7 @@ class _ContinuationWalk:
 
     def _going_on(self, nodes: Nodes) -> tuple[int, np.ndarray]:
         """The number of positions that go on smoothly, each from those before it, until a crossing is about to be flat.
-
-        Also how far each is off, as part of what it may be (k,).
-        """
+        Also how far each is off, as part of what it may be (k,)."""
         before = self.nodes[-2:]
         chain = before.and_then(nodes)
         here, last = chain[len(before) :], chain[len(before) - 1 : -1]

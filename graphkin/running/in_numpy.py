@@ -85,8 +85,6 @@ _OWN: dict[str, Callable[..., object]] = {
 """NumPy takes what these give by name only."""
 
 
-# --- memory -----------------------------------------------------------------------------------
-
 LEAST, MOST = 2**15, 2**23
 """Numbers in what is lent, and kept, at the least and at most: from a quarter of a MiB to 64."""
 KEPT = 3  # pieces that are kept at most: results of a program, its registers, and what results are put together in

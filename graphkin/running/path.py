@@ -134,9 +134,6 @@ def by_slide_key(displacements: Mapping[str, Real]) -> dict[str, Real]:
     return {slide_key(slide): value for slide, value in displacements.items()}
 
 
-# --- positions found on a path ----------------------------------------------------------------
-
-
 @frozen
 class Nodes:
     """Positions in the order in which they were found.

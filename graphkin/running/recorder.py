@@ -184,10 +184,8 @@ class Recording:
 
 def record(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> Recording:
     """Replay position, velocity and acceleration once, for all values of the drivers and all sides of the crossings.
-
     The drivers' rates and accelerations are numbers: what stands still costs nothing. `near` names what a position
-    close by has. Raises CannotRecord.
-    """
+    close by has. Raises CannotRecord."""
     tape, inputs, read, fits = Tape(), list[int](), list[str](), list[Quantity]()
 
     def one_more() -> Real:
@@ -302,11 +300,9 @@ def _closure(closure: kinds.Closure, plot: Plot) -> Row:
 
 
 def solved(rows: Sequence[Row], units: Mapping[str, float]) -> list[Value]:
-    """x, in units, of which each row's coefficients times x give what the row knows.
-
-    Rows are turned in pairs, each time so that a coefficient becomes 0: nothing grows, and none has to be chosen by its
-    size, which a tape does not know.
-    """
+    """x, in units, of which each row's coefficients times x give what the row knows. Rows are turned in pairs, each
+    time so that a coefficient becomes 0: nothing grows, and none has to be chosen by its size, which a tape does not
+    know."""
     if len(rows) != len(units):
         raise CannotRecord("more equations than unknowns")
     lines = [[*(of.get(name, 0.0) * unit for name, unit in units.items()), known] for known, of in rows]

@@ -266,8 +266,7 @@ class Results:
     asked: set[Entry] | None = None
 
     def __post_init__(self) -> None:
-        self.judged: dict[str, tuple[Value, Value]] = {}
-        """Senses and sines of groups that are fitted."""
+        self.judged: dict[str, tuple[Value, Value]] = {}  # senses and sines of groups that are fitted
         self.rows, doubtful = self.part.run(self.inputs, self.compiled)
         self.plain = [(here, self.program.plainly(self.facts, self.inputs, here)) for here in doubtful]
 

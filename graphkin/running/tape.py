@@ -89,8 +89,6 @@ class Tape:
         operation = self.operations[place]
         return operation.of if operation.does == does else ()
 
-    # --- sums and products ------------------------------------------------------------------------
-
     def add(self, a: int, b: int) -> int:
         for one, other in ((a, b), (b, a)):
             if one == self.zero:
@@ -135,8 +133,6 @@ class Tape:
     def reciprocal(self, a: int) -> int:
         inside = self._of("negative", a)
         return self.negative(self.reciprocal(inside[0])) if inside else self.done("reciprocal", a)
-
-    # --- lengths and angles -----------------------------------------------------------------------
 
     def length(self, x: int, y: int) -> int:
         """Of a vector: squares are quicker than `hypot`, and lengths of mechanisms do not overflow."""
@@ -190,8 +186,6 @@ class Tape:
         square = self.add(self.multiply(tangent, tangent), self.one)
         twice = self.divide(self.number(2.0), square)
         return self.subtract(twice, self.one), self.multiply(tangent, twice)
-
-    # --- what is left to be done ------------------------------------------------------------------
 
     def needed(self, results: Iterable[int]) -> list[int]:
         """The places of operations that some results need, in their order."""

@@ -88,9 +88,6 @@ def _refuse_far(method: Method, path: DriverPath) -> None:
     raise TooFar(method.mechanism.where("driver", moving), driver.name, start, end, unit.shown(farthest))
 
 
-# --- looked along -----------------------------------------------------------------------------
-
-
 def _scanned(method: Method, path: DriverPath, end: float) -> DriverPath:
     """The path with what lies between the drawn position and `end` on it."""
     begin, step = 0.0, stride(method, path.pace, LOOK_DEG, LOOK_PART)
@@ -111,9 +108,7 @@ def _scanned(method: Method, path: DriverPath, end: float) -> DriverPath:
 
 def _seen(method: Method, path: DriverPath, t: np.ndarray) -> tuple[DriverPath, np.ndarray, Plot]:
     """The plot at t, from the drawn position on to one side; where rolling counts, each position from the one before.
-
-    There the path gets what is found as its nodes, and more positions where a link turns fast.
-    """
+    There the path gets what is found as its nodes, and more positions where a link turns fast."""
     if path.nodes is None:
         return path, t, along(method, path, t)
     near = path.near(float(t[0]))

@@ -41,8 +41,7 @@ class QuantityBase:
     word: str
     of: str
 
-    is_place = False
-    """True of a place, which is given by two numbers."""
+    is_place = False  # true of a place, which is given by two numbers
 
     @property
     def text(self) -> str:
@@ -313,11 +312,9 @@ def has_part(mechanism: Mechanism, part: str, of: Seen, seen_from: Seen) -> bool
 
 
 def relative(motions: Motions, plane: Plane, part: str, of: Seen, seen_from: Seen) -> Value:
-    """The motion of one site seen from another, or a part of it that there is: n, t, k or r.
-
-    The Coriolis part takes the rotation of the link of `seen_from`; of a pin in a slot the slot's, either way round,
-    as the pin's path is straight there and nowhere else.
-    """
+    """The motion of one site seen from another, or a part of it that there is: n, t, k or r. The Coriolis part takes
+    the rotation of the link of `seen_from`; of a pin in a slot the slot's, either way round, as the pin's path is
+    straight there and nowhere else."""
     whole = absolute(motions, plane, of) - absolute(motions, plane, seen_from)
     if part == "":
         return whole
