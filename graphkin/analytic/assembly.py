@@ -114,7 +114,10 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Chosen
         ends = search(closure, starts()[:: 1 + len(closure.known.free) // _MANY], c)
         assemblies = _met(closure, ends, c)
     if not len(assemblies):
-        return ChosenAssembly(None, _smallest_gap(closure, ends, c) * loops.size, closure)
+        # the smallest gap to which the loops come; a mismatch of angles counts at the mechanism's size
+        best = np.argsort(closure.loops.open_by(ends))[:4]
+        gap = closure.loops.open_by(search(closure, ends[best], c, steps=300))
+        return ChosenAssembly(None, max(float(gap.min()), closure.known.mismatch(c)) * loops.size, closure)
     return ChosenAssembly(choose(mechanism, loops, _distinct(assemblies)), 0.0, closure)
 
 
@@ -144,13 +147,6 @@ def _shown(mechanism: Mechanism, loops: Loops, q: Reals) -> set[str]:
             guides.add(name)
     far = {unknown.name for unknown, value in zip(loops.unknowns, q) if unknown.kind == "s" and abs(value) > _OFF}
     return far & {pair.name for pair in mechanism.slides if pair.guide in guides and pair.point in seen}
-
-
-def _smallest_gap(closure: EquationSystem, ends: Reals, c: Reals) -> float:
-    """The smallest gap to which the loops come; a mismatch of angles counts at the mechanism's size."""
-    best = np.argsort(closure.loops.open_by(ends))[:4]
-    gap = closure.loops.open_by(search(closure, ends[best], c, steps=300))
-    return max(float(gap.min()), closure.known.mismatch(c))
 
 
 def _starts(seen: Reals, mechanism: Mechanism, loops: Loops) -> Reals:

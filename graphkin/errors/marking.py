@@ -61,8 +61,7 @@ class NoSuchProblem(Choice):
     """Something handed in that belongs to none of several problems."""
 
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: of several problems none is called {given!r}. Name what is handed in after its problem, with any "
-        "ending. {hint}",
+        "en": "{where}: of several problems none is called {given!r}. Name what is handed in after its problem, with any ending. {hint}",
         "zh": "{where}：各题中没有名为 {given!r} 的题目。请用题目名称命名提交的文件或文件夹（后缀不限）。{hint}",
     }
 

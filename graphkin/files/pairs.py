@@ -74,7 +74,19 @@ def _straight(draft: Draft, table: SlideTable, before: Sequence[Pair], path: Key
     if table.pin is not None:
         block, point, tilt = None, _pin(draft, table, table.pin, guide, path), 0.0
     else:
-        block, point = _block(draft, table, guide, path)
+        # the block and its point that stays on the line
+        if table.block is None:
+            where = draft.where(*path)
+            raise errors.BlockOrPin(where) if table.point is None else errors.MissingKey(where, "block")
+        block = draft.link(table.block, *path, "block")
+        if block == guide:
+            raise errors.SlidesOnItself(draft.where(*path, "block"), block)
+        if table.point is None:
+            raise errors.MissingKey(draft.where(*path), "point")
+        point = draft.point(block, table.point, *path, "point")
+        shared = tuple(point for point in draft.named(block) if point in draft.links[guide].points)
+        if shared:
+            raise errors.RigidlyJoined(draft.where(*path), guide, block, shared)
         # angle from the line to the block's own direction. A block of one point takes its direction from its first
         # slide's line; in a second slide, as the frame and a block of more points, it has one already
         slid_before = any(isinstance(pair, Slide) and pair.block == block for pair in before)
@@ -99,23 +111,6 @@ def _pin(draft: Draft, table: SlideTable, pin: str, guide: str, path: KeyPath) -
     if set(draft.owners(pin)) == {guide}:
         raise errors.SlidesOnItself(draft.where(*path, "pin"), guide)
     return pin
-
-
-def _block(draft: Draft, table: SlideTable, guide: str, path: KeyPath) -> tuple[str, str]:
-    """The block and its point that stays on the line."""
-    if table.block is None:
-        where = draft.where(*path)
-        raise errors.BlockOrPin(where) if table.point is None else errors.MissingKey(where, "block")
-    block = draft.link(table.block, *path, "block")
-    if block == guide:
-        raise errors.SlidesOnItself(draft.where(*path, "block"), block)
-    if table.point is None:
-        raise errors.MissingKey(draft.where(*path), "point")
-    point = draft.point(block, table.point, *path, "point")
-    shared = tuple(point for point in draft.named(block) if point in draft.links[guide].points)
-    if shared:
-        raise errors.RigidlyJoined(draft.where(*path), guide, block, shared)
-    return block, point
 
 
 def _two_links(draft: Draft, names: Sequence[str], path: KeyPath) -> tuple[str, str]:

@@ -200,7 +200,8 @@ class _LayoutSearch:
 
     def _candidates(self, point: str, placed: Places) -> list[complex] | None:
         """The places at which the point can lie; None while fewer than two measures fix it."""
-        fixing = self._fixing(point, placed)
+        measures = self.by_point.get(point, ())
+        fixing = [each for each in measures if all(other in placed or other == point for other in each.points)]
         options = [measure.curves(point, placed) for measure in fixing]
         apart, crossed = 0.0, False
         for one, other in combinations(options[:MOST_CURVES], 2):
@@ -215,11 +216,6 @@ class _LayoutSearch:
             return None
         self.problem = self.problem or (worst if crossed else self._no_crossing(point, fixing, placed))
         return []
-
-    def _fixing(self, point: str, placed: Places) -> list[Measure]:
-        """The measures whose only point not placed is this one."""
-        measures = self.by_point.get(point, ())
-        return [each for each in measures if all(other in placed or other == point for other in each.points)]
 
     def _fitting(self, point: str, places: list[complex], fixing: list[Measure], placed: Places) -> list[complex]:
         """Those of the places, each once, that all measures agree with."""

@@ -152,28 +152,24 @@ def acts(constructions: Iterable[Construction], unnamed: Collection[str]) -> tup
     in_order: list[Act] = []
     for construction in constructions:
         before = 0 if construction.plane in ("position", "velocity") else sum(act.numbered for act in in_order)
-        for number, (steps, done) in enumerate(_groups(construction, unnamed), start=before + 1):
+        # steps that go together, each group with the one that finishes it. A point that nobody named, as where a
+        # guide's line begins, is there with what it belongs to
+        groups: list[tuple[list[Step], Step]] = []
+        begun: list[Step] = []
+        for step in construction.steps:
+            finishes = _finishes(step) and not (isinstance(step, kinds.Image) and step.point in unnamed)
+            if groups and not begun and (isinstance(step, kinds.Measure | kinds.Roll | kinds.Image) and not finishes):
+                groups[-1][0].append(step)
+                continue
+            begun.append(step)
+            if finishes:
+                groups.append((begun, step))
+                begun = []
+        if groups:
+            groups[-1][0].extend(begun)
+        for number, (steps, done) in enumerate((((tuple(steps), done) for steps, done in groups)), start=before + 1):
             in_order.append(Act(construction.plane, number, len(in_order) + 1, steps, done))
     return tuple(in_order)
-
-
-def _groups(construction: Construction, unnamed: Collection[str]) -> Iterator[tuple[tuple[Step, ...], Step]]:
-    """Steps that go together, each group with the one that finishes it. A point that nobody named, as where a guide's
-    line begins, is there with what it belongs to."""
-    groups: list[tuple[list[Step], Step]] = []
-    begun: list[Step] = []
-    for step in construction.steps:
-        finishes = _finishes(step) and not (isinstance(step, kinds.Image) and step.point in unnamed)
-        if groups and not begun and (isinstance(step, kinds.Measure | kinds.Roll | kinds.Image) and not finishes):
-            groups[-1][0].append(step)
-            continue
-        begun.append(step)
-        if finishes:
-            groups.append((begun, step))
-            begun = []
-    if groups:
-        groups[-1][0].extend(begun)
-    return ((tuple(steps), done) for steps, done in groups)
 
 
 def _finishes(step: Step) -> bool:

@@ -117,7 +117,12 @@ def compiled(text: str, compiler: str) -> Function | None:
         if not command or shutil.which(command[0]) is None:
             return None
         # the compiled file, named by all that it is made of; it appears there at once and whole
-        folder = _own_folder()
+        # the folder in which only the user may write. Raises PermissionError where others may, too
+        folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "graphkin")
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        state = folder.lstat()
+        if hasattr(os, "getuid") and (state.st_uid != os.getuid() or state.st_mode & 0o022):
+            raise PermissionError(f"{folder} is not the user's alone")
         name = hashlib.sha256("\0".join((*command, *FLAGS, text)).encode()).hexdigest()
         library = folder / f"{name}.so"
         if not library.exists():
@@ -156,13 +161,3 @@ class Function:
             if self.run(count, here.start, here.stop, pointers, results):
                 doubtful.append(here.start + np.flatnonzero(marks[: here.stop - here.start]))
         return doubtful
-
-
-def _own_folder() -> Path:
-    """The folder in which only the user may write. Raises PermissionError where others may, too."""
-    folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "graphkin")
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    state = folder.lstat()
-    if hasattr(os, "getuid") and (state.st_uid != os.getuid() or state.st_mode & 0o022):
-        raise PermissionError(f"{folder} is not the user's alone")
-    return folder

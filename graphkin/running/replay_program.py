@@ -165,29 +165,24 @@ class ProgramPart:
         by_compiler = compiled or (compiled is None and count >= VERY_MANY)
         function = self.function(inputs) if by_compiler else None
         if function is None:
-            doubtful = self._by_numpy(inputs, vectors, numbers, room[end:])
+            # fill all rooms; positions at which something failed, or that are dead points
+            least = room[end:]
+            failures, doubtful = list[str](), list[np.ndarray]()
+            registers = lent(self.calls.registers * least.size).reshape(-1, least.size)
+            with np.errstate(call=lambda kind, _: failures.append(kind), divide="call", invalid="call", over="ignore"):
+                for here in _blocks(numbers.shape[1]):
+                    sines = least[: here.stop - here.start]
+                    rows = [*vectors.real[:, here], *vectors.imag[:, here], *numbers[:, here], sines]
+                    values = [value[here] if value.ndim else value for value in inputs]
+                    self.calls.run(values, rows, registers[:, : sines.size])
+                    if failures or not np.minimum.reduce(sines) > FLAT_SINE:  # NaN, too
+                        failures.clear()
+                        sound = np.logical_and.reduce([sines > FLAT_SINE, *map(np.isfinite, rows)])
+                        doubtful += [here.start + np.flatnonzero(~sound)] * (not sound.all())
         else:
             doubtful = function(inputs, room, end, _blocks(count))
         vectors.flags.writeable = numbers.flags.writeable = False
         return [*vectors, *numbers], doubtful
-
-    def _by_numpy(
-        self, inputs: Sequence[np.ndarray], vectors: np.ndarray, numbers: np.ndarray, least: np.ndarray
-    ) -> list[np.ndarray]:
-        """Fill all rooms; positions at which something failed, or that are dead points."""
-        failures, doubtful = list[str](), list[np.ndarray]()
-        registers = lent(self.calls.registers * least.size).reshape(-1, least.size)
-        with np.errstate(call=lambda kind, _: failures.append(kind), divide="call", invalid="call", over="ignore"):
-            for here in _blocks(numbers.shape[1]):
-                sines = least[: here.stop - here.start]
-                rows = [*vectors.real[:, here], *vectors.imag[:, here], *numbers[:, here], sines]
-                values = [value[here] if value.ndim else value for value in inputs]
-                self.calls.run(values, rows, registers[:, : sines.size])
-                if failures or not np.minimum.reduce(sines) > FLAT_SINE:  # NaN, too
-                    failures.clear()
-                    sound = np.logical_and.reduce([sines > FLAT_SINE, *map(np.isfinite, rows)])
-                    doubtful += [here.start + np.flatnonzero(~sound)] * (not sound.all())
-        return doubtful
 
     def function(self, inputs: Sequence[np.ndarray]) -> Run | None:
         """In C, for inputs of which the same are arrays; None where no compiler is at hand, or it would take long."""
