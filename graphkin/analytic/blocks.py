@@ -106,11 +106,8 @@ def _block(closure: EquationSystem, rows: Indices, columns: Indices) -> LoopBloc
     moving, still = np.flatnonzero(there & moves), np.flatnonzero(there & ~moves)
     count, size = len(columns), len(moving) + len(rows)
     one, none, idle = np.eye(size), np.zeros((size, size)), np.zeros((len(rows), count))
-    vectors = LoopVectors(
-        np.hstack([np.vstack([turning[moving], idle]), one, none]),
-        np.hstack([np.vstack([stretching[moving], idle]), none, one]),
-        np.zeros(size),
-    )
+    vectors = LoopVectors(np.hstack([np.vstack([turning[moving], idle]), one, none]),
+                          np.hstack([np.vstack([stretching[moving], idle]), none, one]), np.zeros(size))  # fmt: skip
     given = np.vstack([np.zeros((count, 2 * size)), np.eye(2 * size)])
     free = np.vstack([np.eye(count), np.zeros((2 * size, count))])
     known = Elimination(given, free, np.arange(count), np.zeros((0, 2 * size)))

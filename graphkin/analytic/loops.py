@@ -207,10 +207,8 @@ def loops_of(mechanism: Mechanism) -> Loops:
     for link in mechanism.moving:
         if link not in origins:
             raise NotJoined(mechanism.where("links", link), link)
-    points = {
-        point: origins[owners[0]] + sums.arm(owners[0], mechanism.links[owners[0]].points[point])
-        for point, owners in mechanism.owners.items()
-    }
+    points = {point: origins[owners[0]] + sums.arm(owners[0], mechanism.links[owners[0]].points[point])
+              for point, owners in mechanism.owners.items()}  # fmt: skip
     unknowns = (*(theta(link) for link in links[1:]), *(Unknown("s", name) for name in slides))
     unit = np.array([1.0] * len(links[1:]) + [size] * len(slides))
     moving = len(links) - 1

@@ -46,7 +46,9 @@ class GraphkinError(Exception):
 
     def message(self, lang: Lang = "en") -> str:
         """The sentence, with this error's own data in it."""
-        return _plain(self.text[lang].format(**self._words(lang)).rstrip())
+        text = self.text[lang].format(**self._words(lang)).rstrip()
+        # nothing may steer a terminal, wherever it came from: names of files, words of a command
+        return "".join(ascii(letter)[1:-1] if letter != "\n" and steers(letter) else letter for letter in text)
 
     def at(self, where: Where) -> GraphkinError:
         """The same error at a place, for those that were raised with `NOWHERE`."""
@@ -68,13 +70,6 @@ class GraphkinError(Exception):
 
     def __reduce__(self) -> tuple[type[GraphkinError], tuple[object, ...]]:
         return type(self), tuple(self._data().values())
-
-
-def _plain(text: str) -> str:
-    """Without anything that would steer a terminal, wherever it came from: names of files, words of a command."""
-    if text.isprintable():
-        return text
-    return "".join(ascii(letter)[1:-1] if letter != "\n" and steers(letter) else letter for letter in text)
 
 
 def steers(letter: str) -> bool:

@@ -19,10 +19,6 @@ class BadKey(LocatedError):
     }
 
 
-def _sentence(problem: GraphkinError, lang: Lang) -> str:
-    return problem.message(lang).rstrip(".。")
-
-
 class NothingToMark(LocatedError):
     """A mechanism that asks for no number, and has none on the way."""
 
@@ -44,7 +40,8 @@ class NoKeyAtPosition(LocatedError):
 
     def _words(self, lang: Lang) -> dict[str, object]:
         colon = "：" if lang == "zh" else ": "
-        return {**super()._words(lang), "because": "" if self.problem is None else colon + _sentence(self.problem, lang)}
+        because = "" if self.problem is None else colon + self.problem.message(lang).rstrip(".。")
+        return {**super()._words(lang), "because": because}
 
 
 class BadPencil(LocatedError):

@@ -151,10 +151,8 @@ class OffTrack(LocatedError):
 
     def _words(self, lang: Lang) -> dict[str, object]:
         sides = {"en": ("{} mm to the left", "{} mm to the right"), "zh": ("左侧 {} mm 处", "右侧 {} mm 处")}[lang]
-        places = {
-            name: sides[value < 0].format(f"{abs(value):.6g}")
-            for name, value in (("distance", self.distance_mm), ("wanted", self.wanted_mm))
-        }
+        places = {name: sides[value < 0].format(f"{abs(value):.6g}")
+                  for name, value in (("distance", self.distance_mm), ("wanted", self.wanted_mm))}  # fmt: skip
         return super()._words(lang) | places | {"gap_mm": abs(self.distance_mm - self.wanted_mm)}
 
 

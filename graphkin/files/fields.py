@@ -170,11 +170,8 @@ def mapping(names: FieldKind, kind: FieldKind) -> FieldKind:
 def _point_or_place() -> FieldKind:
     """A point's name, or a place."""
     name = _text("anchor", name_reader(values.POINT, "point"), **POINT_NAME.json)
-    core = {
-        "type": "tagged-union",
-        "choices": {"a point": name.core, "a place": PLACE.core},
-        "discriminator": lambda value: "a place" if isinstance(value, list) else "a point",
-    }
+    core = {"type": "tagged-union", "choices": {"a point": name.core, "a place": PLACE.core},
+            "discriminator": lambda value: "a place" if isinstance(value, list) else "a point"}  # fmt: skip
     return FieldKind(core, {"oneOf": [name.json, PLACE.json]})
 
 
@@ -188,10 +185,8 @@ def _as_triples(value: object) -> object:
 PLACE = list_of(LENGTH, "place", 2)
 ANCHOR = _point_or_place()
 _TRIPLE = list_of(POINT_NAME, "triple", 3)
-TRIPLES = FieldKind(
-    _before(_as_triples, {"type": "list", "items_schema": _TRIPLE.core}),
-    {"type": "array", "items": {"anyOf": [POINT_NAME.json, _TRIPLE.json]}},
-)
+TRIPLES = FieldKind(_before(_as_triples, {"type": "list", "items_schema": _TRIPLE.core}),
+                    {"type": "array", "items": {"anyOf": [POINT_NAME.json, _TRIPLE.json]}})  # fmt: skip
 
 
 # --- tables -----------------------------------------------------------------------------------

@@ -145,12 +145,9 @@ def as_sketched(
             pair = replace(pair, left=layout.on_left(pair.line, pair.centre))
         elif isinstance(pair, Cam):
             profiles = zip(pair.profiles, pair.profiles[::-1], next(touching), strict=True)
-            first, second = (
-                replace(face, left=layout.on_left(face.line, other.centre))
-                if is_open and face.line is not None and other.centre is not None
-                else face
-                for face, other, is_open in profiles
-            )
+            first, second = (replace(face, left=layout.on_left(face.line, other.centre))
+                             if is_open and face.line is not None and other.centre is not None else face
+                             for face, other, is_open in profiles)  # fmt: skip
             pair = replace(pair, profiles=(first, second))
         sided.append(pair)
     return tuple(sided)

@@ -175,10 +175,8 @@ def _track_circle(draft: Draft, table: RollTable, track: str, path: KeyPath) -> 
 def _cam(draft: Draft, table: CamTable, path: KeyPath, before: Sequence[Pair]) -> Cam:
     """Two profiles that touch and slide."""
     links = _two_links(draft, table.links, path)
-    first, second = (
-        _profile(draft, profile, link, n, (*path, "profiles", n))
-        for n, (link, profile) in enumerate(zip(links, table.profiles))
-    )
+    first, second = (_profile(draft, profile, link, n, (*path, "profiles", n))
+                     for n, (link, profile) in enumerate(zip(links, table.profiles)))  # fmt: skip
     if first.line is not None and second.line is not None:
         raise errors.LineOnLine(draft.where(*path, "profiles"))
     circles = first.line is None and second.line is None

@@ -43,20 +43,16 @@ def name_reader(pattern: re.Pattern[str], kind: str) -> Callable[[str], str]:
         name = tidy(value)
         if pattern.fullmatch(name) is None:
             raise errors.BadName(NOWHERE, kind, shown_value(value))
-        if _letters(name) > LONGEST:
+        letters = len(name)  # Chinese characters are as wide as two
+        if not name.isascii():
+            import unicodedata
+
+            letters += sum(unicodedata.east_asian_width(letter) in "WF" for letter in name)
+        if letters > LONGEST:
             raise errors.LongName(NOWHERE, shown_value(value), LONGEST)
         return name
 
     return checked
-
-
-def _letters(name: str) -> int:
-    """The width of a name in letters: Chinese characters are as wide as two."""
-    if name.isascii():
-        return len(name)
-    import unicodedata
-
-    return sum(2 if unicodedata.east_asian_width(letter) in "WF" else 1 for letter in name)
 
 
 _LENGTH = {"mm": (1, 1000), "cm": (1, 100), "m": (1, 1), "in": (254, 10000), "ft": (3048, 10000)}

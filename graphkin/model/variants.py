@@ -24,17 +24,12 @@ SAME_PLACE = 1e-9  # points of a link nearer than this to each other do not give
 
 def topology(mechanism: Mechanism) -> tuple[object, ...]:
     """All of a mechanism but its numbers: what has the same, and `coincidences`, is drawn by the same steps."""
-    return (
-        mechanism.frame,
-        tuple((name, tuple(link.points)) for name, link in mechanism.links.items()),
-        tuple(_without_numbers(pair) for pair in mechanism.pairs),
-        tuple(
-            replace(driver, value=None if driver.value is None else 0.0, rate=0.0, acceleration=0.0, also=())
-            for driver in mechanism.drivers
-        ),
-        tuple(replace(pose, value=0.0) for pose in mechanism.poses),
-        tuple(mechanism.sketch),
-    )
+    return (mechanism.frame, tuple((name, tuple(link.points)) for name, link in mechanism.links.items()),
+            tuple(_without_numbers(pair) for pair in mechanism.pairs), tuple(
+                replace(driver, value=None if driver.value is None else 0.0, rate=0.0, acceleration=0.0, also=())
+                for driver in mechanism.drivers
+            ),
+            tuple(replace(pose, value=0.0) for pose in mechanism.poses), tuple(mechanism.sketch))  # fmt: skip
 
 
 def _without_numbers(pair: Pair) -> tuple[object, ...]:
@@ -62,10 +57,8 @@ def coincidences(mechanism: Mechanism) -> NDArray[np.int8]:
 def stacked(mechanisms: Sequence[Mechanism]) -> Mechanism:
     """One mechanism whose numbers are arrays (n,) over mechanisms of one topology; of pairs only those of slides."""
     first = mechanisms[0]
-    links = {
-        name: Link(name, {point: _array(m.links[name].points[point] for m in mechanisms) for point in link.points})
-        for name, link in first.links.items()
-    }
+    links = {name: Link(name, {point: _array(m.links[name].points[point] for m in mechanisms) for point in link.points})
+             for name, link in first.links.items()}  # fmt: skip
     sketch = {point: _array(m.sketch[point] for m in mechanisms) for point in first.sketch}
     slides = iter([_slides([m.slides[k] for m in mechanisms]) for k in range(len(first.slides))])
     pairs = tuple(next(slides) if isinstance(pair, Slide) else pair for pair in first.pairs)
@@ -121,16 +114,10 @@ def single(mechanism: Mechanism, row: int) -> Mechanism:
 
 def _with_numbers(mechanism: Mechanism, make: Callable[[Stacked], Stacked]) -> Mechanism:
     """The mechanism with other values for all numbers that may be arrays."""
-    links = {
-        name: replace(link, points={point: make(z) for point, z in link.points.items()})
-        for name, link in mechanism.links.items()
-    }
-    pairs = tuple(
-        replace(pair, line=replace(pair.line, direction=make(pair.line.direction)), tilt=make(pair.tilt))
-        if isinstance(pair, Slide)
-        else pair
-        for pair in mechanism.pairs
-    )
+    links = {name: replace(link, points={point: make(z) for point, z in link.points.items()})
+             for name, link in mechanism.links.items()}  # fmt: skip
+    pairs = tuple(replace(pair, line=replace(pair.line, direction=make(pair.line.direction)), tilt=make(pair.tilt))
+                  if isinstance(pair, Slide) else pair for pair in mechanism.pairs)  # fmt: skip
     poses = tuple(replace(pose, value=make(pose.value)) for pose in mechanism.poses)
     drivers = tuple(
         replace(

@@ -91,11 +91,8 @@ def _size(plot: Plot, k: int) -> float:
 def _ambiguous(structure: Topology, plot: Plot, first: int, second: int) -> AmbiguousSketch:
     """The points that would tell the two assemblies apart, each with its two places."""
     mechanism, size = structure.mechanism, _size(plot, first)
-    places = {
-        point: (at(value, first), at(value, second))
-        for point, value in plot.position.items()
-        if point in mechanism.points and abs(at(value, first) - at(value, second)) > 1e-9 * size
-    }
+    places = {point: (at(value, first), at(value, second)) for point, value in plot.position.items()
+              if point in mechanism.points and abs(at(value, first) - at(value, second)) > 1e-9 * size}  # fmt: skip
     point, (one, two) = next(iter(places.items()), ("", (0j, 0j)))
     where = mechanism.where("sketch", point)
     return AmbiguousSketch(where, tuple(places), point, _millimetres(one, size), _millimetres(two, size))

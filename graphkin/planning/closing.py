@@ -94,11 +94,8 @@ def _back(path: Iterable[_Signed]) -> list[_Signed]:
 
 def _lay_off(path: Iterable[_Signed]) -> list[Step]:
     """Known arrows one after another; what is drawn already needs no pencil."""
-    return [
-        LayOff(signed.term, signed.near, signed.far, backwards=not signed.forward)
-        for signed in path
-        if not isinstance(signed.term.size, Drawn)
-    ]
+    return [LayOff(signed.term, signed.near, signed.far, backwards=not signed.forward) for signed in path
+            if not isinstance(signed.term.size, Drawn)]  # fmt: skip
 
 
 def _line(term: Term, through: str) -> Ray:

@@ -151,12 +151,8 @@ def _known_of(polygon: PolygonPlan, leg: Leg, point: Site) -> list[KnownArrow]:
     hops: list[tuple[Hop, slice]] = [(hop, slice(None)) for hop in leg.hops]
     if polygon.plane == "acceleration":
         hops.append((LinkArm(leg.end, point, True), slice(1)))
-    return [
-        ((hop.of, hop.seen_from), part, size, direction)
-        for hop, some in hops
-        for part, size, direction in polygon.pieces(hop)[some]
-        if size is not None
-    ]
+    return [((hop.of, hop.seen_from), part, size, direction) for hop, some in hops
+            for part, size, direction in polygon.pieces(hop)[some] if size is not None]  # fmt: skip
 
 
 # --- rolling contacts -------------------------------------------------------------------------

@@ -7,7 +7,7 @@ pole, the two lines) and what is then measured belong to it.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import assert_never
 
@@ -25,17 +25,12 @@ def facts_of(structure: Topology, values: Sequence[Real] | None, drawn: Mapping[
     """The facts that are known before the pencil moves; drivers at the drawn position, or at other values [rad, m]."""
     drivers = structure.mechanism.drivers
     drawn_values = (0.0 if driver.value is None else driver.value for driver in drivers)
-    return Facts(
-        frame=FRAME,
-        shapes=structure.shapes,
-        lines={s.name: (s.guide, s.line.origin, s.line.direction) for s in structure.mechanism.slides},
-        turns=structure.turns,
-        slides_driven=structure.slides_driven,
-        values=tuple(drawn_values if values is None else values),
-        rates=tuple(driver.rate for driver in drivers),
-        accelerations=tuple(driver.acceleration for driver in drivers),
-        drawn=drawn,
-    )
+    return Facts(frame=FRAME, shapes=structure.shapes,
+                 lines={s.name: (s.guide, s.line.origin, s.line.direction) for s in structure.mechanism.slides},
+                 turns=structure.turns, slides_driven=structure.slides_driven,
+                 values=tuple(drawn_values if values is None else values),
+                 rates=tuple(driver.rate for driver in drivers),
+                 accelerations=tuple(driver.acceleration for driver in drivers), drawn=drawn)  # fmt: skip
 
 
 @frozen

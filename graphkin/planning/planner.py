@@ -115,12 +115,9 @@ def _guided_contacts(structure: Topology) -> tuple[Contact, ...]:
     """The contacts; those whose own slide is set aside with the slides that add up to its displacement, if any do. A
     plate on a guide, a wheel that rolls on it, a second plate on top: how far the wheel goes along the second plate is
     made up of the displacements of plates and wheel along their own lines, which are all parallel."""
-    return tuple(
-        replace(contact, way=_shares(structure, structure.slides[contact.slide], contact.centres[1]))
-        if contact.slide in structure.aside.slides
-        else contact
-        for contact in structure.contacts
-    )
+    return tuple(replace(contact, way=_shares(structure, structure.slides[contact.slide], contact.centres[1]))
+                 if contact.slide in structure.aside.slides else contact
+                 for contact in structure.contacts)  # fmt: skip
 
 
 def _shares(structure: Topology, track: Slide, centre: str) -> SlideShares:

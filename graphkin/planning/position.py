@@ -30,10 +30,6 @@ class Stretch:
     head: str
     base: str
 
-    @property
-    def reversed(self) -> Stretch:
-        return Stretch(_reversed(self.part), self.head, self.tail, self.base)
-
 
 def _reversed(part: terms.Arm | terms.Slid) -> terms.Arm | terms.Slid:
     if isinstance(part, terms.Arm):
@@ -92,11 +88,6 @@ def _seen_back(term: terms.Term, reaches: dict[terms.Term, terms.Span]) -> terms
     if term in reaches:
         reaches[back] = reaches.pop(term)
     return back
-
-
-def _drawn_from(start: str) -> terms.Term:
-    """The known end of a side, measured from the drawing's origin."""
-    return terms.Term(start, "", "", terms.Drawn("", start), None, "", start)
 
 
 # --- the construction -------------------------------------------------------------------------
@@ -194,9 +185,11 @@ class _PositionDrawing:
             if term.direction is None:
                 reaches[term] = _span(run)
         _, second = (k for k, term in enumerate(arrows) if term.unknowns)
-        left = (_drawn_from(arrows[0].tail), *arrows[:second])
-        back = (_seen_back(term, reaches) for term in reversed(arrows[second:]))
-        right = (_drawn_from(arrows[-1].head), *back)
+        # the known ends of both sides are measured from the drawing's origin
+        starts = (terms.Term(start, "", "", terms.Drawn("", start), None, "", start)
+                  for start in (arrows[0].tail, arrows[-1].head))  # fmt: skip
+        left = (next(starts), *arrows[:second])
+        right = (next(starts), *(_seen_back(term, reaches) for term in reversed(arrows[second:])))
         self.parts.append(close(left[-1].head, left, right, reaches, self.aside, self.choice))
         self.points.update(node for term in arrows for node in (term.tail, term.head))
 
@@ -204,7 +197,7 @@ class _PositionDrawing:
         slide = stage.slides[0]
         guide = self.structure.slides[slide].guide
         if guide != stage.bodies[0]:
-            stretches = [stretch.reversed for stretch in reversed(stretches)]
+            stretches = [Stretch(_reversed(one.part), one.head, one.tail, one.base) for one in reversed(stretches)]
         self.swung.add(slide)
         ends = stretches[0].tail, stretches[-1].head
         self.parts.append(kinds.Swing(guide, *ends, slide, _span(stretches), choice=self.choice()))

@@ -38,10 +38,8 @@ def redundant_constraints(mechanism: Mechanism, structure: Topology) -> tuple[Se
     if structure.surplus <= 0:
         return ()
     given = [driver for driver in mechanism.drivers if driver.value is not None and driver.kind != "spin"]
-    given += [
-        Driver(pose.kind, pose.link, pose.vector, pose.from_link, pose.from_vector, pose.value)
-        for pose in mechanism.poses
-    ]
+    given += [Driver(pose.kind, pose.link, pose.vector, pose.from_link, pose.from_vector, pose.value)
+              for pose in mechanism.poses]  # fmt: skip
     restraints = Restraints(structure, tuple(given))
     drawn, _ = restraints.drawn_place()
     candidates = PairEquations(mechanism, structure, frozenset(restraints.rows(drawn).labels))
@@ -96,9 +94,8 @@ class PairEquations:
         ranked = sorted((pair.name not in questions, m.lines.get(m.path(pair), 0), k)
                         for k, pair in enumerate(m.pairs) if pair.name not in needed)  # fmt: skip
         for pair in (m.pairs[k] for *_, k in reversed(ranked)):
-            rows = tuple(
-                row for kind in ("line", "angle", "slip") if (row := ConstraintRow(kind, pair.name)) in self.labels
-            )
+            possible = (ConstraintRow(kind, pair.name) for kind in ("line", "angle", "slip"))
+            rows = tuple(row for row in possible if row in self.labels)
             name = m.path(pair)
             wholes += [SetAside(name, "whole", rows)] if rows else []
             match [row.kind for row in rows]:

@@ -55,18 +55,15 @@ def drawn_sides(method: Method, plot: Plot) -> DrawnSides:
     choices = (step for step in steps if isinstance(step, Meet | Swing) and step.choice is not None)
     sides = tuple(side for step in choices if (side := _side(method, plot, step)) is not None)
     fitted = any(isinstance(step, Fit) for step in steps)
-    return DrawnSides(sides, tuple(_rough_places(method, plot)) if fitted else ())
-
-
-def _rough_places(method: Method, plot: Plot) -> Iterator[tuple[str, complex]]:
-    """Points that the file has in its sketch, to a twentieth of the mechanism's size."""
     places = _named_places(method, plot)
-    if (size := _size(places)) > 0:
-        power = 10.0 ** math.floor(math.log10(size / 20))
-        step = power * max(k for k in (1, 2, 5) if k * power <= size / 20)
-        for name in method.mechanism.sketch:
-            if name in places:
-                yield name, complex(round(places[name].real / step) * step, round(places[name].imag / step) * step)
+    if not fitted or (size := _size(places)) <= 0:
+        return DrawnSides(sides)
+    # points that the file has in its sketch, to a twentieth of the mechanism's size
+    power = 10.0 ** math.floor(math.log10(size / 20))
+    step = power * max(k for k in (1, 2, 5) if k * power <= size / 20)
+    sketched = ((name, places[name]) for name in method.mechanism.sketch if name in places)
+    near = ((name, complex(round(z.real / step) * step, round(z.imag / step) * step)) for name, z in sketched)
+    return DrawnSides(sides, tuple(near))
 
 
 def _named_places(method: Method, plot: Plot) -> Places:

@@ -20,10 +20,6 @@ from graphkin.planning import Method
 
 STEP_DEG, STEP_PART = 3.0, 0.02
 """The longest step from one position to the next that is found from it [deg, of the mechanism's size]."""
-STEP_DEG, STEP_PART = 3.0, 0.02
-"""The longest step from one position to the next that is found from it [deg, of the mechanism's size]."""
-"""The longest step from one position to the next that is found from it [deg, of the mechanism's size]."""
-
 
 Flags = NDArray[np.bool_]
 

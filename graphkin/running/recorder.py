@@ -221,24 +221,19 @@ def _leg(hypotenuse: Real, other: Real) -> Real:
     return leg(hypotenuse, other)
 
 
-def _meet_line_circle(p: Value, u: Value, c: Value, r: Real, side: Real) -> tuple[Value, Real, Real]:
-    """The same crossing, whose distance from the centre is known."""
-    return _know_lengths(meet_line_circle(p, u, c, r, side, _leg), (c, r))
-
-
-def _meet_circles(c1: Value, r1: Real, c2: Value, r2: Real, side: Real) -> tuple[Value, Real, Real]:
-    """The same crossing, whose distances from both centres are known."""
-    return _know_lengths(meet_circles(c1, r1, c2, r2, side, _leg), (c1, r1), (c2, r2))
-
-
 def _know_lengths(crossing: tuple[Value, Real, Real], *circles: tuple[Value, Real]) -> tuple[Value, Real, Real]:
+    """The same crossing, whose distances from the centres are known."""
     for centre, radius in circles:
         if isinstance(arm := crossing[0] - centre, Recorded):
             arm.tape.know_length(arm.x, arm.y, arm.lifted(radius).x)
     return crossing
 
 
-COMPASS = Compass(_leg, line_circle=_meet_line_circle, circles=_meet_circles)
+COMPASS = Compass(
+    _leg,
+    line_circle=lambda p, u, c, r, side: _know_lengths(meet_line_circle(p, u, c, r, side, _leg), (c, r)),
+    circles=lambda a, r, b, s, side: _know_lengths(meet_circles(a, r, b, s, side, _leg), (a, r), (b, s)),
+)
 
 
 # --- links that are fitted --------------------------------------------------------------------
@@ -329,10 +324,8 @@ def _rotated(upper: list[Value], lower: list[Value], column: int) -> tuple[list[
     cos, sin = a / length, b / length
     pairs = [*zip(upper, lower)][column + 1 :]
     done: list[Value] = [0.0] * column
-    return (
-        [*done, length, *(cos * one + sin * other for one, other in pairs)],
-        [*done, 0.0, *(cos * other - sin * one for one, other in pairs)],
-    )
+    return ([*done, length, *(cos * one + sin * other for one, other in pairs)],
+            [*done, 0.0, *(cos * other - sin * one for one, other in pairs)])  # fmt: skip
 
 
 def _is_zero(value: Quantity) -> bool:

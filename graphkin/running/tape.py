@@ -177,10 +177,8 @@ class Tape:
         """Cosine and sine of a sum or difference of angles."""
         (cos, sin), (more, up) = one, other
         up = up if does == "add" else self.negative(up)
-        return (
-            self.subtract(self.multiply(cos, more), self.multiply(sin, up)),
-            self.add(self.multiply(sin, more), self.multiply(cos, up)),
-        )
+        return (self.subtract(self.multiply(cos, more), self.multiply(sin, up)),
+                self.add(self.multiply(sin, more), self.multiply(cos, up)))  # fmt: skip
 
     def needed(self, results: Iterable[int]) -> list[int]:
         """The places of operations that some results need, in their order."""
