@@ -133,20 +133,17 @@ def _as_sketched(mechanism: Mechanism, loops: Loops, q: Reals) -> bool:
     away = _from_sketch(mechanism, loops, q[None])[0]
     if away >= _EXACT * loops.size:
         return False
-    open_to_doubt = _taken_forwards(mechanism) - _shown(mechanism, loops, q)
-    return not _negative(loops, q[None], _drawn_lengths(mechanism, loops) | open_to_doubt)[0]
-
-
-def _shown(mechanism: Mechanism, loops: Loops, q: Reals) -> set[str]:
-    """Displacements of which an exact sketch leaves no sign open: well off 0, of a point that it shows, along a guide
-    of which it shows two points well apart."""
+    # an exact sketch leaves no sign open of displacements well off 0, of a point that it shows, along a guide of which
+    # it shows two points well apart
     seen, guides = {*mechanism.links[FRAME].points, *mechanism.sketch}, {FRAME}
     for name, link in mechanism.links.items():
         arms = [arm for point, arm in link.points.items() if point in seen]
         if max((abs(arm - arms[0]) for arm in arms), default=0.0) > _APART * loops.size:
             guides.add(name)
     far = {unknown.name for unknown, value in zip(loops.unknowns, q) if unknown.kind == "s" and abs(value) > _OFF}
-    return far & {pair.name for pair in mechanism.slides if pair.guide in guides and pair.point in seen}
+    shown = far & {pair.name for pair in mechanism.slides if pair.guide in guides and pair.point in seen}
+    in_doubt = _taken_forwards(mechanism) - shown
+    return not _negative(loops, q[None], _drawn_lengths(mechanism, loops) | in_doubt)[0]
 
 
 def _starts(seen: Reals, mechanism: Mechanism, loops: Loops) -> Reals:

@@ -15,7 +15,7 @@ Vector = tuple[str, str]
 def read_drivers(draft: Draft, tables: Sequence[DriverTable], poses: int) -> tuple[Driver, ...]:
     """The drivers; as many may leave their value out as there are poses."""
     drivers: list[Driver] = []
-    freedoms: set[tuple[str, str]] = set()  # A slide's displacement, or the turning of one link against another
+    freedoms: set[tuple[str, str]] = set()  # a slide's displacement, or the turning of one link against another
     for number, table in enumerate(tables):
         with draft.noting():
             driver = _driver(draft, table, ("driver", number))
@@ -35,7 +35,17 @@ def read_poses(draft: Draft, tables: Sequence[PoseTable]) -> tuple[Pose, ...]:
     poses = []
     for number, table in enumerate(tables):
         with draft.noting():
-            poses.append(_pose(draft, table, ("pose", number)))
+            path = ("pose", number)
+            if _only(draft, {"vector": table.vector, "slide": table.slide}, path) == "slide":
+                slide = _slide(draft, table, path)
+                if table.at is None:
+                    raise errors.MissingKey(draft.where(*path), "at")
+                poses.append(Pose("slide", slide, table.at))
+                continue
+            link, vector, from_link = _turning(draft, table, path)
+            if table.angle is None:
+                raise errors.MissingKey(draft.where(*path), "angle")
+            poses.append(Pose("angle", link, table.angle, vector, from_link, table.from_))
     return tuple(poses)
 
 
@@ -118,15 +128,3 @@ def _refuse(draft: Draft, keys: Mapping[str, object], why: str, path: KeyPath) -
     for key, value in keys.items():
         if value is not None:
             raise errors.NoMeaning(draft.where(*path, key), key, why)
-
-
-def _pose(draft: Draft, table: PoseTable, path: KeyPath) -> Pose:
-    if _only(draft, {"vector": table.vector, "slide": table.slide}, path) == "slide":
-        slide = _slide(draft, table, path)
-        if table.at is None:
-            raise errors.MissingKey(draft.where(*path), "at")
-        return Pose("slide", slide, table.at)
-    link, vector, from_link = _turning(draft, table, path)
-    if table.angle is None:
-        raise errors.MissingKey(draft.where(*path), "angle")
-    return Pose("angle", link, table.angle, vector, from_link, table.from_)

@@ -210,11 +210,8 @@ def table(cls: type[_T]) -> type[_T]:
     cls.__doc__ = cls.__doc__ or f"`{cls.__name__}`"
     made = frozen(cls)
     rest = next((each for each in _fields(made) if "further" in each.metadata), None)
-    json: Schema = {
-        "type": "object",
-        "additionalProperties": False,
-        "properties": {name: each.metadata["kind"].json for name, each in keys(made).items()},
-    }
+    json: Schema = {"type": "object", "additionalProperties": False,
+                    "properties": {name: each.metadata["kind"].json for name, each in keys(made).items()}}  # fmt: skip
     if required := [name for name, each in keys(made).items() if _required(each)]:
         json["required"] = required
     if rest is not None:

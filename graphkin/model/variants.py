@@ -24,12 +24,12 @@ SAME_PLACE = 1e-9  # points of a link nearer than this to each other do not give
 
 def topology(mechanism: Mechanism) -> tuple[object, ...]:
     """All of a mechanism but its numbers: what has the same, and `coincidences`, is drawn by the same steps."""
-    return (mechanism.frame, tuple((name, tuple(link.points)) for name, link in mechanism.links.items()),
-            tuple(_without_numbers(pair) for pair in mechanism.pairs), tuple(
-                replace(driver, value=None if driver.value is None else 0.0, rate=0.0, acceleration=0.0, also=())
-                for driver in mechanism.drivers
-            ),
-            tuple(replace(pose, value=0.0) for pose in mechanism.poses), tuple(mechanism.sketch))  # fmt: skip
+    links = tuple((name, tuple(link.points)) for name, link in mechanism.links.items())
+    pairs = tuple(_without_numbers(pair) for pair in mechanism.pairs)
+    drivers = tuple(replace(each, value=None if each.value is None else 0.0, rate=0.0, acceleration=0.0, also=())
+                    for each in mechanism.drivers)  # fmt: skip
+    poses = tuple(replace(pose, value=0.0) for pose in mechanism.poses)
+    return mechanism.frame, links, pairs, drivers, poses, tuple(mechanism.sketch)
 
 
 def _without_numbers(pair: Pair) -> tuple[object, ...]:
@@ -62,9 +62,8 @@ def stacked(mechanisms: Sequence[Mechanism]) -> Mechanism:
     sketch = {point: _array(m.sketch[point] for m in mechanisms) for point in first.sketch}
     slides = iter([_slides([m.slides[k] for m in mechanisms]) for k in range(len(first.slides))])
     pairs = tuple(next(slides) if isinstance(pair, Slide) else pair for pair in first.pairs)
-    poses = tuple(
-        replace(pose, value=_array(m.poses[k].value for m in mechanisms)) for k, pose in enumerate(first.poses)
-    )
+    poses = tuple(replace(pose, value=_array(m.poses[k].value for m in mechanisms))
+                  for k, pose in enumerate(first.poses))  # fmt: skip
     drivers = tuple(_drivers([m.drivers[k] for m in mechanisms]) for k in range(len(first.drivers)))
     return replace(first, links=links, pairs=pairs, drivers=drivers, poses=poses, sketch=sketch)
 

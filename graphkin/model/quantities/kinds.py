@@ -272,7 +272,12 @@ class Quotient(QuantityBase):
         return self.top, self.bottom
 
     def answer(self, motions: Motions) -> Answer:
-        return Answer(_divided(*(half.answer(motions).value for half in self.halves)), "1")
+        """The top by the bottom; a bottom that is 0 but for rounding counts as 0."""
+        top, bottom = (half.answer(motions).value for half in self.halves)
+        sizes = [float(np.max(np.abs(value), initial=0.0, where=np.isfinite(value))) for value in (top, bottom)]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            quotient: Value = np.divide(top, np.where(np.abs(bottom) <= 1e-12 * max(sizes), 0.0, bottom))[()]
+        return Answer(quotient, "1")
 
 
 Quantity: TypeAlias = Rotation | Displacement | Place | Track | Moving | Component | Centre | Quotient
@@ -282,14 +287,6 @@ Quantity: TypeAlias = Rotation | Displacement | Place | Track | Moving | Compone
 def on_axis(vector: Value, axis: Axis) -> Real:
     """The component of a vector along one of the frame's axes."""
     return vector.real if axis == "x" else vector.imag
-
-
-def _divided(top: Value, bottom: Value) -> Value:
-    """top / bottom; a bottom that is 0 but for rounding counts as 0."""
-    sizes = [float(np.max(np.abs(value), initial=0.0, where=np.isfinite(value))) for value in (top, bottom)]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        quotient: Value = np.divide(top, np.where(np.abs(bottom) <= 1e-12 * max(sizes), 0.0, bottom))[()]
-        return quotient
 
 
 # --- motion of one site seen from another -----------------------------------------------------
