@@ -130,9 +130,8 @@ def _vector(value: object) -> tuple[str, str]:
 
 LENGTH, ANGLE = quantity_of("length"), quantity_of("angle")
 RADIUS, EDGE_RADIUS = quantity_of("length", values.above_zero), quantity_of("length", values.zero_or_more)
-ALSO = FieldKind(
-    {"type": "function-plain", "function": {"type": "with-info", "function": _guarded(_further_value)}}, NUMBER
-)
+_ALSO_READER = {"type": "with-info", "function": _guarded(_further_value)}
+ALSO = FieldKind({"type": "function-plain", "function": _ALSO_READER}, NUMBER)
 SCALE = _kind(values.scale_value, {"type": "number", "exclusiveMinimum": 0})
 FLAG = _kind(_flag, {"type": "boolean"})
 TEXT = _text("text", lambda text: " ".join(text.split()))

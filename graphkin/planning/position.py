@@ -160,10 +160,8 @@ class _PositionDrawing:
                 runs[-1].append(stretch)
             else:
                 runs.append([stretch])
-        if any(
-            isinstance(one.part, terms.Slid) and one.part.slide in stage.slides and one.base in stage.angles
-            for one in stretches
-        ):
+        slid = (one for one in stretches if isinstance(one.part, terms.Slid) and one.part.slide in stage.slides)
+        if any(one.base in stage.angles for one in slid):
             self.swing(stage, stretches)
         else:
             self.meet(stage, runs)
