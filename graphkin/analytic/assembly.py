@@ -220,9 +220,6 @@ def _taken_forwards(mechanism: Mechanism) -> set[str]:
     return {pair.name for pair in mechanism.slides}
 
 
-# --- what the sketch shows --------------------------------------------------------------------
-
-
 def guess(mechanism: Mechanism, loops: Loops) -> Reals:
     """The unknowns (n,) as far as the sketch and the drivers show them, in internal units; nan elsewhere."""
     seen = _Seen(mechanism, loops.joints)

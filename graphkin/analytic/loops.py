@@ -41,9 +41,6 @@ SMALL = 2**13
 """Products of fewer multiplications are done by one thread; dealt out to several, each waits for the slowest."""
 
 
-# --- arrows -----------------------------------------------------------------------------------
-
-
 def applied(matrix: Array, vectors: Array) -> Array:
     """A matrix (r, m) on vectors (..., m): (..., r)."""
     if vectors.size * len(matrix) < SMALL:
@@ -118,9 +115,6 @@ class LoopVectors:
         turned = (1j * length * unit)[..., None, :] * rows
         stretched = unit[..., None, :] * rows
         return through(turned, self.turning) + through(stretched, self.stretching)
-
-
-# --- loops ------------------------------------------------------------------------------------
 
 
 @frozen

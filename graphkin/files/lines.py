@@ -119,8 +119,6 @@ def _turn(angle: float) -> complex:
     return complex(*(0.0 if abs(part) < 1e-15 else part for part in (turn.real, turn.imag)))
 
 
-# --- sides ------------------------------------------------------------------------------------
-
 Learnt = tuple[dict[str, complex], str, complex]
 """Directions of links or places of points, and what is to be put into them."""
 Rule = tuple[tuple[str | tuple[str], ...], Callable[[], Iterator[Learnt]]]

@@ -190,8 +190,6 @@ def read_tables(document: Mapping[str, object]) -> File:
     return file
 
 
-# --- complaints -------------------------------------------------------------------------------
-
 _DRIVER_KEYS: Mapping[Dimension, str] = {
     "length": "at", "angle": "angle", "angular velocity": "omega", "angular acceleration": "alpha",
     "velocity": "velocity", "acceleration": "acceleration",
@@ -233,9 +231,6 @@ def _complaint(detail: ErrorDetails, where: Where) -> GraphkinError:
             return WrongCount(where, int(expected or 0), len(detail["input"]))
         case kind:
             return WrongType(where, "list" if kind == "list_type" else "table", shown_value(detail["input"]))
-
-
-# --- values as they are stated ----------------------------------------------------------------
 
 
 def stated_values(document: Mapping[str, object]) -> dict[KeyPath, GivenValue]:

@@ -302,9 +302,6 @@ def _what_is_open(shape: ShapeMeasures, one: Places, other: Places) -> GraphkinE
     return errors.TooFewMeasures(shape.where, shape.link, moved)
 
 
-# --- curves -----------------------------------------------------------------------------------
-
-
 def _equal_angles(a: complex, b: complex, angle: float) -> list[Curve]:
     """The points that see the stretch ab under an angle."""
     if a == b:

@@ -124,7 +124,14 @@ def read_toml(text: str, file: str) -> tuple[Document, Mapping[KeyPath, int]]:
     except RecursionError:
         raise errors.TooDeep(Where(file)) from None
     except ValueError as problem:
-        raise _broken(str(problem), text, file) from None
+        reason, line = str(problem), None
+        if (place := re.search(_PLACE, reason)) is not None:
+            line = int(place[1]) if place[1] else text.rstrip("\n").count("\n") + 1
+            stray = re.search(r"[^\x00-\x7f]", re.sub(_QUOTED, "", text.split("\n")[line - 1]))
+            if stray is not None:
+                code = f"U+{ord(stray.group()):04X}"
+                raise errors.StrayLetter(Where(file, line), stray.group(), code) from None
+        raise errors.BrokenToml(Where(file, line), re.sub(_PLACE, "", reason)) from None
     if not document:
         raise errors.EmptyFile(Where(file))
     return document, lines
@@ -161,17 +168,6 @@ def _words(value: object, path: KeyPath) -> Iterator[tuple[KeyPath, str]]:
                 yield from _words(item, (*path, tidy(key)))
         case _:
             pass
-
-
-def _broken(reason: str, text: str, file: str) -> errors.BrokenToml | errors.StrayLetter:
-    place = re.search(_PLACE, reason)
-    line = None
-    if place is not None:
-        line = int(place[1]) if place[1] else text.rstrip("\n").count("\n") + 1
-        stray = re.search(r"[^\x00-\x7f]", re.sub(_QUOTED, "", text.split("\n")[line - 1]))
-        if stray is not None:
-            return errors.StrayLetter(Where(file, line), stray.group(), f"U+{ord(stray.group()):04X}")
-    return errors.BrokenToml(Where(file, line), re.sub(_PLACE, "", reason))
 
 
 def _check_size(size: int, file: str) -> None:

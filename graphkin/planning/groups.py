@@ -91,9 +91,6 @@ def walk(polygon: PolygonPlan, stage: Loop) -> None:
         fill(polygon, body)
 
 
-# --- by way of a special point ----------------------------------------------------------------
-
-
 def _by_special_point(polygon: PolygonPlan, special: Ternary) -> None:
     """Two equations by way of the special point, then what each leg turns or slides."""
     first, second, third = special.legs
@@ -153,9 +150,6 @@ def _known_of(polygon: PolygonPlan, leg: Leg, point: Site) -> list[KnownArrow]:
         hops.append((LinkArm(leg.end, point, True), slice(1)))
     return [((hop.of, hop.seen_from), part, size, direction) for hop, some in hops
             for part, size, direction in polygon.pieces(hop)[some] if size is not None]  # fmt: skip
-
-
-# --- rolling contacts -------------------------------------------------------------------------
 
 
 def mesh(polygon: PolygonPlan, stage: Mesh) -> None:

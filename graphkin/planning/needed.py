@@ -17,8 +17,6 @@ from graphkin.planning.method import Method
 
 Fact = tuple[str, str]
 Part = Step | Equation
-
-
 QUANTITIES: dict[Plane, tuple[str, str]] = {
     "position": ("theta", "s"), "velocity": ("omega", "s_rate"), "acceleration": ("alpha", "s_acceleration"),
 }  # fmt: skip

@@ -30,8 +30,6 @@ from graphkin.planning.structure import Topology
 
 Piece = tuple[str, Size | None, Direction | None]
 """The part (`n`, `t`, `k`, `r`), size and direction of one arrow of a hop."""
-
-
 TIPS = {"n": "nmuw", "t": "tyxw", "k": "kgjx", "r": "rqsz"}
 """Letters for the tips of normal, tangential, Coriolis and relative arrows; the first that no point has."""
 

@@ -157,8 +157,6 @@ class _StageSearch:
                 tied.setdefault(name, []).append(k)
         return tied
 
-    # --- one stage ----------------------------------------------------------------------------
-
     def _carry(self, number: int) -> Carry | None:
         body, known = self.bodies[number], self.known
         if body in known.bodies or self.structure.base(body) not in known.angles:
@@ -221,9 +219,6 @@ class _StageSearch:
 def _keys(angles: Iterable[str], slides: Iterable[str]) -> frozenset[str]:
     """Unknown scalars in one set, though a file may call a link and a slide alike."""
     return frozenset([*angles, *map(slide_key, slides)])
-
-
-# --- as many unknowns as equations ------------------------------------------------------------
 
 
 def fewest_closed(names: list[frozenset[str]], equations: list[int]) -> tuple[int, ...] | None:

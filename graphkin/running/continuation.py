@@ -135,8 +135,6 @@ class _ContinuationWalk:
             else:
                 step = self._stretch(step, end) or self._shorter(step, end) or step / 2**HALVINGS
 
-    # --- steps --------------------------------------------------------------------------------
-
     def _stretch(self, step: float, end: float) -> float:
         """Some steps as far as each goes on smoothly; the length of the next one, 0 where halving is to find it."""
         if step <= FELT * self.stride:
@@ -220,8 +218,6 @@ class _ContinuationWalk:
     def _longest(self, nodes: Nodes) -> np.ndarray:
         turning = np.maximum(self._largest(nodes.slope, nodes.x), 1e-300)
         return np.asarray(np.minimum(self.stride, FARTHEST / turning))
-
-    # --- change points ------------------------------------------------------------------------
 
     def _foretold(self) -> float | None:
         """The distance to the first crossing that is about to become flat, if it is soon."""

@@ -99,18 +99,15 @@ def _side(method: Method, plot: Plot, step: Meet | Swing) -> PointSide | None:
 def _across(here: Places, there: Places, moved: list[str], still: list[str]) -> Iterator[tuple[float, PointSide]]:
     """Points on the other side of a line that stays."""
     for (first, second), point in product(combinations(still, 2), moved):
-        sides = [_sine(places, first, second, point) for places in (here, there)]
+        sides = list[float]()  # distances from the line, beside the longer of line and distance; positive to the left
+        for places in (here, there):
+            base, arm = places[second] - places[first], places[point] - places[first]
+            size = abs(base) * max(abs(base), abs(arm))
+            sides.append(number(cross(base, arm)) / size if size else 0.0)
         if sides[0] * sides[1] < 0 and (plain := min(map(abs, sides))) > _PLAIN:
             line = here[second] - here[first]
             across = 1j * line / abs(line) * math.copysign(1.0, sides[0])
             yield plain + 1.0, PointSide(point, (first, second), across, 1 if sides[0] > 0 else -1)
-
-
-def _sine(places: Places, first: str, second: str, point: str) -> float:
-    """The distance of a point from a line, beside the longer of line and distance; positive to the left."""
-    line, arm = places[second] - places[first], places[point] - places[first]
-    size = abs(line) * max(abs(line), abs(arm))
-    return number(cross(line, arm)) / size if size else 0.0
 
 
 def _beyond(here: Places, there: Places, moved: list[str], still: list[str]) -> Iterator[tuple[float, PointSide]]:

@@ -107,9 +107,6 @@ class ReplayProgram:
         return plot
 
 
-# --- carried out --------------------------------------------------------------------------------
-
-
 @frozen
 class ProgramPart:
     """The operations for some entries of a plot, and where their results lie.
@@ -199,9 +196,6 @@ class ProgramPart:
 
 def _blocks(count: int) -> Iterator[slice]:
     return (slice(begin, min(begin + BLOCK, count)) for begin in range(0, count, BLOCK))
-
-
-# --- plots ---------------------------------------------------------------------------------------
 
 
 class PlotTable(Lazy[Value], MutableMapping[str, Value]):

@@ -289,9 +289,6 @@ def on_axis(vector: Value, axis: Axis) -> Real:
     return vector.real if axis == "x" else vector.imag
 
 
-# --- motion of one site seen from another -----------------------------------------------------
-
-
 def absolute(motions: Motions, plane: Plane, site: Seen) -> Value:
     """Velocity or acceleration of a site [m/s, m/s^2]."""
     motion_at = motions.velocity_at if plane == "velocity" else motions.acceleration_at
