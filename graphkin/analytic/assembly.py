@@ -24,8 +24,7 @@ from graphkin.base.geometry import number, wrapped
 from graphkin.base.tolerances import ROUNDED
 from graphkin.base.value import filled, frozen
 from graphkin.errors import NoAssembly
-from graphkin.model.mechanism import FRAME, Driver, Link, Mechanism, Pose
-from graphkin.model.pairs import Slide
+from graphkin.model.mechanism import FRAME, Link, Mechanism
 
 _STARTS = 128
 _MANY = 32
@@ -91,7 +90,13 @@ def idle(mechanism: Mechanism, loops: Loops) -> tuple[str, ...]:
 
 def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> ChosenAssembly:
     """Put the mechanism together, its drivers and poses at their values unless not `driving`."""
-    relations, c = _relations(mechanism, loops, driving)
+    # the relations that hold at the drawn position, with their right sides (k,)
+    known = [(relation, 0.0) for relation in loops.relations if relation.offset is not None]
+    placed = [(driven(mechanism, each), value) for each, value in (placing(mechanism) if driving else [])]
+    known += [(relation, 0.0) for relation in held(loops, [relation for relation, _ in known + placed])]
+    known += placed
+    sides = [value - relation.constant for relation, value in known]
+    relations, c = tuple(relation for relation, _ in known), np.array(sides, dtype=np.float64)
     closure = EquationSystem.of(loops, relations)
     seen = guess(mechanism, loops)
     ajar = loops.open_by(seen)
@@ -109,7 +114,10 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Chosen
         ends = search(closure, starts()[:: 1 + len(closure.known.free) // _MANY], c)
         assemblies = _met(closure, ends, c)
     if not len(assemblies):
-        return ChosenAssembly(None, _smallest_gap(closure, ends, c) * loops.size, closure)
+        # the smallest gap to which the loops come; a mismatch of angles counts at the mechanism's size
+        best = np.argsort(closure.loops.open_by(ends))[:4]
+        gap = closure.loops.open_by(search(closure, ends[best], c, steps=300))
+        return ChosenAssembly(None, max(float(gap.min()), closure.known.mismatch(c)) * loops.size, closure)
     return ChosenAssembly(choose(mechanism, loops, _distinct(assemblies)), 0.0, closure)
 
 
@@ -125,37 +133,17 @@ def _as_sketched(mechanism: Mechanism, loops: Loops, q: Reals) -> bool:
     away = _from_sketch(mechanism, loops, q[None])[0]
     if away >= _EXACT * loops.size:
         return False
-    open_to_doubt = _taken_forwards(mechanism) - _shown(mechanism, loops, q)
-    return not _negative(loops, q[None], _drawn_lengths(mechanism, loops) | open_to_doubt)[0]
-
-
-def _shown(mechanism: Mechanism, loops: Loops, q: Reals) -> set[str]:
-    """Displacements of which an exact sketch leaves no sign open: well off 0, of a point that it shows, along a guide
-    of which it shows two points well apart."""
+    # an exact sketch leaves no sign open of displacements well off 0, of a point that it shows, along a guide of which
+    # it shows two points well apart
     seen, guides = {*mechanism.links[FRAME].points, *mechanism.sketch}, {FRAME}
     for name, link in mechanism.links.items():
         arms = [arm for point, arm in link.points.items() if point in seen]
         if max((abs(arm - arms[0]) for arm in arms), default=0.0) > _APART * loops.size:
             guides.add(name)
     far = {unknown.name for unknown, value in zip(loops.unknowns, q) if unknown.kind == "s" and abs(value) > _OFF}
-    return far & {pair.name for pair in mechanism.slides if pair.guide in guides and pair.point in seen}
-
-
-def _smallest_gap(closure: EquationSystem, ends: Reals, c: Reals) -> float:
-    """The smallest gap to which the loops come; a mismatch of angles counts at the mechanism's size."""
-    best = np.argsort(closure.loops.open_by(ends))[:4]
-    gap = closure.loops.open_by(search(closure, ends[best], c, steps=300))
-    return max(float(gap.min()), closure.known.mismatch(c))
-
-
-def _relations(mechanism: Mechanism, loops: Loops, driving: bool) -> tuple[tuple[LinearRelation, ...], Reals]:
-    """The relations that hold at the drawn position, with their right sides (k,)."""
-    known = [(relation, 0.0) for relation in loops.relations if relation.offset is not None]
-    placed = [(driven(mechanism, each), value) for each, value in (placing(mechanism) if driving else [])]
-    known += [(relation, 0.0) for relation in held(loops, [relation for relation, _ in known + placed])]
-    known += placed
-    sides = [value - relation.constant for relation, value in known]
-    return tuple(relation for relation, _ in known), np.array(sides, dtype=np.float64)
+    shown = far & {pair.name for pair in mechanism.slides if pair.guide in guides and pair.point in seen}
+    in_doubt = _taken_forwards(mechanism) - shown
+    return not _negative(loops, q[None], _drawn_lengths(mechanism, loops) | in_doubt)[0]
 
 
 def _starts(seen: Reals, mechanism: Mechanism, loops: Loops) -> Reals:
@@ -172,10 +160,8 @@ def _starts(seen: Reals, mechanism: Mechanism, loops: Loops) -> Reals:
 
 
 def _distinct(assemblies: Reals) -> Reals:
-    """One of each assembly, in the order found: (a, n).
-
-    Angles count modulo 2 pi; read as an angle too, a small difference of displacements stays what it is.
-    """
+    """One of each assembly, in the order found: (a, n). Angles count modulo 2 pi; read as an angle too, a small
+    difference of displacements stays what it is."""
     kept: list[Reals] = []
     while len(assemblies):
         kept.append(assemblies[0])
@@ -185,10 +171,8 @@ def _distinct(assemblies: Reals) -> Reals:
 
 
 def choose(mechanism: Mechanism, loops: Loops, assemblies: Reals) -> Reals:
-    """The assembly people drew: cylinders the right way round, then nearest to the sketch.
-
-    Where the sketch does not tell two apart, displacements are taken positive.
-    """
+    """The assembly people drew: cylinders the right way round, then nearest to the sketch. Where the sketch does not
+    tell two apart, displacements are taken positive."""
     backwards = _negative(loops, assemblies, _drawn_lengths(mechanism, loops))
     assemblies = assemblies[backwards == backwards.min()]
     distance = _from_sketch(mechanism, loops, assemblies)
@@ -221,9 +205,8 @@ def _columns(loops: Loops, names: set[str]) -> list[int]:
 
 
 def _drawn_lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
-    """Displacements that are positive as drawn: along a moving link of one point, which is its own line
-    (a cylinder), and along a line of centres. A rack that cannot turn may be passed either way.
-    """
+    """Displacements that are positive as drawn: along a moving link of one point, which is its own line (a cylinder),
+    and along a line of centres. A rack that cannot turn may be passed either way."""
     links, slides = mechanism.links, {pair.name for pair in mechanism.slides if pair.line.on_axis}
     across = {pair.name for pair in mechanism.slides} - slides
     blocks = {pair.block for pair in mechanism.slides}
@@ -235,9 +218,6 @@ def _drawn_lengths(mechanism: Mechanism, loops: Loops) -> set[str]:
 def _taken_forwards(mechanism: Mechanism) -> set[str]:
     """Displacements taken positive where the sketch leaves them open: all."""
     return {pair.name for pair in mechanism.slides}
-
-
-# --- what the sketch shows --------------------------------------------------------------------
 
 
 def guess(mechanism: Mechanism, loops: Loops) -> Reals:
@@ -271,21 +251,25 @@ class _Seen:
         before = len(self.points), len(self.angles)
         for given, value in placing(self.mechanism):
             if given.kind == "angle":
-                self._driven(given, value)
+                if given.from_link in self.angles and given.vector is not None:
+                    links, back = self.mechanism.links, given.from_vector
+                    start = 0.0 if back is None else cmath.phase(links[given.from_link].arm(*back))
+                    angle = self.angles[given.from_link] + start + value
+                    self.angles.setdefault(given.link, angle - cmath.phase(links[given.link].arm(*given.vector)))
             elif given.kind == "slide":
                 self._pushed(next(joint for joint in self.joints if joint.slide == given.link), value)
         for link in self.mechanism.links.values():
             self._fitted(link)
         for pair in self.mechanism.slides:
-            self._aligned(pair)
+            # a block turns with its guide; two located points on a line give its direction
+            if pair.block is not None and pair.guide in self.angles:
+                self.angles.setdefault(pair.block, self.angles[pair.guide] + pair.turn)
+            if pair.block is not None and pair.block in self.angles:
+                self.angles.setdefault(pair.guide, self.angles[pair.block] - pair.turn)
+            ends = self.points.get(pair.line.origin), self.points.get(pair.point)
+            if ends[0] is not None and ends[1] is not None:
+                self.angles.setdefault(pair.guide, cmath.phase((ends[1] - ends[0]) / pair.line.direction))
         return before != (len(self.points), len(self.angles))
-
-    def _driven(self, given: Driver | Pose, value: float) -> None:
-        if given.from_link in self.angles and given.vector is not None:
-            links, back = self.mechanism.links, given.from_vector
-            start = 0.0 if back is None else cmath.phase(links[given.from_link].arm(*back))
-            angle = self.angles[given.from_link] + start + value
-            self.angles.setdefault(given.link, angle - cmath.phase(links[given.link].arm(*given.vector)))
 
     def _pushed(self, joint: Joint, value: float) -> None:
         origin = self._place(joint.tail, joint.tail_arm)
@@ -294,16 +278,6 @@ class _Seen:
             for name, arm in self.mechanism.links[joint.head].points.items():
                 if arm == joint.head_arm:
                     self.points.setdefault(name, place)
-
-    def _aligned(self, pair: Slide) -> None:
-        """A block turns with its guide; two located points on a line give its direction."""
-        if pair.block is not None and pair.guide in self.angles:
-            self.angles.setdefault(pair.block, self.angles[pair.guide] + pair.turn)
-        if pair.block is not None and pair.block in self.angles:
-            self.angles.setdefault(pair.guide, self.angles[pair.block] - pair.turn)
-        ends = self.points.get(pair.line.origin), self.points.get(pair.point)
-        if ends[0] is not None and ends[1] is not None:
-            self.angles.setdefault(pair.guide, cmath.phase((ends[1] - ends[0]) / pair.line.direction))
 
     def _fitted(self, link: Link) -> None:
         """Two located points give the link's angle; the angle and one point give all its points."""

@@ -57,8 +57,7 @@ def blocks_of(closure: EquationSystem) -> tuple[LoopBlock, ...]:
     """The blocks in order; none where equations and unknowns do not match."""
     uses = moved_by(closure, closure.loops.rows)
     loops, unknowns = uses.shape
-    takers = np.full(unknowns, -1)
-    """For each unknown the loop that takes it, two for each loop."""
+    takers = np.full(unknowns, -1)  # for each unknown the loop that takes it, two for each loop
     even = 2 * loops == unknowns and all(
         _taken(loop, uses, takers, np.zeros(unknowns, dtype=bool)) for loop in (*range(loops), *range(loops))
     )
@@ -107,11 +106,8 @@ def _block(closure: EquationSystem, rows: Indices, columns: Indices) -> LoopBloc
     moving, still = np.flatnonzero(there & moves), np.flatnonzero(there & ~moves)
     count, size = len(columns), len(moving) + len(rows)
     one, none, idle = np.eye(size), np.zeros((size, size)), np.zeros((len(rows), count))
-    vectors = LoopVectors(
-        np.hstack([np.vstack([turning[moving], idle]), one, none]),
-        np.hstack([np.vstack([stretching[moving], idle]), none, one]),
-        np.zeros(size),
-    )
+    vectors = LoopVectors(np.hstack([np.vstack([turning[moving], idle]), one, none]),
+                          np.hstack([np.vstack([stretching[moving], idle]), none, one]), np.zeros(size))  # fmt: skip
     given = np.vstack([np.zeros((count, 2 * size)), np.eye(2 * size)])
     free = np.vstack([np.eye(count), np.zeros((2 * size, count))])
     known = Elimination(given, free, np.arange(count), np.zeros((0, 2 * size)))
@@ -119,14 +115,9 @@ def _block(closure: EquationSystem, rows: Indices, columns: Indices) -> LoopBloc
     return LoopBlock(columns, moving, still, loops.rows[rows], EquationSystem(part, given.T, known), closure)
 
 
-# --- dyads by formula -------------------------------------------------------------------------
-
-
 def dyad_ways(block: LoopBlock, given: Reals) -> Reals | None:
-    """Both ways to close a block of one loop (b, 2, 2); the nearest to it where the loop does not close.
-
-    None where it is not of such a kind, or where it is open to any direction.
-    """
+    """Both ways to close a block of one loop (b, 2, 2); the nearest to it where the loop does not close. None where it
+    is not of such a kind, or where it is open to any direction."""
     if len(block.columns) != 2 or len(block.rows) != 1:
         return None
     vectors = block.part.loops.vectors

@@ -83,8 +83,7 @@ class _BranchWalk:
     left: float = np.inf
 
     def __post_init__(self) -> None:
-        self.moved = moved_by(self.closure, self.judge.rows)
-        """Which unknowns left move each sketched point: (k, y)."""
+        self.moved = moved_by(self.closure, self.judge.rows)  # which unknowns left move each sketched point: (k, y)
 
     def through(self, blocks: tuple[LoopBlock, ...]) -> Reals:
         known = self.closure.known
@@ -96,8 +95,6 @@ class _BranchWalk:
             if not len(q):
                 break
         return q
-
-    # --- one block ----------------------------------------------------------------------------
 
     def _closed(self, block: LoopBlock, q: Reals, solved: Flags) -> Reals:
         """Each branch with every way to close a block."""
@@ -157,8 +154,6 @@ class _BranchWalk:
         """Branches with a block's unknowns."""
         left = self.closure.known.left[:, block.columns]
         return q + (y - q[:, self.closure.known.free[block.columns]]) @ left.T
-
-    # --- what the sketch says -----------------------------------------------------------------
 
     def _thinned(self, q: Reals, solved: Flags) -> Reals:
         """The nearest branches: cylinders the right way round, then near the sketch, then displacements positive."""

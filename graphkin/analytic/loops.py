@@ -41,9 +41,6 @@ SMALL = 2**13
 """Products of fewer multiplications are done by one thread; dealt out to several, each waits for the slowest."""
 
 
-# --- arrows -----------------------------------------------------------------------------------
-
-
 def applied(matrix: Array, vectors: Array) -> Array:
     """A matrix (r, m) on vectors (..., m): (..., r)."""
     if vectors.size * len(matrix) < SMALL:
@@ -118,9 +115,6 @@ class LoopVectors:
         turned = (1j * length * unit)[..., None, :] * rows
         stretched = unit[..., None, :] * rows
         return through(turned, self.turning) + through(stretched, self.stretching)
-
-
-# --- loops ------------------------------------------------------------------------------------
 
 
 @frozen
@@ -207,10 +201,8 @@ def loops_of(mechanism: Mechanism) -> Loops:
     for link in mechanism.moving:
         if link not in origins:
             raise NotJoined(mechanism.where("links", link), link)
-    points = {
-        point: origins[owners[0]] + sums.arm(owners[0], mechanism.links[owners[0]].points[point])
-        for point, owners in mechanism.owners.items()
-    }
+    points = {point: origins[owners[0]] + sums.arm(owners[0], mechanism.links[owners[0]].points[point])
+              for point, owners in mechanism.owners.items()}  # fmt: skip
     unknowns = (*(theta(link) for link in links[1:]), *(Unknown("s", name) for name in slides))
     unit = np.array([1.0] * len(links[1:]) + [size] * len(slides))
     moving = len(links) - 1

@@ -161,8 +161,6 @@ def _by_link(mechanism: Mechanism, values: Mapping[str, Complex]) -> dict[str, d
 
 def _by_name(loops: Loops, values: Reals, kind: str, names: Collection[str]) -> dict[str, Reals]:
     """Unknowns of one kind by name, those of the analysis' own making left out, in SI units."""
-    return {
-        unknown.name: np.asarray(values[..., at] * loops.unit[at])[()]
-        for at, unknown in enumerate(loops.unknowns)
-        if unknown.kind == kind and unknown.name in names
-    }
+    return {unknown.name: np.asarray(values[..., at] * loops.unit[at])[()]
+            for at, unknown in enumerate(loops.unknowns)
+            if unknown.kind == kind and unknown.name in names}  # fmt: skip

@@ -44,10 +44,8 @@ _CLEAR = 10  # the outermost neighbour is not so near another change point, or t
 
 @frozen
 class Limit:
-    """Positions beside a change point, as weighted sums of neighbours on both sides.
-
-    rows (m,)   which positions; q (8, n)   the neighbours' unknowns; weights (m, 8)
-    """
+    """Positions beside a change point, as weighted sums of neighbours on both sides. rows (m,) which positions; q (8,
+    n) the neighbours' unknowns; weights (m, 8)."""
 
     rows: Indices
     q: Reals
@@ -55,10 +53,8 @@ class Limit:
 
 
 def moved(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> tuple[Reals, list[Limit]]:
-    """Unknowns (p, n) where the right sides are c (k,) + change (p, k), and the positions beside change points.
-
-    nan where the way does not lead. `start` are the unknowns (n,) at c.
-    """
+    """Unknowns (p, n) where the right sides are c (k,) + change (p, k), and the positions beside change points. nan
+    where the way does not lead. `start` are the unknowns (n,) at c."""
     goals = np.full((len(change), len(start)), np.nan)
     there = np.flatnonzero(np.isfinite(change).all(axis=1))
     if not there.size:

@@ -56,10 +56,8 @@ class Elimination:
 
 
 def eliminate(weights: Reals) -> Elimination:
-    """Gauss-Jordan on W (k, n) beside the unit matrix, each row pivoting on its largest entry.
-
-    A relation has few unknowns, so rows are tables of what is not 0, by column.
-    """
+    """Gauss-Jordan on W (k, n) beside the unit matrix, each row pivoting on its largest entry. A relation has few
+    unknowns, so rows are tables of what is not 0, by column."""
     k, n = weights.shape
     rows: list[dict[int, float]] = []
     for number, entries in enumerate(weights.tolist()):
@@ -142,10 +140,8 @@ class Closed:
 
 
 def close(closure: EquationSystem, q: Reals, c: Reals, steps: int = 12) -> Closed:
-    """Newton from q (p, n), with the relations at c. A step is at most 1 rad, or the mechanism's size.
-
-    Positions that have settled are left alone, so a few at dead points do not keep all others busy.
-    """
+    """Newton from q (p, n), with the relations at c. A step is at most 1 rad, or the mechanism's size. Positions that
+    have settled are left alone, so a few at dead points do not keep all others busy."""
     q = closure.known.unknowns(q[..., closure.known.free], c)
     last = np.full(len(q), np.inf)
     for _ in range(steps):
@@ -173,10 +169,8 @@ def pseudo_inverse(matrix: Reals) -> Reals:
 
 
 def inverse(matrix: Reals) -> tuple[Reals, Reals]:
-    """The (pseudo-)inverse of A (p, 2r, y), and the reciprocal condition number (p,): 1 best, 0 singular.
-
-    The condition is |A| |A^-1| / y in the Frobenius norm.
-    """
+    """The (pseudo-)inverse of A (p, 2r, y), and the reciprocal condition number (p,): 1 best, 0 singular. The condition
+    is |A| |A^-1| / y in the Frobenius norm."""
     rows, columns = matrix.shape[-2:]
     if rows == columns > 0:
         try:
@@ -195,11 +189,9 @@ def inverse(matrix: Reals) -> tuple[Reals, Reals]:
 
 
 def search(closure: EquationSystem, q: Reals, c: Reals, steps: int = 60) -> Reals:
-    """Levenberg-Marquardt from many starts q (b, n): where each ends.
-
-    A step that opens the loops further is taken back and damped more, each start for itself; one that has
-    closed the loops, or finds no way to close them further, is left alone.
-    """
+    """Levenberg-Marquardt from many starts q (b, n): where each ends. A step that opens the loops further is taken back
+    and damped more, each start for itself; one that has closed the loops, or finds no way to close them further, is
+    left alone."""
     q = closure.known.unknowns(q[..., closure.known.free], c)
     damping, busy, gaps = np.full(len(q), 0.1), np.arange(len(q)), closure.loops.gap(q)
     diagonal = np.arange(len(closure.known.free))
@@ -246,10 +238,8 @@ def rates(closure: EquationSystem, q: Reals, first: Reals, second: Reals) -> Rat
 
 def tangent(closure: EquationSystem, q: Reals, first: Reals) -> tuple[Reals, Reals, Reals]:
     """q' alone (p, n), the reciprocal condition number of A (p,), and its determinant's sign (p,), 1 if it has none.
-
     `first` (..., k) may differ from position to position. The sign changes only through a change point, or to another
-    assembly.
-    """
+    assembly."""
     slope = closure.loops.slope(q)
     matrix = through(slope, closure.known.left)
     inverted, condition = inverse(matrix)
@@ -260,10 +250,8 @@ def tangent(closure: EquationSystem, q: Reals, first: Reals) -> tuple[Reals, Rea
 
 def reaching(closure: EquationSystem, q: Reals) -> Reals:
     """The reciprocal condition number at q (p, n), far displacements and their loops measured by how far they reach.
-
     Beside guides that become parallel, blocks run off: rows and columns of many sizes there make A ill-conditioned long
-    before it is singular.
-    """
+    before it is singular."""
     slides = np.array([unknown.kind == "s" for unknown in closure.loops.unknowns])[closure.known.free]
     reach = np.where(slides, np.maximum(np.abs(q[..., closure.known.free]), 1.0), 1.0)
     matrix = closure.matrix(q) * reach[..., None, :]

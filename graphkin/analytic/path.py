@@ -174,8 +174,6 @@ class _MotionWalk:
             return None
         return node if self.line.largest(node.slope - slope, q) * (at - here.at) < SWERVE else None
 
-    # --- change points ------------------------------------------------------------------------
-
     def _foretold(self) -> float | None:
         """The place where the matrix becomes singular, if soon; not again where it just was."""
         if len(self.nodes) == 1 or (self.changes and self.nodes[-2].at <= self.changes[-1]):
@@ -199,28 +197,7 @@ class _MotionWalk:
             inside.append(node)
         left, right = inside
         place = self._singular(left, right)
-        if not self._closes(left, right, place):
-            return False
-        self.changes.append(place)
-        self.nodes += [*(node for node in inside if here.at < node.at < beyond.at), beyond]
-        return True
-
-    def _singular(self, left: PathNode, right: PathNode) -> float:
-        """The singular place between two nodes: the condition falls and rises there in straight lines.
-
-        So close to each other they tell it well, where nodes further off, one of them beside the place, do not.
-        """
-        place = _meeting(left.at, right.at, abs(left.measure), abs(right.measure))
-        width = (right.at - left.at) / 16
-        for _ in range(3):
-            at = np.clip(place + width * np.array([-1.0, 1.0]), left.at, right.at)
-            _, condition, _ = tangent(self.line.closure, _between(left, right, at)[0], self.line.toward)
-            place = _meeting(*at.tolist(), *condition.tolist())
-            width /= 16
-        return place
-
-    def _closes(self, left: PathNode, right: PathNode, place: float) -> bool:
-        """True if the loops close at the singular place, but for the direction in which the matrix tells nothing."""
+        # true if the loops close at the singular place, but for the direction in which the matrix tells nothing
         closure, right_side = self.line.closure, self.line.c + place * self.line.toward
         q = _between(left, right, np.array([place]))[0][0]
         q = closure.known.unknowns(q[closure.known.free], right_side)
@@ -229,7 +206,23 @@ class _MotionWalk:
             left_vectors, sizes, right_vectors = np.linalg.svd(closure.matrix(q), full_matrices=False)
             clear = sizes > FLAT * sizes[0]
             q = closure.move(q, -((left_vectors[:, clear].T @ gap) / sizes[clear]) @ right_vectors[clear])
-        return not clear.all() and float(closure.loops.open_by(q)) < TOUCH
+        if not (not clear.all() and float(closure.loops.open_by(q)) < TOUCH):
+            return False
+        self.changes.append(place)
+        self.nodes += [*(node for node in inside if here.at < node.at < beyond.at), beyond]
+        return True
+
+    def _singular(self, left: PathNode, right: PathNode) -> float:
+        """The singular place between two nodes: the condition falls and rises there in straight lines. So close to each
+        other they tell it well, where nodes further off, one of them beside the place, do not."""
+        place = _meeting(left.at, right.at, abs(left.measure), abs(right.measure))
+        width = (right.at - left.at) / 16
+        for _ in range(3):
+            at = np.clip(place + width * np.array([-1.0, 1.0]), left.at, right.at)
+            _, condition, _ = tangent(self.line.closure, _between(left, right, at)[0], self.line.toward)
+            place = _meeting(*at.tolist(), *condition.tolist())
+            width /= 16
+        return place
 
 
 def _meeting(left: float, right: float, before: float, after: float) -> float:

@@ -110,10 +110,8 @@ def roll(mechanism: Mechanism, pair: RollingContact) -> Share:
 
 
 def replaced(mechanism: Mechanism, pair: Cam | CircularSlot) -> Share:
-    """A higher pair by its lower-pair equivalent alone: two points at a distance, or a point beside a line.
-
-    Source: Sun Huan, Theory of Machines, section 2-6 (replacement of higher pairs).
-    """
+    """A higher pair by its lower-pair equivalent alone: two points at a distance, or a point beside a line. Source: Sun
+    Huan, Theory of Machines, section 2-6 (replacement of higher pairs)."""
     same = pair.equivalent
     if isinstance(same, Rod):
         return Share(_line_of_centres(mechanism, pair, same, same.length)[1])
@@ -137,10 +135,8 @@ def _own(pair: Pair) -> str:
 
 
 def _line_of_centres(mechanism: Mechanism, pair: Pair, rod: Rod, length: float | None) -> tuple[str, tuple[Joint, ...]]:
-    """The link that carries both centres (at this `length` [m], if one is given), or a new one and its joints.
-
-    A new link of open length is a rod from the first centre that slides through the second.
-    """
+    """The link that carries both centres (at this `length` [m], if one is given), or a new one and its joints. A new
+    link of open length is a rod from the first centre that slides through the second."""
     for link in mechanism.links.values() if rod.carried else ():
         if link.points.keys() >= set(rod.points):
             carried = abs(link.arm(*rod.points))

@@ -20,8 +20,7 @@ class BadRange(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given!r} is no range. Write FROM:TO:STEP (0:360:10, or 50 mm:90 mm:5 mm), with FROM and TO "
         "different, STEP above 0, at most 1000 turns and 10 million steps; drivers that move together take equally many.",
-        "zh": "{where}：{given!r} 不是有效的范围。请写成 起:止:步长（如 0:360:10 或 50 mm:90 mm:5 mm），起止不得相同，步长大于 0，"
-        "最多 1000 转、一千万步；同时运动的各原动件步数必须相同。",
+        "zh": "{where}：{given!r} 不是有效的范围。请写成 起:止:步长（如 0:360:10 或 50 mm:90 mm:5 mm），起止不得相同，步长大于 0，最多 1000 转、一千万步；同时运动的各原动件步数必须相同。",
     }
 
 
@@ -42,8 +41,7 @@ class BadPair(LocatedError):
 
     given: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} does not read as a pair. Write a point as X,Y (10,40), two points as 'X,Y X,Y', "
-        "two angles as PHI:PSI (40:30).",
+        "en": "{where}: {given!r} does not read as a pair. Write a point as X,Y (10,40), two points as 'X,Y X,Y', two angles as PHI:PSI (40:30).",
         "zh": "{where}：{given!r} 不是一对数值。点写成 X,Y（如 10,40），两点写成 'X,Y X,Y'，两个角写成 φ:ψ（如 40:30）。",
     }
 
@@ -85,8 +83,7 @@ class NoSuchValue(Choice):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {given!r} is not one value of this file. A length is named AB, an angle BDE, a fixed or sketched "
         "point A, a driver's value 'angle AB' or 'omega AB', any other by its place: links.2.AB, slide.0.angle. {hint}",
-        "zh": "{where}：{given!r} 不是该文件中唯一的一个值。长度写 AB，角度写 BDE，固定点或草图点写 A，原动件的值写 'angle AB'、"
-        "'omega AB'，其他按位置写：links.2.AB、slide.0.angle。{hint}",
+        "zh": "{where}：{given!r} 不是该文件中唯一的一个值。长度写 AB，角度写 BDE，固定点或草图点写 A，原动件的值写 'angle AB'、'omega AB'，其他按位置写：links.2.AB、slide.0.angle。{hint}",
     }
 
 
@@ -160,8 +157,7 @@ class UnknownQuantity(Choice):
     """A text that names no quantity."""
 
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} names no quantity. Write for example `theta 3`, `omega 3`, `v C`, `a_k B3B2`, `s ram`, "
-        "`omega 1 / omega 3`. {hint}",
+        "en": "{where}: {given!r} names no quantity. Write for example `theta 3`, `omega 3`, `v C`, `a_k B3B2`, `s ram`, `omega 1 / omega 3`. {hint}",
         "zh": "{where}：{given!r} 不是一个量。请写成如 `theta 3`、`omega 3`、`v C`、`a_k B3B2`、`s ram`、`omega 1 / omega 3`。{hint}",
     }
 
@@ -173,8 +169,7 @@ class NeedsTwo(LocatedError):
     point: str
     pairs: tuple[str, ...]
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {quantity} is part of the acceleration of one point seen from another, and {point} alone is one "
-        "point. {hint}",
+        "en": "{where}: {quantity} is part of the acceleration of one point seen from another, and {point} alone is one point. {hint}",
         "zh": "{where}：{quantity} 是一点相对另一点的加速度的分量，只写一个点 {point} 不够。{hint}",
     }
 

@@ -46,7 +46,9 @@ class GraphkinError(Exception):
 
     def message(self, lang: Lang = "en") -> str:
         """The sentence, with this error's own data in it."""
-        return _plain(self.text[lang].format(**self._words(lang)).rstrip())
+        text = self.text[lang].format(**self._words(lang)).rstrip()
+        # nothing may steer a terminal, wherever it came from: names of files, words of a command
+        return "".join(ascii(letter)[1:-1] if letter != "\n" and steers(letter) else letter for letter in text)
 
     def at(self, where: Where) -> GraphkinError:
         """The same error at a place, for those that were raised with `NOWHERE`."""
@@ -70,19 +72,10 @@ class GraphkinError(Exception):
         return type(self), tuple(self._data().values())
 
 
-def _plain(text: str) -> str:
-    """Without anything that would steer a terminal, wherever it came from: names of files, words of a command."""
-    if text.isprintable():
-        return text
-    return "".join(ascii(letter)[1:-1] if letter != "\n" and steers(letter) else letter for letter in text)
-
-
 def steers(letter: str) -> bool:
     """True of a character that steers a screen or a printer instead of showing something, or may stand in no text.
-
     Controls, lone halves of characters, ends of lines and paragraphs, marks that turn the direction of reading, and
-    what Unicode calls noncharacters. Letters too new for this Python are not among them.
-    """
+    what Unicode calls noncharacters. Letters too new for this Python are not among them."""
     if letter.isprintable():
         return False
     number = ord(letter)

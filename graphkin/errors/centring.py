@@ -18,8 +18,7 @@ class NotOneBody(LocatedError):
     other: float
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: {first} and {second} are not points of one rigid body: along {first}{second} the velocity of "
-        "{first} has the component {one:.4g} m/s, that of {second} {other:.4g} m/s, and they must be equal. Correct "
-        "one of them.",
+        "{first} has the component {one:.4g} m/s, that of {second} {other:.4g} m/s, and they must be equal. Correct one of them.",
         "zh": "{where}：{first}、{second} 不是同一刚体上的点：沿 {first}{second} 连线方向，v_{first} 的投影为 {one:.4g} m/s，v_{second} 的投影为 "
         "{other:.4g} m/s，二者必须相等（速度投影定理）。请改正其中之一。",
     }
@@ -52,8 +51,7 @@ class FrameStands(LocatedError):
 
     link: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: link {link} is the frame; it does not move, so it has no absolute instant centre. Name a "
-        "moving link.",
+        "en": "{where}: link {link} is the frame; it does not move, so it has no absolute instant centre. Name a moving link.",
         "zh": "{where}：构件 {link} 是机架，固定不动，没有绝对瞬心。请给出一个活动构件。",
     }
 

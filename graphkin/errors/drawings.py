@@ -64,8 +64,7 @@ class NothingToMeasure(LocatedError):
 
 _UNJUDGED: dict[str, dict[Lang, str]] = {
     "given": {
-        "en": "it shows only what is given. Check one that holds answers, as `graphkin draw` makes it without "
-        "`--style given`.",
+        "en": "it shows only what is given. Check one that holds answers, as `graphkin draw` makes it without `--style given`.",
         "zh": "它只画出已知条件。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
     },
     "bare": {

@@ -52,8 +52,7 @@ class DrivenFrame(LocatedError):
 class SameLink(LocatedError):
     link: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: both directions belong to link {link}, so the angle between them never changes. "
-        "Measure from another link.",
+        "en": "{where}: both directions belong to link {link}, so the angle between them never changes. Measure from another link.",
         "zh": "{where}：两个方向都在构件 {link} 上，夹角不变，请从另一构件量起。",
     }
 
@@ -96,8 +95,7 @@ class JoinedToNothing(TooFewDrivers):
         "en": "{where}: joined to nothing: {points}, which no second link has. So the mobility of this mechanism "
         "(its degrees of freedom) is {freedoms}, and drivers take {drivers} of it; still free: links {links}. "
         "A letter that two links share is a hinge: let them share one, or add a [[driver]].",
-        "zh": "{where}：{points} 各只属于一个构件，未与其他构件相连；机构因此有 {freedoms} 个自由度，却只有 {drivers} 个原动件，"
-        "构件 {links} 仍可自由运动。两构件共有的字母即为转动副：请用同一字母，或增加 [[driver]]。",
+        "zh": "{where}：{points} 各只属于一个构件，未与其他构件相连；机构因此有 {freedoms} 个自由度，却只有 {drivers} 个原动件，构件 {links} 仍可自由运动。两构件共有的字母即为转动副：请用同一字母，或增加 [[driver]]。",
     }
 
 

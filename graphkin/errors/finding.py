@@ -31,8 +31,7 @@ class OtherUnits(LocatedError):
     second: str
     second_unit: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {first} is measured in {first_unit}, {second} in {second_unit}: they cannot be compared. "
-        "Compare quantities of one kind.",
+        "en": "{where}: {first} is measured in {first_unit}, {second} in {second_unit}: they cannot be compared. Compare quantities of one kind.",
         "zh": "{where}：{first} 的单位是 {first_unit}，{second} 的单位是 {second_unit}，不能比较。请比较同类的量。",
     }
 
@@ -58,8 +57,7 @@ class NoLineOf(Choice):
     """A link or a pair of points that makes no line on one moving link."""
 
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} is no line of a moving link. Name two points of one link (`slowest BC`), or a link "
-        "with two points. {hint}",
+        "en": "{where}: {given!r} is no line of a moving link. Name two points of one link (`slowest BC`), or a link with two points. {hint}",
         "zh": "{where}：{given!r} 不是某一活动构件上的直线。请写出同一构件上的两点（如 `slowest BC`），或至少有两点的构件。{hint}",
     }
 
@@ -93,8 +91,7 @@ class CannotScale(LocatedError):
     wanted: str
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: here {quantity} is {value}, and no speed of the drivers makes it {wanted}: it grows with their "
-        "speed (accelerations with its square) from nothing and keeps its sense. Ask for another value, or at another "
-        "position.",
+        "speed (accelerations with its square) from nothing and keeps its sense. Ask for another value, or at another position.",
         "zh": "{where}：此位置 {quantity} 为 {value}，原动件取任何速度都不能使它等于 {wanted}：它与速度成正比（加速度与速度的平方成正比），方向不变。请改用其他值或其他位置。",
     }
 

@@ -178,8 +178,7 @@ class Negative(LocatedError):
 class AngleRange(LocatedError):
     given_deg: float
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given_deg:g} deg; an angle between two lines of a link lies between 0 and 180 deg. "
-        "Say with ccw which way it opens.",
+        "en": "{where}: {given_deg:g} deg; an angle between two lines of a link lies between 0 and 180 deg. Say with ccw which way it opens.",
         "zh": "{where}：{given_deg:g}°；构件上两线的夹角应在 0° 到 180° 之间，张开方向用 ccw 给出。",
     }
 

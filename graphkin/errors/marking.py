@@ -19,10 +19,6 @@ class BadKey(LocatedError):
     }
 
 
-def _sentence(problem: GraphkinError, lang: Lang) -> str:
-    return problem.message(lang).rstrip(".。")
-
-
 class NothingToMark(LocatedError):
     """A mechanism that asks for no number, and has none on the way."""
 
@@ -44,7 +40,8 @@ class NoKeyAtPosition(LocatedError):
 
     def _words(self, lang: Lang) -> dict[str, object]:
         colon = "：" if lang == "zh" else ": "
-        return {**super()._words(lang), "because": "" if self.problem is None else colon + _sentence(self.problem, lang)}
+        because = "" if self.problem is None else colon + self.problem.message(lang).rstrip(".。")
+        return {**super()._words(lang), "because": because}
 
 
 class BadPencil(LocatedError):
@@ -61,8 +58,7 @@ class NoSuchProblem(Choice):
     """Something handed in that belongs to none of several problems."""
 
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: of several problems none is called {given!r}. Name what is handed in after its problem, with any "
-        "ending. {hint}",
+        "en": "{where}: of several problems none is called {given!r}. Name what is handed in after its problem, with any ending. {hint}",
         "zh": "{where}：各题中没有名为 {given!r} 的题目。请用题目名称命名提交的文件或文件夹（后缀不限）。{hint}",
     }
 

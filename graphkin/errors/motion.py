@@ -146,16 +146,13 @@ class OffTrack(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: the centre {centre} lies {distance} of the track on link {track}, the radius and `side` want "
         "{wanted}: {gap_mm:.6g} mm apart. Change `radius` or `side`, or the pairs that hold the centre.",
-        "zh": "{where}：圆心 {centre} 在构件 {track} 的轨道{distance}，而半径和 `side` 要求在{wanted}，相差 {gap_mm:.6g} mm。"
-        "请修改 `radius` 或 `side`，或修改确定圆心位置的运动副。",
+        "zh": "{where}：圆心 {centre} 在构件 {track} 的轨道{distance}，而半径和 `side` 要求在{wanted}，相差 {gap_mm:.6g} mm。请修改 `radius` 或 `side`，或修改确定圆心位置的运动副。",
     }
 
     def _words(self, lang: Lang) -> dict[str, object]:
         sides = {"en": ("{} mm to the left", "{} mm to the right"), "zh": ("左侧 {} mm 处", "右侧 {} mm 处")}[lang]
-        places = {
-            name: sides[value < 0].format(f"{abs(value):.6g}")
-            for name, value in (("distance", self.distance_mm), ("wanted", self.wanted_mm))
-        }
+        places = {name: sides[value < 0].format(f"{abs(value):.6g}")
+                  for name, value in (("distance", self.distance_mm), ("wanted", self.wanted_mm))}  # fmt: skip
         return super()._words(lang) | places | {"gap_mm": abs(self.distance_mm - self.wanted_mm)}
 
 
@@ -294,7 +291,6 @@ class NotJoined(LocatedError):
 
     link: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: no chain of pairs joins link {link} to the frame. "
-        "Let it share a point with another link, or add a slide.",
+        "en": "{where}: no chain of pairs joins link {link} to the frame. Let it share a point with another link, or add a slide.",
         "zh": "{where}：构件 {link} 没有通过任何运动副与机架相连。请让它与另一构件共用一点，或加一个移动副。",
     }

@@ -25,8 +25,7 @@ class PinInCircle(LocatedError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: centre and radius make a circular slot, in which a pin moves: give pin and guide. A block that "
         "slides in such a slot turns about its centre: leave the slide out and let the block's link have the centre, too.",
-        "zh": "{where}：centre 和 radius 表示圆弧槽，其中只能是销：请写 pin 和 guide。沿圆弧槽滑动的滑块绕槽的圆心转动："
-        "请删去该移动副，并让滑块所在构件也含圆心这一点（即铰接于圆心）。",
+        "zh": "{where}：centre 和 radius 表示圆弧槽，其中只能是销：请写 pin 和 guide。沿圆弧槽滑动的滑块绕槽的圆心转动：请删去该移动副，并让滑块所在构件也含圆心这一点（即铰接于圆心）。",
     }
 
 
@@ -41,8 +40,7 @@ class SlidesOnItself(LocatedError):
 class NeedsTilt(LocatedError):
     link: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: block {link} has a direction of its own already. "
-        "Add tilt, the angle from the guide's line to that direction.",
+        "en": "{where}: block {link} has a direction of its own already. Add tilt, the angle from the guide's line to that direction.",
         "zh": "{where}：滑块 {link} 已有自身方向，请补充 tilt，即从导路到该方向的角度。",
     }
 
@@ -50,8 +48,7 @@ class NeedsTilt(LocatedError):
 class NeedsDirection(LocatedError):
     link: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the direction of the line on link {link} is open. "
-        "Add toward = a second point, or from = two points (and an angle).",
+        "en": "{where}: the direction of the line on link {link} is open. Add toward = a second point, or from = two points (and an angle).",
         "zh": "{where}：构件 {link} 上导路的方向未定，请补充 toward（另一点），或 from（两点）及 angle。",
     }
 

@@ -22,8 +22,7 @@ class NoRange(LocatedError):
     """A range that gives no values."""
 
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this is no range. Write {{ from = 20, to = 30, step = 1 }}: finite, from below to, step above 0, "
-        "at most 100000 values.",
+        "en": "{where}: this is no range. Write {{ from = 20, to = 30, step = 1 }}: finite, from below to, step above 0, at most 100000 values.",
         "zh": "{where}：这不是有效的范围。请写成 {{ from = 20, to = 30, step = 1 }}：有限数，from 小于 to，step 大于 0，最多 100000 个值。",
     }
 
@@ -73,8 +72,7 @@ class NoRightNumber(GraphkinError):
     question: str
     part: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "Problem {question}: the right value, the tolerance or the points of {part} are no finite number. "
-        "Make the key anew.",
+        "en": "Problem {question}: the right value, the tolerance or the points of {part} are no finite number. Make the key anew.",
         "zh": "题目 {question}：{part} 的正确值、允差或分值不是有限数，请重新生成答案。",
     }
 
@@ -94,7 +92,6 @@ class NotAnOverride(LocatedError):
 
     given: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} in the column override is no number of points. Write a number from 0 up, "
-        "or leave it empty.",
+        "en": "{where}: {given!r} in the column override is no number of points. Write a number from 0 up, or leave it empty.",
         "zh": "{where}：override 列中的 {given!r} 不是分数。请填不小于 0 的数，或留空。",
     }

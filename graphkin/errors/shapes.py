@@ -33,8 +33,7 @@ class Contradiction(LocatedError):
     key: str
     gap_mm: float
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {key} disagrees with the other measures of link {link} by {gap_mm:.3g} mm. "
-        "Correct it, or leave it out.",
+        "en": "{where}: {key} disagrees with the other measures of link {link} by {gap_mm:.3g} mm. Correct it, or leave it out.",
         "zh": "{where}：{key} 与构件 {link} 的其他尺寸相差 {gap_mm:.3g} mm，请改正或删去。",
     }
 
@@ -58,8 +57,7 @@ class MissingCcw(LocatedError):
 
     triple: tuple[str, str, str]
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the measures leave two mirror images. Add ccw = {one} or ccw = {other}, "
-        "whichever runs counter-clockwise.",
+        "en": "{where}: the measures leave two mirror images. Add ccw = {one} or ccw = {other}, whichever runs counter-clockwise.",
         "zh": "{where}：现有尺寸对应互为镜像的两种形状，请按逆时针顺序补充 ccw = {one} 或 ccw = {other}。",
     }
 
@@ -71,8 +69,7 @@ class MissingCcw(LocatedError):
 class CcwContradicts(LocatedError):
     triple: tuple[str, ...]
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {triple} cannot run counter-clockwise with the other measures and triples. "
-        "Exchange two of the points.",
+        "en": "{where}: {triple} cannot run counter-clockwise with the other measures and triples. Exchange two of the points.",
         "zh": "{where}：按其他尺寸和三点组，{triple} 不可能是逆时针顺序，请交换其中两点。",
     }
 
@@ -147,8 +144,7 @@ class RigidlyJoined(LocatedError):
     second: str
     points: tuple[str, ...]
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: links {first} and {second} are rigidly joined at {points}. "
-        "Make them one link, or give one of the points another name.",
+        "en": "{where}: links {first} and {second} are rigidly joined at {points}. Make them one link, or give one of the points another name.",
         "zh": "{where}：构件 {first} 与 {second} 在 {points} 处刚性相连，请合并为一个构件，或给其中一点另取名称。",
     }
 

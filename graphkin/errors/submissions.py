@@ -79,8 +79,7 @@ class OwnFault(LocatedError):
 
     kind: str
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: graphkin failed to read this file ({kind}); that is no fault of the student's. Mark it by hand, "
-        "and report the file.",
+        "en": "{where}: graphkin failed to read this file ({kind}); that is no fault of the student's. Mark it by hand, and report the file.",
         "zh": "{where}：graphkin 未能读取此文件（{kind}），并非学生的错误。请人工评阅，并报告该文件。",
     }
 

@@ -24,10 +24,8 @@ _DIGITS = 12  # of mm and deg in the text of a mechanism at another position
 
 
 def changed_text(mechanism: Mechanism, values: Mapping[str, object]) -> str:
-    """The mechanism's file with other values, each named as `Mechanism.with_` says.
-
-    Raises NoSuchValue for a name that means nothing in this file, or more than one thing.
-    """
+    """The mechanism's file with other values, each named as `Mechanism.with_` says. Raises NoSuchValue for a name that
+    means nothing in this file, or more than one thing."""
     changes = {_path(mechanism, tidy(name.strip())): value for name, value in values.items()}
     return replaced_values(mechanism.text, changes)
 
@@ -66,9 +64,6 @@ def _moved(entry: _Set, value: float, path: KeyPath, changes: dict[KeyPath, obje
     written = round(value * 1000 if slides else math.degrees(value), _DIGITS)
     changes[*path, "at" if slides else "angle"] = written
     return replace(entry, value=read_quantity(written, "length" if slides else "angle"))
-
-
-# --- the meaning of a name --------------------------------------------------------------------
 
 
 def _path(mechanism: Mechanism, name: str) -> KeyPath:

@@ -144,14 +144,19 @@ class Draft:
         return tuple(sorted(self._used_names))
 
 
-# --- checks of the whole mechanism ------------------------------------------------------------
-
-
 def check_joints(draft: Draft, pairs: Sequence[Pair], drivers: int) -> None:
     """Note every link that is loose, fixed or joined twice to another."""
     tied = {link for pair in pairs for link in pair.joins}
     tied |= {link for pair in pairs if pair.path is not None for link in draft.owners(pair.path.point)}
-    shared = _shared_points(draft)
+    # the points any two links have in common
+    owners: dict[str, list[str]] = {}
+    for name, link in draft.links.items():
+        for point in link.points:
+            owners.setdefault(point, []).append(name)
+    shared: dict[tuple[str, str], tuple[str, ...]] = {}
+    for point, links in owners.items():
+        for first, second in combinations(links, 2):
+            shared[first, second] = (*shared.get((first, second), ()), point)
     tied |= {link for links in shared for link in links}
     for name in draft.links:
         if name not in tied and name != FRAME:
@@ -192,24 +197,9 @@ def check_sketch(draft: Draft, points: list[str]) -> None:
             draft.known(point, "sketch", point)
 
 
-def _shared_points(draft: Draft) -> dict[tuple[str, str], tuple[str, ...]]:
-    """The points any two links have in common."""
-    owners: dict[str, list[str]] = {}
-    for name, link in draft.links.items():
-        for point in link.points:
-            owners.setdefault(point, []).append(name)
-    shared: dict[tuple[str, str], tuple[str, ...]] = {}
-    for point, links in owners.items():
-        for first, second in combinations(links, 2):
-            shared[first, second] = (*shared.get((first, second), ()), point)
-    return shared
-
-
 def check_questions(draft: Draft, mechanism: Mechanism) -> None:
-    """Note every text of `ask` about something that is not there, and all that asks nothing.
-
-    A text must name what is there, or be a question in words, which ends with a question mark.
-    """
+    """Note every text of `ask` about something that is not there, and all that asks nothing. A text must name what is
+    there, or be a question in words, which ends with a question mark."""
     for number, question in enumerate(mechanism.ask):
         try:
             quantity = read(mechanism, question, NOWHERE)

@@ -15,8 +15,7 @@ Vector = tuple[str, str]
 def read_drivers(draft: Draft, tables: Sequence[DriverTable], poses: int) -> tuple[Driver, ...]:
     """The drivers; as many may leave their value out as there are poses."""
     drivers: list[Driver] = []
-    freedoms: set[tuple[str, str]] = set()
-    """A slide's displacement, or the turning of one link against another."""
+    freedoms: set[tuple[str, str]] = set()  # a slide's displacement, or the turning of one link against another
     for number, table in enumerate(tables):
         with draft.noting():
             driver = _driver(draft, table, ("driver", number))
@@ -36,16 +35,42 @@ def read_poses(draft: Draft, tables: Sequence[PoseTable]) -> tuple[Pose, ...]:
     poses = []
     for number, table in enumerate(tables):
         with draft.noting():
-            poses.append(_pose(draft, table, ("pose", number)))
+            path = ("pose", number)
+            if _only(draft, {"vector": table.vector, "slide": table.slide}, path) == "slide":
+                slide = _slide(draft, table, path)
+                if table.at is None:
+                    raise errors.MissingKey(draft.where(*path), "at")
+                poses.append(Pose("slide", slide, table.at))
+                continue
+            link, vector, from_link = _turning(draft, table, path)
+            if table.angle is None:
+                raise errors.MissingKey(draft.where(*path), "angle")
+            poses.append(Pose("angle", link, table.angle, vector, from_link, table.from_))
     return tuple(poses)
 
 
 def _driver(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
     match _only(draft, {"vector": table.vector, "link": table.link, "slide": table.slide}, path):
         case "vector":
-            return _vector_driver(draft, table, path)
+            link, vector, from_link = _turning(draft, table, path)
+            length = abs(draft.links[link].arm(*vector))
+            rates = (("omega", table.omega, "velocity", table.velocity),
+                     ("alpha", table.alpha, "acceleration", table.acceleration))  # fmt: skip
+            for key, turning, other, tip in rates:
+                if turning is not None and tip is not None:
+                    raise errors.KeyClash(draft.where(*path, other), key, other)
+            rate, acceleration = (turning or (tip or 0.0) / length for _, turning, _, tip in rates)
+            also = tuple(table.also)
+            return Driver("angle", link, vector, from_link, table.from_, table.angle, rate, acceleration, also)
         case "link":
-            return _spin(draft, table, path)
+            # a wheel whose own direction does not matter
+            assert table.link is not None
+            others = {"angle": table.angle, "from": table.from_, "at": table.at, "also": table.also or None}
+            _refuse(draft, others | {"velocity": table.velocity, "acceleration": table.acceleration}, "spin", path)
+            link = draft.link(table.link, *path, "link")
+            if link == FRAME:
+                raise errors.DrivenFrame(draft.where(*path, "link"), table.link)
+            return Driver("spin", link, rate=table.omega or 0.0, acceleration=table.alpha or 0.0)
         case _:
             _refuse(draft, {"omega": table.omega, "alpha": table.alpha}, "slide", path)
             rate, acceleration = table.velocity or 0.0, table.acceleration or 0.0
@@ -61,19 +86,6 @@ def _only(draft: Draft, subjects: Mapping[str, object], path: KeyPath) -> str:
     if len(stated) > 1:
         raise errors.KeyClash(draft.where(*path, stated[1]), stated[0], stated[1])
     return stated[0]
-
-
-def _vector_driver(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
-    link, vector, from_link = _turning(draft, table, path)
-    length = abs(draft.links[link].arm(*vector))
-    rates = (("omega", table.omega, "velocity", table.velocity),
-             ("alpha", table.alpha, "acceleration", table.acceleration))  # fmt: skip
-    for key, turning, other, tip in rates:
-        if turning is not None and tip is not None:
-            raise errors.KeyClash(draft.where(*path, other), key, other)
-    rate, acceleration = (turning or (tip or 0.0) / length for _, turning, _, tip in rates)
-    also = tuple(table.also)
-    return Driver("angle", link, vector, from_link, table.from_, table.angle, rate, acceleration, also)
 
 
 def _turning(draft: Draft, table: PoseTable, path: KeyPath) -> tuple[str, Vector, str]:
@@ -103,17 +115,6 @@ def _owners(draft: Draft, vector: Vector, path: KeyPath) -> list[str]:
     return owners
 
 
-def _spin(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
-    """A wheel whose own direction does not matter."""
-    assert table.link is not None
-    others = {"angle": table.angle, "from": table.from_, "at": table.at, "also": table.also or None}
-    _refuse(draft, others | {"velocity": table.velocity, "acceleration": table.acceleration}, "spin", path)
-    link = draft.link(table.link, *path, "link")
-    if link == FRAME:
-        raise errors.DrivenFrame(draft.where(*path, "link"), table.link)
-    return Driver("spin", link, rate=table.omega or 0.0, acceleration=table.alpha or 0.0)
-
-
 def _slide(draft: Draft, table: PoseTable, path: KeyPath) -> str:
     """The name of a pair whose displacement is meant."""
     assert table.slide is not None
@@ -127,15 +128,3 @@ def _refuse(draft: Draft, keys: Mapping[str, object], why: str, path: KeyPath) -
     for key, value in keys.items():
         if value is not None:
             raise errors.NoMeaning(draft.where(*path, key), key, why)
-
-
-def _pose(draft: Draft, table: PoseTable, path: KeyPath) -> Pose:
-    if _only(draft, {"vector": table.vector, "slide": table.slide}, path) == "slide":
-        slide = _slide(draft, table, path)
-        if table.at is None:
-            raise errors.MissingKey(draft.where(*path), "at")
-        return Pose("slide", slide, table.at)
-    link, vector, from_link = _turning(draft, table, path)
-    if table.angle is None:
-        raise errors.MissingKey(draft.where(*path), "angle")
-    return Pose("angle", link, table.angle, vector, from_link, table.from_)

@@ -130,9 +130,8 @@ def _vector(value: object) -> tuple[str, str]:
 
 LENGTH, ANGLE = quantity_of("length"), quantity_of("angle")
 RADIUS, EDGE_RADIUS = quantity_of("length", values.above_zero), quantity_of("length", values.zero_or_more)
-ALSO = FieldKind(
-    {"type": "function-plain", "function": {"type": "with-info", "function": _guarded(_further_value)}}, NUMBER
-)
+_ALSO_READER = {"type": "with-info", "function": _guarded(_further_value)}
+ALSO = FieldKind({"type": "function-plain", "function": _ALSO_READER}, NUMBER)
 SCALE = _kind(values.scale_value, {"type": "number", "exclusiveMinimum": 0})
 FLAG = _kind(_flag, {"type": "boolean"})
 TEXT = _text("text", lambda text: " ".join(text.split()))
@@ -170,11 +169,8 @@ def mapping(names: FieldKind, kind: FieldKind) -> FieldKind:
 def _point_or_place() -> FieldKind:
     """A point's name, or a place."""
     name = _text("anchor", name_reader(values.POINT, "point"), **POINT_NAME.json)
-    core = {
-        "type": "tagged-union",
-        "choices": {"a point": name.core, "a place": PLACE.core},
-        "discriminator": lambda value: "a place" if isinstance(value, list) else "a point",
-    }
+    core = {"type": "tagged-union", "choices": {"a point": name.core, "a place": PLACE.core},
+            "discriminator": lambda value: "a place" if isinstance(value, list) else "a point"}  # fmt: skip
     return FieldKind(core, {"oneOf": [name.json, PLACE.json]})
 
 
@@ -188,10 +184,8 @@ def _as_triples(value: object) -> object:
 PLACE = list_of(LENGTH, "place", 2)
 ANCHOR = _point_or_place()
 _TRIPLE = list_of(POINT_NAME, "triple", 3)
-TRIPLES = FieldKind(
-    _before(_as_triples, {"type": "list", "items_schema": _TRIPLE.core}),
-    {"type": "array", "items": {"anyOf": [POINT_NAME.json, _TRIPLE.json]}},
-)
+TRIPLES = FieldKind(_before(_as_triples, {"type": "list", "items_schema": _TRIPLE.core}),
+                    {"type": "array", "items": {"anyOf": [POINT_NAME.json, _TRIPLE.json]}})  # fmt: skip
 
 
 # --- tables -----------------------------------------------------------------------------------
@@ -215,7 +209,13 @@ def table(cls: type[_T]) -> type[_T]:
     cls.__doc__ = cls.__doc__ or f"`{cls.__name__}`"
     made = frozen(cls)
     rest = next((each for each in _fields(made) if "further" in each.metadata), None)
-    _KINDS[made] = FieldKind(_checking(made, rest), _object(made, rest))
+    json: Schema = {"type": "object", "additionalProperties": False,
+                    "properties": {name: each.metadata["kind"].json for name, each in keys(made).items()}}  # fmt: skip
+    if required := [name for name, each in keys(made).items() if _required(each)]:
+        json["required"] = required
+    if rest is not None:
+        json["patternProperties"] = {rest.metadata["pattern"]: rest.metadata["further"].json}
+    _KINDS[made] = FieldKind(_checking(made, rest), json)
     return cls
 
 
@@ -289,16 +289,3 @@ def _checking(cls: type, rest: Field[object] | None) -> Schema:
     }  # fmt: skip
     checked = {"type": "typed-dict", "fields": named, **others}
     return {"type": "function-after", "function": {"type": "no-info", "function": make}, "schema": checked}
-
-
-def _object(cls: type, rest: Field[object] | None) -> Schema:
-    json: Schema = {
-        "type": "object",
-        "additionalProperties": False,
-        "properties": {name: each.metadata["kind"].json for name, each in keys(cls).items()},
-    }
-    if required := [name for name, each in keys(cls).items() if _required(each)]:
-        json["required"] = required
-    if rest is not None:
-        json["patternProperties"] = {rest.metadata["pattern"]: rest.metadata["further"].json}
-    return json

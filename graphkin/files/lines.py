@@ -28,28 +28,24 @@ def has_line(table: LineTable) -> bool:
 def read_line(draft: Draft, table: LineTable, link: str, own_point: str, path: KeyPath) -> Line:
     """The line of `link`; one of the frame given by coordinates goes through a new point called `own_point`."""
     if link != FRAME and len(draft.links[link].points) == 1:
-        return _own_line(draft, table, link, path)
+        # a link of one point is its own line; one that slides, and so cannot turn against its guide, may have another
+        (point,) = draft.links[link].points
+        if table.toward is not None:
+            raise NoMeaning(draft.where(*path, "toward"), "toward", "own line")
+        if table.through is not None:
+            _point_of(draft, link, table.through, path)
+        if table.from_ is None and table.angle is None:
+            return Line(link, point, 1 + 0j)
+        guide, along = _slid_along(draft, link)
+        if guide is None:
+            for key, value in (("from", table.from_), ("angle", table.angle)):
+                if value:
+                    raise NoMeaning(draft.where(*path, key), key, "own line")
+            return Line(link, point, 1 + 0j)
+        return Line(link, point, _turn(table.angle or 0.0) * _base(draft, table, guide, path) / along, base=table.from_)
     origin = _origin(draft, table, link, own_point, path)
     base = (origin, table.toward) if table.toward is not None else table.from_
     return Line(link, origin, _direction(draft, table, link, origin, path), origin not in draft.starts, base)
-
-
-def _own_line(draft: Draft, table: LineTable, link: str, path: KeyPath) -> Line:
-    """A link of one point is its own line; one that slides, and so cannot turn against its guide, may have another."""
-    (point,) = draft.links[link].points
-    if table.toward is not None:
-        raise NoMeaning(draft.where(*path, "toward"), "toward", "own line")
-    if table.through is not None:
-        _point_of(draft, link, table.through, path)
-    if table.from_ is None and table.angle is None:
-        return Line(link, point, 1 + 0j)
-    guide, along = _slid_along(draft, link)
-    if guide is None:
-        for key, value in (("from", table.from_), ("angle", table.angle)):
-            if value:
-                raise NoMeaning(draft.where(*path, key), key, "own line")
-        return Line(link, point, 1 + 0j)
-    return Line(link, point, _turn(table.angle or 0.0) * _base(draft, table, guide, path) / along, base=table.from_)
 
 
 def _slid_along(draft: Draft, link: str) -> tuple[str | None, complex]:
@@ -123,8 +119,6 @@ def _turn(angle: float) -> complex:
     return complex(*(0.0 if abs(part) < 1e-15 else part for part in (turn.real, turn.imag)))
 
 
-# --- sides ------------------------------------------------------------------------------------
-
 Learnt = tuple[dict[str, complex], str, complex]
 """Directions of links or places of points, and what is to be put into them."""
 Rule = tuple[tuple[str | tuple[str], ...], Callable[[], Iterator[Learnt]]]
@@ -149,12 +143,9 @@ def as_sketched(
             pair = replace(pair, left=layout.on_left(pair.line, pair.centre))
         elif isinstance(pair, Cam):
             profiles = zip(pair.profiles, pair.profiles[::-1], next(touching), strict=True)
-            first, second = (
-                replace(face, left=layout.on_left(face.line, other.centre))
-                if is_open and face.line is not None and other.centre is not None
-                else face
-                for face, other, is_open in profiles
-            )
+            first, second = (replace(face, left=layout.on_left(face.line, other.centre))
+                             if is_open and face.line is not None and other.centre is not None else face
+                             for face, other, is_open in profiles)  # fmt: skip
             pair = replace(pair, profiles=(first, second))
         sided.append(pair)
     return tuple(sided)

@@ -20,9 +20,6 @@ OWN_KEYS = ("points", "ccw", "shape")  # the keys of a link that are not measure
 Placing = Callable[..., Where]
 
 
-# --- keys that are names ----------------------------------------------------------------------
-
-
 def frame_problems(frame: object, where: Placing) -> Iterator[GraphkinError]:
     """Keys of `[frame]` that are no points."""
     if not isinstance(frame, dict):
@@ -91,12 +88,7 @@ def _same_but_for_primes(table: Mapping[str, object], where: Placing, above: str
         names.add(tidy(key))
 
 
-# --- bodies -----------------------------------------------------------------------------------
-
-
-def read_links(
-    draft: Draft, file: File, raw: Document, measures: Mapping[str, Sequence[Measure]]
-) -> None:
+def read_links(draft: Draft, file: File, raw: Document, measures: Mapping[str, Sequence[Measure]]) -> None:
     """Put the frame and all links into the draft. `raw` is the file's own data: it keeps the order of the keys."""
     if not file.links:
         draft.problems.append(errors.MissingKey(draft.where("links"), "[links.NAME]"))
@@ -121,22 +113,7 @@ def _shape(
         raise errors.FrameNameTaken(draft.where("links", name), name)
     if not points:
         raise errors.NoPoints(draft.where("links", name), name)
-    shape = _shape_measures(draft, name, table, points, measures)
-    if table.shape is None:
-        return solve_shape(shape)
-    if measures:
-        raise errors.ShapeAndMeasures(draft.where("links", name, measures[0].key), name, measures[0].key)
-    places = {tidy(point): complex(*place) for point, place in table.shape.items()}
-    if missing := tuple(point for point in points if point not in places):
-        raise errors.TooFewMeasures(shape.where, name, missing)
-    check_round(shape, places)
-    return own_axes(places, shape)
-
-
-def _shape_measures(
-    draft: Draft, name: str, table: LinkTable, points: tuple[str, ...], measures: Sequence[Measure]
-) -> ShapeMeasures:
-    """All that is known of the shape, each with its place."""
+    # all that is known of the shape, each with its place
     ccw = table.ccw or []
     paths: dict[str, KeyPath] = {"": ("links", name)}
     paths |= {measure.key: ("links", name, measure.key) for measure in measures}
@@ -146,4 +123,13 @@ def _shape_measures(
         for point in triple:
             draft.point(name, point, *path[:3])
     triples = tuple((a, b, c) for a, b, c in ccw)
-    return ShapeMeasures(name, points, tuple(measures), triples, Lazy(paths, lambda key: draft.where(*paths[key])))
+    shape = ShapeMeasures(name, points, tuple(measures), triples, Lazy(paths, lambda key: draft.where(*paths[key])))
+    if table.shape is None:
+        return solve_shape(shape)
+    if measures:
+        raise errors.ShapeAndMeasures(draft.where("links", name, measures[0].key), name, measures[0].key)
+    places = {tidy(point): complex(*place) for point, place in table.shape.items()}
+    if missing := tuple(point for point in points if point not in places):
+        raise errors.TooFewMeasures(shape.where, name, missing)
+    check_round(shape, places)
+    return own_axes(places, shape)

@@ -29,9 +29,6 @@ def read_pairs(draft: Draft, file: File) -> tuple[Pair, ...]:
     return tuple(pairs)
 
 
-# --- slides -----------------------------------------------------------------------------------
-
-
 def _slide(draft: Draft, table: SlideTable, path: KeyPath, before: Sequence[Pair]) -> Slide | CircularSlot:
     """A block or a pin on a line, or a pin on a circle if any key of a circle is there."""
     on_circle = table.centre is not None or table.radius is not None
@@ -77,8 +74,28 @@ def _straight(draft: Draft, table: SlideTable, before: Sequence[Pair], path: Key
     if table.pin is not None:
         block, point, tilt = None, _pin(draft, table, table.pin, guide, path), 0.0
     else:
-        block, point = _block(draft, table, guide, path)
-        tilt = _tilt(draft, table, block, before, path)
+        # the block and its point that stays on the line
+        if table.block is None:
+            where = draft.where(*path)
+            raise errors.BlockOrPin(where) if table.point is None else errors.MissingKey(where, "block")
+        block = draft.link(table.block, *path, "block")
+        if block == guide:
+            raise errors.SlidesOnItself(draft.where(*path, "block"), block)
+        if table.point is None:
+            raise errors.MissingKey(draft.where(*path), "point")
+        point = draft.point(block, table.point, *path, "point")
+        shared = tuple(point for point in draft.named(block) if point in draft.links[guide].points)
+        if shared:
+            raise errors.RigidlyJoined(draft.where(*path), guide, block, shared)
+        # angle from the line to the block's own direction. A block of one point takes its direction from its first
+        # slide's line; in a second slide, as the frame and a block of more points, it has one already
+        slid_before = any(isinstance(pair, Slide) and pair.block == block for pair in before)
+        has_direction = block == FRAME or len(draft.links[block].points) > 1 or slid_before
+        if has_direction and table.tilt is None:
+            raise errors.NeedsTilt(draft.where(*path), block)
+        if table.tilt and not has_direction:
+            raise errors.NoMeaning(draft.where(*path, "tilt"), "tilt", "tilt")
+        tilt = table.tilt or 0.0
     line = read_line(draft, table, guide, f"s{path[1]}", path)
     return Slide(name, table.name is not None, line, point, block, tilt)
 
@@ -94,38 +111,6 @@ def _pin(draft: Draft, table: SlideTable, pin: str, guide: str, path: KeyPath) -
     if set(draft.owners(pin)) == {guide}:
         raise errors.SlidesOnItself(draft.where(*path, "pin"), guide)
     return pin
-
-
-def _block(draft: Draft, table: SlideTable, guide: str, path: KeyPath) -> tuple[str, str]:
-    """The block and its point that stays on the line."""
-    if table.block is None:
-        where = draft.where(*path)
-        raise errors.BlockOrPin(where) if table.point is None else errors.MissingKey(where, "block")
-    block = draft.link(table.block, *path, "block")
-    if block == guide:
-        raise errors.SlidesOnItself(draft.where(*path, "block"), block)
-    if table.point is None:
-        raise errors.MissingKey(draft.where(*path), "point")
-    point = draft.point(block, table.point, *path, "point")
-    shared = tuple(point for point in draft.named(block) if point in draft.links[guide].points)
-    if shared:
-        raise errors.RigidlyJoined(draft.where(*path), guide, block, shared)
-    return block, point
-
-
-def _tilt(draft: Draft, table: SlideTable, block: str, before: Sequence[Pair], path: KeyPath) -> float:
-    """Angle from the line to the block's own direction. A block of one point takes its direction from its
-    first slide's line; in a second slide, as the frame and a block of more points, it has one already."""
-    slid_before = any(isinstance(pair, Slide) and pair.block == block for pair in before)
-    has_direction = block == FRAME or len(draft.links[block].points) > 1 or slid_before
-    if has_direction and table.tilt is None:
-        raise errors.NeedsTilt(draft.where(*path), block)
-    if table.tilt and not has_direction:
-        raise errors.NoMeaning(draft.where(*path, "tilt"), "tilt", "tilt")
-    return table.tilt or 0.0
-
-
-# --- pairs whose links touch ------------------------------------------------------------------
 
 
 def _two_links(draft: Draft, names: Sequence[str], path: KeyPath) -> tuple[str, str]:
@@ -190,10 +175,8 @@ def _track_circle(draft: Draft, table: RollTable, track: str, path: KeyPath) -> 
 def _cam(draft: Draft, table: CamTable, path: KeyPath, before: Sequence[Pair]) -> Cam:
     """Two profiles that touch and slide."""
     links = _two_links(draft, table.links, path)
-    first, second = (
-        _profile(draft, profile, link, n, (*path, "profiles", n))
-        for n, (link, profile) in enumerate(zip(links, table.profiles))
-    )
+    first, second = (_profile(draft, profile, link, n, (*path, "profiles", n))
+                     for n, (link, profile) in enumerate(zip(links, table.profiles)))  # fmt: skip
     if first.line is not None and second.line is not None:
         raise errors.LineOnLine(draft.where(*path, "profiles"))
     circles = first.line is None and second.line is None

@@ -190,8 +190,6 @@ def read_tables(document: Mapping[str, object]) -> File:
     return file
 
 
-# --- complaints -------------------------------------------------------------------------------
-
 _DRIVER_KEYS: Mapping[Dimension, str] = {
     "length": "at", "angle": "angle", "angular velocity": "omega", "angular acceleration": "alpha",
     "velocity": "velocity", "acceleration": "acceleration",
@@ -221,7 +219,13 @@ def _complaint(detail: ErrorDetails, where: Where) -> GraphkinError:
             return MissingKey(where, key)
         case "extra_forbidden":
             table = TABLES_AT.get(tuple(part for part in detail["loc"][:-1] if isinstance(part, str)))
-            return _unknown_key(where, key, detail["input"], tuple(keys(table)) if table else ())
+            # a unit that stands where the key does (`rpm = 95`) is said by the key that takes it
+            value = detail["input"]
+            possible = tuple(keys(table)) if table else ()
+            meant = next((_DRIVER_KEYS[dimension] for dimension, units in UNITS.items() if key in units), None)
+            if meant in possible and isinstance(value, int | float) and not isinstance(value, bool):
+                return UnitAsKey(where, key, meant, f"{short_number(value)} {key}")
+            return UnknownKey(where, key[:40], possible)
         case "too_short" | "too_long":
             expected = context.get("min_length", context.get("max_length"))
             return WrongCount(where, int(expected or 0), len(detail["input"]))
@@ -229,25 +233,12 @@ def _complaint(detail: ErrorDetails, where: Where) -> GraphkinError:
             return WrongType(where, "list" if kind == "list_type" else "table", shown_value(detail["input"]))
 
 
-def _unknown_key(where: Where, key: str, value: object, possible: tuple[str, ...]) -> GraphkinError:
-    """A unit that stands where the key does (`rpm = 95`) is said by the key that takes it."""
-    meant = next((_DRIVER_KEYS[dimension] for dimension, units in UNITS.items() if key in units), None)
-    if meant in possible and isinstance(value, int | float) and not isinstance(value, bool):
-        return UnitAsKey(where, key, meant, f"{short_number(value)} {key}")
-    return UnknownKey(where, key[:40], possible)
-
-
-# --- values as they are stated ----------------------------------------------------------------
-
-
 def stated_values(document: Mapping[str, object]) -> dict[KeyPath, GivenValue]:
     """All that a file states, by place and in its order: tables and lists, each followed by what is in it."""
     return {value.path: value for value in _stated_in(document, (), None)}
 
 
-def _stated_in(
-    content: Mapping[str, object] | Sequence[object], path: KeyPath, around: object
-) -> Iterator[GivenValue]:
+def _stated_in(content: Mapping[str, object] | Sequence[object], path: KeyPath, around: object) -> Iterator[GivenValue]:
     """The values of a table or a list at a path; `around` is the table or list that it is in."""
     items: Iterable[tuple[str | int, object]] = content.items() if isinstance(content, Mapping) else enumerate(content)
     for part, written in items:

@@ -162,10 +162,8 @@ class _LayoutSearch:
         self.stuck: tuple[str, ...] = ()
 
     def first_two(self) -> list[Places]:
-        """Two layouts if there are so many, none if `ccw` forbids all.
-
-        Raises if the measures are too few or contradict each other.
-        """
+        """Two layouts if there are so many, none if `ccw` forbids all. Raises if the measures are too few or contradict
+        each other."""
         starts = [measure for measure in self.shape.measures if isinstance(measure, Length)]
         for start in starts:
             first, second = start.points
@@ -185,7 +183,14 @@ class _LayoutSearch:
         if not missing:
             yield placed
             return
-        choice = self._clearest(missing, placed)
+        # the point with the fewest places, the first that has one only; None if the measures fix no point yet
+        choice: tuple[str, list[complex]] | None = None
+        for point in missing:
+            places = self._candidates(point, placed)
+            if places is not None and (choice is None or len(places) < len(choice[1])):
+                choice = point, places
+            if choice is not None and len(choice[1]) < 2:
+                break
         if choice is None or self.trials > MOST_TRIALS:
             self.stuck = min(self.stuck or missing, missing, key=len)
             return
@@ -193,20 +198,10 @@ class _LayoutSearch:
         for place in places:
             yield from self._complete({**placed, point: place})
 
-    def _clearest(self, missing: Sequence[str], placed: Places) -> tuple[str, list[complex]] | None:
-        """The point with the fewest places, the first that has one only; None if the measures fix no point yet."""
-        best: tuple[str, list[complex]] | None = None
-        for point in missing:
-            places = self._candidates(point, placed)
-            if places is not None and (best is None or len(places) < len(best[1])):
-                best = point, places
-            if best is not None and len(best[1]) < 2:
-                break
-        return best
-
     def _candidates(self, point: str, placed: Places) -> list[complex] | None:
         """The places at which the point can lie; None while fewer than two measures fix it."""
-        fixing = self._fixing(point, placed)
+        measures = self.by_point.get(point, ())
+        fixing = [each for each in measures if all(other in placed or other == point for other in each.points)]
         options = [measure.curves(point, placed) for measure in fixing]
         apart, crossed = 0.0, False
         for one, other in combinations(options[:MOST_CURVES], 2):
@@ -221,11 +216,6 @@ class _LayoutSearch:
             return None
         self.problem = self.problem or (worst if crossed else self._no_crossing(point, fixing, placed))
         return []
-
-    def _fixing(self, point: str, placed: Places) -> list[Measure]:
-        """The measures whose only point not placed is this one."""
-        measures = self.by_point.get(point, ())
-        return [each for each in measures if all(other in placed or other == point for other in each.points)]
 
     def _fitting(self, point: str, places: list[complex], fixing: list[Measure], placed: Places) -> list[complex]:
         """Those of the places, each once, that all measures agree with."""
@@ -310,9 +300,6 @@ def _what_is_open(shape: ShapeMeasures, one: Places, other: Places) -> GraphkinE
             return errors.MissingCcw(shape.where, (a, b, c))
     moved = tuple(p for p in shape.points if abs(one[p] - other[p]) > ROUNDED * _size(one))
     return errors.TooFewMeasures(shape.where, shape.link, moved)
-
-
-# --- curves -----------------------------------------------------------------------------------
 
 
 def _equal_angles(a: complex, b: complex, angle: float) -> list[Curve]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from functools import cached_property, partial
 from pathlib import Path
 from typing import IO, TypeVar
@@ -42,7 +43,10 @@ def read_text(path: Path) -> str:
         with path.open("rb") as stream:
             return decoded_text(read_bytes(stream, where.file), where.file)
     except FileNotFoundError:
-        raise errors.NoFile(where, path.name, _files_beside(path)) from None
+        beside: list[str] = []  # the mechanism files of the same folder
+        with suppress(OSError):
+            beside = sorted(other.name for other in path.parent.glob("*.toml"))
+        raise errors.NoFile(where, path.name, tuple(beside)) from None
     except (OSError, ValueError) as problem:
         raise errors.Unreadable(where, getattr(problem, "strerror", None) or str(problem)) from None
 
@@ -120,7 +124,14 @@ def read_toml(text: str, file: str) -> tuple[Document, Mapping[KeyPath, int]]:
     except RecursionError:
         raise errors.TooDeep(Where(file)) from None
     except ValueError as problem:
-        raise _broken(str(problem), text, file) from None
+        reason, line = str(problem), None
+        if (place := re.search(_PLACE, reason)) is not None:
+            line = int(place[1]) if place[1] else text.rstrip("\n").count("\n") + 1
+            stray = re.search(r"[^\x00-\x7f]", re.sub(_QUOTED, "", text.split("\n")[line - 1]))
+            if stray is not None:
+                code = f"U+{ord(stray.group()):04X}"
+                raise errors.StrayLetter(Where(file, line), stray.group(), code) from None
+        raise errors.BrokenToml(Where(file, line), re.sub(_PLACE, "", reason)) from None
     if not document:
         raise errors.EmptyFile(Where(file))
     return document, lines
@@ -157,25 +168,6 @@ def _words(value: object, path: KeyPath) -> Iterator[tuple[KeyPath, str]]:
                 yield from _words(item, (*path, tidy(key)))
         case _:
             pass
-
-
-def _broken(reason: str, text: str, file: str) -> errors.BrokenToml | errors.StrayLetter:
-    place = re.search(_PLACE, reason)
-    line = None
-    if place is not None:
-        line = int(place[1]) if place[1] else text.rstrip("\n").count("\n") + 1
-        stray = re.search(r"[^\x00-\x7f]", re.sub(_QUOTED, "", text.split("\n")[line - 1]))
-        if stray is not None:
-            return errors.StrayLetter(Where(file, line), stray.group(), f"U+{ord(stray.group()):04X}")
-    return errors.BrokenToml(Where(file, line), re.sub(_PLACE, "", reason))
-
-
-def _files_beside(path: Path) -> tuple[str, ...]:
-    """The mechanism files of the same folder."""
-    try:
-        return tuple(sorted(other.name for other in path.parent.glob("*.toml")))
-    except OSError:
-        return ()
 
 
 def _check_size(size: int, file: str) -> None:

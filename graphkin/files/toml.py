@@ -118,10 +118,8 @@ def _rows(table: Mapping[str, object], place: str) -> Iterator[str]:
 
 
 def replaced_values(text: str, values: Mapping[KeyPath, object]) -> str:
-    """The text with other values at these places; a key that is not there is added at the end of its table.
-
-    Comments and layout stay, unless a whole table is missing.
-    """
+    """The text with other values at these places; a key that is not there is added at the end of its table. Comments
+    and layout stay, unless a whole table is missing."""
     spans, ends = _value_spans(text)
     edits: list[tuple[int, int, str]] = []
     for path, value in values.items():
@@ -199,31 +197,27 @@ class _TextWalk:
         self.keys: dict[KeyPath, int] = {}
         self.values: dict[KeyPath, tuple[int, int]] = {}
         self.ends: dict[KeyPath, int] = {}
-        self._counts: dict[KeyPath, int] = {}
-        """The number of the last [[table]] of each name so far, from 0."""
+        self._counts: dict[KeyPath, int] = {}  # the number of the last [[table]] of each name so far, from 0
         table: KeyPath = ()
         at = self._after(_BLANK, 0)
         while at < len(text):
             if text[at] == "[":
-                table, at = self._header(at)
+                # `[links.1]` or `[[slide]]`: the path of what follows
+                brackets = 2 if self.text.startswith("[[", at) else 1
+                names, end = self._names(at + brackets)
+                for n in range(1, len(names)):
+                    self.keys.setdefault(self._resolved(names[:n]), at)
+                path: KeyPath = (*self._resolved(names[:-1]), names[-1])
+                if brackets == 2:
+                    self.keys.setdefault(path, at)
+                    self._counts[path] = self._counts.get(path, -1) + 1
+                path = self._resolved(names)
+                self.keys.setdefault(path, at)
+                table, at = path, end + brackets
             else:
                 at = self._key_and_value(at, table)
             self.ends[table] = at
             at = self._after(_BLANK, at)
-
-    def _header(self, at: int) -> tuple[KeyPath, int]:
-        """`[links.1]` or `[[slide]]`: the path of what follows."""
-        brackets = 2 if self.text.startswith("[[", at) else 1
-        names, end = self._names(at + brackets)
-        for n in range(1, len(names)):
-            self.keys.setdefault(self._resolved(names[:n]), at)
-        path: KeyPath = (*self._resolved(names[:-1]), names[-1])
-        if brackets == 2:
-            self.keys.setdefault(path, at)
-            self._counts[path] = self._counts.get(path, -1) + 1
-        path = self._resolved(names)
-        self.keys.setdefault(path, at)
-        return path, end + brackets
 
     def _resolved(self, names: list[str]) -> KeyPath:
         """The path of a header: the last item of each [[table]] on the way is meant."""

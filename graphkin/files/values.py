@@ -15,8 +15,6 @@ from graphkin import errors
 from graphkin.errors import NOWHERE
 from graphkin.model.mechanism import Dimension
 
-# --- names ------------------------------------------------------------------------------------
-
 _POINT = r"[A-Z][0-9]*'*"
 POINT = re.compile(_POINT)
 LINK = re.compile(r"[\w']+")
@@ -45,23 +43,17 @@ def name_reader(pattern: re.Pattern[str], kind: str) -> Callable[[str], str]:
         name = tidy(value)
         if pattern.fullmatch(name) is None:
             raise errors.BadName(NOWHERE, kind, shown_value(value))
-        if _letters(name) > LONGEST:
+        letters = len(name)  # Chinese characters are as wide as two
+        if not name.isascii():
+            import unicodedata
+
+            letters += sum(unicodedata.east_asian_width(letter) in "WF" for letter in name)
+        if letters > LONGEST:
             raise errors.LongName(NOWHERE, shown_value(value), LONGEST)
         return name
 
     return checked
 
-
-def _letters(name: str) -> int:
-    """The width of a name in letters: Chinese characters are as wide as two."""
-    if name.isascii():
-        return len(name)
-    import unicodedata
-
-    return sum(2 if unicodedata.east_asian_width(letter) in "WF" else 1 for letter in name)
-
-
-# --- quantities -------------------------------------------------------------------------------
 
 _LENGTH = {"mm": (1, 1000), "cm": (1, 100), "m": (1, 1), "in": (254, 10000), "ft": (3048, 10000)}
 _TURN = {"rad/s": (1, 1), "deg/s": (math.pi, 180), "°/s": (math.pi, 180), "rev/s": (2 * math.pi, 1)}
@@ -152,9 +144,6 @@ def scale_value(value: object) -> float:
     if value > LARGEST:
         raise errors.OutOfRange(NOWHERE, shown_value(value))
     return float(value)
-
-
-# --- in messages ------------------------------------------------------------------------------
 
 
 def shown_value(value: object) -> str:

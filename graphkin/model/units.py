@@ -23,8 +23,6 @@ import numpy as np
 from graphkin.base.geometry import Array, Real, Value
 from graphkin.base.value import frozen
 
-# --- at the edge ------------------------------------------------------------------------------
-
 GRAVITY = 9.80665  # standard acceleration of gravity [m/s^2]
 
 
@@ -70,18 +68,14 @@ _EXACT = 1e-9  # a figure that is off by no more than this part is exact
 
 
 def significant(value: float, digits: int) -> str:
-    """A figure in so many digits as Python writes them, `1.200e-05`; fewer only of what is exact with fewer.
-
-    Zeros at its end are kept: 9.1 is 9.1, and 9.1002 to four digits is 9.100.
-    """
+    """A figure in so many digits as Python writes them, `1.200e-05`; fewer only of what is exact with fewer. Zeros at
+    its end are kept: 9.1 is 9.1, and 9.1002 to four digits is 9.100."""
     text = f"{value:.{digits}g}"
     if math.isfinite(value) and not math.isclose(float(text), value, rel_tol=_EXACT):
         text = f"{value:#.{digits}g}"
     mantissa, mark, exponent = text.partition("e")
     return mantissa.removesuffix(".") + mark + exponent
 
-
-# --- numbers with their unit ------------------------------------------------------------------
 
 _TURNING = ("rad", "rad/s", "rad/s^2")
 _MOVING = ("m", "m/s", "m/s^2")
@@ -200,11 +194,8 @@ class Vector(Measured, complex):
 
 
 class Numbers(Measured, np.ndarray):
-    """An array (n,) with its unit, over positions.
-
-    It shares the memory of what it was made of, and cannot be written into, as what is read off later hangs on it, too;
-    `numpy.array` makes a copy.
-    """
+    """An array (n,) with its unit, over positions. It shares the memory of what it was made of, and cannot be written
+    into, as what is read off later hangs on it, too; `numpy.array` makes a copy."""
 
     if TYPE_CHECKING:
         degrees: Array

@@ -24,17 +24,12 @@ SAME_PLACE = 1e-9  # points of a link nearer than this to each other do not give
 
 def topology(mechanism: Mechanism) -> tuple[object, ...]:
     """All of a mechanism but its numbers: what has the same, and `coincidences`, is drawn by the same steps."""
-    return (
-        mechanism.frame,
-        tuple((name, tuple(link.points)) for name, link in mechanism.links.items()),
-        tuple(_without_numbers(pair) for pair in mechanism.pairs),
-        tuple(
-            replace(driver, value=None if driver.value is None else 0.0, rate=0.0, acceleration=0.0, also=())
-            for driver in mechanism.drivers
-        ),
-        tuple(replace(pose, value=0.0) for pose in mechanism.poses),
-        tuple(mechanism.sketch),
-    )
+    links = tuple((name, tuple(link.points)) for name, link in mechanism.links.items())
+    pairs = tuple(_without_numbers(pair) for pair in mechanism.pairs)
+    drivers = tuple(replace(each, value=None if each.value is None else 0.0, rate=0.0, acceleration=0.0, also=())
+                    for each in mechanism.drivers)  # fmt: skip
+    poses = tuple(replace(pose, value=0.0) for pose in mechanism.poses)
+    return mechanism.frame, links, pairs, drivers, poses, tuple(mechanism.sketch)
 
 
 def _without_numbers(pair: Pair) -> tuple[object, ...]:
@@ -45,10 +40,8 @@ def _without_numbers(pair: Pair) -> tuple[object, ...]:
 
 
 def coincidences(mechanism: Mechanism) -> NDArray[np.int8]:
-    """Coincidences of the numbers, as far as the steps hang on them: (k,), or (k, b) of mechanisms side by side.
-
-    Points of a link that lie in one place (0) or nearly so (1), and lines that are their links' own axes.
-    """
+    """Coincidences of the numbers, as far as the steps hang on them: (k,), or (k, b) of mechanisms side by side. Points
+    of a link that lie in one place (0) or nearly so (1), and lines that are their links' own axes."""
     rows: list[Array] = [np.equal(slide.line.direction, 1) for slide in mechanism.slides]
     for link in mechanism.links.values():
         points: list[Value] = [*link.points.values()]
@@ -64,16 +57,13 @@ def coincidences(mechanism: Mechanism) -> NDArray[np.int8]:
 def stacked(mechanisms: Sequence[Mechanism]) -> Mechanism:
     """One mechanism whose numbers are arrays (n,) over mechanisms of one topology; of pairs only those of slides."""
     first = mechanisms[0]
-    links = {
-        name: Link(name, {point: _array(m.links[name].points[point] for m in mechanisms) for point in link.points})
-        for name, link in first.links.items()
-    }
+    links = {name: Link(name, {point: _array(m.links[name].points[point] for m in mechanisms) for point in link.points})
+             for name, link in first.links.items()}  # fmt: skip
     sketch = {point: _array(m.sketch[point] for m in mechanisms) for point in first.sketch}
     slides = iter([_slides([m.slides[k] for m in mechanisms]) for k in range(len(first.slides))])
     pairs = tuple(next(slides) if isinstance(pair, Slide) else pair for pair in first.pairs)
-    poses = tuple(
-        replace(pose, value=_array(m.poses[k].value for m in mechanisms)) for k, pose in enumerate(first.poses)
-    )
+    poses = tuple(replace(pose, value=_array(m.poses[k].value for m in mechanisms))
+                  for k, pose in enumerate(first.poses))  # fmt: skip
     drivers = tuple(_drivers([m.drivers[k] for m in mechanisms]) for k in range(len(first.drivers)))
     return replace(first, links=links, pairs=pairs, drivers=drivers, poses=poses, sketch=sketch)
 
@@ -123,16 +113,10 @@ def single(mechanism: Mechanism, row: int) -> Mechanism:
 
 def _with_numbers(mechanism: Mechanism, make: Callable[[Stacked], Stacked]) -> Mechanism:
     """The mechanism with other values for all numbers that may be arrays."""
-    links = {
-        name: replace(link, points={point: make(z) for point, z in link.points.items()})
-        for name, link in mechanism.links.items()
-    }
-    pairs = tuple(
-        replace(pair, line=replace(pair.line, direction=make(pair.line.direction)), tilt=make(pair.tilt))
-        if isinstance(pair, Slide)
-        else pair
-        for pair in mechanism.pairs
-    )
+    links = {name: replace(link, points={point: make(z) for point, z in link.points.items()})
+             for name, link in mechanism.links.items()}  # fmt: skip
+    pairs = tuple(replace(pair, line=replace(pair.line, direction=make(pair.line.direction)), tilt=make(pair.tilt))
+                  if isinstance(pair, Slide) else pair for pair in mechanism.pairs)  # fmt: skip
     poses = tuple(replace(pose, value=make(pose.value)) for pose in mechanism.poses)
     drivers = tuple(
         replace(

@@ -63,7 +63,12 @@ def _nearest(structure: Topology, assemblies: Branches) -> int:
             continue
         apart = float((np.abs(sketched[:, best] - sketched[:, other]) ** 2).sum())
         if apart <= (1e-9 * _size(plot, best)) ** 2:
-            best = _by_custom(structure, plot, best, other)
+            # assemblies that the sketch cannot tell apart: more positive displacements win, of the file's own slides
+            displacements = [plot.s[name] for name in slides_of_file(structure)]
+            score = [sum(float(np.sign(at(value, k).real)) for value in displacements) for k in (best, other)]
+            if score[0] == score[1]:
+                raise _ambiguous(structure, plot, best, other)
+            best = best if score[0] > score[1] else other
             same = _same(plot, best, count)
         elif far[other] - far[best] < BETWEEN * apart:
             raise _ambiguous(structure, plot, best, other)
@@ -83,23 +88,11 @@ def _size(plot: Plot, k: int) -> float:
     return max(abs(value - values[0]) for value in values) or 1.0
 
 
-def _by_custom(structure: Topology, plot: Plot, first: int, second: int) -> int:
-    """Assemblies that the sketch cannot tell apart: more positive displacements win, of the file's own slides."""
-    displacements = [plot.s[name] for name in slides_of_file(structure)]
-    score = [sum(float(np.sign(at(value, k).real)) for value in displacements) for k in (first, second)]
-    if score[0] == score[1]:
-        raise _ambiguous(structure, plot, first, second)
-    return first if score[0] > score[1] else second
-
-
 def _ambiguous(structure: Topology, plot: Plot, first: int, second: int) -> AmbiguousSketch:
     """The points that would tell the two assemblies apart, each with its two places."""
     mechanism, size = structure.mechanism, _size(plot, first)
-    places = {
-        point: (at(value, first), at(value, second))
-        for point, value in plot.position.items()
-        if point in mechanism.points and abs(at(value, first) - at(value, second)) > 1e-9 * size
-    }
+    places = {point: (at(value, first), at(value, second)) for point, value in plot.position.items()
+              if point in mechanism.points and abs(at(value, first) - at(value, second)) > 1e-9 * size}  # fmt: skip
     point, (one, two) = next(iter(places.items()), ("", (0j, 0j)))
     where = mechanism.where("sketch", point)
     return AmbiguousSketch(where, tuple(places), point, _millimetres(one, size), _millimetres(two, size))
@@ -109,9 +102,6 @@ def _millimetres(place: complex, size: float) -> str:
     """The text of a point in the sketch: as closely as figures in files go."""
     x, y = (1000 * part if abs(part) > ROUNDED * size else 0.0 for part in (place.real, place.imag))
     return f"[{x:.6g}, {y:.6g}]"
-
-
-# --- the construction with these crossings ----------------------------------------------------
 
 
 def with_sides(construction: Construction, sides: tuple[int, ...]) -> Construction:

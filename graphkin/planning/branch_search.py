@@ -82,8 +82,7 @@ class _BranchSearch:
                 self.blocks.append((step, []))
             else:
                 self.blocks[-1][1].append(step)
-        self.late: list[Measure] = []
-        """Displacements that a construction measures at its very end."""
+        self.late: list[Measure] = []  # displacements that a construction measures at its very end
         rest = self.blocks[-1][1]
         while rest and isinstance(last := rest[-1], Measure) and last.quantity == "s":
             rest.pop()
@@ -138,8 +137,6 @@ class _BranchSearch:
         bound = self.bound(assemblies, 0)
         return all(np.count_nonzero(self._open(here, bound)) == 1 for here in self.left)
 
-    # --- one block ----------------------------------------------------------------------------
-
     def _opened(self, here: Branches, opening: Meet | Swing | Fit | None, spare: float) -> Branches:
         """Both ways on at a crossing; of a group every assembly that fits."""
         match opening:
@@ -158,8 +155,6 @@ class _BranchSearch:
                 assert step.choice is not None
                 draw([step], here.plot, "position", {step.choice: both})
                 return here
-
-    # --- what the sketch says -----------------------------------------------------------------
 
     def _thinned(self, here: Branches, width: int, bound: _Bound | None) -> Branches:
         """The branches that may still be meant; where they are too many those nearest to the sketch, then those with

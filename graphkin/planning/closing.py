@@ -22,9 +22,6 @@ Corner = Callable[[Term], str | None]
 """The end of a known arrow that has moved: at a new corner where a point of a link was, None where it was a corner."""
 
 
-# --- closed by two lines ----------------------------------------------------------------------
-
-
 @frozen
 class _Signed:
     """A term on the path from the start of the left side to the start of the right side."""
@@ -97,19 +94,13 @@ def _back(path: Iterable[_Signed]) -> list[_Signed]:
 
 def _lay_off(path: Iterable[_Signed]) -> list[Step]:
     """Known arrows one after another; what is drawn already needs no pencil."""
-    return [
-        LayOff(signed.term, signed.near, signed.far, backwards=not signed.forward)
-        for signed in path
-        if not isinstance(signed.term.size, Drawn)
-    ]
+    return [LayOff(signed.term, signed.near, signed.far, backwards=not signed.forward) for signed in path
+            if not isinstance(signed.term.size, Drawn)]  # fmt: skip
 
 
 def _line(term: Term, through: str) -> Ray:
     assert term.direction is not None
     return Ray(through, term.direction)
-
-
-# --- in the order of the pencil ---------------------------------------------------------------
 
 
 @frozen

@@ -187,8 +187,6 @@ class Restraints:
         gap = wrapped(angle - back - self.structure.driver_offset(driver) - value)
         return number(gap), turn - turned
 
-    # --- where the sketch puts the bodies -------------------------------------------------------
-
     def sketched(self, rng: np.random.Generator) -> Array:
         """The places where the sketch and the given values put the bodies (3n,); at random where they say nothing."""
         mechanism = self.structure.mechanism

@@ -104,15 +104,16 @@ def value_of(plot: Plot, fixes: Driver | Pose) -> Real:
     return wrapped(value - (phase(plot.arm(*fixes.from_vector)) if fixes.from_vector is not None else 0.0))
 
 
-# --- placing ----------------------------------------------------------------------------------
-
-
 def placement(mechanism: Mechanism, lower: Mechanism, repeats: Sequence[SetAside]) -> DrawnPlacement:
-    """All that is given taken together; where that does not do, without poses that the rest gives as well.
-
-    Those must say the same as the position that comes out.
-    """
-    given, refusal, first = _given(mechanism), None, None
+    """All that is given taken together; where that does not do, without poses that the rest gives as well. Those must
+    say the same as the position that comes out."""
+    # the drivers' values and the poses as what they fix
+    fixed = ((k, driver) for k, driver in enumerate(mechanism.drivers)
+             if driver.value is not None and driver.kind != "spin")  # fmt: skip
+    posed = (Driver(p.kind, p.link, p.vector, p.from_link, p.from_vector, p.value) for p in mechanism.poses)
+    given = (*(PlacingValue(driver, False, k) for k, driver in fixed),
+             *(PlacingValue(driver, True, k) for k, driver in enumerate(posed)))  # fmt: skip
+    refusal, first = None, None
     poses = [each for each in reversed(given) if each.posed]  # left out the last first, then two of them, ..
     leaving = (left for count in range(len(poses) + 1) for left in combinations(poses, count))
     for needed in (tuple(each for each in given if each not in left) for left in islice(leaving, TRIES)):
@@ -129,14 +130,6 @@ def placement(mechanism: Mechanism, lower: Mechanism, repeats: Sequence[SetAside
         assert refusal is not None
         raise refusal
     return first  # by drivers that contradict each other: there are too many of them
-
-
-def _given(mechanism: Mechanism) -> tuple[PlacingValue, ...]:
-    """The drivers' values and the poses as what they fix."""
-    drivers = (PlacingValue(driver, False, k) for k, driver in enumerate(mechanism.drivers)
-               if driver.value is not None and driver.kind != "spin")  # fmt: skip
-    poses = (Driver(p.kind, p.link, p.vector, p.from_link, p.from_vector, p.value) for p in mechanism.poses)
-    return (*drivers, *(PlacingValue(fixes, True, k) for k, fixes in enumerate(poses)))
 
 
 def _refuse_other(
@@ -192,23 +185,15 @@ def _placed_by(
         from graphkin.planning.redundancy import still_redundant  # loaded for the few mechanisms that have any
 
         structure = replace(structure, aside=Aside.of(still_redundant(structure, repeats)))
+    wheels = {wheel for pair in mechanism.pairs if pair.rolling is not None for wheel in pair.joins}
+    wheels |= {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
     plain: dict[str, str] = {}
-    for body in structure.bodies:
-        if structure.base(body) != FRAME and _shows_nothing(mechanism, structure, body):
+    for body in (body for body in structure.bodies if body in wheels and structure.base(body) != FRAME):
+        # one cannot see how it stands: it hangs on its centre alone, and has no other point
+        if len(structure.joints(body)) < 2 and len(set(structure.shapes[body].values())) == 1:
             plain.setdefault(structure.base(body), body)
     marked = tuple(Driver("spin", body, value=0.0) for body in plain.values())
     return replace(structure, mechanism=replace(lower, drivers=(*drivers, *marked)))
-
-
-def _shows_nothing(mechanism: Mechanism, structure: Topology, body: str) -> bool:
-    """True if one cannot see how a wheel stands: it hangs on its centre alone, and has no other point."""
-    wheels = {wheel for pair in mechanism.pairs if pair.rolling is not None for wheel in pair.joins}
-    wheels |= {driver.link for driver in mechanism.drivers if driver.kind == "spin"}
-    hinges = list(structure.joints(body))
-    return body in wheels and len(hinges) < 2 and len(set(structure.shapes[body].values())) == 1
-
-
-# --- drawn so ---------------------------------------------------------------------------------
 
 
 def by_pose(method: Method, plot: Plot) -> tuple[Method, Plot] | None:

@@ -16,10 +16,8 @@ from graphkin.model.pairs import Line, Pair, Rod, Slide, Slot, rod_name, start_n
 
 
 def lower_pairs(mechanism: Mechanism) -> Mechanism:
-    """The mechanism with hinges and slides alone. Points and slides that stand for contacts have small letters.
-
-    Rods that a link with both points makes needless come after those that may be that link, at last what follows.
-    """
+    """The mechanism with hinges and slides alone. Points and slides that stand for contacts have small letters. Rods
+    that a link with both points makes needless come after those that may be that link, at last what follows."""
     links, slides = dict(mechanism.links), [*mechanism.slides]
     rods = {pair: rod.carried + rod.follows for pair in mechanism.pairs if isinstance(rod := pair.equivalent, Rod)}
     for pair in sorted(mechanism.pairs, key=lambda pair: rods.get(pair, 0)):
@@ -28,20 +26,17 @@ def lower_pairs(mechanism: Mechanism) -> Mechanism:
                 name, (first, second) = rod_name(pair), rod.points
                 links[name] = Link(name, {first: 0j, second: complex(rod.length)}, pair)
             case Slot() as slot if _guided(links, mechanism.slides, pair) is None:
-                slides.append(_parallel(links, pair, slot))
+                # a slot of the equivalent: the line moved sideways by the radius, from a point of its own; of an edge
+                # the line
+                path = slot.line
+                if slot.offset:
+                    link, start = links[path.link], start_name(pair)
+                    origin = link.points[path.origin] + 1j * slot.offset * path.direction
+                    links[link.name] = replace(link, points={**link.points, start: origin})
+                    path = Line(link.name, start, path.direction, named=False)
+                slides.append(Slide(pair.name, bool(pair.given), path, slot.point, None, 0.0, pair))
     higher = tuple(pair for pair in mechanism.pairs if pair.equivalent is not None)
     return replace(mechanism, links=links, pairs=tuple(slides), replaced=higher)
-
-
-def _parallel(links: dict[str, Link], pair: Pair, slot: Slot) -> Slide:
-    """A slot of the equivalent: the line moved sideways by the radius, from a point of its own; of an edge the line."""
-    path = slot.line
-    if slot.offset:
-        link, start = links[path.link], start_name(pair)
-        origin = link.points[path.origin] + 1j * slot.offset * path.direction
-        links[link.name] = replace(link, points={**link.points, start: origin})
-        path = Line(link.name, start, path.direction, named=False)
-    return Slide(pair.name, bool(pair.given), path, slot.point, None, 0.0, pair)
 
 
 def arm_of(links: Mapping[str, Link], first: str, second: str) -> str:
@@ -105,9 +100,7 @@ def contacts(mechanism: Mechanism, lower: Mechanism) -> Iterator[Contact]:
 
 def _guided(links: Mapping[str, Link], slides: Iterable[Slide], pair: Pair) -> tuple[str, float, float] | None:
     """A sliding pair that moves the wheel's centre along its track already: a rack in a guide, a wheel on a crosshead.
-
-    Its name, what its displacement counts along the track (+1 or -1), and whether its line runs as the track's does.
-    """
+    Its name, what its displacement counts along the track (+1 or -1), and whether its line runs as the track's does."""
     rolling = pair.rolling
     if pair.given or rolling is None or rolling.line is None:
         return None

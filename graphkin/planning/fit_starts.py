@@ -74,7 +74,10 @@ class GroupFitter:
         spare  squared distance that points drawn later may make good [m²]: another assembly of this group may lead
                to better ones of those
         """
-        sketched = self._sketched(here, step)
+        # the group's unknowns as the sketch, and what is drawn, show them: (n, w); nan where they do not
+        angles = {base: self._angle(here.plot, base) for base in step.angles}
+        values = [*angles.values(), *(self._displacement(here.plot, slide, angles) for slide in step.slides)]
+        sketched = np.array([np.broadcast_to(np.nan if value is None else value, here.count) for value in values])
         there = here.taken(np.arange(here.count))
         x, fits = _fitted_from(there, step, np.nan_to_num(sketched), fit)
         sine = np.nan_to_num(np.broadcast_to(there.plot.sines["position", step.name], here.count))
@@ -130,14 +133,6 @@ class GroupFitter:
             head = heads[np.searchsorted(branch, parent[left])]
             left = left[self._distance(x[:, left] - x[:, head], step) >= SAME]
         return np.array(sorted(kept), dtype=int)
-
-    # --- what the sketch shows ----------------------------------------------------------------
-
-    def _sketched(self, here: Branches, step: Fit) -> np.ndarray:
-        """The group's unknowns as the sketch, and what is drawn, show them: (n, w); nan where they do not."""
-        angles = {base: self._angle(here.plot, base) for base in step.angles}
-        values = [*angles.values(), *(self._displacement(here.plot, slide, angles) for slide in step.slides)]
-        return np.array([np.broadcast_to(np.nan if value is None else value, here.count) for value in values])
 
     def _angle(self, plot: Plot, base: str) -> Real | None:
         """The angle of a base link by two points of one of its group whose places are seen."""

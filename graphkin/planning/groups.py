@@ -9,7 +9,6 @@ from dataclasses import replace
 
 from graphkin.construction import Site, kinds, terms
 from graphkin.model.mechanism import FRAME
-from graphkin.planning.equivalent import Contact
 from graphkin.planning.images import add_up, base_of, drive, fill, measure_slides, reach
 from graphkin.planning.loop_terms import Hop, LinkArm, Slip, outward, way_round
 from graphkin.planning.polygon import PolygonPlan
@@ -92,9 +91,6 @@ def walk(polygon: PolygonPlan, stage: Loop) -> None:
         fill(polygon, body)
 
 
-# --- by way of a special point ----------------------------------------------------------------
-
-
 def _by_special_point(polygon: PolygonPlan, special: Ternary) -> None:
     """Two equations by way of the special point, then what each leg turns or slides."""
     first, second, third = special.legs
@@ -113,7 +109,15 @@ def _by_special_point(polygon: PolygonPlan, special: Ternary) -> None:
     polygon.measure_unknown(third.unknown)
     for leg in (first, second):
         reach(polygon, leg.end)
-        _measure_leg(polygon, leg)
+        # with the ternary link known, its end's arrow gives what the leg itself does
+        hop = leg.unknown
+        for earlier in leg.hops[: leg.hops.index(hop)]:
+            if not polygon.known(earlier.of):
+                add_up(polygon, earlier.of, polygon.side(earlier.seen_from, (earlier,)))
+        for later in reversed(leg.hops[leg.hops.index(hop) + 1 :]):
+            for term in reversed(polygon.terms(later)):
+                polygon.parts.append(kinds.LayOff(term, term.head, term.tail, backwards=True))
+        polygon.measure(hop, polygon.name(hop.seen_from), polygon.name(hop.of))
 
 
 def _leg(polygon: PolygonPlan, leg: Leg, point: Site) -> tuple[terms.Term, ...]:
@@ -144,27 +148,8 @@ def _known_of(polygon: PolygonPlan, leg: Leg, point: Site) -> list[KnownArrow]:
     hops: list[tuple[Hop, slice]] = [(hop, slice(None)) for hop in leg.hops]
     if polygon.plane == "acceleration":
         hops.append((LinkArm(leg.end, point, True), slice(1)))
-    return [
-        ((hop.of, hop.seen_from), part, size, direction)
-        for hop, some in hops
-        for part, size, direction in polygon.pieces(hop)[some]
-        if size is not None
-    ]
-
-
-def _measure_leg(polygon: PolygonPlan, leg: Leg) -> None:
-    """With the ternary link known, its end's arrow gives what the leg itself does."""
-    hop = leg.unknown
-    for earlier in leg.hops[: leg.hops.index(hop)]:
-        if not polygon.known(earlier.of):
-            add_up(polygon, earlier.of, polygon.side(earlier.seen_from, (earlier,)))
-    for later in reversed(leg.hops[leg.hops.index(hop) + 1 :]):
-        for term in reversed(polygon.terms(later)):
-            polygon.parts.append(kinds.LayOff(term, term.head, term.tail, backwards=True))
-    polygon.measure(hop, polygon.name(hop.seen_from), polygon.name(hop.of))
-
-
-# --- rolling contacts -------------------------------------------------------------------------
+    return [((hop.of, hop.seen_from), part, size, direction) for hop, some in hops
+            for part, size, direction in polygon.pieces(hop)[some] if size is not None]  # fmt: skip
 
 
 def mesh(polygon: PolygonPlan, stage: Mesh) -> None:
@@ -184,21 +169,18 @@ def mesh(polygon: PolygonPlan, stage: Mesh) -> None:
         polygon.put(polygon.key(of), polygon.name(at))
         _read_omega(polygon, wheel.link, wheel, of)
     else:
-        _roll_acceleration(polygon, stage.contact, wheel, of, at)
+        # the contacts of two wheels differ in acceleration along their common normal only
+        contact = stage.contact
+        lever = LinkArm(wheel, of, False)
+        left = polygon.side(wheel, (lever,))
+        normal: terms.Direction = terms.AcrossGuide(contact.slide) if contact.slide else terms.Along(*contact.centres)
+        label, other = polygon.labels.label(of), polygon.labels.label(at)
+        start = polygon.absolute(at)
+        tail = start[-1].head if start else polygon.pole
+        sliding = terms.Term(label, other, "", None, normal, tail, polygon.name(of), sites=(of, at))
+        polygon.equate(of, left, (*start, sliding))
+        polygon.measure_unknown(lever)
     polygon.lies_apart(wheel, of)
-
-
-def _roll_acceleration(polygon: PolygonPlan, contact: Contact, centre: Site, of: Site, at: Site) -> None:
-    """The contacts of two wheels differ in acceleration along their common normal only."""
-    lever = LinkArm(centre, of, False)
-    left = polygon.side(centre, (lever,))
-    normal: terms.Direction = terms.AcrossGuide(contact.slide) if contact.slide else terms.Along(*contact.centres)
-    label, other = polygon.labels.label(of), polygon.labels.label(at)
-    start = polygon.absolute(at)
-    tail = start[-1].head if start else polygon.pole
-    sliding = terms.Term(label, other, "", None, normal, tail, polygon.name(of), sites=(of, at))
-    polygon.equate(of, left, (*start, sliding))
-    polygon.measure_unknown(lever)
 
 
 def _train(polygon: PolygonPlan, stage: Group) -> bool:

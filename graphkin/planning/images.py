@@ -22,10 +22,8 @@ def fill(polygon: PolygonPlan, body: str) -> None:
 
 
 def reach(polygon: PolygonPlan, site: Site) -> None:
-    """Draw a site of a link whose motion is known: by image on two known points, else from one.
-
-    A place on a driven link that is no point of its own is drawn from the fixed point about which the link turns.
-    """
+    """Draw a site of a link whose motion is known: by image on two known points, else from one. A place on a driven
+    link that is no point of its own is drawn from the fixed point about which the link turns."""
     if polygon.known(site):
         return
     base, structure = base_of(polygon, site.link), polygon.structure
@@ -36,7 +34,16 @@ def reach(polygon: PolygonPlan, site: Site) -> None:
         corners = (first.point, second.point, site.point)
         polygon.parts.append(Image(site.link, corners, (polygon.name(first), polygon.name(second)), polygon.name(site)))
     else:
-        _levered(polygon, pivot or base[0], site)
+        # from one known point by the link's known rotation; of one that turns steadily only the normal arrow is left
+        start = pivot or base[0]
+        right = polygon.absolute(start) + tuple(polygon.terms(LinkArm(Site(start.point, site.link), site, True)))
+        if polygon.plane == "acceleration" and polygon.structure.steady(site.link):
+            normal, tangential = right[-2:]
+            polygon.nodes.pop(normal.head)
+            seen_from, part = ("", "") if normal.tail == polygon.pole else (normal.seen_from, "n")
+            size, direction, ends = normal.size, normal.direction, (normal.tail, tangential.head)
+            right = (*right[:-2], Term(normal.of, seen_from, part, size, direction, *ends, sites=normal.sites))
+        add_up(polygon, site, right)
 
 
 def base_of(polygon: PolygonPlan, body: str) -> list[Site]:
@@ -49,9 +56,8 @@ def base_of(polygon: PolygonPlan, body: str) -> list[Site]:
 
 
 def _apart(polygon: PolygonPlan, body: str, first: Site, second: Site) -> bool:
-    """Points of one link are apart by their shape; a coincident point may come to lie on another,
-    but not on the one whose lever has just been measured.
-    """
+    """Points of one link are apart by their shape; a coincident point may come to lie on another, but not on the one
+    whose lever has just been measured."""
     if frozenset((polygon.key(first), polygon.key(second))) in polygon.apart:
         return True
     points = polygon.structure.bodies[body]
@@ -59,18 +65,6 @@ def _apart(polygon: PolygonPlan, body: str, first: Site, second: Site) -> bool:
         shape = polygon.structure.shapes[body]
         return abs(shape[second.point] - shape[first.point]) > 0
     return False
-
-
-def _levered(polygon: PolygonPlan, start: Site, site: Site) -> None:
-    """From one known point by the link's known rotation; of one that turns steadily only the normal arrow is left."""
-    right = polygon.absolute(start) + tuple(polygon.terms(LinkArm(Site(start.point, site.link), site, True)))
-    if polygon.plane == "acceleration" and polygon.structure.steady(site.link):
-        normal, tangential = right[-2:]
-        polygon.nodes.pop(normal.head)
-        seen_from, part = ("", "") if normal.tail == polygon.pole else (normal.seen_from, "n")
-        size, direction, ends = normal.size, normal.direction, (normal.tail, tangential.head)
-        right = (*right[:-2], Term(normal.of, seen_from, part, size, direction, *ends, sites=normal.sites))
-    add_up(polygon, site, right)
 
 
 def drive(polygon: PolygonPlan, slide: str, body: str) -> None:
@@ -94,12 +88,17 @@ def add_up(polygon: PolygonPlan, of: Site, right: tuple[Term, ...]) -> None:
         polygon.parts.append(known_sum(label, Term(label, "", "", None, None, polygon.pole, node, sites=(of,)), right))
 
 
-# --- displacements that repeat others ---------------------------------------------------------
-
-
 def measure_slides(polygon: PolygonPlan, names: Iterable[str]) -> None:
     """Those of some sliding pairs and wheels on lines whose motion along their line no step has given yet."""
-    given = _slides_given(polygon)
+    # the slides whose motion is known: driven, measured or calculated
+    given = set(polygon.structure.slides_driven)
+    for part in polygon.parts:
+        if isinstance(part, Measure) and part.quantity == polygon.sliding:
+            given.add(part.of)
+        elif isinstance(part, Roll):
+            given |= {part.slide} - {""}
+        elif isinstance(part, Simultaneous):
+            given.update(part.slides)
     for name in names:
         if name not in given:
             _measure_slide(polygon, name)
@@ -118,16 +117,3 @@ def _measure_slide(polygon: PolygonPlan, name: str) -> None:
     *known, along = polygon.terms(Slip(seen_from, of, False, name))
     polygon.parts += [LayOff(term, term.tail, term.head) for term in known]
     polygon.parts.append(Measure(polygon.sliding, name, along.tail, along.head))
-
-
-def _slides_given(polygon: PolygonPlan) -> set[str]:
-    """The slides whose motion is known: driven, measured or calculated."""
-    given = set(polygon.structure.slides_driven)
-    for part in polygon.parts:
-        if isinstance(part, Measure) and part.quantity == polygon.sliding:
-            given.add(part.of)
-        elif isinstance(part, Roll):
-            given |= {part.slide} - {""}
-        elif isinstance(part, Simultaneous):
-            given.update(part.slides)
-    return given

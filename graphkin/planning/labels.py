@@ -49,10 +49,8 @@ class Labels:
         return plain if clear else f"{point}@{called}"
 
     def reserves(self, name: str) -> bool:
-        """True if a point may need a name in polygons, without the primes: it is free for no corner between.
-
-        Such are the points, and those at which links slide past each other, with a link after k letters.
-        """
+        """True if a point may need a name in polygons, without the primes: it is free for no corner between. Such are
+        the points, and those at which links slide past each other, with a link after k letters."""
         mechanism = self.structure.mechanism
         for k in range(1, len(name)):
             point, link = name[0].upper() + name[1:k], name[k:].removeprefix("@")

@@ -102,8 +102,7 @@ class LoopPaths:
     def __init__(self, known: KnownMotion, most: int, floating: bool = False) -> None:
         self.known, self.most, self.floating = known, most, floating
         self._ranked: list[_RankedPath] = []
-        self._passed: dict[str, set[str]] = {}
-        """By body, the bodies from which paths come by."""
+        self._passed: dict[str, set[str]] = {}  # by body, the bodies from which paths come by
         self._stale = dict.fromkeys(body for body in known.structure.bodies if body not in known.bodies)
         self._times: dict[str, int] = {}
         self._bits: dict[tuple[Joint, str], int] = {}

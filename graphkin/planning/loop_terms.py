@@ -51,11 +51,9 @@ Hop = LinkArm | Slip | Twist
 
 
 def halves(structure: Topology, loop: Loop) -> tuple[Site, tuple[Hop, ...], Site, tuple[Hop, ...]]:
-    """Both sides of the loop's equation: each a known site and the hops from it outward to the site sought.
-
-    They meet between the unknown hops, so that each side ends in one; a driven sliding between them stands on the side
-    from which the block is seen from its guide.
-    """
+    """Both sides of the loop's equation: each a known site and the hops from it outward to the site sought. They meet
+    between the unknown hops, so that each side ends in one; a driven sliding between them stands on the side from which
+    the block is seen from its guide."""
     start, hops, end = way_round(structure, loop)
     first, middle = (k for k, hop in enumerate(hops) if not hop.known)
     for k, hop in enumerate(hops[first:middle], first):
@@ -75,7 +73,19 @@ def way_round(structure: Topology, loop: Loop, lever: str = "") -> tuple[Site, t
     places = _places(structure, loop, lever)
     start = Site(places[0], _beyond(structure, loop.joints[0], loop.bodies[0]))
     end = Site(places[-1], _beyond(structure, loop.joints[-1], loop.bodies[-1]))
-    return start, tuple(_hops(structure, loop, places)), end
+    hops: list[Hop] = []
+    for k, joint in enumerate(loop.joints):
+        before = loop.bodies[k - 1] if k > 0 else _beyond(structure, joint, loop.bodies[0])
+        after = loop.bodies[k] if k < len(loop.bodies) else _beyond(structure, joint, loop.bodies[-1])
+        place, bases = places[k], (structure.base(before), structure.base(after))
+        if isinstance(joint, Sliding):
+            driven = joint.slide not in loop.slides
+            hops.append(Slip(Site(place, before), Site(place, after), driven, joint.slide))
+        elif 0 < k < len(loop.bodies) and bases[0] == bases[1] and bases[0] in loop.angles:
+            hops.append(Twist(Site(place, before), Site(place, after), True, joint.point))
+        if k < len(loop.bodies) and places[k + 1] != place:
+            hops.append(LinkArm(Site(place, after), Site(places[k + 1], after), bases[1] not in loop.angles))
+    return start, tuple(hops), end
 
 
 def outward(hops: tuple[Hop, ...]) -> tuple[Hop, ...]:
@@ -126,22 +136,6 @@ def _near_hinge(structure: Topology, loop: Loop, places: list[str], k: int) -> s
     block = structure.block(structure.slides[joint.slide])
     block_after = k < len(loop.bodies) and loop.bodies[k] == block
     return (after or before) if block_after else (before or after)
-
-
-def _hops(structure: Topology, loop: Loop, places: list[str]) -> list[Hop]:
-    hops: list[Hop] = []
-    for k, joint in enumerate(loop.joints):
-        before = loop.bodies[k - 1] if k > 0 else _beyond(structure, joint, loop.bodies[0])
-        after = loop.bodies[k] if k < len(loop.bodies) else _beyond(structure, joint, loop.bodies[-1])
-        place, bases = places[k], (structure.base(before), structure.base(after))
-        if isinstance(joint, Sliding):
-            driven = joint.slide not in loop.slides
-            hops.append(Slip(Site(place, before), Site(place, after), driven, joint.slide))
-        elif 0 < k < len(loop.bodies) and bases[0] == bases[1] and bases[0] in loop.angles:
-            hops.append(Twist(Site(place, before), Site(place, after), True, joint.point))
-        if k < len(loop.bodies) and places[k + 1] != place:
-            hops.append(LinkArm(Site(place, after), Site(places[k + 1], after), bases[1] not in loop.angles))
-    return hops
 
 
 def _beyond(structure: Topology, joint: Joint, body: str) -> str:

@@ -7,7 +7,7 @@ pole, the two lines) and what is then measured belong to it.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import assert_never
 
@@ -25,17 +25,12 @@ def facts_of(structure: Topology, values: Sequence[Real] | None, drawn: Mapping[
     """The facts that are known before the pencil moves; drivers at the drawn position, or at other values [rad, m]."""
     drivers = structure.mechanism.drivers
     drawn_values = (0.0 if driver.value is None else driver.value for driver in drivers)
-    return Facts(
-        frame=FRAME,
-        shapes=structure.shapes,
-        lines={s.name: (s.guide, s.line.origin, s.line.direction) for s in structure.mechanism.slides},
-        turns=structure.turns,
-        slides_driven=structure.slides_driven,
-        values=tuple(drawn_values if values is None else values),
-        rates=tuple(driver.rate for driver in drivers),
-        accelerations=tuple(driver.acceleration for driver in drivers),
-        drawn=drawn,
-    )
+    return Facts(frame=FRAME, shapes=structure.shapes,
+                 lines={s.name: (s.guide, s.line.origin, s.line.direction) for s in structure.mechanism.slides},
+                 turns=structure.turns, slides_driven=structure.slides_driven,
+                 values=tuple(drawn_values if values is None else values),
+                 rates=tuple(driver.rate for driver in drivers),
+                 accelerations=tuple(driver.acceleration for driver in drivers), drawn=drawn)  # fmt: skip
 
 
 @frozen
@@ -126,9 +121,6 @@ class Method:
         return facts_of(self.structure, values, self.drawn)
 
 
-# --- acts of the pencil -----------------------------------------------------------------------
-
-
 @frozen
 class Act:
     """Steps that the pencil does in one go.
@@ -155,30 +147,24 @@ def acts(constructions: Iterable[Construction], unnamed: Collection[str]) -> tup
     in_order: list[Act] = []
     for construction in constructions:
         before = 0 if construction.plane in ("position", "velocity") else sum(act.numbered for act in in_order)
-        for number, (steps, done) in enumerate(_groups(construction, unnamed), start=before + 1):
+        # steps that go together, each group with the one that finishes it. A point that nobody named, as where a
+        # guide's line begins, is there with what it belongs to
+        groups: list[tuple[list[Step], Step]] = []
+        begun: list[Step] = []
+        for step in construction.steps:
+            finishes = _finishes(step) and not (isinstance(step, kinds.Image) and step.point in unnamed)
+            if groups and not begun and (isinstance(step, kinds.Measure | kinds.Roll | kinds.Image) and not finishes):
+                groups[-1][0].append(step)
+                continue
+            begun.append(step)
+            if finishes:
+                groups.append((begun, step))
+                begun = []
+        if groups:
+            groups[-1][0].extend(begun)
+        for number, (steps, done) in enumerate((((tuple(steps), done) for steps, done in groups)), start=before + 1):
             in_order.append(Act(construction.plane, number, len(in_order) + 1, steps, done))
     return tuple(in_order)
-
-
-def _groups(construction: Construction, unnamed: Collection[str]) -> Iterator[tuple[tuple[Step, ...], Step]]:
-    """Steps that go together, each group with the one that finishes it.
-
-    A point that nobody named, as where a guide's line begins, is there with what it belongs to.
-    """
-    groups: list[tuple[list[Step], Step]] = []
-    begun: list[Step] = []
-    for step in construction.steps:
-        finishes = _finishes(step) and not (isinstance(step, kinds.Image) and step.point in unnamed)
-        if groups and not begun and (isinstance(step, kinds.Measure | kinds.Roll | kinds.Image) and not finishes):
-            groups[-1][0].append(step)
-            continue
-        begun.append(step)
-        if finishes:
-            groups.append((begun, step))
-            begun = []
-    if groups:
-        groups[-1][0].extend(begun)
-    return ((tuple(steps), done) for steps, done in groups)
 
 
 def _finishes(step: Step) -> bool:
@@ -207,9 +193,6 @@ def made(step: Step) -> tuple[str, ...]:
             return ()
         case _:
             assert_never(step)
-
-
-# --- in which act -----------------------------------------------------------------------------
 
 
 @kept(8)

@@ -30,31 +30,27 @@ def motion(
     polygon.new(polygon.pole, "pole")
     polygon.parts.append(Given(polygon.pole, tuple(map(polygon.fixed, structure.named(FRAME)))))
     for stage in order:
-        _draw(polygon, stage, ternaries)
+        match stage:
+            case Carry(body, by):
+                if not isinstance(by, Hinge):
+                    drive(polygon, by.slide, body)
+                fill(polygon, body)
+            case Bridge(body, points):
+                # in the acceleration plane the normal part has no moment about the tail, so the whole arrow serves
+                tail, head = (polygon.name(Site(point, body)) for point in points)
+                polygon.parts.append(Measure(polygon.turning, body, tail, head, points))
+                fill(polygon, body)
+            case Mesh():
+                mesh(polygon, stage)
+            case Loop():
+                _loop(polygon, stage)
+            case Group():
+                group(polygon, stage, ternaries.get(stage))
     for each in (stage for stage in order if isinstance(stage, Group)):
         for loop in each.floating:
             coincide(polygon, loop)
     measure_slides(polygon, structure.measured)
     return Construction(plane, tuple(polygon.parts), polygon.nodes, polygon.pole), polygon.name
-
-
-def _draw(polygon: PolygonPlan, stage: Stage, ternaries: Mapping[Group, Ternary]) -> None:
-    match stage:
-        case Carry(body, by):
-            if not isinstance(by, Hinge):
-                drive(polygon, by.slide, body)
-            fill(polygon, body)
-        case Bridge(body, points):
-            # in the acceleration plane the normal part has no moment about the tail, so the whole arrow serves
-            tail, head = (polygon.name(Site(point, body)) for point in points)
-            polygon.parts.append(Measure(polygon.turning, body, tail, head, points))
-            fill(polygon, body)
-        case Mesh():
-            mesh(polygon, stage)
-        case Loop():
-            _loop(polygon, stage)
-        case Group():
-            group(polygon, stage, ternaries.get(stage))
 
 
 def _loop(polygon: PolygonPlan, stage: Loop) -> None:

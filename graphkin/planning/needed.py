@@ -17,8 +17,6 @@ from graphkin.planning.method import Method
 
 Fact = tuple[str, str]
 Part = Step | Equation
-
-
 QUANTITIES: dict[Plane, tuple[str, str]] = {
     "position": ("theta", "s"), "velocity": ("omega", "s_rate"), "acceleration": ("alpha", "s_acceleration"),
 }  # fmt: skip
@@ -82,8 +80,6 @@ class PartsReader:
     def plane(self) -> Plane:
         return self.construction.plane
 
-    # --- what a part gives ------------------------------------------------------------------------
-
     def gives(self, part: Part) -> Iterator[Fact]:
         if isinstance(part, Equation):
             for step in part.steps:
@@ -114,8 +110,6 @@ class PartsReader:
         turns, slips = QUANTITIES[self.plane]
         yield from (turning(self.method, turns, link) for link in angles)
         yield from ((slips, slide) for slide in slides)
-
-    # --- what it needs ----------------------------------------------------------------------------
 
     def needs(self, part: Part) -> Iterator[Fact]:
         """The facts that a part starts from, and does not give itself."""

@@ -94,12 +94,7 @@ def _order(structure: Topology) -> tuple[Stage, ...]:
         homes = dict.fromkeys(structure.home(body) for body in left)
         names = [name for name in homes if structure.is_link(name)]
         raise HigherClass(structure.mechanism.where("links", names[0]), tuple(names))
-    _refuse_held_twice(structure, order)
-    return order
-
-
-def _refuse_held_twice(structure: Topology, order: tuple[Stage, ...]) -> None:
-    """A wheel whose centre other pairs keep on its path leaves no equation that gives how far it is."""
+    # a wheel whose centre other pairs keep on its path leaves no equation that gives how far it is
     given = set(structure.slides_driven) | structure.aside.slides
     for stage in order:
         given |= {stage.slide} if isinstance(stage, Mesh) else set()
@@ -109,26 +104,20 @@ def _refuse_held_twice(structure: Topology, order: tuple[Stage, ...]) -> None:
             if contact.slide and contact.slide not in given:
                 links = tuple(structure.mechanism.called(wheel) for wheel in contact.wheels)
                 raise HigherClass(structure.mechanism.where("links", contact.wheels[1]), links)
+    return order
 
-
-# --- wheels on guides -------------------------------------------------------------------------
 
 SlideShares = tuple[tuple[str, float], ...]
 """Slides whose displacements add up to another one, each with what it counts."""
 
 
 def _guided_contacts(structure: Topology) -> tuple[Contact, ...]:
-    """The contacts; those whose own slide is set aside with the slides that add up to its displacement, if any do.
-
-    A plate on a guide, a wheel that rolls on it, a second plate on top: how far the wheel goes along the second plate
-    is made up of the displacements of plates and wheel along their own lines, which are all parallel.
-    """
-    return tuple(
-        replace(contact, way=_shares(structure, structure.slides[contact.slide], contact.centres[1]))
-        if contact.slide in structure.aside.slides
-        else contact
-        for contact in structure.contacts
-    )
+    """The contacts; those whose own slide is set aside with the slides that add up to its displacement, if any do. A
+    plate on a guide, a wheel that rolls on it, a second plate on top: how far the wheel goes along the second plate is
+    made up of the displacements of plates and wheel along their own lines, which are all parallel."""
+    return tuple(replace(contact, way=_shares(structure, structure.slides[contact.slide], contact.centres[1]))
+                 if contact.slide in structure.aside.slides else contact
+                 for contact in structure.contacts)  # fmt: skip
 
 
 def _shares(structure: Topology, track: Slide, centre: str) -> SlideShares:
@@ -158,9 +147,6 @@ def _parallel_slides(structure: Topology, link: str, along: complex) -> Iterator
             continue
         if abs(share.imag) < 1e-9 * abs(share):
             yield slide.name, 1.0 if share.real > 0 else -1.0, other, turned
-
-
-# --- sides ------------------------------------------------------------------------------------
 
 
 def wrong_side(mechanism: Mechanism) -> OtherSide | None:

@@ -30,8 +30,6 @@ from graphkin.planning.structure import Topology
 
 Piece = tuple[str, Size | None, Direction | None]
 """The part (`n`, `t`, `k`, `r`), size and direction of one arrow of a hop."""
-
-
 TIPS = {"n": "nmuw", "t": "tyxw", "k": "kgjx", "r": "rqsz"}
 """Letters for the tips of normal, tangential, Coriolis and relative arrows; the first that no point has."""
 
@@ -59,8 +57,6 @@ class PolygonPlan:
     letters: dict[str, str] = field(default_factory=dict)
     unknown: dict[Hop, Term] = field(default_factory=dict)
     apart: set[frozenset[Site]] = field(default_factory=set)
-
-    # --- names --------------------------------------------------------------------------------
 
     def key(self, site: Site) -> Site:
         """A hinge moves as one point, whichever of its links it is seen as part of."""
@@ -109,8 +105,6 @@ class PolygonPlan:
     def known(self, site: Site) -> bool:
         key = self.key(site)
         return key.link == FRAME or key in self.at
-
-    # --- terms --------------------------------------------------------------------------------
 
     def absolute(self, site: Site) -> tuple[Term, ...]:
         """The known end of a side; nothing where it is at rest."""
@@ -202,8 +196,6 @@ class PolygonPlan:
         resting = [side[0].head == self.pole or not isinstance(side[0].size, Drawn) for side in (first, second)]
         swapped = resting[1] if resting[0] != resting[1] else resting[0] and len(second) < len(first)
         return (second, first) if swapped else (first, second)
-
-    # --- readings -----------------------------------------------------------------------------
 
     @property
     def turning(self) -> str:

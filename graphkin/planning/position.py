@@ -30,10 +30,6 @@ class Stretch:
     head: str
     base: str
 
-    @property
-    def reversed(self) -> Stretch:
-        return Stretch(_reversed(self.part), self.head, self.tail, self.base)
-
 
 def _reversed(part: terms.Arm | terms.Slid) -> terms.Arm | terms.Slid:
     if isinstance(part, terms.Arm):
@@ -67,17 +63,6 @@ def _end(structure: Topology, joint: Joint, body: str) -> str:
     return joint.point if isinstance(joint, Hinge) else structure.slide_point(joint.slide, body)
 
 
-def _runs(stretches: list[Stretch], known: set[str]) -> list[list[Stretch]]:
-    """Stretches of one unknown group together; those whose direction is known one by one."""
-    runs: list[list[Stretch]] = []
-    for stretch in stretches:
-        if runs and stretch.base not in known and runs[-1][0].base == stretch.base:
-            runs[-1].append(stretch)
-        else:
-            runs.append([stretch])
-    return runs
-
-
 def _span(stretches: Sequence[Stretch]) -> terms.Span:
     return terms.Span(tuple(stretch.part for stretch in stretches))
 
@@ -105,11 +90,6 @@ def _seen_back(term: terms.Term, reaches: dict[terms.Term, terms.Span]) -> terms
     return back
 
 
-def _drawn_from(start: str) -> terms.Term:
-    """The known end of a side, measured from the drawing's origin."""
-    return terms.Term(start, "", "", terms.Drawn("", start), None, "", start)
-
-
 # --- the construction -------------------------------------------------------------------------
 
 
@@ -124,7 +104,11 @@ def position(structure: Topology, order: tuple[Stage, ...]) -> tuple[Constructio
             case Carry(body):
                 drawing.fill(body)
             case Bridge():
-                drawing.bridge(stage)
+                tail, head = stage.points
+                span = terms.Span((terms.Arm(stage.body, tail, head),))
+                drawing.parts.append(kinds.Measure("theta", stage.body, tail, head, span=span))
+                drawing.angles.add(drawing.structure.base(stage.body))
+                drawing.fill(stage.body)
             case Mesh():
                 drawing.mesh(stage)
                 fitted.add(stage.slide)
@@ -167,20 +151,17 @@ class _PositionDrawing:
 
     # --- stages -------------------------------------------------------------------------------
 
-    def bridge(self, stage: Bridge) -> None:
-        tail, head = stage.points
-        span = terms.Span((terms.Arm(stage.body, tail, head),))
-        self.parts.append(kinds.Measure("theta", stage.body, tail, head, span=span))
-        self.angles.add(self.structure.base(stage.body))
-        self.fill(stage.body)
-
     def loop(self, stage: Loop) -> None:
         stretches = _stretches(self.structure, stage)
-        runs = _runs(stretches, self.angles)
-        if any(
-            isinstance(one.part, terms.Slid) and one.part.slide in stage.slides and one.base in stage.angles
-            for one in stretches
-        ):
+        # stretches of one unknown group together; those whose direction is known one by one
+        runs: list[list[Stretch]] = []
+        for stretch in stretches:
+            if runs and stretch.base not in self.angles and runs[-1][0].base == stretch.base:
+                runs[-1].append(stretch)
+            else:
+                runs.append([stretch])
+        slid = (one for one in stretches if isinstance(one.part, terms.Slid) and one.part.slide in stage.slides)
+        if any(one.base in stage.angles for one in slid):
             self.swing(stage, stretches)
         else:
             self.meet(stage, runs)
@@ -202,9 +183,11 @@ class _PositionDrawing:
             if term.direction is None:
                 reaches[term] = _span(run)
         _, second = (k for k, term in enumerate(arrows) if term.unknowns)
-        left = (_drawn_from(arrows[0].tail), *arrows[:second])
-        back = (_seen_back(term, reaches) for term in reversed(arrows[second:]))
-        right = (_drawn_from(arrows[-1].head), *back)
+        # the known ends of both sides are measured from the drawing's origin
+        starts = (terms.Term(start, "", "", terms.Drawn("", start), None, "", start)
+                  for start in (arrows[0].tail, arrows[-1].head))  # fmt: skip
+        left = (next(starts), *arrows[:second])
+        right = (next(starts), *(_seen_back(term, reaches) for term in reversed(arrows[second:])))
         self.parts.append(close(left[-1].head, left, right, reaches, self.aside, self.choice))
         self.points.update(node for term in arrows for node in (term.tail, term.head))
 
@@ -212,7 +195,7 @@ class _PositionDrawing:
         slide = stage.slides[0]
         guide = self.structure.slides[slide].guide
         if guide != stage.bodies[0]:
-            stretches = [stretch.reversed for stretch in reversed(stretches)]
+            stretches = [Stretch(_reversed(one.part), one.head, one.tail, one.base) for one in reversed(stretches)]
         self.swung.add(slide)
         ends = stretches[0].tail, stretches[-1].head
         self.parts.append(kinds.Swing(guide, *ends, slide, _span(stretches), choice=self.choice()))
@@ -293,10 +276,8 @@ class _PositionDrawing:
 
 
 def touching(structure: Topology) -> Iterator[tuple[str, Contact]]:
-    """Each rolling contact with a letter of its own: K, L, .., K', L', .. or what the mechanism leaves free.
-
-    Not N, whose images would be lettered as normal tips are, nor K where there may be a Coriolis tip k'.
-    """
+    """Each rolling contact with a letter of its own: K, L, .., K', L', .. or what the mechanism leaves free. Not N,
+    whose images would be lettered as normal tips are, nor K where there may be a Coriolis tip k'."""
     sliding = any(slide.guide != FRAME for slide in structure.slides.values())
     every = (letter + "'" * primes for primes in count() for letter in "KLMQRHJVWXYZ"[sliding:])
     letters = (letter for letter in every if letter not in structure.owners)

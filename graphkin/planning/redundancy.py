@@ -33,17 +33,13 @@ _RIGID = 0.2  # the same where the pairs let nothing move: then it is no driver 
 
 
 def redundant_constraints(mechanism: Mechanism, structure: Topology) -> tuple[SetAside, ...]:
-    """The constraints that repeat others, in the order in which they are set aside.
-
-    Raises NotRepeated for a constraint that comes close to repeating others, but contradicts them.
-    """
+    """The constraints that repeat others, in the order in which they are set aside. Raises NotRepeated for a constraint
+    that comes close to repeating others, but contradicts them."""
     if structure.surplus <= 0:
         return ()
     given = [driver for driver in mechanism.drivers if driver.value is not None and driver.kind != "spin"]
-    given += [
-        Driver(pose.kind, pose.link, pose.vector, pose.from_link, pose.from_vector, pose.value)
-        for pose in mechanism.poses
-    ]
+    given += [Driver(pose.kind, pose.link, pose.vector, pose.from_link, pose.from_vector, pose.value)
+              for pose in mechanism.poses]  # fmt: skip
     restraints = Restraints(structure, tuple(given))
     drawn, _ = restraints.drawn_place()
     candidates = PairEquations(mechanism, structure, frozenset(restraints.rows(drawn).labels))
@@ -79,9 +75,6 @@ def still_redundant(structure: Topology, redundant: Sequence[SetAside]) -> tuple
     return over(restraints.rows(restraints.drawn_place()[0]), redundant)
 
 
-# --- candidates -------------------------------------------------------------------------------
-
-
 @frozen
 class PairEquations:
     """The pairs of a mechanism, in file and structure; `labels` are the equations there are."""
@@ -91,10 +84,8 @@ class PairEquations:
     labels: frozenset[ConstraintRow]
 
     def all(self) -> list[SetAside]:
-        """Links on hinges, whole pairs, parts of pairs; the last in the file first, what is asked for at the end.
-
-        Those that drivers and poses need may not go.
-        """
+        """Links on hinges, whole pairs, parts of pairs; the last in the file first, what is asked for at the end. Those
+        that drivers and poses need may not go."""
         wholes, lines, slips, angles = (list[SetAside]() for _ in range(4))
         m = self.mechanism
         needed = {driver.link for driver in m.drivers if driver.kind == "slide"}
@@ -103,9 +94,8 @@ class PairEquations:
         ranked = sorted((pair.name not in questions, m.lines.get(m.path(pair), 0), k)
                         for k, pair in enumerate(m.pairs) if pair.name not in needed)  # fmt: skip
         for pair in (m.pairs[k] for *_, k in reversed(ranked)):
-            rows = tuple(
-                row for kind in ("line", "angle", "slip") if (row := ConstraintRow(kind, pair.name)) in self.labels
-            )
+            possible = (ConstraintRow(kind, pair.name) for kind in ("line", "angle", "slip"))
+            rows = tuple(row for row in possible if row in self.labels)
             name = m.path(pair)
             wholes += [SetAside(name, "whole", rows)] if rows else []
             match [row.kind for row in rows]:
@@ -159,9 +149,6 @@ class PairEquations:
         rows = [row for row, share in zip(kept.labels, shares, strict=True) if np.max(np.abs(share)) > RANK]
         pairs = dict.fromkeys(self.pair_of(row) for row in rows if row.kind != "given")
         return [pair for pair in pairs if pair[0] not in ("hinge", "links")] or list(pairs)
-
-
-# --- contradictions ---------------------------------------------------------------------------
 
 
 @frozen

@@ -87,12 +87,10 @@ def _refusal_at(
 
 
 def _along_own_axis(mechanism: Mechanism, links: Sequence[str], angle_deg: float) -> errors.AlongOwnAxis | None:
-    """Of a link of one point whose own axis is the way it slides, and that is to be pushed along that very axis.
-
-    Two such slides in a row extend a telescope; where something else than a driver is to move the link, they say the
-    same twice, and the drawing is dead in every position: a yoke whose slot was to lie across its guide, a follower's
-    flat face.
-    """
+    """Of a link of one point whose own axis is the way it slides, and that is to be pushed along that very axis. Two
+    such slides in a row extend a telescope; where something else than a driver is to move the link, they say the same
+    twice, and the drawing is dead in every position: a yoke whose slot was to lie across its guide, a follower's flat
+    face."""
     called = tuple(mechanism.called(link) for link in links)
     for link in links:
         points = [point for point in mechanism.links[link].points if point in mechanism.points]
@@ -107,10 +105,8 @@ def _along_own_axis(mechanism: Mechanism, links: Sequence[str], angle_deg: float
 def _cannot_assemble(
     mechanism: Mechanism, where: errors.Where, called: tuple[str, ...], links: Sequence[str], gap_mm: float
 ) -> errors.CannotAssemble:
-    """The error that says what is open, and where a distance on one of these links is far from its sketch, that too.
-
-    A measure that the sketch has quite differently is probably the wrong one.
-    """
+    """The error that says what is open, and where a distance on one of these links is far from its sketch, that too. A
+    measure that the sketch has quite differently is probably the wrong one."""
     places = {**mechanism.links[FRAME].points, **mechanism.sketch}
     worst = (FAR, "", 0.0, 0.0)  # times off, two points, as sketched, as given [mm]
     for link in links:
@@ -131,10 +127,8 @@ def extent(plot: Plot) -> float:
 
 
 def _open_link(structure: Topology, plot: Plot, size: float) -> tuple[str, float]:
-    """The link whose points fit its shape least, and by how much [m], in a mechanism of this size.
-
-    Only a link that repeats a constraint can fail so; every other has been drawn from its shape.
-    """
+    """The link whose points fit its shape least, and by how much [m], in a mechanism of this size. Only a link that
+    repeats a constraint can fail so; every other has been drawn from its shape."""
     gaps = [("", 0.0)]
     for link in structure.mechanism.links.values():
         points = [] if link.name in structure.followers or link.name not in plot.theta else [*link.points]
@@ -170,14 +164,9 @@ def links_of(structure: Topology, step: Meet | Swing | Fit) -> list[str]:
     return list(links)
 
 
-# --- rolling contacts -------------------------------------------------------------------------
-
-
 def refuse_contacts_apart(mechanism: Mechanism, ties: tuple[Contact, ...], plot: Plot) -> None:
-    """Centres that other pairs hold must stand as the radii want: apart as far, or as far beside the track.
-
-    At a single position; those of arrays pass.
-    """
+    """Centres that other pairs hold must stand as the radii want: apart as far, or as far beside the track. At a single
+    position; those of arrays pass."""
     if any(np.ndim(value) for value in plot.position.values()):
         return
     for tie in ties:

@@ -74,9 +74,6 @@ def with_special_points(construction: Construction, ternaries: Mapping[Group, Te
     return replace(construction, parts=tuple(parts), nodes=nodes)
 
 
-# --- which legs -------------------------------------------------------------------------------
-
-
 def _ternary(structure: Topology, group: Group, plot: Plot, name: str) -> Ternary | None:
     """The ternary link of a Class III group, with the best pair of legs first; None for any other group."""
     if group.contacts or len(group.loops) != 2 or group.floating:

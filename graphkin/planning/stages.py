@@ -157,8 +157,6 @@ class _StageSearch:
                 tied.setdefault(name, []).append(k)
         return tied
 
-    # --- one stage ----------------------------------------------------------------------------
-
     def _carry(self, number: int) -> Carry | None:
         body, known = self.bodies[number], self.known
         if body in known.bodies or self.structure.base(body) not in known.angles:
@@ -223,15 +221,10 @@ def _keys(angles: Iterable[str], slides: Iterable[str]) -> frozenset[str]:
     return frozenset([*angles, *map(slide_key, slides)])
 
 
-# --- as many unknowns as equations ------------------------------------------------------------
-
-
 def fewest_closed(names: list[frozenset[str]], equations: list[int]) -> tuple[int, ...] | None:
-    """The fewest parts that together have as many unknowns as equations; the first of those in order.
-
-    Each equation takes an unknown for itself (a matching). A part then needs the parts that have taken its other
-    unknowns, they need others, and so on; where an unknown is left that nobody took, no such set holds the part.
-    """
+    """The fewest parts that together have as many unknowns as equations; the first of those in order. Each equation
+    takes an unknown for itself (a matching). A part then needs the parts that have taken its other unknowns, they need
+    others, and so on; where an unknown is left that nobody took, no such set holds the part."""
     if len(names) <= _FEW:
         return next(
             (chosen for count in range(1, len(names) + 1) for chosen in combinations(range(len(names)), count)
@@ -259,10 +252,8 @@ def _one_more(part: int, names: list[frozenset[str]], takers: dict[str, int]) ->
         if name not in takers:
             takers[name] = part
             return True
-    claims: dict[str, int] = {}
-    """By unknown, the part that would take it."""
-    offers: dict[int, str] = {part: ""}
-    """By part, the unknown that it would give up."""
+    claims: dict[str, int] = {}  # by unknown, the part that would take it
+    offers: dict[int, str] = {part: ""}  # by part, the unknown that it would give up
     for one in (queue := [part]):
         for name in names[one]:
             if name in claims:

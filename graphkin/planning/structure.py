@@ -107,11 +107,8 @@ class Topology:
     @cached_property
     def joining(self) -> tuple[Slide, ...]:
         """The sliding pairs that join bodies: all but those set aside, blocks whose angle is held already as pins."""
-        return tuple(
-            replace(slide, block=None, tilt=0.0) if slide.name in self.aside.angles else slide
-            for slide in self.mechanism.slides
-            if slide.name not in self.aside.slides
-        )
+        return tuple(replace(slide, block=None, tilt=0.0) if slide.name in self.aside.angles else slide
+                     for slide in self.mechanism.slides if slide.name not in self.aside.slides)  # fmt: skip
 
     @cached_property
     def pins(self) -> dict[str, Slide]:
@@ -253,7 +250,7 @@ class Topology:
             ties[other].append((body, TurnOf(other, -offset, tuple((k, -1) for k in drivers))))
 
         for slide in self.joining:
-            turn = slide.turn if slide.block is not None else _angle_of(slide.line.direction)
+            turn = slide.turn if slide.block is not None else phase(slide.line.direction)
             tie(slide.guide, self.block(slide), turn)
         for idle in self.idle:
             ties[FRAME].append((idle, TurnOf(FRAME)))
@@ -277,9 +274,9 @@ class Topology:
         links = self.mechanism.links
         if driver.vector is None:
             return 0.0
-        offset = -_angle_of(links[driver.link].arm(*driver.vector))
+        offset = -phase(links[driver.link].arm(*driver.vector))
         if driver.from_vector is not None:
-            offset += _angle_of(links[driver.from_link].arm(*driver.from_vector))
+            offset += phase(links[driver.from_link].arm(*driver.from_vector))
         return offset
 
     @property
@@ -293,8 +290,3 @@ class Topology:
         """True if a body of the frame's group has no angular acceleration, whatever the position."""
         turn, drivers = self.turns[body], self.mechanism.drivers
         return turn.base == FRAME and all(drivers[k].acceleration == 0 for k, _ in turn.drivers)
-
-
-def _angle_of(vector: complex) -> float:
-    """The angle of a vector; an array where the dimensions of many mechanisms lie side by side in arrays [rad]."""
-    return phase(vector)

@@ -23,10 +23,8 @@ _Entry = TypeVar("_Entry")
 
 
 class DrawnPlaces(dict[str, tuple[str, str, str]]):
-    """By text where a finished drawing holds a quantity as it is: the table, the name there, and the unit.
-
-    The table is empty where a quantity is calculated.
-    """
+    """By text where a finished drawing holds a quantity as it is: the table, the name there, and the unit. The table is
+    empty where a quantity is calculated."""
 
     def __init__(self, method: Method) -> None:
         super().__init__()
@@ -89,9 +87,6 @@ def _of_nodes(
         return Lazy(nodes[link], lambda point: polygon[nodes[link][point] + prime])
 
     return Lazy(nodes, of_link)
-
-
-# --- the file of that position ----------------------------------------------------------------
 
 
 def mechanism_at(method: Method, values: Sequence[float]) -> Mechanism:

@@ -50,20 +50,15 @@ class Proved:
 
 
 def proved(method: Method, values: Sequence[float] | None = None) -> Proved:
-    """The drawn position, or the one at driver `values` [rad, m], proved.
-
-    Raises RoadsDiffer where the two roads differ by more than `AGREE`, and what either road raises: dead points,
-    positions that are not reached, mechanisms that cannot be assembled.
-    """
+    """The drawn position, or the one at driver `values` [rad, m], proved. Raises RoadsDiffer where the two roads differ
+    by more than `AGREE`, and what either road raises: dead points, positions that are not reached, mechanisms that
+    cannot be assembled."""
     plot = replay_all(method, values)
     exact = motion(method.mechanism, plot.facts.values)
     worst = compare(method, plot, exact)
     if not worst < AGREE:
         raise RoadsDiffer(method.mechanism.where("driver", 0), worst)
     return Proved(plot, exact, worst)
-
-
-# --- numbers side by side ---------------------------------------------------------------------
 
 
 def held(method: Method, values: Sequence[Real] | None = None, compiled: bool | None = None) -> Plot:
@@ -134,20 +129,15 @@ def _spread(count: int) -> np.ndarray:
     return np.unique(np.linspace(0, count - 1, PLACES).round().astype(int)) if count else np.empty(0, int)
 
 
-# --- how far they are apart -------------------------------------------------------------------
-
-
 def compare(method: Method, plot: Plot, exact: Motion) -> float:
     """The worst relative difference between a replay and the analytic solution."""
     return apart(method.mechanism, readings(method, plot), exact)
 
 
 def apart(mechanism: Mechanism, drawn: Motions, exact: Motions) -> float:
-    """The worst relative difference between motions found by two roads; nan where either has none.
-
-    Each kind of quantity is measured by the largest of its kind in the mechanism, or by what the lengths and
-    speeds make of it (an angular acceleration of 0 by omega^2); angles in radians.
-    """
+    """The worst relative difference between motions found by two roads; nan where either has none. Each kind of
+    quantity is measured by the largest of its kind in the mechanism, or by what the lengths and speeds make of it (an
+    angular acceleration of 0 by omega^2); angles in radians."""
     with np.errstate(invalid="ignore"):  # where either is nan
         return number(_apart(mechanism, drawn, exact, _largest))
 
@@ -205,14 +195,9 @@ def _largest_of_each(values: Sequence[Value]) -> Real:
     return largest
 
 
-# --- wrong drivers ----------------------------------------------------------------------------
-
-
 def wrong_drivers(mechanism: Mechanism) -> GraphkinError | None:
-    """The error that names the freedoms and the driver at fault; None where the drivers are right.
-
-    Freedoms are counted by rank, so a constraint that repeats others and is met is no error.
-    """
+    """The error that names the freedoms and the driver at fault; None where the drivers are right. Freedoms are counted
+    by rank, so a constraint that repeats others and is met is no error."""
     counted = mobility(mechanism)
     if counted.freedoms is None:
         return None

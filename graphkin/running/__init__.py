@@ -23,12 +23,9 @@ __all__ = ["replay_all"]
 
 def replay_all(method: Method, values: Sequence[Real] | None = None, compiled: bool | None = None) -> Plot:
     """All three constructions at the drawn position, or at `values`: one entry a driver, scalar or (n,) [rad, m];
-    `compiled`: as `ReplayProgram.run` has it.
-
-    A single position that is a dead point, or that is not reached from the drawn one without passing a dead
-    point, raises; in arrays such positions are what the crossings give, or NaN, and `Plot.sines` tells how near
-    each position is to a dead point.
-    """
+    `compiled`: as `ReplayProgram.run` has it. A single position that is a dead point, or that is not reached from the
+    drawn one without passing a dead point, raises; in arrays such positions are what the crossings give, or NaN, and
+    `Plot.sines` tells how near each position is to a dead point."""
     if values is None:
         return _with_polygons(method, replay(method.position, Plot(method.facts(), method.near)))
     drivers = method.drivers

@@ -135,13 +135,16 @@ class _ContinuationWalk:
             else:
                 step = self._stretch(step, end) or self._shorter(step, end) or step / 2**HALVINGS
 
-    # --- steps --------------------------------------------------------------------------------
-
     def _stretch(self, step: float, end: float) -> float:
         """Some steps as far as each goes on smoothly; the length of the next one, 0 where halving is to find it."""
         if step <= FELT * self.stride:
             return 0.0
-        far = self._steps_ahead(step)
+        # lengths of the next steps, each a little longer than the one before, as links turn there as foretold (k,)
+        growing = np.maximum(self.growth ** np.arange(STRETCH), LEAST)
+        steps = np.minimum(step * growing, self.longest)
+        x, slope = self.nodes.expected(self.at + self.side * np.cumsum(steps))
+        turning = FARTHEST / np.maximum(self._largest(slope, x), 1e-300)
+        far = np.asarray(np.minimum(steps, np.append(self.longest, turning[:-1])))
         t = self._not_beyond(self.at + self.side * np.cumsum(far), end)
         nodes = self.finder.at(t, self.nodes.foretold(t), self.sides, QUICK)
         count, off = self._going_on(nodes)
@@ -154,14 +157,6 @@ class _ContinuationWalk:
             self.growth = min(GROWTH, step / float(far[max(here - 1, 0)]))
             return step
         return float(far[here])
-
-    def _steps_ahead(self, step: float) -> np.ndarray:
-        """Lengths of the next steps, each a little longer than the one before, as links turn there as foretold (k,)."""
-        growing = np.maximum(self.growth ** np.arange(STRETCH), LEAST)
-        steps = np.minimum(step * growing, self.longest)
-        x, slope = self.nodes.expected(self.at + self.side * np.cumsum(steps))
-        turning = FARTHEST / np.maximum(self._largest(slope, x), 1e-300)
-        return np.asarray(np.minimum(steps, np.append(self.longest, turning[:-1])))
 
     def _not_beyond(self, t: np.ndarray, end: float) -> np.ndarray:
         """Places as far as the end, the last of them there where it is no farther than a step."""
@@ -190,9 +185,7 @@ class _ContinuationWalk:
 
     def _going_on(self, nodes: Nodes) -> tuple[int, np.ndarray]:
         """The number of positions that go on smoothly, each from those before it, until a crossing is about to be flat.
-
-        Also how far each is off, as part of what it may be (k,).
-        """
+        Also how far each is off, as part of what it may be (k,)."""
         before = self.nodes[-2:]
         chain = before.and_then(nodes)
         here, last = chain[len(before) :], chain[len(before) - 1 : -1]
@@ -225,8 +218,6 @@ class _ContinuationWalk:
     def _longest(self, nodes: Nodes) -> np.ndarray:
         turning = np.maximum(self._largest(nodes.slope, nodes.x), 1e-300)
         return np.asarray(np.minimum(self.stride, FARTHEST / turning))
-
-    # --- change points ------------------------------------------------------------------------
 
     def _foretold(self) -> float | None:
         """The distance to the first crossing that is about to become flat, if it is soon."""

@@ -55,18 +55,15 @@ def drawn_sides(method: Method, plot: Plot) -> DrawnSides:
     choices = (step for step in steps if isinstance(step, Meet | Swing) and step.choice is not None)
     sides = tuple(side for step in choices if (side := _side(method, plot, step)) is not None)
     fitted = any(isinstance(step, Fit) for step in steps)
-    return DrawnSides(sides, tuple(_rough_places(method, plot)) if fitted else ())
-
-
-def _rough_places(method: Method, plot: Plot) -> Iterator[tuple[str, complex]]:
-    """Points that the file has in its sketch, to a twentieth of the mechanism's size."""
     places = _named_places(method, plot)
-    if (size := _size(places)) > 0:
-        power = 10.0 ** math.floor(math.log10(size / 20))
-        step = power * max(k for k in (1, 2, 5) if k * power <= size / 20)
-        for name in method.mechanism.sketch:
-            if name in places:
-                yield name, complex(round(places[name].real / step) * step, round(places[name].imag / step) * step)
+    if not fitted or (size := _size(places)) <= 0:
+        return DrawnSides(sides)
+    # points that the file has in its sketch, to a twentieth of the mechanism's size
+    power = 10.0 ** math.floor(math.log10(size / 20))
+    step = power * max(k for k in (1, 2, 5) if k * power <= size / 20)
+    sketched = ((name, places[name]) for name in method.mechanism.sketch if name in places)
+    near = ((name, complex(round(z.real / step) * step, round(z.imag / step) * step)) for name, z in sketched)
+    return DrawnSides(sides, tuple(near))
 
 
 def _named_places(method: Method, plot: Plot) -> Places:
@@ -102,18 +99,15 @@ def _side(method: Method, plot: Plot, step: Meet | Swing) -> PointSide | None:
 def _across(here: Places, there: Places, moved: list[str], still: list[str]) -> Iterator[tuple[float, PointSide]]:
     """Points on the other side of a line that stays."""
     for (first, second), point in product(combinations(still, 2), moved):
-        sides = [_sine(places, first, second, point) for places in (here, there)]
+        sides = list[float]()  # distances from the line, beside the longer of line and distance; positive to the left
+        for places in (here, there):
+            base, arm = places[second] - places[first], places[point] - places[first]
+            size = abs(base) * max(abs(base), abs(arm))
+            sides.append(number(cross(base, arm)) / size if size else 0.0)
         if sides[0] * sides[1] < 0 and (plain := min(map(abs, sides))) > _PLAIN:
             line = here[second] - here[first]
             across = 1j * line / abs(line) * math.copysign(1.0, sides[0])
             yield plain + 1.0, PointSide(point, (first, second), across, 1 if sides[0] > 0 else -1)
-
-
-def _sine(places: Places, first: str, second: str, point: str) -> float:
-    """The distance of a point from a line, beside the longer of line and distance; positive to the left."""
-    line, arm = places[second] - places[first], places[point] - places[first]
-    size = abs(line) * max(abs(line), abs(arm))
-    return number(cross(line, arm)) / size if size else 0.0
 
 
 def _beyond(here: Places, there: Places, moved: list[str], still: list[str]) -> Iterator[tuple[float, PointSide]]:

@@ -101,8 +101,6 @@ def written(
     return HEAD + FUNCTION.format(rows=2 * len(vectors) + len(numbers), flat=flat, **lines)
 
 
-# --- compiled -----------------------------------------------------------------------------------
-
 FLAGS = (
     "-O3", "-fno-math-errno", "-fno-trapping-math", "-ffp-contract=off", "-fno-builtin-tan", "-fno-builtin-atan2",
     "-shared", "-fPIC",
@@ -118,7 +116,23 @@ def compiled(text: str, compiler: str) -> Function | None:
         command = shlex.split(compiler)
         if not command or shutil.which(command[0]) is None:
             return None
-        return Function(ctypes.CDLL(str(_library(command, text))))
+        # the compiled file, named by all that it is made of; it appears there at once and whole
+        # the folder in which only the user may write. Raises PermissionError where others may, too
+        folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "graphkin")
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        state = folder.lstat()
+        if hasattr(os, "getuid") and (state.st_uid != os.getuid() or state.st_mode & 0o022):
+            raise PermissionError(f"{folder} is not the user's alone")
+        name = hashlib.sha256("\0".join((*command, *FLAGS, text)).encode()).hexdigest()
+        library = folder / f"{name}.so"
+        if not library.exists():
+            with tempfile.TemporaryDirectory(dir=folder) as beside:
+                source, made = Path(beside, "program.c"), Path(beside, "program.so")
+                source.write_text(text, encoding="utf-8")
+                call = [*command, *FLAGS, "-o", str(made), str(source), "-lm"]
+                subprocess.run(call, check=True, capture_output=True, timeout=LONGEST_S, stdin=subprocess.DEVNULL)
+                os.replace(made, library)
+        return Function(ctypes.CDLL(str(library)))
     except (OSError, ValueError, RuntimeError, AttributeError, subprocess.SubprocessError) as error:
         logging.getLogger("graphkin").debug("not compiled, done by NumPy: %s", error)
         return None
@@ -147,28 +161,3 @@ class Function:
             if self.run(count, here.start, here.stop, pointers, results):
                 doubtful.append(here.start + np.flatnonzero(marks[: here.stop - here.start]))
         return doubtful
-
-
-def _library(command: Sequence[str], text: str) -> Path:
-    """The compiled file, named by all that it is made of; it appears there at once and whole."""
-    folder = _own_folder()
-    name = hashlib.sha256("\0".join((*command, *FLAGS, text)).encode()).hexdigest()
-    library = folder / f"{name}.so"
-    if not library.exists():
-        with tempfile.TemporaryDirectory(dir=folder) as beside:
-            source, made = Path(beside, "program.c"), Path(beside, "program.so")
-            source.write_text(text, encoding="utf-8")
-            call = [*command, *FLAGS, "-o", str(made), str(source), "-lm"]
-            subprocess.run(call, check=True, capture_output=True, timeout=LONGEST_S, stdin=subprocess.DEVNULL)
-            os.replace(made, library)
-    return library
-
-
-def _own_folder() -> Path:
-    """The folder in which only the user may write. Raises PermissionError where others may, too."""
-    folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "graphkin")
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    state = folder.lstat()
-    if hasattr(os, "getuid") and (state.st_uid != os.getuid() or state.st_mode & 0o022):
-        raise PermissionError(f"{folder} is not the user's alone")
-    return folder

@@ -78,14 +78,10 @@ class _CallWriter:
         self.calls.append((function, operands[0], operands[1] if len(operands) > 1 else -1, into))
 
 
-_OWN: dict[str, Callable[..., object]] = {
-    "maximum": lambda a, b, into: np.maximum(a, b, out=into),
-    "minimum": lambda a, b, into: np.minimum(a, b, out=into),
-}
+_OWN: dict[str, Callable[..., object]] = {"maximum": lambda a, b, into: np.maximum(a, b, out=into),
+                                          "minimum": lambda a, b, into: np.minimum(a, b, out=into)}  # fmt: skip
 """NumPy takes what these give by name only."""
 
-
-# --- memory -----------------------------------------------------------------------------------
 
 LEAST, MOST = 2**15, 2**23
 """Numbers in what is lent, and kept, at the least and at most: from a quarter of a MiB to 64."""

@@ -33,9 +33,6 @@ _PROGRAMS: dict[int, ReplayProgram | None] = {}
 _COUNTS: dict[int, int] = {}  # numbers of positions that were replayed without a program, by method, the same
 
 
-# --- single positions -------------------------------------------------------------------------
-
-
 def reached(method: Method, values: Sequence[Real]) -> tuple[DriverPath, float]:
     """The path to a position, and how far on it; the other way round where only that one is free of dead points."""
     path, t = _to(method, values)
@@ -64,14 +61,9 @@ def _to(method: Method, values: Sequence[Real]) -> tuple[DriverPath, float]:
     return trace(method, tuple(pace), 0.0, t), t
 
 
-# --- moved there ------------------------------------------------------------------------------
-
-
 def moved_to(method: Method, values: Sequence[Real]) -> Plot:
-    """One position, reached from the drawn one; or many, all at once.
-
-    Where each position hangs on the one before (a fit, rolling) the many are reached by moving on, too.
-    """
+    """One position, reached from the drawn one; or many, all at once. Where each position hangs on the one before (a
+    fit, rolling) the many are reached by moving on, too."""
     if not any(np.ndim(value) for value in values):
         return along(method, *reached(method, values))
     if not method.moves_on:
@@ -120,9 +112,6 @@ def _fanned(method: Method, values: Sequence[Real]) -> Plot:
             return plot
         slope = {name: np.nan_to_num((now[name] - near[name]) / (there - done)) for name in now}
         near, done, step = now, there, min(longest, 1.5 * step)
-
-
-# --- many at once -----------------------------------------------------------------------------
 
 
 def program_of(method: Method) -> ReplayProgram | None:

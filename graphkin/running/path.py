@@ -20,10 +20,6 @@ from graphkin.planning import Method
 
 STEP_DEG, STEP_PART = 3.0, 0.02
 """The longest step from one position to the next that is found from it [deg, of the mechanism's size]."""
-STEP_DEG, STEP_PART = 3.0, 0.02
-"""The longest step from one position to the next that is found from it [deg, of the mechanism's size]."""
-"""The longest step from one position to the next that is found from it [deg, of the mechanism's size]."""
-
 
 Flags = NDArray[np.bool_]
 
@@ -132,9 +128,6 @@ def turned(method: Method, plot: Plot) -> dict[str, Real]:
 def by_slide_key(displacements: Mapping[str, Real]) -> dict[str, Real]:
     """Displacements, or how fast they change, named as `near` has them."""
     return {slide_key(slide): value for slide, value in displacements.items()}
-
-
-# --- positions found on a path ----------------------------------------------------------------
 
 
 @frozen

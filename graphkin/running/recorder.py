@@ -184,10 +184,8 @@ class Recording:
 
 def record(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> Recording:
     """Replay position, velocity and acceleration once, for all values of the drivers and all sides of the crossings.
-
     The drivers' rates and accelerations are numbers: what stands still costs nothing. `near` names what a position
-    close by has. Raises CannotRecord.
-    """
+    close by has. Raises CannotRecord."""
     tape, inputs, read, fits = Tape(), list[int](), list[str](), list[Quantity]()
 
     def one_more() -> Real:
@@ -223,24 +221,19 @@ def _leg(hypotenuse: Real, other: Real) -> Real:
     return leg(hypotenuse, other)
 
 
-def _meet_line_circle(p: Value, u: Value, c: Value, r: Real, side: Real) -> tuple[Value, Real, Real]:
-    """The same crossing, whose distance from the centre is known."""
-    return _know_lengths(meet_line_circle(p, u, c, r, side, _leg), (c, r))
-
-
-def _meet_circles(c1: Value, r1: Real, c2: Value, r2: Real, side: Real) -> tuple[Value, Real, Real]:
-    """The same crossing, whose distances from both centres are known."""
-    return _know_lengths(meet_circles(c1, r1, c2, r2, side, _leg), (c1, r1), (c2, r2))
-
-
 def _know_lengths(crossing: tuple[Value, Real, Real], *circles: tuple[Value, Real]) -> tuple[Value, Real, Real]:
+    """The same crossing, whose distances from the centres are known."""
     for centre, radius in circles:
         if isinstance(arm := crossing[0] - centre, Recorded):
             arm.tape.know_length(arm.x, arm.y, arm.lifted(radius).x)
     return crossing
 
 
-COMPASS = Compass(_leg, line_circle=_meet_line_circle, circles=_meet_circles)
+COMPASS = Compass(
+    _leg,
+    line_circle=lambda p, u, c, r, side: _know_lengths(meet_line_circle(p, u, c, r, side, _leg), (c, r)),
+    circles=lambda a, r, b, s, side: _know_lengths(meet_circles(a, r, b, s, side, _leg), (a, r), (b, s)),
+)
 
 
 # --- links that are fitted --------------------------------------------------------------------
@@ -302,11 +295,9 @@ def _closure(closure: kinds.Closure, plot: Plot) -> Row:
 
 
 def solved(rows: Sequence[Row], units: Mapping[str, float]) -> list[Value]:
-    """x, in units, of which each row's coefficients times x give what the row knows.
-
-    Rows are turned in pairs, each time so that a coefficient becomes 0: nothing grows, and none has to be chosen by its
-    size, which a tape does not know.
-    """
+    """x, in units, of which each row's coefficients times x give what the row knows. Rows are turned in pairs, each
+    time so that a coefficient becomes 0: nothing grows, and none has to be chosen by its size, which a tape does not
+    know."""
     if len(rows) != len(units):
         raise CannotRecord("more equations than unknowns")
     lines = [[*(of.get(name, 0.0) * unit for name, unit in units.items()), known] for known, of in rows]
@@ -333,10 +324,8 @@ def _rotated(upper: list[Value], lower: list[Value], column: int) -> tuple[list[
     cos, sin = a / length, b / length
     pairs = [*zip(upper, lower)][column + 1 :]
     done: list[Value] = [0.0] * column
-    return (
-        [*done, length, *(cos * one + sin * other for one, other in pairs)],
-        [*done, 0.0, *(cos * other - sin * one for one, other in pairs)],
-    )
+    return ([*done, length, *(cos * one + sin * other for one, other in pairs)],
+            [*done, 0.0, *(cos * other - sin * one for one, other in pairs)])  # fmt: skip
 
 
 def _is_zero(value: Quantity) -> bool:

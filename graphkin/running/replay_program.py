@@ -107,9 +107,6 @@ class ReplayProgram:
         return plot
 
 
-# --- carried out --------------------------------------------------------------------------------
-
-
 @frozen
 class ProgramPart:
     """The operations for some entries of a plot, and where their results lie.
@@ -165,29 +162,24 @@ class ProgramPart:
         by_compiler = compiled or (compiled is None and count >= VERY_MANY)
         function = self.function(inputs) if by_compiler else None
         if function is None:
-            doubtful = self._by_numpy(inputs, vectors, numbers, room[end:])
+            # fill all rooms; positions at which something failed, or that are dead points
+            least = room[end:]
+            failures, doubtful = list[str](), list[np.ndarray]()
+            registers = lent(self.calls.registers * least.size).reshape(-1, least.size)
+            with np.errstate(call=lambda kind, _: failures.append(kind), divide="call", invalid="call", over="ignore"):
+                for here in _blocks(numbers.shape[1]):
+                    sines = least[: here.stop - here.start]
+                    rows = [*vectors.real[:, here], *vectors.imag[:, here], *numbers[:, here], sines]
+                    values = [value[here] if value.ndim else value for value in inputs]
+                    self.calls.run(values, rows, registers[:, : sines.size])
+                    if failures or not np.minimum.reduce(sines) > FLAT_SINE:  # NaN, too
+                        failures.clear()
+                        sound = np.logical_and.reduce([sines > FLAT_SINE, *map(np.isfinite, rows)])
+                        doubtful += [here.start + np.flatnonzero(~sound)] * (not sound.all())
         else:
             doubtful = function(inputs, room, end, _blocks(count))
         vectors.flags.writeable = numbers.flags.writeable = False
         return [*vectors, *numbers], doubtful
-
-    def _by_numpy(
-        self, inputs: Sequence[np.ndarray], vectors: np.ndarray, numbers: np.ndarray, least: np.ndarray
-    ) -> list[np.ndarray]:
-        """Fill all rooms; positions at which something failed, or that are dead points."""
-        failures, doubtful = list[str](), list[np.ndarray]()
-        registers = lent(self.calls.registers * least.size).reshape(-1, least.size)
-        with np.errstate(call=lambda kind, _: failures.append(kind), divide="call", invalid="call", over="ignore"):
-            for here in _blocks(numbers.shape[1]):
-                sines = least[: here.stop - here.start]
-                rows = [*vectors.real[:, here], *vectors.imag[:, here], *numbers[:, here], sines]
-                values = [value[here] if value.ndim else value for value in inputs]
-                self.calls.run(values, rows, registers[:, : sines.size])
-                if failures or not np.minimum.reduce(sines) > FLAT_SINE:  # NaN, too
-                    failures.clear()
-                    sound = np.logical_and.reduce([sines > FLAT_SINE, *map(np.isfinite, rows)])
-                    doubtful += [here.start + np.flatnonzero(~sound)] * (not sound.all())
-        return doubtful
 
     def function(self, inputs: Sequence[np.ndarray]) -> Run | None:
         """In C, for inputs of which the same are arrays; None where no compiler is at hand, or it would take long."""
@@ -204,9 +196,6 @@ class ProgramPart:
 
 def _blocks(count: int) -> Iterator[slice]:
     return (slice(begin, min(begin + BLOCK, count)) for begin in range(0, count, BLOCK))
-
-
-# --- plots ---------------------------------------------------------------------------------------
 
 
 class PlotTable(Lazy[Value], MutableMapping[str, Value]):
@@ -266,8 +255,7 @@ class Results:
     asked: set[Entry] | None = None
 
     def __post_init__(self) -> None:
-        self.judged: dict[str, tuple[Value, Value]] = {}
-        """Senses and sines of groups that are fitted."""
+        self.judged: dict[str, tuple[Value, Value]] = {}  # senses and sines of groups that are fitted
         self.rows, doubtful = self.part.run(self.inputs, self.compiled)
         self.plain = [(here, self.program.plainly(self.facts, self.inputs, here)) for here in doubtful]
 

@@ -78,7 +78,12 @@ def first_touching(
     """The place where the two loci of a crossing first touch or part, and whether the mechanism goes through."""
     sine, miss = _angle(method, step, plot, t.shape)
     apart = ~np.isfinite(sine) | (miss > 0)
-    low = _lows(sine) & ~apart
+    low = np.zeros(sine.shape, dtype=bool)  # local minima of the sine that are worth a closer look
+    with np.errstate(invalid="ignore"):
+        low[1:-1] = (sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:]) & (sine[1:-1] < LOW_SINE)
+        low[1:-1] &= sine[1:-1] <= FALLEN * np.fmax(sine[:-2], sine[2:])
+        low[-1] = sine[-1] < 0.01
+    low &= ~apart
     for k in map(int, np.flatnonzero(low | apart)):
         around = float(t[max(k - 1, 0)]), float(t[min(k + 1, t.size - 1)])
         if (met := _closer(method, path, step, *around)) is not None:
@@ -86,16 +91,6 @@ def first_touching(
         if apart[k]:
             return float(t[max(k - 1, 0)]), False
     return None
-
-
-def _lows(sine: np.ndarray) -> np.ndarray:
-    """Local minima of the sine that are worth a closer look."""
-    low = np.zeros(sine.shape, dtype=bool)
-    with np.errstate(invalid="ignore"):
-        low[1:-1] = (sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:]) & (sine[1:-1] < LOW_SINE)
-        low[1:-1] &= sine[1:-1] <= FALLEN * np.fmax(sine[:-2], sine[2:])
-        low[-1] = sine[-1] < 0.01
-    return low
 
 
 def _angle(method: Method, step: Crossing, plot: Plot, shape: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
@@ -126,9 +121,12 @@ def _closer(method: Method, path: DriverPath, step: Crossing, begin: float, end:
         apart = np.flatnonzero(~np.isfinite(sine) | (miss > 0))
         if apart.size and parted is None:
             parted = _edge(method, path, step, t, int(apart[0]))
-        k = _lowest(sine[: apart[0]] if apart.size else sine)
-        if k is None:
+        # the first dip of the sine; without parting behind it, its least value; none where it falls until loci part
+        sine = sine[: apart[0]] if apart.size else sine
+        dips = np.flatnonzero((sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:])) + 1 if sine.size > 2 else apart[:0]
+        if not dips.size and sine.size < FINE:
             return (parted, False) if parted is not None else None
+        k = int(dips[np.argmin(sine[dips])] if dips.size else np.argmin(sine))
         begin, end = float(t[max(k - 1, 0)]), float(t[min(k + 1, FINE - 1)])
     if sine[k] > TOUCHING_SINE:
         return (parted, False) if parted is not None else None
@@ -159,14 +157,6 @@ def _turned_over(method: Method, path: DriverPath, step: Fit, begin: float, end:
         begin, end = at - aside, at + aside
     centre = _centred(method, path, step, at)
     return centre if np.isfinite(centre) else None
-
-
-def _lowest(sine: np.ndarray) -> int | None:
-    """The first dip of the sine; without parting behind it, its least value. None where it falls until loci part."""
-    dips = np.flatnonzero((sine[1:-1] <= sine[:-2]) & (sine[1:-1] <= sine[2:])) + 1 if sine.size > 2 else np.empty(0)
-    if dips.size:
-        return int(dips[np.argmin(sine[dips])])
-    return int(np.argmin(sine)) if sine.size == FINE else None
 
 
 def _centred(method: Method, path: DriverPath, step: Crossing, at: float) -> float:

@@ -88,9 +88,6 @@ def _refuse_far(method: Method, path: DriverPath) -> None:
     raise TooFar(method.mechanism.where("driver", moving), driver.name, start, end, unit.shown(farthest))
 
 
-# --- looked along -----------------------------------------------------------------------------
-
-
 def _scanned(method: Method, path: DriverPath, end: float) -> DriverPath:
     """The path with what lies between the drawn position and `end` on it."""
     begin, step = 0.0, stride(method, path.pace, LOOK_DEG, LOOK_PART)
@@ -101,7 +98,11 @@ def _scanned(method: Method, path: DriverPath, end: float) -> DriverPath:
         event = _next_event(method, seen, t, plot)
         if event is None:
             return seen
-        path = _as_far_as(seen, event.at)
+        path = seen
+        if path.nodes is not None:  # none beyond the event
+            at, tables = path.nodes
+            kept = at <= event.at if event.at > 0 else at >= event.at
+            path = replace(path, nodes=(at[kept], {name: table[kept] for name, table in tables.items()}))
         if not event.choices:
             return replace(path, stops=(*path.stops, event))
         path = replace(path, changes=(*path.changes, event))
@@ -111,9 +112,7 @@ def _scanned(method: Method, path: DriverPath, end: float) -> DriverPath:
 
 def _seen(method: Method, path: DriverPath, t: np.ndarray) -> tuple[DriverPath, np.ndarray, Plot]:
     """The plot at t, from the drawn position on to one side; where rolling counts, each position from the one before.
-
-    There the path gets what is found as its nodes, and more positions where a link turns fast.
-    """
+    There the path gets what is found as its nodes, and more positions where a link turns fast."""
     if path.nodes is None:
         return path, t, along(method, path, t)
     near = path.near(float(t[0]))
@@ -130,15 +129,6 @@ def _seen(method: Method, path: DriverPath, t: np.ndarray) -> tuple[DriverPath, 
             order = np.argsort(t[there])
             tables[name] = np.interp(t, t[there][order], table[there][order])
     return with_nodes(path, t, tables), t, plot
-
-
-def _as_far_as(path: DriverPath, end: float) -> DriverPath:
-    """The path without nodes beyond `end`."""
-    if path.nodes is None:
-        return path
-    t, tables = path.nodes
-    kept = t <= end if end > 0 else t >= end
-    return replace(path, nodes=(t[kept], {name: table[kept] for name, table in tables.items()}))
 
 
 def _next_event(method: Method, path: DriverPath, t: np.ndarray, plot: Plot) -> Event | None:

@@ -155,9 +155,6 @@ def rows_of(many: Plot, rows: np.ndarray | int, plot: Plot) -> Plot:
     return plot
 
 
-# --- drawn together ---------------------------------------------------------------------------
-
-
 def _facts_of_some(facts: Facts, part: slice) -> Facts:
     some = partial(_cut, part=part)
     return replace(
@@ -189,10 +186,8 @@ class Assemblies:
 
 
 def _assemblies(method: Method, facts: Facts, sketch: Mapping[str, Value]) -> Assemblies:
-    """Every combination of crossings drawn, and for each mechanism the nearest to its sketch taken.
-
-    Sure is what closes, lies well off its dead points, and has no other assembly that the sketch may mean.
-    """
+    """Every combination of crossings drawn, and for each mechanism the nearest to its sketch taken. Sure is what
+    closes, lies well off its dead points, and has no other assembly that the sketch may mean."""
     choices = _choices(method)
     sides = np.array([*product((1, -1), repeat=len(choices))], dtype=float).reshape(2 ** len(choices), len(choices))
     plot = replay(method.position, Plot(facts), {choice: sides[:, [k]] for k, choice in enumerate(choices)})

@@ -63,9 +63,7 @@ def titles(lang: Lang) -> dict[str, str]:
 
 def chosen(kind: str = "", group: str = "", source: str = "") -> tuple[str, ...]:
     """Those that have a pair of this kind (`hinge`: no other pair), in this folder, with this text in their source.
-
-    Files are read only to look for a pair or a source in them.
-    """
+    Files are read only to look for a pair or a source in them."""
     in_folder = groups().get(group, ()) if group else names()
     return tuple(name for name in in_folder if not (kind or source) or _is(load(name), kind, source))
 

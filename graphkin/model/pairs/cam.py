@@ -35,11 +35,9 @@ class Cam(Pair):
 
     @property
     def equivalent(self) -> Rod | Slot:
-        """Two circles keep the distance of their centres, a circle's centre its distance from a line.
-
-        Profiles are circles and straight lines, so this holds for the whole motion.
-        Source: Sun Huan, Theory of Machines, section 2-6 (replacement of higher pairs).
-        """
+        """Two circles keep the distance of their centres, a circle's centre its distance from a line. Profiles are
+        circles and straight lines, so this holds for the whole motion. Source: Sun Huan, Theory of Machines, section
+        2-6 (replacement of higher pairs)."""
         (_, centre, radius), *others = self.circles
         for face in self.profiles:
             if face.line is not None:

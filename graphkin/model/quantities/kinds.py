@@ -41,8 +41,7 @@ class QuantityBase:
     word: str
     of: str
 
-    is_place = False
-    """True of a place, which is given by two numbers."""
+    is_place = False  # true of a place, which is given by two numbers
 
     @property
     def text(self) -> str:
@@ -273,7 +272,12 @@ class Quotient(QuantityBase):
         return self.top, self.bottom
 
     def answer(self, motions: Motions) -> Answer:
-        return Answer(_divided(*(half.answer(motions).value for half in self.halves)), "1")
+        """The top by the bottom; a bottom that is 0 but for rounding counts as 0."""
+        top, bottom = (half.answer(motions).value for half in self.halves)
+        sizes = [float(np.max(np.abs(value), initial=0.0, where=np.isfinite(value))) for value in (top, bottom)]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            quotient: Value = np.divide(top, np.where(np.abs(bottom) <= 1e-12 * max(sizes), 0.0, bottom))[()]
+        return Answer(quotient, "1")
 
 
 Quantity: TypeAlias = Rotation | Displacement | Place | Track | Moving | Component | Centre | Quotient
@@ -283,17 +287,6 @@ Quantity: TypeAlias = Rotation | Displacement | Place | Track | Moving | Compone
 def on_axis(vector: Value, axis: Axis) -> Real:
     """The component of a vector along one of the frame's axes."""
     return vector.real if axis == "x" else vector.imag
-
-
-def _divided(top: Value, bottom: Value) -> Value:
-    """top / bottom; a bottom that is 0 but for rounding counts as 0."""
-    sizes = [float(np.max(np.abs(value), initial=0.0, where=np.isfinite(value))) for value in (top, bottom)]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        quotient: Value = np.divide(top, np.where(np.abs(bottom) <= 1e-12 * max(sizes), 0.0, bottom))[()]
-        return quotient
-
-
-# --- motion of one site seen from another -----------------------------------------------------
 
 
 def absolute(motions: Motions, plane: Plane, site: Seen) -> Value:
@@ -313,11 +306,9 @@ def has_part(mechanism: Mechanism, part: str, of: Seen, seen_from: Seen) -> bool
 
 
 def relative(motions: Motions, plane: Plane, part: str, of: Seen, seen_from: Seen) -> Value:
-    """The motion of one site seen from another, or a part of it that there is: n, t, k or r.
-
-    The Coriolis part takes the rotation of the link of `seen_from`; of a pin in a slot the slot's, either way round,
-    as the pin's path is straight there and nowhere else.
-    """
+    """The motion of one site seen from another, or a part of it that there is: n, t, k or r. The Coriolis part takes
+    the rotation of the link of `seen_from`; of a pin in a slot the slot's, either way round, as the pin's path is
+    straight there and nowhere else."""
     whole = absolute(motions, plane, of) - absolute(motions, plane, seen_from)
     if part == "":
         return whole

@@ -39,10 +39,8 @@ def named(mechanism: Mechanism, text: str, where: Where) -> Quantity:
 
 
 def read(mechanism: Mechanism, text: str, where: Where = NOWHERE) -> Quantity | None:
-    """The quantity that a text names; None for a text that is only to be shown.
-
-    Raises UnknownLink, UnknownPoint, UnknownSlide, NeedsTwo, NotOneOf for one that names something that is not there.
-    """
+    """The quantity that a text names; None for a text that is only to be shown. Raises UnknownLink, UnknownPoint,
+    UnknownSlide, NeedsTwo, NotOneOf for one that names something that is not there."""
     halves = [_one(mechanism, part.strip(), where) for part in text.split("/")]
     if len(halves) == 1:
         return halves[0]
@@ -126,9 +124,6 @@ def _quietly(mechanism: Mechanism, text: str) -> Quantity | None:
         return None
 
 
-# --- one quantity -----------------------------------------------------------------------------
-
-
 def _one(mechanism: Mechanism, text: str, where: Where) -> Quantity | None:
     if (links := centre_of(mechanism, text)) is not None:
         return kinds.Centre("P", text[1:], links)
@@ -137,12 +132,24 @@ def _one(mechanism: Mechanism, text: str, where: Where) -> Quantity | None:
         return None
     word, of = words.groups()
     if word not in WORDS:
-        _refuse_misspelt(mechanism, where, word, of)
+        # raises NotOneOf for a word that is nearly one, of something that is there
+        import difflib
+
+        near = len(word) > 3 and difflib.get_close_matches(word, WORDS, 1, 0.7)
+        if near and (of in mechanism.links or seen(mechanism, of) is not None):
+            raise errors.NotOneOf(where, word, WORDS)
         return None
     if word in ("theta", "omega", "alpha"):
-        return _rotation(mechanism, where, word, of)
+        # of a moving link; the frame's is only shown
+        if of not in mechanism.moving and of != mechanism.frame:
+            raise errors.UnknownLink(where, of, mechanism.moving)
+        return kinds.Rotation(word, of, of) if of in mechanism.moving else None
     if word == "s":
-        return _displacement(mechanism, where, of)
+        # of a sliding pair, or of a wheel on a line; that of a wheel on a circle is only shown
+        paths = {pair.name: pair.path for pair in mechanism.pairs if isinstance(pair, Slide | RollingContact)}
+        if of not in paths:
+            raise errors.UnknownSlide(where, of, tuple(paths))
+        return kinds.Displacement("s", of, of) if paths[of] is not None else None
     if word == "path":
         return kinds.Track(word, of, _site(mechanism, where, of))
     head, _, last = word.rpartition("_")
@@ -153,30 +160,6 @@ def _one(mechanism: Mechanism, text: str, where: Where) -> Quantity | None:
         return kinds.Place(word, of, axis, _site(mechanism, where, of))
     whole = _moving(mechanism, where, head, of)
     return None if whole is None else kinds.Component(word, of, axis, whole)
-
-
-def _refuse_misspelt(mechanism: Mechanism, where: Where, word: str, of: str) -> None:
-    """Raises NotOneOf for a word that is nearly one, of something that is there."""
-    import difflib
-
-    near = len(word) > 3 and difflib.get_close_matches(word, WORDS, 1, 0.7)
-    if near and (of in mechanism.links or seen(mechanism, of) is not None):
-        raise errors.NotOneOf(where, word, WORDS)
-
-
-def _rotation(mechanism: Mechanism, where: Where, word: str, of: str) -> kinds.Rotation | None:
-    """Of a moving link; the frame's is only shown."""
-    if of not in mechanism.moving and of != mechanism.frame:
-        raise errors.UnknownLink(where, of, mechanism.moving)
-    return kinds.Rotation(word, of, of) if of in mechanism.moving else None
-
-
-def _displacement(mechanism: Mechanism, where: Where, of: str) -> kinds.Displacement | None:
-    """Of a sliding pair, or of a wheel on a line; that of a wheel on a circle is only shown."""
-    paths = {pair.name: pair.path for pair in mechanism.pairs if isinstance(pair, Slide | RollingContact)}
-    if of not in paths:
-        raise errors.UnknownSlide(where, of, tuple(paths))
-    return kinds.Displacement("s", of, of) if paths[of] is not None else None
 
 
 def _site(mechanism: Mechanism, where: Where, of: str) -> Seen:
@@ -209,14 +192,9 @@ def _guide(mechanism: Mechanism, site: Seen) -> complex | None:
     return None
 
 
-# --- texts that may have been meant -----------------------------------------------------------
-
-
 def _meant_points(mechanism: Mechanism, of: str, word: str) -> tuple[str, ...]:
-    """The texts that may be meant by one that names no point: of a sliding pair or a link what moves there.
-
-    With a known point and more, coincident points there.
-    """
+    """The texts that may be meant by one that names no point: of a sliding pair or a link what moves there. With a
+    known point and more, coincident points there."""
     if moving := _moving_there(mechanism, of):
         return moving
     if word in ("a_n", "a_t"):
