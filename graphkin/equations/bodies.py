@@ -119,8 +119,6 @@ class Bodies:
                 makers.setdefault(other, partial(self._driven, body, other, number, sign))
         return makers
 
-    # --- symbols -------------------------------------------------------------------------------
-
     def _theta(self, body: str, steady: bool) -> Symbol:
         symbol = self.legend.fresh("θ", self.called(body), "angle", steady)
         texts = tuple(meaning(f"equations.turning {rate}", link=self.called(body)) for rate in _RATES)

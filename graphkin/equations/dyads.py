@@ -58,9 +58,6 @@ class Split:
         return bool(self.angles and self.slides and self.slid(self.slides[0]).angle.has(self.angles[0]))
 
 
-# --- rates ------------------------------------------------------------------------------------
-
-
 @frozen
 class RateQuotient:
     """symbol = top / bottom."""
@@ -107,9 +104,6 @@ def quotients(split: Split, order: int) -> Iterator[RateQuotient]:
 def _unit_along(column: Sum) -> Sum:
     """A vector of the same direction, of length 1 where it is one arrow."""
     return column if column.only is None else unit_vector(column.only.angle)
-
-
-# --- positions --------------------------------------------------------------------------------
 
 
 @frozen
@@ -191,8 +185,6 @@ class Solver:
             bottom = cross(across, unit_vector(term.angle)).times(term.factor)
             rows.append((Letter(slide), self.pretty.quotient(-cross(across, split.known), bottom)))
         self.page.show(*rows)
-
-    # --- their parts ---------------------------------------------------------------------------
 
     def _half_angle(self, angle: Symbol, a: Sum, b: Sum, c: Sum) -> None:
         """A sin θ + B cos θ + C = 0, and tan(θ/2) = (A ± √(A² + B² − C²)) / (B − C)."""

@@ -88,9 +88,6 @@ def values(legend: Legend, motion: Motion) -> dict[Symbol, Value]:
     return {symbol: entry.read(motion) for symbol, entry in legend.entries.items()}
 
 
-# --- readers ----------------------------------------------------------------------------------
-
-
 def angle_readers(structure: Topology, body: str, drawn: Motion) -> Three:
     """θ, ω, α of a body [rad, rad/s, rad/s^2]; of a link of the equivalent, by its two points."""
     if structure.is_pin(body):

@@ -36,9 +36,6 @@ def _complex_sides(pretty: Pretty, polygon: ClosedPolygon, of: Sum) -> tuple[Nod
     return pretty.sum(Sum(tuple(terms[0])), ordered=True), pretty.sum(-Sum(tuple(terms[1])), ordered=True)
 
 
-# --- complex vectors --------------------------------------------------------------------------
-
-
 def write_complex(model: Model, page: EquationPage) -> None:
     """Each polygon closed, split, derived twice, solved in closed form; then the points asked for."""
     pretty = Pretty(model.alias)
@@ -160,9 +157,6 @@ def _write_point(model: Model, page: EquationPage, pretty: Pretty, chain: PointC
 def _head_point(model: Model, page: EquationPage, chain: PointChain) -> None:
     page.head("equations.point", name=chain.of)
     page.say("equations.point from", start=model.bodies.spot(chain.start), name=chain.of)
-
-
-# --- matrices ---------------------------------------------------------------------------------
 
 
 def write_matrix(model: Model, page: EquationPage) -> None:

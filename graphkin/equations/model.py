@@ -146,9 +146,6 @@ def _unknowns(stage: Loop | Bridge | Mesh | Group, arrows: LinkVectorMaker) -> t
     return (*moving, *dict.fromkeys(thetas), *fixed)
 
 
-# --- points -----------------------------------------------------------------------------------
-
-
 @frozen
 class PointChain:
     """The vector from the fixed point `start` to the point `of`, as in (3-18):

@@ -217,9 +217,6 @@ def _ring(arrows: LinkVectorMaker, ring: Sequence[str], joints: Sequence[Joint])
         yield from arrows.along(body, arrows.point_of(into, body), arrows.point_of(out, body))
 
 
-# --- rolling ----------------------------------------------------------------------------------
-
-
 @frozen
 class RollingSum:
     """sum = 0: what turns and slides, less the constant of the drawn position, of one rolling contact."""

@@ -25,9 +25,6 @@ def _has_grid(nodes: Sequence[Node]) -> bool:
             return True
     return False
 
-
-# --- text -------------------------------------------------------------------------------------
-
 _NUMBERED_AT = 88
 _PIECES = re.compile(r"[\u4e00-\u9fff][，。；：、）]*\s*|[^\s\u4e00-\u9fff]+\s*")
 """Words, and Chinese characters with the signs that may not begin a line."""
@@ -104,9 +101,6 @@ def _matrix(grid: Grid) -> list[str]:
     ends = [("⎡", "⎤"), *[("⎢", "⎥")] * (len(rows) - 2), ("⎣", "⎦")]
     return [f"{left} {row} {right}" for (left, right), row in zip(ends, rows, strict=True)]
 
-
-# --- HTML -------------------------------------------------------------------------------------
-
 _STYLE = """
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font-family: "Times New Roman", "Liberation Serif",
   "Noto Serif CJK SC", "Songti SC", SimSun, serif; line-height: 1.5; color: #000; background: #fff; }
@@ -169,9 +163,6 @@ def _displayed(row: Sequence[Node]) -> str:
     """Sides with their equals signs."""
     chain = [node for side in row for node in (Op("="), side)][1:]
     return f'<math display="block">{in_notation(Row(tuple(chain)), MATHML)}</math>'
-
-
-# --- LaTeX ------------------------------------------------------------------------------------
 
 _PREAMBLE = "\n".join(LIBRARIES) + r"""
 \usepackage[margin=20mm]{geometry}

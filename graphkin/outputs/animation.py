@@ -51,9 +51,6 @@ def _moving(pen: SvgPen, layer: Layer, frames: Sequence[Sequence[Mark]], seconds
     return whole
 
 
-# --- which marks of the sheets are one ---------------------------------------------------------
-
-
 def _rows(frames: Sequence[Sequence[Mark]]) -> list[Row]:
     """The marks of all sheets in their order of painting, each once: by its kind, and its number among that kind."""
     order: list[tuple[object, ...]] = []
@@ -106,9 +103,6 @@ def _aligned(row: Row) -> Row:
                 row[k] = mark = replace(mark, places=turned[off.index(min(off))])
             before = mark.places
     return row
-
-
-# --- elements ---------------------------------------------------------------------------------
 
 
 def _element(pen: SvgPen, layer: Layer, row: Row, seconds: float) -> ET.Element:

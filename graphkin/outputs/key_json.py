@@ -20,9 +20,6 @@ Json = dict[str, Plain]
 Read = Mapping[str, Any]  # plain data as it is read, before it is looked at
 
 
-# --- out --------------------------------------------------------------------------------------
-
-
 def key_text(key: Key) -> str:
     """The file's text: one line a quantity and a mistake, so that it can be read and changed."""
     data = key_data(key)
@@ -84,9 +81,6 @@ def _correlations(mistakes: Hypotheses) -> list[dict[str, str]]:
 
 def _line(value: object) -> str:
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
-
-
-# --- in ---------------------------------------------------------------------------------------
 
 
 def key_of(text: str, where: Where) -> Key:

@@ -97,9 +97,6 @@ def _rounded(number: float) -> float:
     return float(f"{number:.6g}") + 0.0
 
 
-# --- records read -----------------------------------------------------------------------------
-
-
 def line_of(record: Record) -> Json:
     """The line's part of a record."""
     kept = {key: record[key] for key in _LINE if key in record}
@@ -118,9 +115,6 @@ def drawn_of(record: Record) -> dict[Plane, dict[str, complex]]:
         if not all(map(cmath.isfinite, planes[plane].values())):
             raise ValueError(f"drawn: {plane}")
     return planes
-
-
-# --- a file of records ------------------------------------------------------------------------
 
 
 def write(path: Path, records: Iterable[Record], force: bool = False) -> None:

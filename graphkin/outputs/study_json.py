@@ -21,9 +21,6 @@ def _finite(value: float) -> float | None:
     return value if math.isfinite(value) else None
 
 
-# --- designs ----------------------------------------------------------------------------------
-
-
 def as_json(design: Design) -> Json:
     """`{"format": 1, "solutions": [{"a": .., "b": .., ..}]}` in metres and radians; null where there is no such size.
 
@@ -90,9 +87,6 @@ def _family(one: Family) -> Json:
         "A": [_xy(place) for place in one.at[::20]],
         "arcs": [{"from": arc.start, "to": arc.end, "name": arc.name} for arc in one.arcs],
     }  # fmt: skip
-
-
-# --- marking ----------------------------------------------------------------------------------
 
 
 def tolerance_data(tolerances: Tolerances) -> Json:

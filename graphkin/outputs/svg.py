@@ -93,9 +93,6 @@ def _xy(place: Place) -> tuple[str, str]:
     return mm(place.real), mm(place.imag)
 
 
-# --- elements ---------------------------------------------------------------------------------
-
-
 class SvgPen:
     """One drawing in the making. Marks of one layer that follow one another in one paint share it in a group."""
 

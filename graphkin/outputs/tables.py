@@ -71,9 +71,6 @@ def shown_parts(parts: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
         seen(part)
 
 
-# --- columns ----------------------------------------------------------------------------------
-
-
 def columns(part: Sweep, units: Mapping[str, Unit] = EDGE) -> dict[str, Array]:
     """By header, in mm and deg or so: the drivers' values, and each quantity as the terminal has it.
 
@@ -107,9 +104,6 @@ def _others(part: Sweep) -> Iterator[tuple[str, str, Array]]:
         if k != course.swept and course.path.pace[k]:
             unit = driven(driver.kind == "slide")
             yield driver.name, unit, course.path.start[k] + course.path.pace[k] * part.t
-
-
-# --- files ------------------------------------------------------------------------------------
 
 
 def csv_lines(course: Course, parts: Iterator[Sweep]) -> Iterator[str]:
@@ -206,9 +200,6 @@ def _write_parquet(path: Path, parts: Iterator[Sweep], force: bool) -> None:
             writer = writer or pyarrow.parquet.ParquetWriter(draft, table.schema)
             writer.write_table(table)
         writer.close()
-
-
-# --- notebooks and other programs -------------------------------------------------------------
 
 
 class SweepFrames(Sweep):

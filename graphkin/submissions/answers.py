@@ -83,9 +83,6 @@ def _joined(first: HandedValue, second: HandedValue, question: str) -> HandedVal
     return replace(first, value=None, vector=None, fault=fault)
 
 
-# --- one value --------------------------------------------------------------------------------
-
-
 def _value(raw: object, quantity: Quantity, unit: str, scales: Mapping[Plane, float]) -> HandedValue:
     match raw:
         case bool():
@@ -148,9 +145,6 @@ def _pair(x: object, y: object, quantity: Quantity, unit: str) -> HandedValue:
         return HandedValue(text, None, fault=fault)
     vector = complex(*(half.value or 0.0 for half in halves))
     return HandedValue(text, abs(vector), None, halves[0].unit, halves[0].fault, vector=vector)
-
-
-# --- positions --------------------------------------------------------------------------------
 
 
 def answers_at(

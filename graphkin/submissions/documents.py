@@ -123,9 +123,6 @@ def _shown(cell: object) -> str:
     return "" if cell is None else str(cell).strip()
 
 
-# --- CSV --------------------------------------------------------------------------------------
-
-
 def csv_cells(stream: IO[bytes], where: Where) -> Cells:
     """The rows of a CSV in any usual encoding, by comma, semicolon or tabulator. Raises BrokenSubmission."""
     csv.field_size_limit(_LONGEST_CELL)
@@ -142,9 +139,6 @@ def csv_cells(stream: IO[bytes], where: Where) -> Cells:
             yield reader.line_num, row
     except csv.Error as problem:
         raise BrokenSubmission(Where(where.file, reader.line_num), "CSV", str(problem)) from None
-
-
-# --- XLSX -------------------------------------------------------------------------------------
 
 
 def xlsx_cells(content: bytes, where: Where, limits: Limits) -> Cells:
@@ -178,9 +172,6 @@ def cells_of(name: str, content: bytes, where: Where, limits: Limits) -> Cells:
     if PurePosixPath(name).suffix.lower() in SHEETS:
         return xlsx_cells(content, where, limits)
     return csv_cells(io.BytesIO(content), where)
-
-
-# --- documents --------------------------------------------------------------------------------
 
 
 @frozen

@@ -143,9 +143,6 @@ def _named(picture: PagePicture, paper: _PaperScale, questions: Questions) -> di
     return values
 
 
-# --- directions of links ----------------------------------------------------------------------
-
-
 def directions(picture: PagePicture, questions: Questions, where: Where, limits: Limits) -> dict[str, HandedValue]:
     """theta of the links whose direction the problem asks for, as drawn [rad]."""
     mechanism = questions.mechanism

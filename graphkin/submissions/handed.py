@@ -186,9 +186,6 @@ def _walked(path: Path) -> Iterator[str]:
                 yield inside.relative_to(path).as_posix()
 
 
-# --- whose files they are ---------------------------------------------------------------------
-
-
 def _is_class_table(names: list[str]) -> bool:
     """True where all there is is a table, which bears no student's name as platforms give them: nobody else's work
     stands beside it. Among others it is one student's."""

@@ -95,9 +95,6 @@ def _own_figure(
     return own
 
 
-# --- where they belong ------------------------------------------------------------------------
-
-
 def _candidates(picture: PagePicture, texts: Sequence[PictureText]) -> list[Place]:
     """Points near any of a letter's texts, the nearest first."""
     candidates: list[Place] = []

@@ -108,9 +108,6 @@ def _in_si(text: str, value: WrittenNumber, dimension: Dimension | None, unit: s
         return HandedValue(text, read_quantity(sized, dimension), sense, shown, fault)
 
 
-# --- number, unit and sense -------------------------------------------------------------------
-
-
 def written(text: str, whole: str) -> WrittenNumber:
     """A plain text taken apart. Raises NotAnAnswer with `whole`, SenseDisputed where both senses are named."""
     if len(text) > LONGEST:

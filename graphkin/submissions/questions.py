@@ -106,9 +106,6 @@ def _quietly(mechanism: Mechanism, text: str) -> Quantity | None:
         return None
 
 
-# --- spellings --------------------------------------------------------------------------------
-
-
 def spelled(text: str) -> Iterator[str]:
     """Texts that `quantities` may read, the nearest to what was typed first."""
     bare = tidy(text.strip())
@@ -158,9 +155,6 @@ def _of_moving(word: str, rest: str) -> Iterator[str]:
         yield f"{word}_{_PARTS[before[1].lower()]} {tight[before.end():]}"
     if after is not None:
         yield f"{word}_{_PARTS[after[1].lower()]} {tight[: after.start()]}"
-
-
-# --- the same quantity ------------------------------------------------------------------------
 
 
 def _meaning(mechanism: Mechanism, quantity: Quantity) -> object:

@@ -154,9 +154,6 @@ def _named(element: Element) -> tuple[str, Plane | None]:
     return (attributes.get(f"{_INK}label") or attributes.get("id", ""))[:60], None
 
 
-# --- page and type ----------------------------------------------------------------------------
-
-
 def _page(attributes: Mapping[str, str]) -> Affine:
     """From the root's units to mm on the page. Without a width in units a pixel is one of 96 to the inch."""
     box = numbers_in(attributes.get("viewBox", "").replace(",", " "))
@@ -207,9 +204,6 @@ def _size(text: str, above: float) -> float:
         return length(text) if text else above
     except (Unread, ValueError):
         return above
-
-
-# --- texts ------------------------------------------------------------------------------------
 
 
 def _texts(element: Element, affine: Affine, kind: _Type) -> Iterator[PictureText]:

@@ -103,9 +103,6 @@ def _head(page: Figure, curves: Curves, lang: Lang, total: float) -> None:
         page.text(0.5, 1 - below / total, text, fontsize=size, parse_math=False, ha="center")
 
 
-# --- one panel --------------------------------------------------------------------------------
-
-
 def _panel(
     page: Figure, curves: Curves, panel: CurvePanel, lang: Lang, place: tuple[float, float], rows: int, last: bool
 ) -> DrawnPanel:

@@ -88,9 +88,6 @@ def _extent(page: Figure, text: Text) -> Bbox:
     return text.get_window_extent(page.canvas.get_renderer())  # type: ignore[attr-defined]
 
 
-# --- greatest and least values ----------------------------------------------------------------
-
-
 def _write_peaks(page: Figure, curves: Curves, drawn: DrawnPanel, paths: Sequence[Path], boxes: Sequence[Bbox]) -> None:
     top = drawn.sides[-1]
     texts: list[Text] = []
@@ -130,9 +127,6 @@ def _put(top: Axes, text: Text, box: Bbox) -> None:
     text.set_position((float(x), float(y)))
 
 
-# --- stops and change points ------------------------------------------------------------------
-
-
 def _name_event(
     page: Figure, drawn: DrawnPanel, curves: Curves, event: Event, paths: Sequence[Path], boxes: Sequence[Bbox],
     lang: Lang,
@@ -157,9 +151,6 @@ def _name_event(
     box = min(tried, key=lambda entry: entry[:2])[2]
     _put(top, text, box)
     return box
-
-
-# --- places of texts --------------------------------------------------------------------------
 
 
 def arrange(

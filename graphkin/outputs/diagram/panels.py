@@ -66,9 +66,6 @@ def panels(units: Mapping[int, str]) -> tuple[CurvePanel, ...]:
     return tuple(panels)
 
 
-# --- scales -----------------------------------------------------------------------------------
-
-
 def limits(curves: Curves, panel: CurvePanel) -> list[tuple[float, float]]:
     """Least and greatest value of each axis, as shown; the zeros of two axes of a panel lie on one line."""
     with_zero = panel.kind != "position"
@@ -103,9 +100,6 @@ def division(low: float, high: float, most: int, degrees: bool = False) -> list[
         step = next(power * k for k in (1, 2, 5, 10) if power * k >= least * (1 - 1e-9))
     first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
     return [k * step for k in range(first, last + 1)]
-
-
-# --- names ------------------------------------------------------------------------------------
 
 
 def figure_of(value: float) -> str:

@@ -41,8 +41,6 @@ class GeogebraState:
             {slide: labels[driver] for slide, driver in facts.slides_driven.items()} for labels in self.drives
         )
 
-    # --- turns and displacements ---
-
     def base(self, link: str) -> str:
         return self.facts.turns[link].base
 
@@ -69,8 +67,6 @@ class GeogebraState:
 
     def displace(self, order: int, slide: str, formula: str) -> None:
         self.slides[order][slide] = self.protocol.number(formula)
-
-    # --- arrows ---
 
     def drawn(self, tail: str, head: str, plane: Plane, factor: float = 1.0) -> FormulaPair:
         """Between two points of a plane [SI]."""

@@ -144,8 +144,6 @@ class Draughtsman:
                 case _:
                     assert_never(step)
 
-    # --- points ---
-
     def _at(self, name: str) -> complex:
         """The place of a point now."""
         return self.origin + place(self.plot.points(self.plane)[name]) / self.scale
@@ -213,8 +211,6 @@ class Draughtsman:
             offset = FormulaPair.between(centre, self.points[step.other]).times(value(step.ratio))
         self._point(step.point, f"{centre} + {offset.point}")
 
-    # --- what is read off ---
-
     def _measure(self, step: Measure) -> None:
         state = self.state
         arrow = state.bound(FormulaPair.between(self.points[step.tail], self.points[step.head]))
@@ -260,8 +256,6 @@ class Draughtsman:
                 moved = minus(self.state.slides[self.order][slide], value(drawn))
                 rest = plus(rest, product(value(coefficient), moved))
         return rest, {name: value(coefficient) for name, coefficient in coefficients.items()}
-
-    # --- what is solved together ---
 
     def _solved(self, rows: Sequence[Row], names: Sequence[str]) -> list[str]:
         """The unknowns, each by its element of a column."""
