@@ -33,22 +33,15 @@ def animation(frames: Sequence[Sheet], seconds: float = SECONDS, ink: Ink = "acc
     first = frames[0]
     pen = SvgPen(first, ink, metadata=True, moving=True)
     for number, layer in enumerate(first.layers):
-        group = _moving(pen, layer, [frame.layers[number].marks for frame in frames], seconds)
-        if len(group):
-            pen.drawing.add(Ready(group))
+        whole, painted = ET.Element("g"), list[tuple[tuple[tuple[str, str], ...], Row]]()
+        for row in _rows([frame.layers[number].marks for frame in frames]):
+            painted.append((pen.colours.paint(layer, next(mark for mark in row if mark is not None)), row))
+        for paint, rows in groupby(painted, key=lambda entry: entry[0]):  # neighbours in one paint share it
+            group = ET.SubElement(whole, "g", dict(paint))
+            group.extend([_element(pen, layer, row, seconds) for _, row in rows])
+        if len(whole):
+            pen.drawing.add(Ready(whole))
     return '<?xml version="1.0" encoding="utf-8"?>\n' + str(pen.drawing.tostring()) + "\n"
-
-
-def _moving(pen: SvgPen, layer: Layer, frames: Sequence[Sequence[Mark]], seconds: float) -> ET.Element:
-    """A layer's marks; neighbours in one paint share it."""
-    whole = ET.Element("g")
-    firsts = ((row, next(mark for mark in row if mark is not None)) for row in _rows(frames))
-    painted = [(pen.colours.paint(layer, first), row) for row, first in firsts]
-    for paint, rows in groupby(painted, key=lambda entry: entry[0]):
-        group = ET.SubElement(whole, "g", dict(paint))
-        for _, row in rows:
-            group.append(_element(pen, layer, row, seconds))
-    return whole
 
 
 def _rows(frames: Sequence[Sequence[Mark]]) -> list[Row]:

@@ -24,11 +24,8 @@ def key_text(key: Key) -> str:
     """The file's text: one line a quantity and a mistake, so that it can be read and changed."""
     data = key_data(key)
     lines = [f' {_line(name)}: {_line(value)},' for name, value in data.items() if not isinstance(value, list)]
-    lists = [
-        f" {_line(name)}: [\n" + ",\n".join(f"  {_line(item)}" for item in value) + "\n ]"
-        for name, value in data.items()
-        if isinstance(value, list)
-    ]
+    lists = [f" {_line(name)}: [\n" + ",\n".join(f"  {_line(item)}" for item in value) + "\n ]"
+             for name, value in data.items() if isinstance(value, list)]  # fmt: skip
     return "{\n" + "\n".join(lines) + "\n" + ",\n".join(lists) + "\n}\n"
 
 
@@ -37,11 +34,7 @@ def key_data(key: Key) -> Json:
     marking, singles = key.marking, key.singles
     mistakes = zip(singles.names, singles.values, singles.scatters, _correlations(singles), strict=True)
     return {
-        "kind": KIND,
-        "format": FORMAT,
-        "name": key.name,
-        "title": dict(key.title),
-        "coincident": key.coincident,
+        "kind": KIND, "format": FORMAT, "name": key.name, "title": dict(key.title), "coincident": key.coincident,
         "mechanism": key.text,
         "marking": {
             "lengths": dict(marking.lengths), "angle": marking.angle, "scales": dict(marking.scales),
@@ -121,7 +114,8 @@ class _KeyReader:
             text[0], text[1], text[2], self._marking(data["marking"]), entries,
             tuple(self._number(x, "given") for x in data["given"]), together, self._mistakes(data["mistakes"], count),
             {str(lang): str(title) for lang, title in data["title"].items()},
-            tuple(self._step(item) for item in data["steps"]),
+            tuple(KeyStep(str(step["plane"]), *(tuple(map(str, step[name])) for name in ("left", "right", "gives")))
+                  for step in data["steps"]),
             tuple(self.key(item) for item in data.get("positions", ())),
         )  # fmt: skip
 
@@ -167,9 +161,6 @@ class _KeyReader:
             np.fill_diagonal(table, 1.0)
             table[rows, columns] = table[columns, rows] = values
         return table
-
-    def _step(self, item: Read) -> KeyStep:
-        return KeyStep(str(item["plane"]), *(tuple(map(str, item[name])) for name in ("left", "right", "gives")))
 
     def _table(self, rows: list[list[float | None]], count: int) -> Array:
         """(rows, count); None is NaN."""

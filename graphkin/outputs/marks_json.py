@@ -42,10 +42,10 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
     """All of one submission: the line's, with the arithmetic, the mistakes' places, and what was passed over."""
     marked = graded.marked
     quantities = {} if marked is None else {one.text: _quantity(one) | _arithmetic(one) for one in marked.judged}
-    mistakes = [] if marked is None else [
-        _mistake(one) | {"names": [[_place(name) for name in names] for names in one.names]}
-        for one in marked.diagnosis.explanations
-    ]  # fmt: skip
+    mistakes: list[Json] = []
+    for one in () if marked is None else marked.diagnosis.explanations:
+        places = [[dict(zip(("id", "way", "of", "form"), name, strict=True)) for name in names] for names in one.names]
+        mistakes.append(_mistake(one) | {"names": places})
     whole = _line(graded, lang, quantities, mistakes)
     whole |= {"place": graded.place, "notes": [note.message(lang) for note in graded.notes]}
     if marked is not None:
@@ -69,10 +69,7 @@ def _line(graded: Graded, lang: Lang, quantities: Mapping[str, Plain], mistakes:
 
 
 def _quantity(one: Judged) -> Json:
-    return {
-        "given": one.given, "right": one.right, "carried": one.carried, "tolerance": one.tolerance,
-        "verdict": one.verdict, "sense": one.sense,
-    }  # fmt: skip
+    return {name: getattr(one, name) for name in _QUANTITY}
 
 
 def _arithmetic(one: Judged) -> Json:
@@ -87,10 +84,6 @@ def _mistake(one: Explanation) -> Json:
         "ids": list(one.ids), "probability": _rounded(one.probability), "margin": _rounded(one.margin),
         "explains": list(one.explains),
     }  # fmt: skip
-
-
-def _place(name: tuple[str, str, str, str]) -> Json:
-    return dict(zip(("id", "way", "of", "form"), name, strict=True))
 
 
 def _rounded(number: float) -> float:

@@ -33,15 +33,13 @@ def as_json(design: Design) -> Json:
     from graphkin.say.design import phrased
 
     return {
-        "format": 1,
-        "kind": design.kind,
-        "given": dict(design.given),
+        "format": 1, "kind": design.kind, "given": dict(design.given),
         "solutions": [_solution(one) for one in design.solutions],
         "rejected": [_solution(one) for one in design.rejected],
         "why": [phrased(reason, "en") for reason in design.why],
         "bisectors": _bisectors(design),
         "family": [_family(one) for one in design.families],
-    }
+    }  # fmt: skip
 
 
 def _solution(one: Solution) -> Json:
@@ -79,8 +77,7 @@ def _family(one: Family) -> Json:
         return None if values is None else [float(value) for value in values[::20]]
 
     return {
-        "centre": [one.centre.real, one.centre.imag],
-        "radius": one.radius,
+        "centre": [one.centre.real, one.centre.imag], "radius": one.radius,
         "best": {"angle": one.best[0], "gamma_min": one.best[1]} if math.isfinite(one.best[1]) else None,
         "a": thinned(one.a), "b": thinned(one.b), "d": thinned(one.d), "e": thinned(one.e),
         "gamma_min": thinned(one.gamma_min),
@@ -94,13 +91,8 @@ def tolerance_data(tolerances: Tolerances) -> Json:
     key, marking = tolerances.key, tolerances.key.marking
     length, angle = marking.on_paper
     return {
-        "format": 1,
-        "name": key.name,
-        "pencil": {"length_mm": length, "angle_deg": angle},
-        "sigmas": marking.sigmas,
-        "relative": marking.relative,
-        "scales": dict(marking.scales),
-        "drawings": tolerances.drawings,
+        "format": 1, "name": key.name, "pencil": {"length_mm": length, "angle_deg": angle}, "sigmas": marking.sigmas,
+        "relative": marking.relative, "scales": dict(marking.scales), "drawings": tolerances.drawings,
         "failed": tolerances.failed,
         "quantities": {
             entry.text: {
@@ -122,8 +114,7 @@ def tolerance_data(tolerances: Tolerances) -> Json:
 def power_data(power: Power) -> Json:
     """An object a mistake at a place, and the rates of false alarms."""
     return {
-        "handed in": list(power.texts),
-        "trials": power.trials,
+        "handed in": list(power.texts), "trials": power.trials,
         "mistakes": [
             {
                 **dict(zip(("id", "way", "of", "form"), one.name, strict=True)), "moved": one.moved,
@@ -140,12 +131,8 @@ def power_data(power: Power) -> Json:
 def told_data(set_: SetDiscriminability) -> Json:
     """The mistakes that a set's answers tell apart; parts from 0 to 1."""
     return {
-        "problems": set_.problems,
-        "pencil": dict(zip(("length_mm", "angle_deg"), set_.pencil, strict=True)),
-        "places": set_.places,
-        "applicable": set_.seen,
-        "told apart": set_.apart,
-        "lost by numbers": set_.lost,
+        "problems": set_.problems, "pencil": dict(zip(("length_mm", "angle_deg"), set_.pencil, strict=True)),
+        "places": set_.places, "applicable": set_.seen, "told apart": set_.apart, "lost by numbers": set_.lost,
         "mistakes": {
             id: {"places": places, "applicable": seen, "told apart": apart}
             for id, (places, seen, apart) in set_.kinds.items()
@@ -153,4 +140,4 @@ def told_data(set_: SetDiscriminability) -> Json:
         "sets": [{"ids": list(pair), "part": part} for pair, part in set_.sets.items()],
         "within tolerance": [{"ids": list(pair), "part": part} for pair, part in set_.rivals.items()],
         "right work": {"problems": set_.tried, "judged wrong": set_.alarms[0], "mistake named": set_.alarms[1]},
-    }
+    }  # fmt: skip

@@ -112,7 +112,10 @@ class SvgPen:
         if metadata:
             self.drawing["xmlns:inkscape"] = _INKSCAPE
             self.drawing["role"] = "img"
-            self.drawing.set_desc(title=sheet.title, desc=_described(sheet))
+            figures = []  # the figures on the sheet, at which scales
+            for plane, scale in sheet.scales.items():
+                figures.append(f"{HEADINGS[sheet.lang][plane]}, {''.join(run.text for run in written(plane, scale))}")
+            self.drawing.set_desc(title=sheet.title, desc="; ".join(figures))
             self.drawing.set_metadata(_element("gk:sheet", _NONE, statement(sheet, moving)))
         else:
             self.drawing.set_desc(title=sheet.title)
@@ -143,12 +146,18 @@ class SvgPen:
 
     def _form(self, mark: Mark, layer: Layer) -> Form:
         match mark:
+            case Stroke(places=(start, end), closed=False):
+                return "line", _line(start, end), ""
             case Stroke():
-                return _stroke(mark)
+                corners = "L".join(" ".join(_xy(place)) for place in mark.places)
+                return "path", {"d": "M" + corners + ("Z" if mark.closed else "")}, ""
             case Disc():
                 return _circle(mark.centre, mark.radius)
             case ArcMark():
-                return _arc(mark)
+                turns, flags = (0.0, mark.sweep), f"{int(abs(mark.sweep) > math.pi)} {int(mark.sweep > 0)}"
+                ends = (_xy(mark.centre + cmath.rect(mark.radius, mark.start + turn)) for turn in turns)
+                (x1, y1), (x2, y2), radius = *ends, mm(mark.radius)
+                return "path", {"d": f"M{x1} {y1}A{radius} {radius} 0 {flags} {x2} {y2}"}, ""
             case VectorMark(plane="detail"):
                 return "path", {"d": _pointed(mark)}, ""
             case VectorMark():
@@ -217,21 +226,6 @@ def _circle(centre: Place, radius: float) -> Form:
     return "circle", {"cx": x, "cy": y, "r": mm(radius)}, ""
 
 
-def _stroke(mark: Stroke) -> Form:
-    if len(mark.places) == 2 and not mark.closed:
-        return "line", _line(*mark.places), ""
-    corners = "L".join(" ".join(_xy(place)) for place in mark.places)
-    return "path", {"d": "M" + corners + ("Z" if mark.closed else "")}, ""
-
-
-def _arc(mark: ArcMark) -> Form:
-    start = mark.centre + cmath.rect(mark.radius, mark.start)
-    end = mark.centre + cmath.rect(mark.radius, mark.start + mark.sweep)
-    flags = f"{int(abs(mark.sweep) > math.pi)} {int(mark.sweep > 0)}"
-    (x1, y1), (x2, y2), radius = _xy(start), _xy(end), mm(mark.radius)
-    return "path", {"d": f"M{x1} {y1}A{radius} {radius} 0 {flags} {x2} {y2}"}, ""
-
-
 def _text(mark: Text) -> Form:
     """Letters of one style as one; else each run at its own place, so that no viewer has to set them."""
     size, spans = {"font-size": mm(mark.size)}, runs(mark)
@@ -267,13 +261,6 @@ def _pointed(mark: VectorMark) -> str:
 
 _WIDTHS: Mapping[Half, tuple[float, float]] = {"": (0.45, 0.45), "left": (0.6, 0.0), "right": (0.0, 0.6)}
 """How far such a head opens to the left and to the right, with the line around it as far as others do [mm]."""
-
-
-def _described(sheet: Sheet) -> str:
-    """The figures on the sheet, at which scales."""
-    words = HEADINGS[sheet.lang]
-    labels = {plane: "".join(run.text for run in written(plane, scale)) for plane, scale in sheet.scales.items()}
-    return "; ".join(f"{words[plane]}, {label}" for plane, label in labels.items())
 
 
 class NotebookSheet(Sheet):

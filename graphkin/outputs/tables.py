@@ -84,17 +84,12 @@ def columns(part: Sweep, units: Mapping[str, Unit] = EDGE) -> dict[str, Array]:
         shown, factor = units[entry.unit].name or "1", units[entry.unit].factor
         if not entry.is_place:
             table[f"{entry.name} [{shown}]"] = entry.signed * factor
-        if _has_size(entry):
+        if entry.along is not None and entry.vectors is not None:  # its value has a sign that its size has not
             table[f"{entry.name} size [{shown}]"] = entry.values * factor
         if entry.vectors is not None:
             table[f"{entry.name} x [{shown}]"] = entry.vectors.real * factor
             table[f"{entry.name} y [{shown}]"] = entry.vectors.imag * factor
     return table
-
-
-def _has_size(entry: Series) -> bool:
-    """True where its value has a sign that its size has not."""
-    return entry.along is not None and entry.vectors is not None
 
 
 def _others(part: Sweep) -> Iterator[tuple[str, str, Array]]:
@@ -143,14 +138,11 @@ def json_text(course: Course, parts: Iterator[Sweep]) -> str:
     undefined = _all(part.undefined for part in collected)
     values = _all(part.driven for part in collected)
     data: dict[str, Plain] = {
-        "format": 1,
-        "name": course.method.mechanism.name,
+        "format": 1, "name": course.method.mechanism.name,
         "driver": {"name": course.driver.name, "unit": course.unit, "values": values},
         **({"together": together} if together else {}),
         "range": {
-            "full_turn": course.full_turn,
-            "low": low,
-            "high": high,
+            "full_turn": course.full_turn, "low": low, "high": high,
             "stops": [_event(course, stop) for stop in course.stops],
             "change_points": [_event(course, change) for change in course.changes],
             "not_reached": [float(value) for value in course.dropped],
@@ -160,7 +152,7 @@ def json_text(course: Course, parts: Iterator[Sweep]) -> str:
             entry.name: _quantity([part.series[k] for part in collected])
             for k, entry in enumerate(collected[0].series)
         },
-    }
+    }  # fmt: skip
     return json.dumps(data, ensure_ascii=False, allow_nan=False)
 
 
@@ -170,7 +162,7 @@ def _event(course: Course, event: Event) -> Plain:
 
 def _quantity(parts: list[Series]) -> dict[str, Plain]:
     data: dict[str, Plain] = {"unit": parts[0].unit, "values": _all(part.signed for part in parts)}
-    if _has_size(parts[0]):
+    if parts[0].along is not None and parts[0].vectors is not None:
         data["sizes"] = _all(part.values for part in parts)
     if parts[0].vectors is not None:
         vectors = np.concatenate([np.asarray(part.vectors) for part in parts])
@@ -267,10 +259,8 @@ class SweepFrames(Sweep):
         """Its first and last rows, in deg and mm."""
         table, count = self.columns(), self.t.size
         rows = [*range(count)] if count <= 2 * _SHOWN else [*range(_SHOWN), None, *range(count - _SHOWN, count)]
-        lines = [_html_row("th", table)]
-        lines += [
-            _html_row("td", ("…" if k is None else f"{column[k]:.6g}" for column in table.values())) for k in rows
-        ]
+        cells = (("…" if k is None else f"{column[k]:.6g}" for column in table.values()) for k in rows)
+        lines = [_html_row("th", table), *(_html_row("td", row) for row in cells)]
         return f"<table>\n<caption>{escape(repr(self)[1:-1])}</caption>\n" + "\n".join(lines) + "\n</table>"
 
 

@@ -65,21 +65,17 @@ class Curves:
     def alike(self) -> tuple[tuple[int, ...], ...]:
         """Numbers of curves that lie on one another, together: links 2 and 3 that slide on each other turn alike."""
         groups: list[list[int]] = []
-        for k in range(len(self.series)):
-            group = next((group for group in groups if self._same(group[0], k)), None)
-            if group is None:
-                groups.append([k])
+        for k, entry in enumerate(self.series):
+            for group in groups:
+                first, like = self.series[group[0]], self.like(group[0])
+                clear = np.abs(first.signed) <= 10 * like
+                close = np.isclose(first.signed, entry.signed, rtol=0, atol=ZERO * like, equal_nan=True)
+                if first.unit == entry.unit and close[clear].all() and clear.any():
+                    group.append(k)
+                    break
             else:
-                group.append(k)
+                groups.append([k])
         return tuple(map(tuple, groups))
-
-    def _same(self, one: int, other: int) -> bool:
-        first, second = self.series[one], self.series[other]
-        if first.unit != second.unit:
-            return False
-        clear = np.abs(first.signed) <= 10 * self.like(one)
-        close = np.isclose(first.signed, second.signed, rtol=0, atol=ZERO * self.like(one), equal_nan=True)
-        return bool(close[clear].all() and clear.any())
 
     def unbounded(self, k: int) -> tuple[bool, bool]:
         """True where a curve grows without bound, towards the low and the high end of what is shown."""
@@ -181,10 +177,21 @@ class Curves:
         return peaks
 
 def curves(course: Course, names: Sequence[str], by: Road = "construction") -> Curves:
-    """Quantities over the shown part of a course, finely sampled whatever the steps of its table are."""
+    """Quantities over the shown part of a course, finely sampled whatever the steps of its table are.
+
+    First evenly, and ever closer to where the path stops, never on a stop itself; then more where curves bend.
+    """
     low, high = span(course)
     names = sweeps.drawable(course.method.mechanism, names)
-    t = _first_positions(course, low, high)
+    size = high - low
+    turns = size / TURN if course.angular else 1.0
+    t = np.linspace(low, high, int(min(max(POSITIONS, turns * POSITIONS / 2), 40 * POSITIONS)))
+    for stop in course.path.stops:
+        if abs(stop.at - low) < 1e-9 * size:
+            t = np.append(t[t > low], low + NEAR * size)
+        if abs(stop.at - high) < 1e-9 * size:
+            t = np.append(t[t < high], high - NEAR * size)
+    t = np.unique(t)
     for _ in range(4):
         series = sweeps.quantities_at(course, names, t, by).series
         more = _where_bent(Curves(course, by, low, high, t, series))
@@ -207,19 +214,6 @@ def span(course: Course) -> tuple[float, float]:
         low = path.first if low - path.first <= step else low
         high = path.last if path.last - high <= step else high
     return low, high
-
-
-def _first_positions(course: Course, low: float, high: float) -> Array:
-    """Evenly, and ever closer to where the way stops; never on a stop itself."""
-    size = high - low
-    turns = size / TURN if course.angular else 1.0
-    t = np.linspace(low, high, int(min(max(POSITIONS, turns * POSITIONS / 2), 40 * POSITIONS)))
-    for stop in course.path.stops:
-        if abs(stop.at - low) < 1e-9 * size:
-            t = np.append(t[t > low], low + NEAR * size)
-        if abs(stop.at - high) < 1e-9 * size:
-            t = np.append(t[t < high], high - NEAR * size)
-    return np.unique(t)
 
 
 def _where_bent(curves: Curves) -> Array:

@@ -15,7 +15,7 @@ from graphkin.base.geometry import Array, number
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE
-from graphkin.outputs.diagram.curves import Curves, Peak
+from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.panels import CurvePanel, event_mark, figure_of, place_of
 from graphkin.running.path import Event
 
@@ -92,8 +92,12 @@ def _write_peaks(page: Figure, curves: Curves, drawn: DrawnPanel, paths: Sequenc
     top = drawn.sides[-1]
     texts: list[Text] = []
     notes: list[Note] = []
-    for k, place, peak, text in _peaks(curves, drawn):
-        side, line = drawn.lines[k]
+    across = EDGE[curves.course.unit].factor
+    for k, peak in [(curve, peak) for curve in drawn.lines for peak in curves.peaks[curve]]:
+        (side, line), unit = drawn.lines[k], EDGE[curves.series[k].unit]
+        place = number(curves.course.value(peak.t)) * across, peak.value * unit.factor
+        degree = unit.sign if unit.sign == "°" else ""
+        text = f"{figure_of(place[1])}{degree} @ {place_of(curves, peak.t)}"
         x, y = (float(part) for part in side.transData.transform(place))
         name = f"peak-{k}-{'greatest' if peak.sign > 0 else 'least'}"
         side.plot(*place, color=line.get_color(), marker="o", markersize=2.6, linestyle="", gid=name)
@@ -107,17 +111,6 @@ def _write_peaks(page: Figure, curves: Curves, drawn: DrawnPanel, paths: Sequenc
             near = np.clip(note.at, (box.x0, box.y0), (box.x1, box.y1))
             (x0, y0), (x1, y1) = (top.transAxes.inverted().transform(end) for end in (note.at, near))
             top.plot([x0, x1], [y0, y1], transform=top.transAxes, color=written.get_color(), linewidth=THIN_PT)
-
-
-def _peaks(curves: Curves, drawn: DrawnPanel) -> Iterator[tuple[int, tuple[float, float], Peak, str]]:
-    """(curve, place in its axes, peak, text) of all extremes in a panel."""
-    across = EDGE[curves.course.unit].factor
-    for k in drawn.lines:
-        unit = EDGE[curves.series[k].unit]
-        for peak in curves.peaks[k]:
-            place = number(curves.course.value(peak.t)) * across, peak.value * unit.factor
-            degree = unit.sign if unit.sign == "°" else ""
-            yield k, place, peak, f"{figure_of(place[1])}{degree} @ {place_of(curves, peak.t)}"
 
 
 def _put(top: Axes, text: Text, box: Bbox) -> None:

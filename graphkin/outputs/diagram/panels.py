@@ -23,7 +23,6 @@ KINDS = ("position", "velocity", "acceleration", "ratio")
 LETTERS = {"rad": "θ", "m": "s", "rad/s": "ω", "m/s": "v", "rad/s^2": "α", "m/s^2": "a", "g": "a", "1": ""}
 HEADROOM = 0.16  # room above and below the curves for what is written at them, as a part of their height
 
-
 _PLACE = {"rad": (0, 0), "m": (0, 1), "rad/s": (1, 0), "m/s": (1, 1), "rad/s^2": (2, 0), "m/s^2": (2, 1), "1": (3, 0)}
 """By SI unit: the kind of panel, and whether it is the second axis of one."""
 
@@ -69,7 +68,12 @@ def panels(units: Mapping[int, str]) -> tuple[CurvePanel, ...]:
 def limits(curves: Curves, panel: CurvePanel) -> list[tuple[float, float]]:
     """Least and greatest value of each axis, as shown; the zeros of two axes of a panel lie on one line."""
     with_zero = panel.kind != "position"
-    ends = [_ends(curves, axis, with_zero) for axis in panel.axes]
+    ends: list[tuple[float, float]] = []
+    for axis in panel.axes:
+        factor = EDGE[axis.unit].factor
+        bounds = [(low * factor, high * factor) for low, high in map(curves.bounds, axis.curves)]
+        bounds += [(0.0, 0.0)] if with_zero else []
+        ends.append((min(low for low, _ in bounds), max(high for _, high in bounds)))
     if with_zero:
         sizes = [max(-low, high) or 1.0 for low, high in ends]
         down = max(-low / size for (low, _), size in zip(ends, sizes, strict=True))
@@ -82,13 +86,6 @@ def limits(curves: Curves, panel: CurvePanel) -> list[tuple[float, float]]:
             size = abs(high) or 1.0
         shown.append((low - HEADROOM * size, high + HEADROOM * size))
     return shown
-
-
-def _ends(curves: Curves, axis: Axis, with_zero: bool) -> tuple[float, float]:
-    factor = EDGE[axis.unit].factor
-    bounds = [(low * factor, high * factor) for low, high in map(curves.bounds, axis.curves)]
-    extra = [0.0] if with_zero else []
-    return min([low for low, _ in bounds] + extra), max([high for _, high in bounds] + extra)
 
 
 def division(low: float, high: float, most: int, degrees: bool = False) -> list[float]:

@@ -77,10 +77,6 @@ class GeogebraState:
         """Between two points of the mechanism [m]."""
         return self.drawn(tail, head, "position")
 
-    def direction_of(self, link: str) -> FormulaPair:
-        """The unit vector along a link's own x axis."""
-        return self.bound(FormulaPair.along(self.turn(link, 0)))
-
     def guide(self, slide: str) -> FormulaPair:
         """Unit vector of a slide's line."""
         link, _, direction = self.facts.lines[slide]

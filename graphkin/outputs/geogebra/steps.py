@@ -298,7 +298,7 @@ class Draughtsman:
         for part in closure.parts:
             if isinstance(part, kinds.Arm):
                 link = part.link
-                arrow = FormulaPair.of(state.own_arm(part)).by(state.direction_of(link))
+                arrow = FormulaPair.of(state.own_arm(part)).by(state.bound(FormulaPair.along(state.turn(link, 0))))
             else:
                 link = state.facts.lines[part.slide][0]
                 guide = state.guide(part.slide).times(str(part.sign))
