@@ -101,7 +101,10 @@ class _DxfReader:
         letters = entity.plain_text().strip()
         placement = entity.get_placement()
         anchor = self._place(entity.ocs().to_wcs(placement[1]))
-        right, up = self._axes(entity, entity.dxf.get("rotation", 0.0))
+        ocs, turned = entity.ocs(), math.radians(entity.dxf.get("rotation", 0.0))
+        axes = (math.cos(turned), math.sin(turned), 0), (-math.sin(turned), math.cos(turned), 0)
+        right, up = (complex(at[0], at[1]) for at in map(ocs.to_wcs, axes))  # its line and across it, as they come to lie
+        right, up = right / (abs(right) or 1.0), up / (abs(up) or 1.0)
         tall = float(entity.dxf.height) * self.mm
         width = _WIDE * tall * len(letters) * float(entity.dxf.get("width", 1.0) or 1.0)
         name = placement[0].name
@@ -109,14 +112,6 @@ class _DxfReader:
         low = tall if name.startswith("TOP") else tall / 2 if name.startswith("MIDDLE") else 0.0
         if letters:
             yield PictureText(letters[:400], anchor - left * right - low * up, right, up, width, tall, 0.25 * tall)
-
-    def _axes(self, entity: _Dxf, degrees: float) -> tuple[complex, complex]:
-        """The directions of a text's line and across it, as they come to lie."""
-        ocs, turned = entity.ocs(), math.radians(degrees)
-        right = ocs.to_wcs((math.cos(turned), math.sin(turned), 0))
-        up = ocs.to_wcs((-math.sin(turned), math.cos(turned), 0))
-        one, other = complex(right[0], right[1]), complex(up[0], up[1])
-        return one / (abs(one) or 1.0), other / (abs(other) or 1.0)
 
     def _mtext(self, entity: _Dxf) -> Iterator[PictureText]:
         """A text of pieces, `v^n_CD`, as people write it; MTEXT has a caret and a blank for a caret."""

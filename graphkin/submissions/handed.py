@@ -86,7 +86,14 @@ def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
         cells = cells_of(path.name, _content(path, where, limits), where, limits)
         yield from _of_table(rows_of(cells, where, limits), owner(path.name), where, limits)
     else:
-        yield from _of_file(path, where, limits)
+        content, students = _content(path, where, limits), None
+        if path.suffix.lower() == ".json" and content.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"[":
+            students = listed(archives.decoded(content, where), where, limits)
+        for number, student in enumerate(students or (), 1):
+            row = TableRow(student.student, number, tuple((name, value, number) for name, value, _ in student.entries))
+            yield _of_row(row, owner(path.name), str(path))
+        if not students:
+            yield Handed(owner(path.name), str(path), files=((path.name, content),))
 
 
 def _content(path: Path, where: Where, limits: Limits) -> bytes:
@@ -94,18 +101,6 @@ def _content(path: Path, where: Where, limits: Limits) -> bytes:
         content = stream.read(limits.bytes + 1)
     limits.check(where, "bytes", len(content))
     return content
-
-
-def _of_file(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
-    content = _content(path, where, limits)
-    if path.suffix.lower() == ".json" and content.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"[":
-        students = listed(archives.decoded(content, where), where, limits)
-        for number, student in enumerate(students or (), 1):
-            row = TableRow(student.student, number, tuple((name, value, number) for name, value, _ in student.entries))
-            yield _of_row(row, owner(path.name), str(path))
-        if students:
-            return
-    yield Handed(owner(path.name), str(path), files=((path.name, content),))
 
 
 def _of_table(rows: Iterator[TableRow], by_file: Owner, where: Where, limits: Limits) -> Iterator[Handed]:

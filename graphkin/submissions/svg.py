@@ -6,6 +6,7 @@ import json
 import math
 import re
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from itertools import pairwise
 from xml.etree.ElementTree import Element, ParseError
 
@@ -110,7 +111,9 @@ class _SvgReader:
         elif name == "use":
             yield from self._copy(element, affine, kind, depth)
         elif name == "text":
-            yield from _texts(element, affine, kind)
+            lines = [child for child in element if _name(child) == "tspan" and child.get(_ROLE) == "line"]
+            for line in lines if len(lines) > 1 else [element]:
+                yield from _text(line, affine, kind if line is element else _typed(line, kind), element)
         elif name in ("circle", "ellipse"):
             x, y = (length(element.attrib.get(key, "0")) for key in ("cx", "cy"))
             yield Dot(affine(x, y), *_named(element))
@@ -157,7 +160,8 @@ def _named(element: Element) -> tuple[str, Plane | None]:
 def _page(attributes: Mapping[str, str]) -> Affine:
     """From the root's units to mm on the page. Without a width in units a pixel is one of 96 to the inch."""
     box = numbers_in(attributes.get("viewBox", "").replace(",", " "))
-    wide, high = (_millimetres(attributes.get(key, "")) for key in ("width", "height"))
+    stated = (re.sub(r"(?<=[0-9])\s+(?=[a-zA-Z])", "", attributes.get(key, "")) for key in ("width", "height"))
+    wide, high = (0.0 if text.strip()[-1:] in ("", "%") else length(text) * _PX for text in stated)
     if len(box) != 4 or not (box[2] > 0 and box[3] > 0):
         return Affine(_PX, 0.0, 0.0, _PX, 0.0, 0.0)
     ratios = [size / unit for size, unit in ((wide, box[2]), (high, box[3])) if size]
@@ -165,12 +169,6 @@ def _page(attributes: Mapping[str, str]) -> Affine:
         return Affine(ratios[0], 0.0, 0.0, ratios[1], -box[0] * ratios[0], -box[1] * ratios[1])
     scale = min(ratios, default=_PX)
     return Affine(scale, 0.0, 0.0, scale, -box[0] * scale, -box[1] * scale)
-
-
-def _millimetres(text: str) -> float:
-    if not text.strip() or text.strip().endswith("%"):
-        return 0.0
-    return length(re.sub(r"(?<=[0-9])\s+(?=[a-zA-Z])", "", text)) * _PX
 
 
 def _shift(attributes: Mapping[str, str]) -> Affine:
@@ -192,32 +190,24 @@ def _typed(element: Element, above: _Type) -> _Type:
     keys = ("font-size", "text-anchor", "display", "visibility")
     size, anchor, display, visibility = (style.get(key, element.attrib.get(key, "")) for key in keys)
     shown = above.shown and display != "none" and visibility not in ("hidden", "collapse")
-    return _Type(_size(size, above.size), anchor or above.anchor, shown)
-
-
-def _size(text: str, above: float) -> float:
-    try:
-        if text.endswith("%"):
-            return above * float(text[:-1]) / 100
-        if text.endswith("em"):
-            return above * float(text[:-2])
-        return length(text) if text else above
-    except (Unread, ValueError):
-        return above
-
-
-def _texts(element: Element, affine: Affine, kind: _Type) -> Iterator[PictureText]:
-    """A text; of several lines each for itself."""
-    lines = [child for child in element if _name(child) == "tspan" and child.get(_ROLE) == "line"]
-    for line in lines if len(lines) > 1 else [element]:
-        yield from _text(line, affine, kind if line is element else _typed(line, kind), element)
+    tall = above.size
+    with suppress(Unread, ValueError):
+        if size.endswith("%"):
+            tall = tall * float(size[:-1]) / 100
+        elif size.endswith("em"):
+            tall *= float(size[:-2])
+        elif size:
+            tall = length(size)
+    return _Type(tall, anchor or above.anchor, shown)
 
 
 def _text(element: Element, affine: Affine, kind: _Type, whole: Element) -> Iterator[PictureText]:
     letters = "".join(_letters(element)).strip()
     if not letters:
         return
-    x, y = (_first(element, whole, key) for key in "xy")
+    pieces = [*element.iter(), *whole.iter()]  # of these the first that says so tells where the text starts
+    starts = (next((text for piece in pieces if (text := piece.attrib.get(key, "")).strip()), "0") for key in "xy")
+    x, y = (length(start.replace(",", " ").split()[0]) for start in starts)
     corner = affine(x, y)
     right, up = affine(x + 1, y) - corner, affine(x, y - 1) - corner
     scale, tall = abs(right), abs(up)
@@ -239,13 +229,6 @@ def _letters(element: Element) -> Iterator[str]:
         for child in element:
             yield from _letters(child)
             yield re.sub(r"\s*\n\s*", "", child.tail or "")
-
-
-def _first(element: Element, whole: Element, key: str) -> float:
-    """The start of a text: the first x (y) that one of its pieces has."""
-    values = (piece.attrib.get(key, "") for source in (element, whole) for piece in source.iter())
-    value = next((value for value in values if value.strip()), "")
-    return length(value.replace(",", " ").split()[0]) if value else 0.0
 
 
 def _stated(root: Element) -> dict[Plane, float]:
