@@ -103,7 +103,9 @@ class Bodies:
                     self.angles[other] = angle_of_other()
                     self.base[other] = base
                     queue.append(other)
-                    self._add_alias(other)
+                    moving = self.angles[other].moving and not self.structure.is_pin(other)
+                    if moving and other not in self._with_symbol:  # its own θ is a name for that sum
+                        self.legend.alias[self._theta(other, steady=False)] = self.angles[other]
 
     def _held(self, body: str) -> dict[str, Callable[[], AngleSum]]:
         """Makers of the angles of all bodies that a slide or a driver holds against this one."""
@@ -175,9 +177,3 @@ class Bodies:
         if (count := quarters(value)) is not None:
             return AngleSum((), count)
         return AngleSum.of(self.legend.constant(letter, low, text, "deg", math.remainder(value, math.tau)))
-
-    def _add_alias(self, body: str) -> None:
-        """A link whose angle follows from others has a θ of its own: a name for that sum."""
-        angle = self.angles[body]
-        if not self.structure.is_pin(body) and angle.moving and body not in self._with_symbol:
-            self.legend.alias[self._theta(body, steady=False)] = angle

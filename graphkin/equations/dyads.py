@@ -128,8 +128,14 @@ class Solver:
                 self._turning_slide(split)
             case 1, 1:
                 self._angle_and_slide(split)
-            case 0, 2:
-                self._two_slides(split)
+            case 0, 2:  # both directions are known: each displacement across the other's line
+                self.page.say("equations.each across")
+                rows = []
+                for slide, other in (split.slides, split.slides[::-1]):
+                    across, term = unit_vector(split.slid(other).angle), split.slid(slide)
+                    bottom = cross(across, unit_vector(term.angle)).times(term.factor)
+                    rows.append((Letter(slide), self.pretty.quotient(-cross(across, split.known), bottom)))
+                self.page.show(*rows)
             case 1, 0:
                 self._direction(split.angles[0], split.lever(split.angles[0]), split.known)
             case _:
@@ -152,7 +158,15 @@ class Solver:
         line = unit_vector(term.angle)
         self.page.say("equations.eliminate slide", other=Letter(slide))
         if lever.only is not None:
-            self._sine(line, lever * unit_vector(AngleSum.of(angle)), known)
+            # one arrow of unknown angle against a line: its sine is known, its cosine up to the sign
+            turned = lever * unit_vector(AngleSum.of(angle))
+            (first,), (second,) = cross(line, turned).terms, dot(line, turned).terms
+            sine, cosine = (Sum((SymbolProduct(1.0, waves=each.waves),)) for each in (first, second))
+            left = self.pretty.sum(sine)
+            right = self.pretty.quotient(-cross(line, known), Sum((SymbolProduct(first.factor, first.symbols),)))
+            root = Root(Row((Num("1"), Op("−"), Pow(left, 2))))
+            self.page.show((left, right), (self.pretty.sum(cosine), Row((Op("±"), root))))
+            self._sign(real(cosine.at(self.values)) > 0)
         else:
             turned = line.conjugate * lever
             self._half_angle(angle, turned.real, turned.imag, cross(line, known))
@@ -170,21 +184,14 @@ class Solver:
         self.page.say("equations.square", angle=Letter(angle))
         root = Root(self.pretty.sum(under))
         if offset.terms or real(self.values[slide]) < 0:
-            self.page.show((Letter(slide), Row((*_items(offset, self.pretty), Op("±"), root))))
+            node = self.pretty.sum(offset)
+            is_sum = isinstance(node, Row) and any(isinstance(item, Op) for item in node.items)
+            before = node.items if isinstance(node, Row) and is_sum else (node,) * bool(offset.terms)
+            self.page.show((Letter(slide), Row((*before, Op("±"), root))))
             self._sign(real(self.values[slide]) - real(offset.at(self.values)) > 0)
         else:
             self.page.show((Letter(slide), root))
         self._direction(angle, lever + Sum((SymbolProduct(term.factor, ((slide, 1),)),)) * line, known)
-
-    def _two_slides(self, split: Split) -> None:
-        """Both directions are known: each displacement across the other's line."""
-        self.page.say("equations.each across")
-        rows = []
-        for slide, other in (split.slides, split.slides[::-1]):
-            across, term = unit_vector(split.slid(other).angle), split.slid(slide)
-            bottom = cross(across, unit_vector(term.angle)).times(term.factor)
-            rows.append((Letter(slide), self.pretty.quotient(-cross(across, split.known), bottom)))
-        self.page.show(*rows)
 
     def _half_angle(self, angle: Symbol, a: Sum, b: Sum, c: Sum) -> None:
         """A sin θ + B cos θ + C = 0, and tan(θ/2) = (A ± √(A² + B² − C²)) / (B − C)."""
@@ -200,16 +207,6 @@ class Solver:
         self.page.show((half, Frac(Row((first, Op("±"), root)), Row((second, Op("−"), third)))))
         x = real(self.values[angle])
         self._sign(bool(real(a.at(self.values)) * np.cos(x) - real(b.at(self.values)) * np.sin(x) < 0))
-
-    def _sine(self, line: Sum, turned: Sum, known: Sum) -> None:
-        """One arrow of unknown angle against a line: its sine is known, its cosine up to the sign."""
-        (first,), (second,) = cross(line, turned).terms, dot(line, turned).terms
-        sine, cosine = (Sum((SymbolProduct(1.0, waves=term.waves),)) for term in (first, second))
-        left = self.pretty.sum(sine)
-        right = self.pretty.quotient(-cross(line, known), Sum((SymbolProduct(first.factor, first.symbols),)))
-        root = Root(Row((Num("1"), Op("−"), Pow(left, 2))))
-        self.page.show((left, right), (self.pretty.sum(cosine), Row((Op("±"), root))))
-        self._sign(real(cosine.at(self.values)) > 0)
 
     def _direction(self, angle: Symbol, lever: Sum, rest: Sum) -> None:
         """lever · e^(iθ) = −rest: θ is the direction of −rest less that of the lever."""
@@ -227,11 +224,3 @@ class Solver:
 
     def _sign(self, positive: bool) -> None:
         self.page.say("equations.sign", sign="+" if positive else "−")
-
-
-def _items(of: Sum, pretty: Pretty) -> tuple[Node, ...]:
-    """A sum's nodes, to be followed by more."""
-    if not of.terms:
-        return ()
-    node = pretty.sum(of)
-    return node.items if isinstance(node, Row) and any(isinstance(item, Op) for item in node.items) else (node,)

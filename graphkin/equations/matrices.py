@@ -45,21 +45,21 @@ class System:
 
     @cached_property
     def a(self) -> Entries:
-        return tuple(tuple(_slope(each, unknown) for unknown in self.unknowns) for each in self.equations)
+        return self._slopes(self.unknowns)
 
     @cached_property
     def b(self) -> Entries:
-        return tuple(tuple(-_slope(each, driver) for driver in self.drivers) for each in self.equations)
+        return tuple(tuple(-slope for slope in row) for row in self._slopes(self.drivers))
+
+    def _slopes(self, symbols: Sequence[Symbol]) -> Entries:
+        """Derivatives; most equations of a large mechanism have few of the unknowns."""
+        return tuple(tuple(of.partial(symbol) if symbol in of.symbols else Sum() for symbol in symbols)
+                     for of in self.equations)  # fmt: skip
 
     @property
     def driver_rate(self) -> Symbol | None:
         """The rate of the only driver."""
         return self.drivers[0].rate if len(self.drivers) == 1 else None
-
-
-def _slope(of: Sum, symbol: Symbol) -> Sum:
-    """A derivative; most equations of a large mechanism have few of the unknowns."""
-    return of.partial(symbol) if symbol in of.symbols else Sum()
 
 
 def rates_of(entries: Sequence[Sequence[Sum]]) -> Entries:

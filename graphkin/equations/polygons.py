@@ -232,7 +232,18 @@ class RollingSum:
 
 def rolling(arrows: LinkVectorMaker, contact: Contact, motion: Motion) -> RollingSum:
     """The relation of one contact; its constant is what the drawn position gives."""
-    moving = _on_circles(arrows, contact) if contact.arm else _on_line(arrows, contact)
+    track, wheel = (turning_part(arrows.bodies.angles[body]) for body in contact.wheels)
+    moving = Sum()
+    if contact.arm:
+        arm = turning_part(arrows.bodies.angles[contact.arm])
+        for body, turn, radius in zip(contact.wheels, (track, wheel), contact.radii, strict=True):
+            moving += one(arrows.radius(body, abs(radius))).times(1.0 if radius > 0 else -1.0) * (turn - arm)
+    else:  # s + r (θ_wheel − θ_track) where the centre lies left of the line, s − r (..) where right
+        radius = next(share for body, share in contact.angles if body == contact.wheels[1])
+        rolled = one(arrows.radius(contact.wheels[1], radius)) * (wheel - track)
+        for slide, share in contact.way or ((contact.slide, 1.0),):  # other pairs may keep the centre on its path
+            moving += one(arrows.displacement(slide)).times(share * contact.on_slide)
+        moving += rolled
     entries = arrows.legend.entries
     value = number(moving.at({symbol: entries[symbol].read(motion) for symbol in moving.symbols}))
     names = [arrows.bodies.called(wheel) for wheel in contact.wheels]
@@ -244,25 +255,3 @@ def rolling(arrows: LinkVectorMaker, contact: Contact, motion: Motion) -> Rollin
 def turning_part(angle: AngleSum) -> Sum:
     """The part of an angle that changes with time."""
     return Sum.of(SymbolProduct(float(count), ((symbol, 1),)) for symbol, count in angle.moving)
-
-
-def _on_circles(arrows: LinkVectorMaker, contact: Contact) -> Sum:
-    arm, total = turning_part(arrows.bodies.angles[contact.arm]), Sum()
-    for wheel, radius in zip(contact.wheels, contact.radii, strict=True):
-        share = one(arrows.radius(wheel, abs(radius))).times(1.0 if radius > 0 else -1.0)
-        total += share * (turning_part(arrows.bodies.angles[wheel]) - arm)
-    return total
-
-
-def _on_line(arrows: LinkVectorMaker, contact: Contact) -> Sum:
-    """s + r (θ_wheel − θ_track) where the centre lies left of the line, s − r (..) where right.
-
-    Where other pairs keep the centre on its path, s is made up of their displacements.
-    """
-    track, wheel = (turning_part(arrows.bodies.angles[body]) for body in contact.wheels)
-    radius = next(share for body, share in contact.angles if body == contact.wheels[1])
-    rolled = one(arrows.radius(contact.wheels[1], radius)) * (wheel - track)
-    gone = Sum()
-    for slide, share in contact.way or ((contact.slide, 1.0),):
-        gone += one(arrows.displacement(slide)).times(share * contact.on_slide)
-    return gone + rolled

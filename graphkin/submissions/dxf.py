@@ -103,7 +103,7 @@ class _DxfReader:
         anchor = self._place(entity.ocs().to_wcs(placement[1]))
         ocs, turned = entity.ocs(), math.radians(entity.dxf.get("rotation", 0.0))
         axes = (math.cos(turned), math.sin(turned), 0), (-math.sin(turned), math.cos(turned), 0)
-        right, up = (complex(at[0], at[1]) for at in map(ocs.to_wcs, axes))  # its line and across it, as they come to lie
+        right, up = (complex(at[0], at[1]) for at in map(ocs.to_wcs, axes))  # its line and across it
         right, up = right / (abs(right) or 1.0), up / (abs(up) or 1.0)
         tall = float(entity.dxf.height) * self.mm
         width = _WIDE * tall * len(letters) * float(entity.dxf.get("width", 1.0) or 1.0)
