@@ -17,7 +17,7 @@ from itertools import count
 from graphkin.analytic import Motion
 from graphkin.equations.expressions import NO_ANGLE, AngleSum, Symbol
 from graphkin.equations.legend import Legend, angle_readers, difference
-from graphkin.model.mechanism import FRAME, Driver
+from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Slide
 from graphkin.planning.structure import Topology
 from graphkin.say.catalogue import Meaning, meaning
@@ -127,8 +127,13 @@ class Bodies:
         readers = angle_readers(self.structure, body, self.motion)
         return self.legend.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), readers)
 
-    def _relative_angle(self, driver: Driver) -> Symbol:
-        """θ21 of a driver between two moving links."""
+    def _driven(self, body: str, other: str, number: int, sign: int) -> AngleSum:
+        """The angle of `other` that a driver gives: its own θ where `body` stands still, else θ21."""
+        driver = self.structure.mechanism.drivers[number]
+        if not self.angles[body].moving:
+            self.drivers[number] = self._theta(other, driver.acceleration == 0)
+            self._with_symbol.add(other)
+            return AngleSum.of(self.drivers[number])
         names = self.called(driver.link), self.called(driver.from_link)
         low = "".join(names) if all(len(name) == 1 for name in names) else "/".join(names)
         symbol = self.legend.fresh("θ", low, "angle", driver.acceleration == 0)
@@ -138,17 +143,9 @@ class Bodies:
             words |= {"vector": "".join(driver.vector), "seen": "".join(driver.from_vector)}
             degrees = f"{math.degrees(driver.value):.6g}"
             angle = meaning("equations.relative direction given", **words, angle=degrees)
-        both = (angle_readers(self.structure, body, self.motion) for body in (driver.link, driver.from_link))
-        return self.legend.variable(symbol, (angle, *rates), ("deg", "rad/s", "rad/s^2"), difference(*both))
-
-    def _driven(self, body: str, other: str, number: int, sign: int) -> AngleSum:
-        """The angle of `other` that a driver gives: its own θ where `body` stands still, else θ21."""
-        driver = self.structure.mechanism.drivers[number]
-        if not self.angles[body].moving:
-            self.drivers[number] = self._theta(other, driver.acceleration == 0)
-            self._with_symbol.add(other)
-            return AngleSum.of(self.drivers[number])
-        self.drivers[number] = self._relative_angle(driver)
+        both = (angle_readers(self.structure, link, self.motion) for link in (driver.link, driver.from_link))
+        readers = difference(*both)
+        self.drivers[number] = self.legend.variable(symbol, (angle, *rates), ("deg", "rad/s", "rad/s^2"), readers)
         turn = AngleSum.of(self.drivers[number])
         return self.angles[body] + (turn if sign == 1 else -turn)
 

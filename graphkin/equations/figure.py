@@ -30,10 +30,8 @@ _VECTORS = 1  # the step the vectors and their letters are marked with, until th
 
 
 def figure(model: Model, caption: str, lang: Lang) -> Sheet:
-    """At the drawn position, at the finest standard scale that fits a page of text, on a paper cut to its size.
-
-    Vectors and their letters stand out; steps of a construction there are none.
-    """
+    """At the drawn position, at the finest standard scale that fits a page of text, on a paper cut to its size. Vectors
+    and their letters stand out; steps of a construction there are none."""
     method, places = model.method, mechanism_places(model.method, model.plot)
     sides = (polygon.sides for task in model.tasks for polygon in task.polygons)
     by_length: dict[Symbol, LinkVector] = {}

@@ -101,7 +101,8 @@ def _solve(solver: Solver, task: Task, polygon: ClosedPolygon) -> None:
         derived = derived.rate
         if order == 1:
             page.say("equations.derived")
-            derived = derived if any(arrow.length.moves for arrow in polygon.arrows) else derived.over_i
+            if not any(arrow.length.moves for arrow in polygon.arrows):
+                derived = derived * Sum((SymbolProduct(-1.0, turns=1),))  # over i
         else:
             page.say_derived([polygon.sum], again=True)
         page.show(_complex_sides(pretty, polygon, derived))
@@ -176,7 +177,16 @@ def _unknown_left(pretty: Pretty, of: Sum, unknowns: Sequence[Symbol]) -> tuple[
 def _write_components(model: Model, page: EquationPage, pretty: Pretty, chain: PointChain) -> None:
     """(3-25) to (3-27)."""
     whole = point_symbols(model, chain)
-    letters = [_components(model, symbol, axis) for symbol, axis in zip(whole, ("", "v", "a"), strict=True)]
+    letters: list[list[Symbol]] = []  # x_E, y_E; v_Ex, v_Ey; a_Ex, a_Ey
+    for symbol, axis in zip(whole, ("", "v", "a"), strict=True):
+        entry, pair = model.legend.entries[symbol], list[Symbol]()
+        for name, turn in (("x", 1.0), ("y", -1j)):
+            letter, low = (axis, f"{symbol.low}{name}") if axis else (name, symbol.low)
+            pair.append(model.legend.fresh(letter, low + "'" * symbol.primes))
+            text = meaning("equations.component", of=entry.meaning, axis=name)
+            read = partial(lambda motion, entry, turn: dot(np.conj(turn), entry.read(motion)), entry=entry, turn=turn)
+            model.legend.entries[pair[-1]] = LegendEntry(text, entry.unit, read)
+        letters.append(pair)
     for symbol in whole:  # the vectors are written by their components here
         del model.legend.entries[symbol]
     parts, moving = (chain.sum.real, chain.sum.imag), chain.sum.moving
@@ -185,15 +195,3 @@ def _write_components(model: Model, page: EquationPage, pretty: Pretty, chain: P
     matrix, first, second = grid(pretty, slope), column(derivatives(moving, 1)), column(derivatives(moving, 2))
     page.show((column(letters[1]), Row((matrix, first))))
     page.show((column(letters[2]), Row((matrix, second, Op("+"), grid(pretty, rates_of(slope)), first))))
-
-
-def _components(model: Model, symbol: Symbol, axis: str) -> tuple[Symbol, Symbol]:
-    """x_E, y_E; v_Ex, v_Ey; a_Ex, a_Ey."""
-    entry, symbols = model.legend.entries[symbol], []
-    for name, turn in (("x", 1.0), ("y", -1j)):
-        letter, low = (axis, f"{symbol.low}{name}") if axis else (name, symbol.low)
-        symbols.append(model.legend.fresh(letter, low + "'" * symbol.primes))
-        text = meaning("equations.component", of=entry.meaning, axis=name)
-        read = partial(lambda motion, turn: dot(np.conj(turn), entry.read(motion)), turn=turn)
-        model.legend.entries[symbols[-1]] = LegendEntry(text, entry.unit, read)
-    return symbols[0], symbols[1]

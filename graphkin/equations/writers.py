@@ -43,9 +43,19 @@ def _block_lines(block: Block) -> list[str]:
         case parts.DocumentHeading():
             return [block.text, ("-" if block.level == 2 else "·") * width(block.text)]
         case parts.DocumentSentence():
-            return _wrapped("".join(_text(part) for part in block.parts))
+            lines = [""]  # of a terminal's width, broken at blanks or between Chinese characters
+            for word in _PIECES.findall("".join(_text(part) for part in block.parts)):
+                lines += [""] if lines[-1] and width(lines[-1] + word.rstrip()) > _NUMBERED_AT else []
+                lines[-1] += word
+            return lines
         case parts.Display():
-            lines = [line for row in block.rows for line in _side_by_side(_sides(row))]
+            lines = []
+            for row in block.rows:  # a chain of equal sides; products with matrices in them taken apart
+                nodes: list[Node] = []
+                for k, side in enumerate(row):
+                    nodes += [Op("=")] if k else []
+                    nodes += side.items if isinstance(side, Row) and _has_grid(side.items) else [side]
+                lines += _side_by_side(nodes)
             lines[-1] += " " * max(3, _NUMBERED_AT - 4 - width(lines[-1])) + f"({block.number})"
             return ["    " + line for line in lines]
         case parts.DocumentTable():
@@ -59,25 +69,6 @@ def _block_lines(block: Block) -> list[str]:
 
 def _text(part: str | Node) -> str:
     return part if isinstance(part, str) else in_notation(part, TEXT)
-
-
-def _wrapped(text: str) -> list[str]:
-    """Lines of a terminal's width, broken at blanks or between Chinese characters."""
-    lines = [""]
-    for word in _PIECES.findall(text):
-        if lines[-1] and width(lines[-1] + word.rstrip()) > _NUMBERED_AT:
-            lines.append("")
-        lines[-1] += word
-    return lines
-
-
-def _sides(row: Sequence[Node]) -> list[Node]:
-    """A chain of equal sides as nodes; products with matrices in them taken apart."""
-    nodes: list[Node] = []
-    for k, side in enumerate(row):
-        nodes += [Op("=")] if k else []
-        nodes += side.items if isinstance(side, Row) and _has_grid(side.items) else [side]
-    return nodes
 
 
 def _side_by_side(nodes: Sequence[Node]) -> list[str]:
@@ -139,7 +130,8 @@ def _block_html(block: Block) -> str:
         case parts.DocumentSentence():
             return f"<p>{''.join(_html(part) for part in block.parts)}</p>"
         case parts.Display():
-            rows = "".join(_displayed(row) for row in block.rows)
+            chains = (Row(tuple([node for side in row for node in (Op("="), side)][1:])) for row in block.rows)
+            rows = "".join(f'<math display="block">{in_notation(chain, MATHML)}</math>' for chain in chains)
             return f'<div class="equation"><div class="rows">{rows}</div><span>({block.number})</span></div>'
         case parts.DocumentTable():
             heads = "".join(f"<th>{escaped(head)}</th>" for head in block.heads)
@@ -157,12 +149,6 @@ def _block_html(block: Block) -> str:
 
 def _html(part: str | Node) -> str:
     return escaped(part) if isinstance(part, str) else f"<math>{in_notation(part, MATHML)}</math>"
-
-
-def _displayed(row: Sequence[Node]) -> str:
-    """Sides with their equals signs."""
-    chain = [node for side in row for node in (Op("="), side)][1:]
-    return f'<math display="block">{in_notation(Row(tuple(chain)), MATHML)}</math>'
 
 _PREAMBLE = "\n".join(LIBRARIES) + r"""
 \usepackage[margin=20mm]{geometry}
@@ -198,7 +184,11 @@ def _block_tex(block: Block) -> str:
         case parts.DocumentSentence():
             return "".join(_tex(part) for part in block.parts)
         case parts.Display():
-            return "\\par\n".join(map(_paragraph, block.rows)) + rf"\numbered{{{block.number}}}"
+            lines = []  # TeX breaks a long formula at its signs; matrices are fitted to the line
+            for row in block.rows:
+                text = " = ".join(in_notation(side, LATEX) for side in row)
+                lines.append(r"\hspace*{2em}" + (rf"\fit{{{text}}}" if _has_grid(row) else rf"$\displaystyle {text}$"))
+            return "\\par\n".join(lines) + rf"\numbered{{{block.number}}}"
         case parts.DocumentTable():
             columns = "l" * (len(block.heads) - 2) + r"p{0.55\linewidth}l"
             heads = " & ".join(tex_text(head) for head in block.heads)
@@ -213,9 +203,3 @@ def _block_tex(block: Block) -> str:
 
 def _tex(part: str | Node) -> str:
     return tex_text(part) if isinstance(part, str) else f"${in_notation(part, LATEX)}$"
-
-
-def _paragraph(row: Sequence[Node]) -> str:
-    """A row of a display: TeX breaks a long formula at its signs; matrices are fitted to the line."""
-    text = " = ".join(in_notation(side, LATEX) for side in row)
-    return r"\hspace*{2em}" + (rf"\fit{{{text}}}" if _has_grid(row) else rf"$\displaystyle {text}$")

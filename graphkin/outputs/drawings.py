@@ -115,11 +115,9 @@ def refuse_edited(path: Path, force: bool) -> None:
 
 
 def _edited(path: Path) -> bool:
-    """True for a drawing that no longer measures, or has other signs and letters than it was drawn with.
-
-    One that cannot be measured (a problem without answers, a drawing that moves, one of an older version) counts as it
-    was drawn.
-    """
+    """True for a drawing that no longer measures, or has other signs and letters than it was drawn with. One that
+    cannot be measured (a problem without answers, a drawing that moves, one of an older version) counts as it was
+    drawn."""
     if b"<animate" in path.read_bytes():
         return False
     from graphkin.check import measure

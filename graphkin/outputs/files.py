@@ -78,11 +78,9 @@ def _is_ended(process: int) -> bool:
 
 
 def refuse(path: Path, force: bool, marks: Sequence[bytes]) -> None:
-    """Raises FileInTheWay, NoFolder, CannotWrite; several files are all asked about before the first is written.
-
-    A device or a pipe is no file: the new one would take its place. A file says in its beginning or its end that
-    graphkin wrote it; an empty one is nobody's loss.
-    """
+    """Raises FileInTheWay, NoFolder, CannotWrite; several files are all asked about before the first is written. A
+    device or a pipe is no file: the new one would take its place. A file says in its beginning or its end that graphkin
+    wrote it; an empty one is nobody's loss."""
     try:
         if path.exists() and not path.is_file() and not path.is_dir():
             raise CannotWrite(str(path), "not a regular file")

@@ -110,8 +110,13 @@ class _KeyReader:
         self._require(together.shape == (count, count) and np.allclose(together, together.T), "together")
         text = [data[name] for name in ("name", "mechanism", "coincident")]
         self._require(all(isinstance(part, str) for part in text), "mechanism")
+        item, planes = data["marking"], ("position", "velocity", "acceleration")
+        lengths = {plane: self._number(item["lengths"][plane], plane) for plane in planes}
+        scales = {str(name): self._number(x, "scales") for name, x in item["scales"].items()}
+        angle, sigmas, relative = (self._number(item[name], name) for name in ("angle", "sigmas", "relative"))
+        self._require(min(*lengths.values(), angle, relative) >= 0 and sigmas > 0, "marking")
         return Key(
-            text[0], text[1], text[2], self._marking(data["marking"]), entries,
+            text[0], text[1], text[2], Marking(lengths, angle, scales, sigmas, relative), entries,
             tuple(self._number(x, "given") for x in data["given"]), together, self._mistakes(data["mistakes"], count),
             {str(lang): str(title) for lang, title in data["title"].items()},
             tuple(KeyStep(str(step["plane"]), *(tuple(map(str, step[name])) for name in ("left", "right", "gives")))
@@ -129,14 +134,6 @@ class _KeyReader:
         doubt = item.get("doubt", "")
         self._require(doubt in get_args(Doubt), what)
         return KeyEntry(item["text"], item["unit"], cast(Sort, item["sort"]), right, scatter, tolerance, points, doubt)
-
-    def _marking(self, item: Read) -> Marking:
-        planes = ("position", "velocity", "acceleration")
-        lengths = {plane: self._number(item["lengths"][plane], plane) for plane in planes}
-        scales = {str(name): self._number(x, "scales") for name, x in item["scales"].items()}
-        angle, sigmas, relative = (self._number(item[name], name) for name in ("angle", "sigmas", "relative"))
-        self._require(min(*lengths.values(), angle, relative) >= 0 and sigmas > 0, "marking")
-        return Marking(lengths, angle, scales, sigmas, relative)
 
     def _mistakes(self, items: Iterable[Read], count: int) -> Hypotheses:
         names, values, scatters, together = [], [], [], []

@@ -41,11 +41,16 @@ def line(graded: Graded, lang: Lang = "en") -> Json:
 def record(graded: Graded, lang: Lang = "en") -> Json:
     """All of one submission: the line's, with the arithmetic, the mistakes' places, and what was passed over."""
     marked = graded.marked
-    quantities = {} if marked is None else {one.text: _quantity(one) | _arithmetic(one) for one in marked.judged}
+    quantities: dict[str, Json] = {}
+    for one in () if marked is None else marked.judged:
+        quantities[one.text] = _quantity(one) | {
+            "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
+            "points": one.points, "credit": one.credit, **({"measured": True} if one.measured else {}),
+        }  # fmt: skip
     mistakes: list[Json] = []
-    for one in () if marked is None else marked.diagnosis.explanations:
-        places = [[dict(zip(("id", "way", "of", "form"), name, strict=True)) for name in names] for names in one.names]
-        mistakes.append(_mistake(one) | {"names": places})
+    for each in () if marked is None else marked.diagnosis.explanations:
+        sites = [[dict(zip(("id", "way", "of", "form"), name, strict=True)) for name in names] for names in each.names]
+        mistakes.append(_mistake(each) | {"names": sites})
     whole = _line(graded, lang, quantities, mistakes)
     whole |= {"place": graded.place, "notes": [note.message(lang) for note in graded.notes]}
     if marked is not None:
@@ -70,13 +75,6 @@ def _line(graded: Graded, lang: Lang, quantities: Mapping[str, Plain], mistakes:
 
 def _quantity(one: Judged) -> Json:
     return {name: getattr(one, name) for name in _QUANTITY}
-
-
-def _arithmetic(one: Judged) -> Json:
-    return {
-        "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
-        "points": one.points, "credit": one.credit, **({"measured": True} if one.measured else {}),
-    }  # fmt: skip
 
 
 def _mistake(one: Explanation) -> Json:

@@ -43,10 +43,8 @@ def _xy(place: Place) -> list[float]:
 
 
 def statement(sheet: Sheet, moving: bool = False) -> str:
-    """The data for solving the same problem anew; a checker trusts only the lines.
-
-    What is given, what moves, and what carries no mechanism is not measured: it bears no seal.
-    """
+    """The data for solving the same problem anew; a checker trusts only the lines. What is given, what moves, and what
+    carries no mechanism is not measured: it bears no seal."""
     machine = sheet.mechanism
     data: dict[str, object] = {
         "format": 3, "program": "graphkin", "mechanism": machine.text, "name": machine.name, "title": sheet.title,

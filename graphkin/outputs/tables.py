@@ -49,10 +49,8 @@ class NoParquet(GraphkinError):
 def write(
     path: Path, course: Course, names: tuple[str, ...], by: Road, force: bool = False, seen: Seen = lambda part: None
 ) -> None:
-    """A table into a file, by its suffix; `seen` is shown each part.
-
-    Raises FileInTheWay, NoFolder, CannotWrite, NoParquet.
-    """
+    """A table into a file, by its suffix; `seen` is shown each part. Raises FileInTheWay, NoFolder, CannotWrite,
+    NoParquet."""
     parts = shown_parts(in_parts(course, names, by), seen)
     if path.suffix == ".parquet":
         _write_parquet(path, parts, force)
@@ -72,10 +70,8 @@ def shown_parts(parts: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
 
 
 def columns(part: Sweep, units: Mapping[str, Unit] = EDGE) -> dict[str, Array]:
-    """By header, in mm and deg or so: the drivers' values, and each quantity as the terminal has it.
-
-    Of vectors then x and y; where a guide of the frame gives a sign, the size, too.
-    """
+    """By header, in mm and deg or so: the drivers' values, and each quantity as the terminal has it. Of vectors then x
+    and y; where a guide of the frame gives a sign, the size, too."""
     unit = units[part.course.unit]
     table: dict[str, Array] = {f"{part.course.driver.name} [{unit.name}]": part.driven * unit.factor}
     for name, other, values in _others(part):

@@ -139,10 +139,8 @@ def csv_cells(stream: IO[bytes], where: Where) -> Cells:
 
 
 def xlsx_cells(content: bytes, where: Where, limits: Limits) -> Cells:
-    """The rows of the first sheet that has any, without the empty cells at their ends.
-
-    Raises WantsExtra, BrokenSubmission, TooMuch.
-    """
+    """The rows of the first sheet that has any, without the empty cells at their ends. Raises WantsExtra,
+    BrokenSubmission, TooMuch."""
     try:
         from openpyxl import load_workbook
     except ImportError:

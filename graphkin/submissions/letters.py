@@ -17,7 +17,7 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.submissions.picture import Figures, Line, PagePicture, PictureText, distances
+from graphkin.submissions.picture import Figures, PagePicture, PictureText, distances
 from graphkin.submissions.polygons import PaperPolygon, by_name, loosely, pieces_of, spellings, texts_of
 
 _REACH = 6.0  # a letter belongs to no dot farther from it [mm]
@@ -135,19 +135,14 @@ def _crossings(picture: PagePicture, text: PictureText) -> Iterator[complex]:
     reach = _REACH + text.width / 2 + text.above
     near = [line for line in picture.lines if _off(middle, *line) < reach][:_LINES_NEAR]
     for one, other in combinations(near, 2):
-        place = _crossing(one, other)
-        if place is not None and text.distance(place) <= _REACH:
+        a, b = one[1] - one[0], other[1] - other[0]
+        turn = (a.conjugate() * b).imag
+        if abs(turn) <= 0.02 * abs(a) * abs(b):
+            continue
+        along = ((other[0] - one[0]).conjugate() * b).imag / turn
+        place, slack = one[0] + along * a, _SAME / abs(a)
+        if -slack <= along <= 1 + slack and _off(place, *other) <= _SAME and text.distance(place) <= _REACH:
             yield place
-
-
-def _crossing(one: Line, other: Line) -> complex | None:
-    a, b = one[1] - one[0], other[1] - other[0]
-    turn = (a.conjugate() * b).imag
-    if abs(turn) <= 0.02 * abs(a) * abs(b):
-        return None
-    along = ((other[0] - one[0]).conjugate() * b).imag / turn
-    place, slack = one[0] + along * a, _SAME / abs(a)
-    return place if -slack <= along <= 1 + slack and _off(place, *other) <= _SAME else None
 
 
 def _off(place: complex, start: complex, end: complex) -> float:

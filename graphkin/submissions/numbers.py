@@ -10,6 +10,7 @@ import math
 import re
 import unicodedata
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 from graphkin.base.value import frozen
@@ -206,32 +207,25 @@ def stated_by(mechanism: Mechanism) -> dict[Plane, float]:
 
 
 def scale(raw: object, plane: Plane) -> float:
-    """SI units per mm on paper: `0.01`, `0.01 (m/s)/mm`, `1 mm = 0.01 m/s`, `100 mm : 1 m/s`.
-
-    Raises NotAnAnswer, OutOfRange, OtherDimension with `NOWHERE`.
-    """
+    """SI units per mm on paper: `0.01`, `0.01 (m/s)/mm`, `1 mm = 0.01 m/s`, `100 mm : 1 m/s`. Raises NotAnAnswer,
+    OutOfRange, OtherDimension with `NOWHERE`."""
     if isinstance(raw, bool) or not isinstance(raw, int | float | str):
         raise NotAnAnswer(NOWHERE, str(raw)[:40])
     shown = str(raw)[:200] if isinstance(raw, str) or abs(raw) < 1e30 else "1e30"
     text, dimension = plain(shown), _DIMENSIONS[plane]
-    if (value := _ratio(text, dimension)) is None:
+    # of a length on paper and what it stands for, in either order
+    value, (one, sign, other) = None, text.partition("=") if "=" in text else text.partition(":")
+    for paper, thing in ((one, other), (other, one)) if sign else ():
+        with suppress(GraphkinError, ZeroDivisionError):
+            value = _read(thing, dimension) / (_read(paper, "length") * 1000)
+            break
+    if value is None:
         number = written(re.sub(r"/\((s(?:\^2)?)\*mm\)", r"/\1/mm", text.replace(" ", "")), text)
         unit = re.sub(r"(?:/|\*? ?per|\*) ?mm(?:\^-1)?$", "", number.unit.replace("*mm^-1", "/mm")).strip("() ")
         value = _read(f"{number.number!r} {unit}", dimension) if unit else number.number
     if not _SMALLEST <= value <= _LARGEST:
         raise OutOfRange(NOWHERE, shown[:40])
     return value
-
-
-def _ratio(text: str, dimension: Dimension) -> float | None:
-    """Of a length on paper and what it stands for, in either order; None for what is no such pair."""
-    one, sign, other = text.partition("=") if "=" in text else text.partition(":")
-    for paper, thing in ((one, other), (other, one)) if sign else ():
-        try:
-            return _read(thing, dimension) / (_read(paper, "length") * 1000)
-        except (GraphkinError, ZeroDivisionError):
-            continue
-    return None
 
 
 def _read(text: str, dimension: Dimension) -> float:

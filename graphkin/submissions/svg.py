@@ -107,7 +107,11 @@ class _SvgReader:
         if name in ("g", "a", "switch"):
             yield from self.walk(element, affine, kind, depth + 1)
         elif name == "svg":
-            yield from self.walk(element, affine.then(_nested(element.attrib)), kind, depth + 1)
+            inner = _shift(element.attrib)
+            if {"viewBox", "width", "height"} <= element.attrib.keys():  # fitted to its own box
+                box = _page(element.attrib)
+                inner = inner.then(Affine(box.a / _PX, 0.0, 0.0, box.d / _PX, box.e / _PX, box.f / _PX))
+            yield from self.walk(element, affine.then(inner), kind, depth + 1)
         elif name == "use":
             yield from self._copy(element, affine, kind, depth)
         elif name == "text":
@@ -118,7 +122,13 @@ class _SvgReader:
             x, y = (length(element.attrib.get(key, "0")) for key in ("cx", "cy"))
             yield Dot(affine(x, y), *_named(element))
         elif name in _LINES and is_plain(name, element.attrib):
-            yield self._line(name, element, affine)
+            runs = [[affine(z.real, z.imag) for z in run] for run in outline(name, element.attrib)]
+            pieces = [(a, b) for run in runs for a, b in pairwise(run) if a != b]
+            self.pieces += len(pieces)
+            self.limits.check(self.where, "elements", self.pieces)
+            if len(pieces) == 1:
+                self.arrows.append(PictureArrow(_named(element)[0], *pieces[0]))
+            yield pieces
 
     def _copy(self, element: Element, affine: Affine, kind: _Type, depth: int) -> Iterator[_Mark]:
         self.copies += 1
@@ -133,15 +143,6 @@ class _SvgReader:
             yield from self.walk(target, moved, _typed(target, kind), depth + 1)
         else:
             yield from self.mark(target, moved, kind, depth + 1)
-
-    def _line(self, name: str, element: Element, affine: Affine) -> list[tuple[complex, complex]]:
-        runs = [[affine(z.real, z.imag) for z in run] for run in outline(name, element.attrib)]
-        pieces = [(a, b) for run in runs for a, b in pairwise(run) if a != b]
-        self.pieces += len(pieces)
-        self.limits.check(self.where, "elements", self.pieces)
-        if len(pieces) == 1:
-            self.arrows.append(PictureArrow(_named(element)[0], *pieces[0]))
-        return pieces
 
 
 def _name(element: Element) -> str:
@@ -173,15 +174,6 @@ def _page(attributes: Mapping[str, str]) -> Affine:
 
 def _shift(attributes: Mapping[str, str]) -> Affine:
     return Affine(e=length(attributes.get("x", "0")), f=length(attributes.get("y", "0")))
-
-
-def _nested(attributes: Mapping[str, str]) -> Affine:
-    """Of an `svg` within: moved, and fitted to its own box."""
-    moved = _shift(attributes)
-    if "viewBox" not in attributes or not {"width", "height"} <= attributes.keys():
-        return moved
-    inner = _page(attributes)
-    return moved.then(Affine(inner.a / _PX, 0.0, 0.0, inner.d / _PX, inner.e / _PX, inner.f / _PX))
 
 
 def _typed(element: Element, above: _Type) -> _Type:

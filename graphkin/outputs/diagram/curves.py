@@ -177,10 +177,8 @@ class Curves:
         return peaks
 
 def curves(course: Course, names: Sequence[str], by: Road = "construction") -> Curves:
-    """Quantities over the shown part of a course, finely sampled whatever the steps of its table are.
-
-    First evenly, and ever closer to where the path stops, never on a stop itself; then more where curves bend.
-    """
+    """Quantities over the shown part of a course, finely sampled whatever the steps of its table are. First evenly, and
+    ever closer to where the path stops, never on a stop itself; then more where curves bend."""
     low, high = span(course)
     names = sweeps.drawable(course.method.mechanism, names)
     size = high - low

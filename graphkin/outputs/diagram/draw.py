@@ -122,15 +122,18 @@ def _panel(
         ncols=math.ceil(len(lines) / rows), frameon=False, borderaxespad=0.15, borderpad=0.1, handlelength=3.2,
         handletextpad=0.5, columnspacing=1.4, labelspacing=0.15, fontsize=9,
     )  # fmt: skip
-    _thin_lines(first, curves, panel)
+    bottom, top = first.get_ylim()
+    if bottom < 0 < top and (panel.kind != "position" or len(panel.axes) == 1):
+        first.axhline(0, color="black", linewidth=THIN / POINT, zorder=1.5)
+    for event in curves.events:  # where the driver stops, and change points
+        at = number(curves.course.value(event.at)) * EDGE[curves.course.unit].factor
+        first.axvline(at, color="black", linewidth=THIN / POINT, zorder=1.5, linestyle=(0, (12, 3, 2, 3)))
     return DrawnPanel(panel, tuple(sides), lines)
 
 
 def _divide(axis: _AxesBase, side: Axes, unit: str, ends: tuple[float, float], size: float, lang: Lang) -> None:
-    """Round ticks and name of a y axis beside `side`; very large and small numbers have a power of ten.
-
-    At most one tick in 7 mm, and none so near to the lower edge that its figure would stand on those of the x axis.
-    """
+    """Round ticks and name of a y axis beside `side`; very large and small numbers have a power of ten. At most one
+    tick in 7 mm, and none so near to the lower edge that its figure would stand on those of the x axis."""
     low, high = ends
     power = 0 if size == 0 or 0.01 <= size < 1e5 else 3 * math.floor(math.log10(size) / 3)
     height = side.bbox.height / side.figure.dpi / MM
@@ -174,17 +177,6 @@ def _across(first: Axes, curves: Curves, lang: Lang, last: bool) -> None:
     first.set_axisbelow(True)
     if last:
         first.set_xlabel(panels.across(course, lang), labelpad=3)
-
-
-def _thin_lines(first: Axes, curves: Curves, panel: panels.CurvePanel) -> None:
-    """The zero line, and upright lines where the driver stops and at change points."""
-    low, high = first.get_ylim()
-    if low < 0 < high and (panel.kind != "position" or len(panel.axes) == 1):
-        first.axhline(0, color="black", linewidth=THIN / POINT, zorder=1.5)
-    factor = EDGE[curves.course.unit].factor
-    for event in curves.events:
-        place = number(curves.course.value(event.at)) * factor
-        first.axvline(place, color="black", linewidth=THIN / POINT, zorder=1.5, linestyle=(0, (12, 3, 2, 3)))
 
 
 def _fit_sides(page: Figure, drawn: Sequence[DrawnPanel]) -> None:

@@ -63,25 +63,22 @@ class Note:
 
 def note_peaks(page: Figure, curves: Curves, drawn: Sequence[DrawnPanel], lang: Lang) -> None:
     """Write at every panel, once all is where it stays."""
+    from matplotlib.path import Path
+
     page.draw_without_rendering()
     for panel in drawn:
         lines = [line for _, line in panel.lines.values()]
         straight = [line for line in panel.sides[0].lines if line not in lines]  # the zero line and the upright ones
-        paths = [path for line in (*lines, *straight) for path in _paths(line)]
+        paths: list[Path] = []  # the drawn stretches [pixels], without the places where a curve is not known
+        for line in (*lines, *straight):
+            pixels = np.asarray(line.get_transform().transform(np.column_stack(line.get_data())))
+            known = np.isfinite(pixels).all(axis=1)
+            pieces: list[Array] = np.split(pixels, np.flatnonzero(np.diff(known.astype(int))) + 1)
+            paths += [Path(piece) for piece in pieces if len(piece) > 1 and np.isfinite(piece).all()]
         boxes: list[Bbox] = []
         for event in curves.events:
             boxes.append(_name_event(page, panel, curves, event, paths, boxes, lang))
         _write_peaks(page, curves, panel, paths, boxes)
-
-
-def _paths(line: Line2D) -> list[Path]:
-    """The drawn stretches of a curve [pixels], without the places where it is not known."""
-    from matplotlib.path import Path
-
-    pixels = np.asarray(line.get_transform().transform(np.column_stack(line.get_data())))
-    known = np.isfinite(pixels).all(axis=1)
-    pieces: list[Array] = np.split(pixels, np.flatnonzero(np.diff(known.astype(int))) + 1)
-    return [Path(piece) for piece in pieces if len(piece) > 1 and np.isfinite(piece).all()]
 
 
 def _extent(page: Figure, text: Text) -> Bbox:

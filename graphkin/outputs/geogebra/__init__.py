@@ -48,10 +48,8 @@ class TriedOut(GraphkinError):
 
 
 def ggb(method: Method, plot: Plot, scales: Mapping[Plane, float], lang: Lang) -> bytes:
-    """The drawing as a .ggb file; one of its units is a millimetre of the sheet with these scales.
-
-    Raises TriedOut where links are fitted and several drivers move them.
-    """
+    """The drawing as a .ggb file; one of its units is a millimetre of the sheet with these scales. Raises TriedOut
+    where links are fitted and several drivers move them."""
     machine = method.mechanism
     fitted = any(isinstance(step, Fit) for step in method.position.steps)
     if fitted and len(method.drivers) > 1:

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Iterable
 from xml.sax.saxutils import quoteattr
 
 from graphkin.base.value import frozen
@@ -194,10 +193,6 @@ class Protocol:
     def matrix(self, formula: str) -> str:
         """A list of lists."""
         return self._formula(self._label("m"), formula, "list", _UNSEEN)
-
-    def list_of(self, numbers: Iterable[float]) -> str:
-        """Numbers one after the other, to nine digits."""
-        return self.matrix("{" + ", ".join(value(float(f"{number:.9g}")) for number in numbers) + "}")
 
     def note(self, formula: str, at: complex) -> str:
         """A line of text; `formula` as GeoGebra joins texts and numbers."""

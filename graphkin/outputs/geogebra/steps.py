@@ -59,7 +59,10 @@ class Nearly:
         whole = protocol.number(f"floor({gone})")
         values = turned(method, along(method, path, t))
         names = {name for step in method.position.steps if isinstance(step, Fit) for name in _unknowns(step)}
-        lists = {name: protocol.list_of(np.broadcast_to(values[name], t.shape)) for name in sorted(names)}
+        lists = {}
+        for name in sorted(names):  # to nine digits
+            numbers = (value(float(f"{each:.9g}")) for each in np.broadcast_to(values[name], t.shape))
+            lists[name] = protocol.matrix("{" + ", ".join(numbers) + "}")
         return cls(protocol, (whole, protocol.number(f"{gone} - {whole}")), lists)
 
     def value(self, name: str) -> str:
@@ -114,8 +117,12 @@ class Draughtsman:
         state = self.state
         for step in self.construction.steps:
             match step:
-                case kinds.Given():
-                    self._given(step)
+                case kinds.Given():  # a point that can be dragged; a pole that is found last is none
+                    meets = (later.point for later in self.construction.steps if isinstance(later, kinds.Meet))
+                    if step.point != self.construction.pole or step.point not in meets:
+                        caption, at = self.captions.get(step.point, ""), self._at(step.point)
+                        self.points[step.point] = self.protocol.free_point(caption, at, self.colour)
+                        self._put_fixed_on(step.point)
                 case kinds.LayOff():
                     assert step.term.size is not None
                     arrow = state.arrow(step.term.size, self.plane).times(value(1 / self.scale))
@@ -151,15 +158,6 @@ class Draughtsman:
     def _point(self, name: str, formula: str) -> None:
         caption = self.captions.get(name, "")
         self.points[name] = self.protocol.point(caption, formula, self._at(name), self.colour)
-
-    def _given(self, step: kinds.Given) -> None:
-        """A point that can be dragged; a pole that is found last is none."""
-        meets = (later.point for later in self.construction.steps if isinstance(later, kinds.Meet))
-        if step.point == self.construction.pole and step.point in meets:
-            return
-        caption = self.captions.get(step.point, "")
-        self.points[step.point] = self.protocol.free_point(caption, self._at(step.point), self.colour)
-        self._put_fixed_on(step.point)
 
     def _put_fixed_on(self, point: str) -> None:
         """All that never moves is on the pole, once that is there."""
