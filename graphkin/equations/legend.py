@@ -83,6 +83,11 @@ def _family(symbol: Symbol) -> tuple[Symbol, ...]:
     return tuple(family)
 
 
+def values(legend: Legend, motion: Motion) -> dict[Symbol, Value]:
+    """Every symbol's value at a motion, in SI units: scalars, or arrays over positions."""
+    return {symbol: entry.read(motion) for symbol, entry in legend.entries.items()}
+
+
 def angle_readers(structure: Topology, body: str, drawn: Motion) -> Three:
     """θ, ω, α of a body [rad, rad/s, rad/s^2]; of a link of the equivalent, by its two points."""
     if structure.is_pin(body):

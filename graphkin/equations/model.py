@@ -12,7 +12,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.equations.bodies import Bodies, quarters
 from graphkin.equations.expressions import AngleSum, Sum, Symbol, Wave, one, phasor
-from graphkin.equations.legend import Legend, LegendEntry, point_place
+from graphkin.equations.legend import Legend, LegendEntry, point_place, values
 from graphkin.equations.polygons import ClosedPolygon, LinkVectorMaker, RollingSum, closed, rolling, shortest_path
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import parts
@@ -77,8 +77,8 @@ class Model:
     def values(self) -> dict[Symbol, Value]:
         """All letters at the drawn position [SI]; 0 for what is only rounding."""
         cut, entries = self.motion.mechanism.usual.cut, self.legend.entries
-        return {symbol: cut(entry.read(self.motion), _SI.get(entry.unit, entry.unit))
-                for symbol, entry in entries.items()}  # fmt: skip
+        return {symbol: cut(value, _SI.get(entries[symbol].unit, entries[symbol].unit))
+                for symbol, value in values(self.legend, self.motion).items()}  # fmt: skip
 
 
 def model_of(method: Method) -> Model:

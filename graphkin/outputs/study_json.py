@@ -32,12 +32,18 @@ def as_json(design: Design) -> Json:
     """
     from graphkin.say.design import phrased
 
+    bisectors: Json | None = None
+    if design.kind == "coupler" and design.best is not None and len(design.best.limits) == 2:
+        board, bisectors = design.best.board(), {}
+        for pivot, hinge in (("A", "B"), ("D", "C")):
+            middle, (_, along) = (board.at(f"{hinge}1") + board.at(f"{hinge}2")) / 2, board.line(f"{hinge}12")
+            bisectors[pivot] = {"through": _xy(middle), "direction": math.atan2(along.imag, along.real)}
     return {
         "format": 1, "kind": design.kind, "given": dict(design.given),
         "solutions": [_solution(one) for one in design.solutions],
         "rejected": [_solution(one) for one in design.rejected],
         "why": [phrased(reason, "en") for reason in design.why],
-        "bisectors": _bisectors(design),
+        "bisectors": bisectors,
         "family": [_family(one) for one in design.families],
     }  # fmt: skip
 
@@ -57,17 +63,6 @@ def _solution(one: Solution) -> Json:
 
 def _xy(place: Value) -> Plain:
     return [number(place.real), number(place.imag)]
-
-
-def _bisectors(design: Design) -> Json | None:
-    if design.kind != "coupler" or design.best is None or len(design.best.limits) != 2:
-        return None
-    board = design.best.board()
-    bisectors: Json = {}
-    for pivot, hinge in (("A", "B"), ("D", "C")):
-        middle, (_, along) = (board.at(f"{hinge}1") + board.at(f"{hinge}2")) / 2, board.line(f"{hinge}12")
-        bisectors[pivot] = {"through": _xy(middle), "direction": math.atan2(along.imag, along.real)}
-    return bisectors
 
 
 def _family(one: Family) -> Json:

@@ -22,7 +22,6 @@ from graphkin.base.plain import Plain
 from graphkin.errors import GraphkinError, Lang
 from graphkin.model.quantities import EDGE, Unit, driven
 from graphkin.outputs.files import beside
-from graphkin.running.path import Event
 from graphkin.studies.sweeps import Course, Road, Series, Sweep, in_parts
 
 if TYPE_CHECKING:
@@ -131,6 +130,9 @@ def json_text(course: Course, parts: Iterator[Sweep]) -> str:
         name: {"unit": unit, "values": _all(part[k][2] for part in others)}
         for k, (name, unit, _) in enumerate(others[0])
     }
+    events: list[list[Plain]] = []
+    for some in (course.stops, course.changes):
+        events.append([{"at": number(course.value(e.at)), "kind": e.kind, "links": list(e.links)} for e in some])
     undefined = _all(part.undefined for part in collected)
     values = _all(part.driven for part in collected)
     data: dict[str, Plain] = {
@@ -139,8 +141,7 @@ def json_text(course: Course, parts: Iterator[Sweep]) -> str:
         **({"together": together} if together else {}),
         "range": {
             "full_turn": course.full_turn, "low": low, "high": high,
-            "stops": [_event(course, stop) for stop in course.stops],
-            "change_points": [_event(course, change) for change in course.changes],
+            "stops": events[0], "change_points": events[1],
             "not_reached": [float(value) for value in course.dropped],
             **({"undefined": undefined} if undefined else {}),
         },
@@ -150,10 +151,6 @@ def json_text(course: Course, parts: Iterator[Sweep]) -> str:
         },
     }  # fmt: skip
     return json.dumps(data, ensure_ascii=False, allow_nan=False)
-
-
-def _event(course: Course, event: Event) -> Plain:
-    return {"at": number(course.value(event.at)), "kind": event.kind, "links": list(event.links)}
 
 
 def _quantity(parts: list[Series]) -> dict[str, Plain]:

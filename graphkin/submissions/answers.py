@@ -103,8 +103,13 @@ def _value(raw: object, quantity: Quantity, unit: str, scales: Mapping[Plane, fl
 
 def _text(raw: str, quantity: Quantity, unit: str, scales: Mapping[Plane, float]) -> HandedValue:
     text = raw.strip()[:400]
-    if isinstance(quantity, Centre | Moving) and (pair := _components(text)) is not None:
-        return replace(_pair(*pair, quantity, unit), text=text)
+    bare = plain(text)
+    if isinstance(quantity, Centre | Moving) and bare.startswith(("(", "[")):
+        # `(12.3, 40.5) mm`: two numbers in brackets; `;` between decimal commas
+        inner, close, after = bare[1:].partition(")" if bare[0] == "(" else "]")
+        parts = inner.split(";") if ";" in inner else inner.split(",")
+        if close and len(parts) == 2:
+            return replace(_pair(f"{parts[0]} {after}", f"{parts[1]} {after}", quantity, unit), text=text)
     value = parsed_value(text, quantity.unit, unit)
     plane = numbers.plane_of(quantity.unit)
     if plane is None or value.unit not in numbers.PAPER or value.value is None:
@@ -113,16 +118,6 @@ def _text(raw: str, quantity: Quantity, unit: str, scales: Mapping[Plane, float]
     if plane not in scales:
         return HandedValue(text, None, None, value.unit, errors.NoPaperScale(NOWHERE, text[:60], plane), paper_mm=mm)
     return HandedValue(text, mm * scales[plane], None, value.unit, paper_mm=mm)
-
-
-def _components(text: str) -> tuple[str, str] | None:
-    """`(12.3, 40.5) mm`: two numbers in brackets; `;` between decimal commas."""
-    text = plain(text)
-    if not text.startswith(("(", "[")):
-        return None
-    inner, close, unit = text[1:].partition(")" if text[0] == "(" else "]")
-    parts = inner.split(";") if ";" in inner else inner.split(",")
-    return (f"{parts[0]} {unit}", f"{parts[1]} {unit}") if close and len(parts) == 2 else None
 
 
 def _pair(x: object, y: object, quantity: Quantity, unit: str) -> HandedValue:

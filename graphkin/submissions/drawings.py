@@ -84,8 +84,7 @@ def measured(
     scales = numbers.stated_by(asked.mechanism) | calibrated | claimed
     turned = {plane: cmath.phase(drawn / value) for plane, (drawn, value) in first.items()} if limits.turned else {}
     paper = _PaperScale(scales, turned, where)
-    values = _named(picture, paper, questions) | _vectors(letters.points, shapes, paper)
-    values |= directions(picture, questions, where, limits)
+    values = _drawn(picture, letters.points, shapes, paper, questions) | directions(picture, questions, where, limits)
     if not values and not texts and not letters.points:
         raise NoLetters(where, tuple(letter for shape in shapes for letter in shape.letters))
     for question, text in texts.items():  # the written value, with the drawn direction
@@ -115,26 +114,22 @@ def _written_on(
     return values, written.scales
 
 
-def _vectors(points: Points, shapes: Sequence[PaperPolygon], paper: _PaperScale) -> dict[str, HandedValue]:
-    """Every vector between two letters that are found, where its plane has a scale."""
-    values: dict[str, HandedValue] = {}
-    for shape in shapes:
-        for vector in shape.vectors:
-            tail, head = (points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
-            if vector.question and tail is not None and head is not None and shape.plane in paper.scales:
-                values.setdefault(vector.question, paper.value(tail, head, shape.plane))
-    return values
-
-
-def _named(picture: PagePicture, paper: _PaperScale, questions: Questions) -> dict[str, HandedValue]:
-    """Arrows that the file itself names after a quantity: `v_B3B2`."""
-    values: dict[str, HandedValue] = {}
+def _drawn(
+    picture: PagePicture, points: Points, shapes: Sequence[PaperPolygon], paper: _PaperScale, questions: Questions
+) -> dict[str, HandedValue]:
+    """Vectors between two letters, and arrows that the file itself names after a quantity: `v_B3B2`."""
+    named: dict[str, HandedValue] = {}
     for arrow in picture.arrows:
         read = questions.read(arrow.name) if arrow.name else None
         plane = numbers.plane_of(read[1].unit) if read is not None else None
         if read is not None and plane is not None and plane in paper.scales and not read[2]:
-            values.setdefault(read[0], paper.value(arrow.tail, arrow.head, plane))
-    return values
+            named.setdefault(read[0], paper.value(arrow.tail, arrow.head, plane))
+    lettered: dict[str, HandedValue] = {}
+    for shape, vector in [(polygon, vector) for polygon in shapes for vector in polygon.vectors]:
+        tail, head = (points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
+        if vector.question and tail is not None and head is not None and shape.plane in paper.scales:
+            lettered.setdefault(vector.question, paper.value(tail, head, shape.plane))
+    return named | lettered
 
 
 def directions(picture: PagePicture, questions: Questions, where: Where, limits: Limits) -> dict[str, HandedValue]:

@@ -101,7 +101,13 @@ def _candidates(picture: PagePicture, texts: Sequence[PictureText]) -> list[Plac
     for text in texts[:8]:
         near = [(_far(text, dot.place, _REACH), dot.place) for dot in picture.dots]
         near += [(_END + _far(text, end, _NEAR), end) for line in picture.lines for end in line]
-        near += [(_LEADER + distance, far) for distance, far in _led(picture, text)]
+        for line, end, far in [(pair, *ends) for pair in picture.lines for ends in (pair, pair[::-1])]:
+            distance = text.distance(end)  # a line that begins at a text and at nothing else leads to its far end
+            if distance <= _TOUCHES and abs(far - end) <= 2 * _REACH:
+                others = (place for other in picture.lines if other is not line for place in other)
+                marks = (dot.place for dot in picture.dots)
+                if all(abs(end - mark) > _SAME for mark in chain(marks, others)):
+                    near.append((_LEADER + distance, far))
         near += [(_CROSSING + _far(text, place, _NEAR), place) for place in _crossings(picture, text)]
         for distance, place in sorted((pair for pair in near if pair[0] < math.inf), key=lambda pair: pair[0]):
             if all(abs(place - other) > _SAME for _, other in candidates):
@@ -115,18 +121,6 @@ def _far(text: PictureText, place: complex, reach: float) -> float:
     """The unlikeliness that a text letters a place, in mm of a letter that stands close by."""
     distance = text.distance(place)
     return distance + distance**2 * _FARTHER if distance <= reach else math.inf
-
-
-def _led(picture: PagePicture, text: PictureText) -> Iterator[Place]:
-    """The far ends of lines that begin at a text and at nothing else."""
-    for line in picture.lines:
-        for end, far in (line, line[::-1]):
-            distance = text.distance(end)
-            if distance <= _TOUCHES and abs(far - end) <= 2 * _REACH:
-                others = (place for other in picture.lines if other is not line for place in other)
-                marks = (dot.place for dot in picture.dots)
-                if all(abs(end - mark) > _SAME for mark in chain(marks, others)):
-                    yield distance, far
 
 
 def _crossings(picture: PagePicture, text: PictureText) -> Iterator[complex]:

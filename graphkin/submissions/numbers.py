@@ -128,13 +128,7 @@ def written(text: str, whole: str) -> WrittenNumber:
     exponent = re.sub(r"^(?:[eE]| ?[*xX] ?10 ?(?:\^|\*\*)? ?\(?)", "", power or "").rstrip(")")  # of `e-3`, `*10^-3`
     if len(exponent) > 5:
         raise NotAnAnswer(NOWHERE, power.strip()[:40])
-    value = float(f"{_digits(body, whole)}e{int(exponent or 0)}")
-    unit = text[match.end() :].strip(" ,;")
-    return WrittenNumber(-value if sign == "-" else value, unit, next(iter(senses), None))
-
-
-def _digits(body: str, whole: str) -> str:
-    """With a point as the decimal sign and no groups: of `3,92`, `1 234.5`, `1.234,5`."""
+    # with a point as the decimal sign and no groups: of `3,92`, `1 234.5`, `1.234,5`
     points, commas = body.count("."), body.count(",")
     decimal = ""
     if points and commas:
@@ -144,7 +138,9 @@ def _digits(body: str, whole: str) -> str:
     head, _, tail = body.rpartition(decimal) if decimal else (body, "", "")
     if (not tail.isdigit() and tail) or (not head.isdigit() and head and not _GROUPS.fullmatch(head)):
         raise NotAnAnswer(NOWHERE, whole[:LONGEST])
-    return f"{re.sub('[^0-9]', '', head) or '0'}.{tail or '0'}"
+    value = float(f"{re.sub('[^0-9]', '', head) or '0'}.{tail or '0'}e{int(exponent or 0)}")
+    unit = text[match.end() :].strip(" ,;")
+    return WrittenNumber(-value if sign == "-" else value, unit, next(iter(senses), None))
 
 
 _SPELT = (
