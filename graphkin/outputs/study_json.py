@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from graphkin.base.geometry import Array, Value, number
+from graphkin.base.geometry import Value, number
 from graphkin.base.plain import Plain
 
 if TYPE_CHECKING:
     from graphkin.marking.discriminability import SetDiscriminability
     from graphkin.marking.power import Power
     from graphkin.marking.tolerances import Tolerances
-    from graphkin.studies.design import Design, Family, Solution
+    from graphkin.studies.design import Design, Solution
 
 Json = dict[str, Plain]
 
@@ -32,6 +32,16 @@ def as_json(design: Design) -> Json:
     """
     from graphkin.say.design import phrased
 
+    families: list[Json] = []
+    for one in design.families:  # every twentieth point; the arrays themselves have them all
+        arrays = {"a": one.a, "b": one.b, "d": one.d, "e": one.e, "gamma_min": one.gamma_min}
+        families.append({
+            "centre": [one.centre.real, one.centre.imag], "radius": one.radius,
+            "best": {"angle": one.best[0], "gamma_min": one.best[1]} if math.isfinite(one.best[1]) else None,
+            **{name: None if of is None else [float(value) for value in of[::20]] for name, of in arrays.items()},
+            "A": [_xy(place) for place in one.at[::20]],
+            "arcs": [{"from": arc.start, "to": arc.end, "name": arc.name} for arc in one.arcs],
+        })  # fmt: skip
     bisectors: Json | None = None
     if design.kind == "coupler" and design.best is not None and len(design.best.limits) == 2:
         board, bisectors = design.best.board(), {}
@@ -44,7 +54,7 @@ def as_json(design: Design) -> Json:
         "rejected": [_solution(one) for one in design.rejected],
         "why": [phrased(reason, "en") for reason in design.why],
         "bisectors": bisectors,
-        "family": [_family(one) for one in design.families],
+        "family": families,
     }  # fmt: skip
 
 
@@ -63,22 +73,6 @@ def _solution(one: Solution) -> Json:
 
 def _xy(place: Value) -> Plain:
     return [number(place.real), number(place.imag)]
-
-
-def _family(one: Family) -> Json:
-    """Every twentieth point; the arrays themselves have them all."""
-
-    def thinned(values: Array | None) -> Plain:
-        return None if values is None else [float(value) for value in values[::20]]
-
-    return {
-        "centre": [one.centre.real, one.centre.imag], "radius": one.radius,
-        "best": {"angle": one.best[0], "gamma_min": one.best[1]} if math.isfinite(one.best[1]) else None,
-        "a": thinned(one.a), "b": thinned(one.b), "d": thinned(one.d), "e": thinned(one.e),
-        "gamma_min": thinned(one.gamma_min),
-        "A": [_xy(place) for place in one.at[::20]],
-        "arcs": [{"from": arc.start, "to": arc.end, "name": arc.name} for arc in one.arcs],
-    }  # fmt: skip
 
 
 def tolerance_data(tolerances: Tolerances) -> Json:

@@ -241,9 +241,7 @@ def _text(mark: Text) -> Form:
     return "text", size, elements
 
 
-_HEADS: Mapping[Half, str] = {
-    "": "M0 .2L2.8 .7L0 1.2Z", "left": "M0 0L2.8 .7L0 .7Z", "right": "M0 .7L2.8 .7L0 1.4Z",
-}  # fmt: skip
+_HEADS: Mapping[Half, str] = {"": "M0 .2L2.8 .7L0 1.2Z", "left": "M0 0L2.8 .7L0 .7Z", "right": "M0 .7L2.8 .7L0 1.4Z"}
 
 
 def _pointed(mark: VectorMark) -> str:

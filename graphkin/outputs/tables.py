@@ -22,7 +22,7 @@ from graphkin.base.plain import Plain
 from graphkin.errors import GraphkinError, Lang
 from graphkin.model.quantities import EDGE, Unit, driven
 from graphkin.outputs.files import beside
-from graphkin.studies.sweeps import Course, Road, Series, Sweep, in_parts
+from graphkin.studies.sweeps import Course, Road, Sweep, in_parts
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -52,7 +52,18 @@ def write(
     NoParquet."""
     parts = shown_parts(in_parts(course, names, by), seen)
     if path.suffix == ".parquet":
-        _write_parquet(path, parts, force)
+        try:
+            import pyarrow  # type: ignore[import-not-found, unused-ignore]
+            import pyarrow.parquet  # type: ignore[import-not-found, unused-ignore]
+        except ImportError:
+            raise NoParquet(str(path)) from None
+        with beside(path, force, MARKS) as draft:
+            writer: Any = None
+            for part in parts:
+                table = pyarrow.table(columns(part)).replace_schema_metadata({"writer": "graphkin"})
+                writer = writer or pyarrow.parquet.ParquetWriter(draft, table.schema)
+                writer.write_table(table)
+            writer.close()
         return
     with beside(path, force, MARKS) as draft, draft.open("w", encoding="utf-8", newline="\n") as file:
         if path.suffix == ".json":
@@ -133,6 +144,15 @@ def json_text(course: Course, parts: Iterator[Sweep]) -> str:
     events: list[list[Plain]] = []
     for some in (course.stops, course.changes):
         events.append([{"at": number(course.value(e.at)), "kind": e.kind, "links": list(e.links)} for e in some])
+    quantities: dict[str, dict[str, Plain]] = {}
+    for k, first in enumerate(collected[0].series):
+        each = [part.series[k] for part in collected]
+        quantities[first.name] = {"unit": first.unit, "values": _all(one.signed for one in each)}
+        if first.along is not None and first.vectors is not None:
+            quantities[first.name]["sizes"] = _all(one.values for one in each)
+        if first.vectors is not None:
+            vectors = np.concatenate([np.asarray(one.vectors) for one in each])
+            quantities[first.name]["vectors"] = [[_finite(vector.real), _finite(vector.imag)] for vector in vectors]
     undefined = _all(part.undefined for part in collected)
     values = _all(part.driven for part in collected)
     data: dict[str, Plain] = {
@@ -145,22 +165,9 @@ def json_text(course: Course, parts: Iterator[Sweep]) -> str:
             "not_reached": [float(value) for value in course.dropped],
             **({"undefined": undefined} if undefined else {}),
         },
-        "quantities": {
-            entry.name: _quantity([part.series[k] for part in collected])
-            for k, entry in enumerate(collected[0].series)
-        },
+        "quantities": quantities,
     }  # fmt: skip
     return json.dumps(data, ensure_ascii=False, allow_nan=False)
-
-
-def _quantity(parts: list[Series]) -> dict[str, Plain]:
-    data: dict[str, Plain] = {"unit": parts[0].unit, "values": _all(part.signed for part in parts)}
-    if parts[0].along is not None and parts[0].vectors is not None:
-        data["sizes"] = _all(part.values for part in parts)
-    if parts[0].vectors is not None:
-        vectors = np.concatenate([np.asarray(part.vectors) for part in parts])
-        data["vectors"] = [[_finite(vector.real), _finite(vector.imag)] for vector in vectors]
-    return data
 
 
 def _all(parts: Iterable[Array]) -> list[float | None]:
@@ -170,21 +177,6 @@ def _all(parts: Iterable[Array]) -> list[float | None]:
 def _finite(value: float) -> float | None:
     """A number JSON can hold; what has no value there (a quotient by 0) is null."""
     return float(value) + 0.0 if math.isfinite(value) else None
-
-
-def _write_parquet(path: Path, parts: Iterator[Sweep], force: bool) -> None:
-    try:
-        import pyarrow  # type: ignore[import-not-found, unused-ignore]
-        import pyarrow.parquet  # type: ignore[import-not-found, unused-ignore]
-    except ImportError:
-        raise NoParquet(str(path)) from None
-    with beside(path, force, MARKS) as draft:
-        writer: Any = None
-        for part in parts:
-            table = pyarrow.table(columns(part)).replace_schema_metadata({"writer": "graphkin"})
-            writer = writer or pyarrow.parquet.ParquetWriter(draft, table.schema)
-            writer.write_table(table)
-        writer.close()
 
 
 class SweepFrames(Sweep):

@@ -117,9 +117,7 @@ def tex_words(label: Label) -> str:
 def stacked(label: Label) -> str:
     """A label as MTEXT of DXF writes it: a part and a subscript are stacked (`a\\Sn^ CB;`)."""
     escapes = str.maketrans({sign: f"\\{sign}" for sign in "\\{};"})
-    return _scripted(
-        label, lambda run: run.text.translate(escapes), lambda high, low: f"{{\\H0.7x;\\S{high}^ {low};}}"
-    )
+    return _scripted(label, lambda run: run.text.translate(escapes), lambda high, low: f"{{\\H0.7x;\\S{high}^ {low};}}")
 
 
 def _scripted(label: Label, letters: Callable[[Run], str], scripts: Callable[[str, str], str]) -> str:

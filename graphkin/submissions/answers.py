@@ -111,7 +111,7 @@ def _text(raw: str, quantity: Quantity, unit: str, scales: Mapping[Plane, float]
         if close and len(parts) == 2:
             return replace(_pair(f"{parts[0]} {after}", f"{parts[1]} {after}", quantity, unit), text=text)
     value = parsed_value(text, quantity.unit, unit)
-    plane = numbers.plane_of(quantity.unit)
+    plane = numbers.PLANES.get(quantity.unit)
     if plane is None or value.unit not in numbers.PAPER or value.value is None:
         return value
     mm = value.value * numbers.PAPER[value.unit]

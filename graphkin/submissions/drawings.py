@@ -121,7 +121,7 @@ def _drawn(
     named: dict[str, HandedValue] = {}
     for arrow in picture.arrows:
         read = questions.read(arrow.name) if arrow.name else None
-        plane = numbers.plane_of(read[1].unit) if read is not None else None
+        plane = numbers.PLANES.get(read[1].unit) if read is not None else None
         if read is not None and plane is not None and plane in paper.scales and not read[2]:
             named.setdefault(read[0], paper.value(arrow.tail, arrow.head, plane))
     lettered: dict[str, HandedValue] = {}

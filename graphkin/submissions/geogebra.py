@@ -36,8 +36,11 @@ def read_ggb(content: bytes, where: Where, limits: Limits) -> PagePicture:
     if root.tag != "geogebra" or construction is None:
         raise BrokenSubmission(where, "GeoGebra")
     elements = [element for element in construction if element.tag == "element"]
-    points = {element.get("label", ""): (element, place) for element in elements
-              if (place := _place(element)) is not None}  # fmt: skip
+    points: dict[str, tuple[Element, complex]] = {}  # none that is undefined or at infinity
+    for element in (element for element in elements if element.get("type") == "point"):
+        x, y, z = (_number(element.find("coords"), key) for key in "xyz")
+        if x is not None and y is not None and z and abs(place := complex(x, y) / z) <= 1e9:
+            points[element.get("label", "")] = element, place
     places = {label: place for label, (_, place) in points.items()}
     written = {e.get("label", ""): e.get("exp", "") for e in construction if e.tag == "expression"}
     ends = dict(_ends(construction, places, written))
@@ -66,16 +69,6 @@ def _number(element: Element | None, key: str) -> float | None:
     except ValueError:
         return None
     return value if abs(value) < 1e12 else None
-
-
-def _place(element: Element) -> complex | None:
-    """Of a point; None for one that is undefined or at infinity."""
-    if element.get("type") != "point":
-        return None
-    x, y, z = (_number(element.find("coords"), key) for key in "xyz")
-    if x is None or y is None or not z or abs(complex(x, y) / z) > 1e9:
-        return None
-    return complex(x, y) / z
 
 
 def _name(element: Element) -> str:

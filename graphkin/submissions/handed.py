@@ -191,11 +191,17 @@ def _is_class_table(names: list[str]) -> bool:
 
 def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:
     """The files of each hand-in, in the order of the first of each; of a large class hardly more is held than names."""
-    root, shared = _root(names), _shared_folders(names)
+    root, shared, kinds = _root(names), set[int](), set[int]()
+    for name in names:  # a folder with several files of one kind is a class's; a student's has answers and a drawing
+        file, folder = PurePosixPath(name), name.rpartition("/")[0]
+        kind = hash((folder, file.suffix.lower(), position_of(file.stem)[1]))
+        shared |= {hash(folder)} if kind in kinds else set()
+        kinds.add(kind)
 
     def of(k: int) -> Owner:
         return owner(names[k], root, alone=hash(names[k].rpartition("/")[0]) in shared)
 
+    del kinds
     number: dict[int, int] = {}
     groups = np.fromiter((number.setdefault(hash(of(k).group), len(number)) for k in range(len(names))), np.int64)
     del number
@@ -206,19 +212,6 @@ def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:
         numbers = order[start:end].tolist()
         yield of(numbers[0]), numbers
         start = end
-
-
-def _shared_folders(names: list[str]) -> set[int]:
-    """Folders with several files of one kind: a class's, while a student's own has answers and a drawing."""
-    seen: set[int] = set()
-    shared: set[int] = set()
-    for name in names:
-        path, folder = PurePosixPath(name), name.rpartition("/")[0]
-        kind = hash((folder, path.suffix.lower(), position_of(path.stem)[1]))
-        if kind in seen:
-            shared.add(hash(folder))
-        seen.add(kind)
-    return shared
 
 
 def _root(names: list[str]) -> str:

@@ -173,7 +173,8 @@ def unit_named(text: str) -> str:
 PAPER: Mapping[str, float] = {"mm": 1.0, "cm": 10.0, "in": 25.4}
 """Units of lengths on paper in mm: such a length becomes a velocity or an acceleration by its scale."""
 _DIMENSIONS: Mapping[Plane, Dimension] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
-_SI: Mapping[str, Plane] = {"m/s": "velocity", "m/s^2": "acceleration"}
+PLANES: Mapping[str, Plane] = {"m/s": "velocity", "m/s^2": "acceleration"}
+"""The polygon in which a quantity of a unit is drawn."""
 _NAMES: Mapping[str, Plane] = {
     "l": "position", "s": "position", "length": "position", "position": "position", "长度": "position",
     "v": "velocity", "velocity": "velocity", "速度": "velocity",
@@ -190,11 +191,6 @@ def plane_named(text: str) -> Plane | None:
     """The plane whose scale a name is: `mu_v`, `μa`, `scales.velocity`, `velocity scale`, `速度比例尺`."""
     match = _KEY.fullmatch(re.sub(r"[{}\\$]", "", plain(text[:60])).strip().lower())
     return _NAMES[next(name for name in match.groups() if name)] if match is not None else None
-
-
-def plane_of(si: str) -> Plane | None:
-    """The polygon in which a quantity of this unit is drawn."""
-    return _SI.get(si)
 
 
 def stated_by(mechanism: Mechanism) -> dict[Plane, float]:

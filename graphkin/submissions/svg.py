@@ -113,7 +113,15 @@ class _SvgReader:
                 inner = inner.then(Affine(box.a / _PX, 0.0, 0.0, box.d / _PX, box.e / _PX, box.f / _PX))
             yield from self.walk(element, affine.then(inner), kind, depth + 1)
         elif name == "use":
-            yield from self._copy(element, affine, kind, depth)
+            self.copies += 1
+            self.limits.check(self.where, "copies", self.copies)
+            self.limits.check(self.where, "depth", depth)
+            href = element.attrib.get("href") or element.attrib.get(_HREF, "")
+            target, moved = self.by_id.get(href.removeprefix("#")), affine.then(_shift(element.attrib))
+            if target is not None and _name(target) == "symbol":
+                yield from self.walk(target, moved, _typed(target, kind), depth + 1)
+            elif target is not None:
+                yield from self.mark(target, moved, kind, depth + 1)
         elif name == "text":
             lines = [child for child in element if _name(child) == "tspan" and child.get(_ROLE) == "line"]
             for line in lines if len(lines) > 1 else [element]:
@@ -129,20 +137,6 @@ class _SvgReader:
             if len(pieces) == 1:
                 self.arrows.append(PictureArrow(_named(element)[0], *pieces[0]))
             yield pieces
-
-    def _copy(self, element: Element, affine: Affine, kind: _Type, depth: int) -> Iterator[_Mark]:
-        self.copies += 1
-        self.limits.check(self.where, "copies", self.copies)
-        self.limits.check(self.where, "depth", depth)
-        href = element.attrib.get("href") or element.attrib.get(_HREF, "")
-        target = self.by_id.get(href.removeprefix("#"))
-        if target is None:
-            return
-        moved = affine.then(_shift(element.attrib))
-        if _name(target) == "symbol":
-            yield from self.walk(target, moved, _typed(target, kind), depth + 1)
-        else:
-            yield from self.mark(target, moved, kind, depth + 1)
 
 
 def _name(element: Element) -> str:

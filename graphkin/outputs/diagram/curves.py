@@ -79,17 +79,16 @@ class Curves:
 
     def unbounded(self, k: int) -> tuple[bool, bool]:
         """True where a curve grows without bound, towards the low and the high end of what is shown."""
-        return self._growing(k, self.low), self._growing(k, self.high)
-
-    def _growing(self, k: int, end: float) -> bool:
-        size = self.high - self.low
-        part = np.abs(self.t - end) / size
-        values = np.abs(self.series[k].signed)
-        known = np.isfinite(values) & (part < 1e-3)
-        if not known.any() or not any(abs(end - stop.at) <= 1e-6 * size for stop in self.course.path.stops):
-            return False
-        nearest, farther = values[known & (part < 1e-6)], values[known & (part > 1e-4)]
-        return bool(nearest.size and farther.size and nearest.max() > 2 * farther.max())
+        size, values = self.high - self.low, np.abs(self.series[k].signed)
+        growing = []
+        for end in (self.low, self.high):
+            part = np.abs(self.t - end) / size
+            known = np.isfinite(values) & (part < 1e-3)
+            stops = any(abs(end - stop.at) <= 1e-6 * size for stop in self.course.path.stops)
+            nearest, farther = values[known & (part < 1e-6)], values[known & (part > 1e-4)]
+            seen = stops and nearest.size and farther.size
+            growing.append(bool(seen and nearest.max() > 2 * farther.max()))
+        return growing[0], growing[1]
 
     def bounds(self, k: int) -> tuple[float, float]:
         """The least and greatest value to be shown; where a curve grows without bound, some of the growth."""
@@ -129,9 +128,18 @@ class Curves:
     def _highest(self, k: int, heights: Array, there: Array, rounding: float) -> int | None:
         """The first of the highest places; where a curve rises without bound, the highest of its summits, if any."""
         at = int(np.flatnonzero(heights >= heights.max() - rounding)[0])
-        if self._is_peak(k, at, there):
+        # an end of what is shown counts where the curve stops there, not where it goes on round or without bound
+        grows, values = self.unbounded(k), self.series[k].signed[there]
+        if 0 < at < there.size - 1:
+            ends = [end for end, without_bound in zip((self.low, self.high), grows, strict=True) if without_bound]
+            is_peak = all(abs(self.t[there[at]] - end) > 1e-3 * (self.high - self.low) for end in ends)
+        elif self.course.full_turn and self.high - self.low > TURN - 1e-9:
+            is_peak = bool(abs(values[0] - values[-1]) < 1e-6 * np.ptp(values))
+        else:
+            is_peak = not grows[0 if at == 0 else 1]
+        if is_peak:
             return at
-        if not any(self.unbounded(k)):
+        if not any(grows):
             return None
         rise = np.diff(heights)
         summits = 1 + np.flatnonzero((rise[:-1] > 0) & (rise[1:] <= 0))
@@ -145,17 +153,6 @@ class Curves:
         unit = self.series[k].unit
         same = [j for j, entry in enumerate(self.series) if entry.unit == unit]
         return max((abs(end) for j in same for end in self.bounds(j)), default=0.0)
-
-    def _is_peak(self, k: int, at: int, there: Array) -> bool:
-        """An end of what is shown counts where the curve stops there, not where it goes on round or without bound."""
-        if 0 < at < there.size - 1:
-            t = self.t[there[at]]
-            ends = [end for end, grows in zip((self.low, self.high), self.unbounded(k), strict=True) if grows]
-            return all(abs(t - end) > 1e-3 * (self.high - self.low) for end in ends)
-        values = self.series[k].signed[there]
-        if self.course.full_turn and self.high - self.low > TURN - 1e-9:
-            return bool(abs(values[0] - values[-1]) < 1e-6 * np.ptp(values))
-        return not self.unbounded(k)[0 if at == 0 else 1]
 
     def _polished(self, brackets: Sequence[tuple[int, int, float, float]]) -> list[Peak]:
         """All of them closed in on together: each round looks at some positions in every bracket."""

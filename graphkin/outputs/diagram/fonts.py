@@ -20,9 +20,7 @@ _CHINESE = (
 _FILES = re.compile(r"cjk|source ?han|song|simsun|simhei|msyh|pingfang|uming|wqy|droidsansfallback|notos\w+sc", re.I)
 _WIDE = re.compile("[\u2e80-\u9fff\uf900-\ufaff\uff00-\uffef\u3000-\u303f]")
 _MATHS = re.compile("[ -~θωαμφ′−×]*")  # letters that stand in mathematics; names in others are written plainly
-_RELATIONS = {
-    " = ": "=", " + ": "+", "θ": r"\theta", "ω": r"\omega", "α": r"\alpha", "μ": r"\mu", "φ": r"\varphi",
-}  # fmt: skip
+_RELATIONS = {" = ": "=", " + ": "+", "θ": r"\theta", "ω": r"\omega", "α": r"\alpha", "μ": r"\mu", "φ": r"\varphi"}
 _SIGNS = {" ": r"\ ", "-": r"\text{-}", "_": r"\_", "/": "/"}
 
 

@@ -158,23 +158,17 @@ def arrange(
         for k, note in enumerate(notes):
             others = [box for j, box in sorted(boxes.items()) if j != k]
             others += [*occupied, *(dot for j, dot in enumerate(dots) if j != k)]
-            boxes[k] = _best(note, curves, others, frame, point)
+            least = math.inf
+            for cost, box in sorted(_tried(note, frame, point), key=lambda entry: entry[0]):
+                if cost >= least:
+                    break
+                wide = box.padded(GAP * point)
+                cost += ON_A_NOTE * sum(bool(wide.overlaps(other)) for other in others)
+                if cost < least:
+                    cost += ON_A_CURVE * sum(bool(path.intersects_bbox(wide, filled=False)) for path in curves)
+                if cost < least:
+                    boxes[k], least = box, cost
     return [(boxes[k], _distance(note.at, boxes[k]) > FAR * point) for k, note in enumerate(notes)]
-
-
-def _best(note: Note, curves: Sequence[Path], others: Sequence[Bbox], frame: Bbox, point: float) -> Bbox:
-    best, least = None, math.inf
-    for cost, box in sorted(_tried(note, frame, point), key=lambda entry: entry[0]):
-        if cost >= least:
-            break
-        wide = box.padded(GAP * point)
-        cost += ON_A_NOTE * sum(bool(wide.overlaps(other)) for other in others)
-        if cost < least:
-            cost += ON_A_CURVE * sum(bool(path.intersects_bbox(wide, filled=False)) for path in curves)
-        if cost < least:
-            best, least = box, cost
-    assert best is not None
-    return best
 
 
 def _tried(note: Note, frame: Bbox, point: float) -> Iterator[tuple[float, Bbox]]:

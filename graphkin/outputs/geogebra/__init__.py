@@ -135,9 +135,7 @@ def _links(method: Method, state: GeogebraState, plot: Plot) -> None:
 
 def _notes(method: Method, plot: Plot, state: GeogebraState, origins: Mapping[Plane, complex]) -> None:
     """The scales, and how every link turns, over the polygons."""
-    heights = {
-        plane: [place(at).imag / state.scales[plane] for at in plot.points(plane).values()] for plane in PLANES
-    }
+    heights = {plane: [place(at).imag / state.scales[plane] for at in plot.points(plane).values()] for plane in PLANES}
     for plane in PLANES:
         at = complex(origins[plane].real, origins[plane].imag + max(heights[plane]) + _GAP / 2)
         scale = f"μ_{LETTERS[plane]} = {state.scales[plane]:.6g} {UNITS[plane]}"

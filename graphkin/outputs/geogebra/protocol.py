@@ -110,11 +110,6 @@ class FormulaPair:
         return minus(product(self.x, other.y), product(self.y, other.x))
 
     @property
-    def square(self) -> str:
-        """The square of its length."""
-        return self.dot(self)
-
-    @property
     def angle(self) -> str:
         """Its direction [rad], between -90 and 270 deg."""
         return f"atan({grouped(self.y)} / {grouped(self.x)}) + If[{self.x} < 0, pi, 0]"

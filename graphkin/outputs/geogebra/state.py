@@ -153,7 +153,7 @@ class GeogebraState:
             line = line.times("-1")
         fixed = self.span(span, without=slide)
         offset = self.protocol.number(line.cross(fixed))
-        half = f"sqrt({arm.square} - {offset}^2)"
+        half = f"sqrt({arm.dot(arm)} - {offset}^2)"
         self.displace(0, slide, minus(product(str(side), half), line.dot(fixed)))
         return minus(arm.angle, self.bound(self.span(span)).angle)
 

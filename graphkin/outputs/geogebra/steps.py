@@ -186,7 +186,7 @@ class Draughtsman:
             along, across = self.state.direction(line.direction)
             return self.protocol.line(self.points[line.through], self.protocol.direction(along.point), across=across)
         radius = self.state.bound(self.state.span(line.reach))
-        return self.protocol.circle(self.points[line.about], f"sqrt({radius.square}) / {value(self.scale)}")
+        return self.protocol.circle(self.points[line.about], f"sqrt({radius.dot(radius)}) / {value(self.scale)}")
 
     def _image(self, step: kinds.Image) -> None:
         """The first point, and the known side turned and stretched as the link has it."""
@@ -198,7 +198,7 @@ class Draughtsman:
         else:
             side, arm = (self.state.bound(self.state.arm(first, other)) for other in (second, third))
             turn = FormulaPair(side.dot(arm), side.cross(arm))
-            ratio = self.state.bound(turn.times(f"1 / {grouped(side.square)}"))
+            ratio = self.state.bound(turn.times(f"1 / {grouped(side.dot(side))}"))
         self._point(step.point, f"{start} + {FormulaPair.between(start, end).by(ratio).point}")
 
     def _touch(self, step: kinds.Touch) -> None:
@@ -218,7 +218,7 @@ class Draughtsman:
             state.settle(0, state.base(step.of), minus(arrow.angle, span.angle))
         elif step.quantity in ("omega", "alpha"):
             arm = state.bound(state.arm(*step.lever))
-            rate = f"{product(value(self.scale), arm.cross(arrow))} / {grouped(arm.square)}"
+            rate = f"{product(value(self.scale), arm.cross(arrow))} / {grouped(arm.dot(arm))}"
             state.settle(self.order, state.base(step.of), minus(rate, state.relative(step.of, self.order)))
         else:
             along = state.guide(step.of).dot(arrow)
