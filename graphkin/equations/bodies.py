@@ -98,7 +98,17 @@ class Bodies:
         """From one body to all that keep their angle to it, or are driven against it."""
         self.angles[start], self.base[start], queue = angle, base, [start]
         for body in queue:
-            for other, angle_of_other in self._held(body).items():
+            held: list[tuple[str, Callable[[], AngleSum]]] = []  # all that a slide or a driver holds against it
+            for slide in self.structure.slides.values():
+                block = self.structure.block(slide)
+                if body in (slide.guide, block):
+                    other, sign = (block, 1) if body == slide.guide else (slide.guide, -1)
+                    held.append((other, partial(self._slid, body, slide, sign)))
+            for number, driver in enumerate(self.structure.mechanism.drivers):
+                if driver.kind != "slide" and body in (driver.link, driver.from_link):
+                    other, sign = (driver.link, 1) if body == driver.from_link else (driver.from_link, -1)
+                    held.append((other, partial(self._driven, body, other, number, sign)))
+            for other, angle_of_other in held:
                 if other not in self.angles:
                     self.angles[other] = angle_of_other()
                     self.base[other] = base
@@ -106,20 +116,6 @@ class Bodies:
                     moving = self.angles[other].moving and not self.structure.is_pin(other)
                     if moving and other not in self._with_symbol:  # its own θ is a name for that sum
                         self.legend.alias[self._theta(other, steady=False)] = self.angles[other]
-
-    def _held(self, body: str) -> dict[str, Callable[[], AngleSum]]:
-        """Makers of the angles of all bodies that a slide or a driver holds against this one."""
-        makers: dict[str, Callable[[], AngleSum]] = {}
-        for slide in self.structure.slides.values():
-            block = self.structure.block(slide)
-            if body in (slide.guide, block):
-                other, sign = (block, 1) if body == slide.guide else (slide.guide, -1)
-                makers.setdefault(other, partial(self._slid, body, slide, sign))
-        for number, driver in enumerate(self.structure.mechanism.drivers):
-            if driver.kind != "slide" and body in (driver.link, driver.from_link):
-                other, sign = (driver.link, 1) if body == driver.from_link else (driver.from_link, -1)
-                makers.setdefault(other, partial(self._driven, body, other, number, sign))
-        return makers
 
     def _theta(self, body: str, steady: bool) -> Symbol:
         symbol = self.legend.fresh("θ", self.called(body), "angle", steady)

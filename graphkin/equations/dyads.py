@@ -120,8 +120,14 @@ class Solver:
 
     def write(self, split: Split) -> None:
         match len(split.angles), len(split.slides):
-            case 2, 0:
-                self._two_angles(split)
+            case 2, 0:  # RRR: |U|² = |V e^(iθ) + K|², which is A sin θ + B cos θ + C = 0
+                other, angle = split.angles
+                lever, arm, known = split.lever(other), split.lever(angle), split.known
+                turned = known.conjugate * arm
+                self.page.say("equations.eliminate angle", other=Letter(other), angle=Letter(angle))
+                rest = squared(lever) - squared(arm) - squared(known)
+                self._half_angle(angle, turned.imag.times(2.0), turned.real.times(-2.0), rest)
+                self._direction(other, lever, known + arm * unit_vector(AngleSum.of(angle)))
             case 1, 1 if split.turns_with:
                 self._turning_slide(split)
             case 1, 1:
@@ -138,16 +144,6 @@ class Solver:
                 self._direction(split.angles[0], split.lever(split.angles[0]), split.known)
             case _:
                 raise ValueError(f"{len(split.unknowns)} unknowns of one polygon")
-
-    def _two_angles(self, split: Split) -> None:
-        """RRR: |U|² = |V e^(iθ) + K|², which is A sin θ + B cos θ + C = 0."""
-        other, angle = split.angles
-        lever, arm, known = split.lever(other), split.lever(angle), split.known
-        turned = known.conjugate * arm
-        self.page.say("equations.eliminate angle", other=Letter(other), angle=Letter(angle))
-        rest = squared(lever) - squared(arm) - squared(known)
-        self._half_angle(angle, turned.imag.times(2.0), turned.real.times(-2.0), rest)
-        self._direction(other, lever, known + arm * unit_vector(AngleSum.of(angle)))
 
     def _angle_and_slide(self, split: Split) -> None:
         """RRP: across the guide the displacement vanishes."""

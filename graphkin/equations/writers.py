@@ -73,7 +73,14 @@ def _text(part: str | Node) -> str:
 
 def _side_by_side(nodes: Sequence[Node]) -> list[str]:
     """Nodes on one line; matrices make as many lines as they have rows, the rest stands on the middle one."""
-    columns = [_matrix(node) if isinstance(node, Grid) else [in_notation(node, TEXT)] for node in nodes]
+    columns: list[list[str]] = []
+    for node in nodes:
+        column = [in_notation(node, TEXT)]
+        if isinstance(node, Grid):
+            rows = aligned([[in_notation(entry, TEXT) for entry in row] for row in node.rows], "<", "   ")
+            ends = [("⎡", "⎤"), *[("⎢", "⎥")] * (len(rows) - 2), ("⎣", "⎦")] if len(rows) > 1 else [("[", "]")]
+            column = [f"{left} {row} {right}" for (left, right), row in zip(ends, rows, strict=True)]
+        columns.append(column)
     height = max(len(column) for column in columns)
     lines = [""] * height
     for column in columns:
@@ -83,14 +90,6 @@ def _side_by_side(nodes: Sequence[Node]) -> list[str]:
             text = column[k - top] if top <= k < top + len(column) else ""
             lines[k] += (" " if lines[k] else "") + padded(text, wide)
     return [line.rstrip() for line in lines] if height == 1 else lines
-
-
-def _matrix(grid: Grid) -> list[str]:
-    rows = aligned([[in_notation(entry, TEXT) for entry in row] for row in grid.rows], "<", "   ")
-    if len(rows) == 1:
-        return [f"[ {rows[0]} ]"]
-    ends = [("⎡", "⎤"), *[("⎢", "⎥")] * (len(rows) - 2), ("⎣", "⎦")]
-    return [f"{left} {row} {right}" for (left, right), row in zip(ends, rows, strict=True)]
 
 _STYLE = """
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font-family: "Times New Roman", "Liberation Serif",

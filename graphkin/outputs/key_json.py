@@ -143,21 +143,17 @@ class _KeyReader:
             names.append(name)
             values.append(item["values"])
             scatters.append(item["scatters"])
-            together.append(self._correlations(item.get("together"), count))
+            table, text = np.full((count, count), np.nan), item.get("together")  # NaN where nothing is said
+            if text is not None:
+                rows, columns = np.triu_indices(count, 1)
+                parts = np.frombuffer(base64.b64decode(text, validate=True), dtype=np.int8) / 100
+                self._require(len(parts) == len(rows) and bool(np.all(np.abs(parts) <= 1)), "together")
+                np.fill_diagonal(table, 1.0)
+                table[rows, columns] = table[columns, rows] = parts
+            together.append(table)
         tables = self._table(values, count), self._table(scatters, count)
         self._require(not np.any(tables[1] <= 0), "mistakes")
         return Hypotheses(tuple(names), *tables, np.array(together).reshape(-1, count, count))
-
-    def _correlations(self, text: str | None, count: int) -> Array:
-        """A table of correlations; NaN where nothing is said."""
-        table = np.full((count, count), np.nan)
-        if text is not None:
-            rows, columns = np.triu_indices(count, 1)
-            values = np.frombuffer(base64.b64decode(text, validate=True), dtype=np.int8) / 100
-            self._require(len(values) == len(rows) and bool(np.all(np.abs(values) <= 1)), "together")
-            np.fill_diagonal(table, 1.0)
-            table[rows, columns] = table[columns, rows] = values
-        return table
 
     def _table(self, rows: list[list[float | None]], count: int) -> Array:
         """(rows, count); None is NaN."""

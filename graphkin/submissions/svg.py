@@ -117,10 +117,12 @@ class _SvgReader:
             self.limits.check(self.where, "copies", self.copies)
             self.limits.check(self.where, "depth", depth)
             href = element.attrib.get("href") or element.attrib.get(_HREF, "")
-            target, moved = self.by_id.get(href.removeprefix("#")), affine.then(_shift(element.attrib))
-            if target is not None and _name(target) == "symbol":
+            if (target := self.by_id.get(href.removeprefix("#"))) is None:
+                return
+            moved = affine.then(_shift(element.attrib))
+            if _name(target) == "symbol":
                 yield from self.walk(target, moved, _typed(target, kind), depth + 1)
-            elif target is not None:
+            else:
                 yield from self.mark(target, moved, kind, depth + 1)
         elif name == "text":
             lines = [child for child in element if _name(child) == "tspan" and child.get(_ROLE) == "line"]

@@ -5,7 +5,7 @@ Nothing here draws. Times of the path (`t`) are as in `graphkin.studies.sweeps`:
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
@@ -106,24 +106,20 @@ class Curves:
     @cached_property
     def peaks(self) -> tuple[tuple[Peak, ...], ...]:
         """By curve: where it is greatest and least. None of a constant, nor where a curve only runs off its end."""
-        brackets = [bracket for k in range(len(self.series)) for bracket in self._brackets(k)]
+        brackets: list[tuple[int, int, float, float]] = []  # curve, sign, from and to around its extreme sample
+        for k, values in enumerate(entry.signed for entry in self.series):
+            there, (low, high) = np.flatnonzero(np.isfinite(values)), self.bounds(k)
+            if not there.size or high - low <= ZERO * self.like(k):
+                continue
+            for sign in (1, -1):
+                at = self._highest(k, sign * values[there], there, ZERO * (high - low))
+                if at is not None:
+                    before, after = there[max(at - 1, 0)], there[min(at + 1, there.size - 1)]
+                    brackets.append((k, sign, float(self.t[before]), float(self.t[after])))
         by_curve: list[list[Peak]] = [[] for _ in self.series]
         for (owner, *_), peak in zip(brackets, self._polished(brackets) if brackets else (), strict=True):
             by_curve[owner].append(peak)
         return tuple(map(tuple, by_curve))
-
-    def _brackets(self, k: int) -> Iterator[tuple[int, int, float, float]]:
-        """(curve, sign, from, to) around its greatest and its least sampled value."""
-        values = self.series[k].signed
-        there = np.flatnonzero(np.isfinite(values))
-        low, high = self.bounds(k)
-        if not there.size or high - low <= ZERO * self.like(k):
-            return
-        for sign in (1, -1):
-            at = self._highest(k, sign * values[there], there, ZERO * (high - low))
-            if at is not None:
-                before, after = there[max(at - 1, 0)], there[min(at + 1, there.size - 1)]
-                yield k, sign, float(self.t[before]), float(self.t[after])
 
     def _highest(self, k: int, heights: Array, there: Array, rounding: float) -> int | None:
         """The first of the highest places; where a curve rises without bound, the highest of its summits, if any."""
