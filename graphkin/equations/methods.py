@@ -39,7 +39,7 @@ def _complex_sides(pretty: Pretty, polygon: ClosedPolygon, of: Sum) -> tuple[Nod
 
 def write_complex(model: Model, page: EquationPage) -> None:
     """Each polygon closed, split, derived twice, solved in closed form; then the points asked for."""
-    pretty = Pretty(model.alias)
+    pretty = Pretty(model.legend.alias)
     polygons = sum(len(task.polygons) for task in model.tasks)
     number, values = 0, model.values
     for task in model.tasks:
@@ -149,7 +149,7 @@ def _head_group(model: Model, page: EquationPage, task: Task) -> None:
 
 def write_matrix(model: Model, page: EquationPage) -> None:
     """The polygons in complex form, their components with the unknowns left, the matrices, the points asked for."""
-    pretty = Pretty(model.alias)
+    pretty = Pretty(model.legend.alias)
     if model.unknowns:
         page.head("equations.position", 3)
         page.say("equations.unknown", unknowns=listed(model.unknowns))

@@ -66,10 +66,6 @@ class Model:
     plot: Plot
 
     @property
-    def alias(self) -> Mapping[Symbol, AngleSum]:
-        return self.legend.alias
-
-    @property
     def unknowns(self) -> tuple[Symbol, ...]:
         return tuple(symbol for task in self.tasks for symbol in task.unknowns)
 
@@ -170,7 +166,8 @@ def _chain(model: Model, point: str, low: str) -> PointChain:
         goal = point if k == 0 else arrows.point_of(joints[k - 1], inner)
         total += _arm(model, inner, arrows.point_of(joint, inner), goal, low)
     # links' own angles where these follow from several others: θ3 turns at ω3, not at ω1 + ω21 + ω32
-    own = {angle.parts: (symbol, angle.quarters) for symbol, angle in model.alias.items() if len(angle.moving) > 1}
+    names = model.legend.alias.items()
+    own = {angle.parts: (symbol, angle.quarters) for symbol, angle in names if len(angle.moving) > 1}
 
     def renamed(wave: Wave) -> Wave:
         if (name := own.get(wave.angle.parts)) is None:

@@ -8,7 +8,7 @@ from math import remainder
 import numpy as np
 
 from graphkin.base.geometry import Value, place
-from graphkin.equations.document import Block, By, Document, EquationPage, FigureNode, listed, motion_of
+from graphkin.equations.document import Block, By, Document, DocumentTable, EquationPage, FigureNode, listed, motion_of
 from graphkin.equations.expressions import Symbol
 from graphkin.equations.figure import figure
 from graphkin.equations.formulas import Call, Exp, Letter, Op, Row, Word
@@ -50,7 +50,8 @@ def written(model: Model, by: By, lang: Lang) -> Document:
     values = model.values
     rows = [(Letter(symbol), entry.meaning.spoken(lang), _value(entry, values[symbol]))
             for symbol, entry in model.legend.entries.items()]  # fmt: skip
-    page.add_table((say(f"equations.{head}", lang) for head in ("symbol", "meaning", "value")), rows)
+    heads = tuple(say(f"equations.{head}", lang) for head in ("symbol", "meaning", "value"))
+    page.blocks.append(DocumentTable(heads, tuple(rows)))
     mechanism = model.method.mechanism
     title = f"{mechanism.headline(lang)}{say('common.colon', lang)}{say(f'equations.method {by}', lang)}"
     return Document(title, tuple(page.blocks), by, lang, mechanism.name)
@@ -61,12 +62,12 @@ def _write_drivers(model: Model, page: EquationPage) -> None:
     if model.drivers:
         motions = listed([node for driver in model.drivers for node in motion_of(driver)])
         page.say("equations.driver" if len(model.drivers) == 1 else "equations.drivers", drivers=motions)
-    if model.alias:
+    if model.legend.alias:
         pretty = Pretty({})
         page.say("equations.fixed angles")
-        page.show(*((Letter(name), pretty.angle(angle)) for name, angle in model.alias.items()))
+        page.show(*((Letter(name), pretty.angle(angle)) for name, angle in model.legend.alias.items()))
         page.say("equations.same rates")
-        rates = {name: turning_part(angle).rate for name, angle in model.alias.items()}
+        rates = {name: turning_part(angle).rate for name, angle in model.legend.alias.items()}
         velocities = [(Letter(name.derivative(1)), pretty.sum(rate)) for name, rate in rates.items()]
         accelerations = [(Letter(name.derivative(2)), pretty.sum(rate.rate)) for name, rate in rates.items()]
         page.show(*velocities, *accelerations)

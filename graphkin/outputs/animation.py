@@ -61,7 +61,18 @@ def _rows(frames: Sequence[Sequence[Mark]]) -> list[Row]:
                 at = max(at, order.index(key))
             at += 1
             rows[key][number] = mark
-    return [_aligned(rows[key]) for key in order]
+    for row in rows.values():
+        before: Sequence[complex] = ()
+        for k, each in enumerate(row):
+            if isinstance(each, Stroke):  # an end or a corner stays the first where it is drawn from another one now
+                if before and each.places != before:
+                    starts = range(len(each.places) if each.closed else 1)
+                    turned = [(*each.places[start:], *each.places[:start]) for start in starts]
+                    turned += [places[::-1] for places in turned]
+                    off = [sum(abs(a - b) for a, b in zip(places, before, strict=True)) for places in turned]
+                    row[k] = each = replace(each, places=turned[off.index(min(off))])
+                before = each.places
+    return [rows[key] for key in order]
 
 
 def _kind(mark: Mark) -> tuple[object, ...]:
@@ -81,21 +92,6 @@ def _kind(mark: Mark) -> tuple[object, ...]:
             return "point", mark.plane, mark.name, mark.fill
         case _:
             assert_never(mark)
-
-
-def _aligned(row: Row) -> Row:
-    """A line's ends, and an outline's first corner, as they were before, where it is drawn from another one now."""
-    before: Sequence[complex] = ()
-    for k, mark in enumerate(row):
-        if isinstance(mark, Stroke):
-            if before and mark.places != before:
-                starts = range(len(mark.places) if mark.closed else 1)
-                turned = [(*mark.places[start:], *mark.places[:start]) for start in starts]
-                turned += [places[::-1] for places in turned]
-                off = [sum(abs(a - b) for a, b in zip(places, before, strict=True)) for places in turned]
-                row[k] = mark = replace(mark, places=turned[off.index(min(off))])
-            before = mark.places
-    return row
 
 
 def _element(pen: SvgPen, layer: Layer, row: Row, seconds: float) -> ET.Element:

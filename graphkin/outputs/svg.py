@@ -170,22 +170,13 @@ class SvgPen:
                 assert_never(mark)
 
     def _vector(self, mark: VectorMark, colour: str) -> Form:
+        """A line and its size in words; the head's tip lies on the line, so far from its end, small on short arrows."""
         form = _line(mark.start, mark.end)
-        if mark.length > 0.05:
-            form["marker-end"] = f"url(#{self._head(mark, colour)})"
-        if mark.plane not in self.sheet.scales:
-            return "line", form, ""
-        size = mark.length * next(scale for plane, scale in self.sheet.scales.items() if plane == mark.plane)
-        value = f"{size:.4g}" if mark.length > 0.0001 else "0"  # v_B3 = v_C = 0.2712 m/s
-        title = f"{' = '.join((mark.name, *mark.also))} = {value} {'m/s' if mark.plane == 'velocity' else 'm/s²'}"
-        return "line", form, [_element("title", {}, title)]
-
-    def _head(self, mark: VectorMark, colour: str) -> str:
-        """The name of an arrow head whose tip lies on the line, so far from its end; on short arrows it is small."""
-        part = 1.0 if mark.length > 1.6 * _TIP + mark.back else 0.5
-        back = min(mark.back, 0.4 * mark.length)
+        part, back = 1.0 if mark.length > 1.6 * _TIP + mark.back else 0.5, min(mark.back, 0.4 * mark.length)
         name = "-".join(filter(None, ("tip", colour.strip("#"), mm(10 * part), mm(back), mark.half)))
-        if name not in self.heads:
+        if mark.length > 0.05:
+            form["marker-end"] = f"url(#{name})"
+        if mark.length > 0.05 and name not in self.heads:
             self.heads.add(name)
             head = self.drawing.marker(
                 id=name, insert=(mm(_TIP + back / part), "0.7"), size=(mm(_TIP * part), mm(1.4 * part)), orient="auto",
@@ -193,7 +184,12 @@ class SvgPen:
             )  # fmt: skip
             head.add(self.drawing.path(d=_HEADS[mark.half], fill=colour, stroke="none"))
             self.drawing.defs.add(head)
-        return name
+        if mark.plane not in self.sheet.scales:
+            return "line", form, ""
+        size = mark.length * next(scale for plane, scale in self.sheet.scales.items() if plane == mark.plane)
+        value = f"{size:.4g}" if mark.length > 0.0001 else "0"  # v_B3 = v_C = 0.2712 m/s
+        title = f"{' = '.join((mark.name, *mark.also))} = {value} {'m/s' if mark.plane == 'velocity' else 'm/s²'}"
+        return "line", form, [_element("title", {}, title)]
 
 
 class Ready:

@@ -39,7 +39,6 @@ _LENGTHS, _AGREE = 3, 2 / 3
 
 Pair = tuple[str, str]
 Points = Mapping[tuple[Plane, str], complex]
-Measured = tuple[dict[str, HandedValue], MeasuredDrawing, list[GraphkinError]]
 
 
 def picture_of(name: str, content: bytes, where: Where, limits: Limits) -> PagePicture:
@@ -68,7 +67,7 @@ class _PaperScale:
 def measured(
     name: str, content: bytes, where: Where, asked: ReadableProblem, stated: Mapping[Plane, float],
     questions: Questions, limits: Limits,
-) -> Measured:  # fmt: skip
+) -> tuple[dict[str, HandedValue], MeasuredDrawing, list[GraphkinError]]:  # fmt: skip
     """The vectors of a drawing's polygons, and what else is written on it. Raises what `picture_of` does, NoLetters."""
     picture = picture_of(name, content, where, limits)
     shapes = polygons(asked.mechanism, questions)

@@ -61,8 +61,15 @@ class _DxfReader:
         if entity.dxf.get("layer", "0").lower() in self.hidden or entity.dxf.get("invisible", 0):
             return
         match entity.dxftype():
-            case "INSERT":
-                yield from self._block(entity, depth)
+            case "INSERT":  # the marks of a block where it is put, its attributes too
+                if depth > min(self.limits.depth, 20):
+                    raise TooMuch(self.where, "depth", min(self.limits.depth, 20))
+                self.limits.check(self.where, "copies", entity.mcount)
+                for single in entity.multi_insert() if entity.mcount > 1 else (entity,):
+                    for inner in single.virtual_entities():
+                        yield from self._marks(inner, depth + 1)
+                for attribute in entity.attribs:
+                    yield from self._marks(attribute, depth + 1)
             case "LINE":
                 yield self._place(entity.dxf.start), self._place(entity.dxf.end)
             case "LWPOLYLINE" | "POLYLINE":
@@ -78,17 +85,6 @@ class _DxfReader:
                 yield from self._mtext(entity)
             case _:
                 pass
-
-    def _block(self, insert: _Dxf, depth: int) -> Iterator[_Mark]:
-        """The marks of a block where it is put, its attributes too."""
-        if depth > min(self.limits.depth, 20):
-            raise TooMuch(self.where, "depth", min(self.limits.depth, 20))
-        self.limits.check(self.where, "copies", insert.mcount)
-        for single in insert.multi_insert() if insert.mcount > 1 else (insert,):
-            for entity in single.virtual_entities():
-                yield from self._marks(entity, depth + 1)
-        for attribute in insert.attribs:
-            yield from self._marks(attribute, depth + 1)
 
     def _place(self, point: _Dxf) -> complex:
         place = complex(point.x, point.y) * self.mm

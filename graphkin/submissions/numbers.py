@@ -98,9 +98,9 @@ def _in_si(text: str, value: WrittenNumber, dimension: Dimension | None, unit: s
         raise SenseDisputed(NOWHERE, text[:LONGEST])
     sized = abs(value.number) * (-1 if sense == "cw" else 1) if sense else value.number
     name = unit_named(value.unit or unit)
+    if dimension is None and name:
+        raise NotAnAnswer(NOWHERE, text[:LONGEST])
     if dimension is None:
-        if name:
-            raise NotAnAnswer(NOWHERE, text[:LONGEST])
         return HandedValue(text, read_quantity(sized, "velocity"), sense)
     shown = name.replace("²", "^2")
     try:

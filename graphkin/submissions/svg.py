@@ -132,13 +132,16 @@ class _SvgReader:
             x, y = (length(element.attrib.get(key, "0")) for key in ("cx", "cy"))
             yield Dot(affine(x, y), *_named(element))
         elif name in _LINES and is_plain(name, element.attrib):
-            runs = [[affine(z.real, z.imag) for z in run] for run in outline(name, element.attrib)]
-            pieces = [(a, b) for run in runs for a, b in pairwise(run) if a != b]
-            self.pieces += len(pieces)
-            self.limits.check(self.where, "elements", self.pieces)
-            if len(pieces) == 1:
-                self.arrows.append(PictureArrow(_named(element)[0], *pieces[0]))
-            yield pieces
+            yield self._line(name, element, affine)
+
+    def _line(self, name: str, element: Element, affine: Affine) -> list[tuple[complex, complex]]:
+        runs = [[affine(z.real, z.imag) for z in run] for run in outline(name, element.attrib)]
+        pieces = [(a, b) for run in runs for a, b in pairwise(run) if a != b]
+        self.pieces += len(pieces)
+        self.limits.check(self.where, "elements", self.pieces)
+        if len(pieces) == 1:
+            self.arrows.append(PictureArrow(_named(element)[0], *pieces[0]))
+        return pieces
 
 
 def _name(element: Element) -> str:
