@@ -17,7 +17,7 @@ from itertools import count
 from graphkin.analytic import Motion
 from graphkin.equations.expressions import NO_ANGLE, AngleSum, Symbol
 from graphkin.equations.legend import Legend, angle_readers, difference
-from graphkin.model.mechanism import FRAME, Driver
+from graphkin.model.mechanism import FRAME
 from graphkin.model.pairs import Slide
 from graphkin.planning.structure import Topology
 from graphkin.say.catalogue import Meaning, meaning
@@ -98,28 +98,24 @@ class Bodies:
         """From one body to all that keep their angle to it, or are driven against it."""
         self.angles[start], self.base[start], queue = angle, base, [start]
         for body in queue:
-            for other, angle_of_other in self._held(body).items():
+            held: list[tuple[str, Callable[[], AngleSum]]] = []  # all that a slide or a driver holds against it
+            for slide in self.structure.slides.values():
+                block = self.structure.block(slide)
+                if body in (slide.guide, block):
+                    other, sign = (block, 1) if body == slide.guide else (slide.guide, -1)
+                    held.append((other, partial(self._slid, body, slide, sign)))
+            for number, driver in enumerate(self.structure.mechanism.drivers):
+                if driver.kind != "slide" and body in (driver.link, driver.from_link):
+                    other, sign = (driver.link, 1) if body == driver.from_link else (driver.from_link, -1)
+                    held.append((other, partial(self._driven, body, other, number, sign)))
+            for other, angle_of_other in held:
                 if other not in self.angles:
                     self.angles[other] = angle_of_other()
                     self.base[other] = base
                     queue.append(other)
-                    self._add_alias(other)
-
-    def _held(self, body: str) -> dict[str, Callable[[], AngleSum]]:
-        """Makers of the angles of all bodies that a slide or a driver holds against this one."""
-        makers: dict[str, Callable[[], AngleSum]] = {}
-        for slide in self.structure.slides.values():
-            block = self.structure.block(slide)
-            if body in (slide.guide, block):
-                other, sign = (block, 1) if body == slide.guide else (slide.guide, -1)
-                makers.setdefault(other, partial(self._slid, body, slide, sign))
-        for number, driver in enumerate(self.structure.mechanism.drivers):
-            if driver.kind != "slide" and body in (driver.link, driver.from_link):
-                other, sign = (driver.link, 1) if body == driver.from_link else (driver.from_link, -1)
-                makers.setdefault(other, partial(self._driven, body, other, number, sign))
-        return makers
-
-    # --- symbols -------------------------------------------------------------------------------
+                    moving = self.angles[other].moving and not self.structure.is_pin(other)
+                    if moving and other not in self._with_symbol:  # its own θ is a name for that sum
+                        self.legend.alias[self._theta(other, steady=False)] = self.angles[other]
 
     def _theta(self, body: str, steady: bool) -> Symbol:
         symbol = self.legend.fresh("θ", self.called(body), "angle", steady)
@@ -127,8 +123,13 @@ class Bodies:
         readers = angle_readers(self.structure, body, self.motion)
         return self.legend.variable(symbol, texts, ("deg", "rad/s", "rad/s^2"), readers)
 
-    def _relative_angle(self, driver: Driver) -> Symbol:
-        """θ21 of a driver between two moving links."""
+    def _driven(self, body: str, other: str, number: int, sign: int) -> AngleSum:
+        """The angle of `other` that a driver gives: its own θ where `body` stands still, else θ21."""
+        driver = self.structure.mechanism.drivers[number]
+        if not self.angles[body].moving:
+            self.drivers[number] = self._theta(other, driver.acceleration == 0)
+            self._with_symbol.add(other)
+            return AngleSum.of(self.drivers[number])
         names = self.called(driver.link), self.called(driver.from_link)
         low = "".join(names) if all(len(name) == 1 for name in names) else "/".join(names)
         symbol = self.legend.fresh("θ", low, "angle", driver.acceleration == 0)
@@ -138,17 +139,9 @@ class Bodies:
             words |= {"vector": "".join(driver.vector), "seen": "".join(driver.from_vector)}
             degrees = f"{math.degrees(driver.value):.6g}"
             angle = meaning("equations.relative direction given", **words, angle=degrees)
-        both = (angle_readers(self.structure, body, self.motion) for body in (driver.link, driver.from_link))
-        return self.legend.variable(symbol, (angle, *rates), ("deg", "rad/s", "rad/s^2"), difference(*both))
-
-    def _driven(self, body: str, other: str, number: int, sign: int) -> AngleSum:
-        """The angle of `other` that a driver gives: its own θ where `body` stands still, else θ21."""
-        driver = self.structure.mechanism.drivers[number]
-        if not self.angles[body].moving:
-            self.drivers[number] = self._theta(other, driver.acceleration == 0)
-            self._with_symbol.add(other)
-            return AngleSum.of(self.drivers[number])
-        self.drivers[number] = self._relative_angle(driver)
+        both = (angle_readers(self.structure, link, self.motion) for link in (driver.link, driver.from_link))
+        readers = difference(*both)
+        self.drivers[number] = self.legend.variable(symbol, (angle, *rates), ("deg", "rad/s", "rad/s^2"), readers)
         turn = AngleSum.of(self.drivers[number])
         return self.angles[body] + (turn if sign == 1 else -turn)
 
@@ -177,9 +170,3 @@ class Bodies:
         if (count := quarters(value)) is not None:
             return AngleSum((), count)
         return AngleSum.of(self.legend.constant(letter, low, text, "deg", math.remainder(value, math.tau)))
-
-    def _add_alias(self, body: str) -> None:
-        """A link whose angle follows from others has a θ of its own: a name for that sum."""
-        angle = self.angles[body]
-        if not self.structure.is_pin(body) and angle.moving and body not in self._with_symbol:
-            self.legend.alias[self._theta(body, steady=False)] = angle

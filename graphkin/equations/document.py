@@ -91,9 +91,6 @@ class EquationPage:
         self.shown += 1
         self.blocks.append(Display(tuple(tuple(row) for row in rows), self.shown))
 
-    def add_table(self, heads: Iterable[str], rows: Iterable[Iterable[Cell]]) -> None:
-        self.blocks.append(DocumentTable(tuple(heads), tuple(tuple(row) for row in rows)))
-
     def say_derived(self, sums: Iterable[Sum], again: bool = False) -> None:
         """The sentence before a second derivative, with the rates that are zero in it: `.., with α1 = 0`."""
         pushes = (without_push(symbol) for of in sums for symbol in of.moving)

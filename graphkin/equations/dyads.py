@@ -58,9 +58,6 @@ class Split:
         return bool(self.angles and self.slides and self.slid(self.slides[0]).angle.has(self.angles[0]))
 
 
-# --- rates ------------------------------------------------------------------------------------
-
-
 @frozen
 class RateQuotient:
     """symbol = top / bottom."""
@@ -80,11 +77,9 @@ class RateQuotient:
 
 
 def quotients(split: Split, order: int) -> Iterator[RateQuotient]:
-    """The first (order 1) or second (2) derivatives of the unknowns: (3-13), (3-14), (3-16), (3-17) for every dyad.
-
-    The polygon derived is linear in them: c1 x1 + c2 x2 + rest = 0 with plane vectors c. Multiplied crosswise by c2
-    it gives x1. A displacement beside an angle is projected on its own line, as the angle's rate is known by then.
-    """
+    """The first (order 1) or second (2) derivatives of the unknowns: (3-13), (3-14), (3-16), (3-17) for every dyad. The
+    polygon derived is linear in them: c1 x1 + c2 x2 + rest = 0 with plane vectors c. Multiplied crosswise by c2 it
+    gives x1. A displacement beside an angle is projected on its own line, as the angle's rate is known by then."""
     derived = split.sum.rate if order == 1 else split.sum.rate.rate
     unknowns = (*split.angles, *split.slides)
     rates = {symbol: symbol.derivative(order) for symbol in unknowns}
@@ -109,9 +104,6 @@ def _unit_along(column: Sum) -> Sum:
     return column if column.only is None else unit_vector(column.only.angle)
 
 
-# --- positions --------------------------------------------------------------------------------
-
-
 @frozen
 class Solver:
     """Writes the positions of one polygon's unknowns on a page: the equation left, its two roots and the sign taken.
@@ -128,28 +120,30 @@ class Solver:
 
     def write(self, split: Split) -> None:
         match len(split.angles), len(split.slides):
-            case 2, 0:
-                self._two_angles(split)
+            case 2, 0:  # RRR: |U|² = |V e^(iθ) + K|², which is A sin θ + B cos θ + C = 0
+                other, angle = split.angles
+                lever, arm, known = split.lever(other), split.lever(angle), split.known
+                turned = known.conjugate * arm
+                self.page.say("equations.eliminate angle", other=Letter(other), angle=Letter(angle))
+                rest = squared(lever) - squared(arm) - squared(known)
+                self._half_angle(angle, turned.imag.times(2.0), turned.real.times(-2.0), rest)
+                self._direction(other, lever, known + arm * unit_vector(AngleSum.of(angle)))
             case 1, 1 if split.turns_with:
                 self._turning_slide(split)
             case 1, 1:
                 self._angle_and_slide(split)
-            case 0, 2:
-                self._two_slides(split)
+            case 0, 2:  # both directions are known: each displacement across the other's line
+                self.page.say("equations.each across")
+                rows = []
+                for slide, other in (split.slides, split.slides[::-1]):
+                    across, term = unit_vector(split.slid(other).angle), split.slid(slide)
+                    bottom = cross(across, unit_vector(term.angle)).times(term.factor)
+                    rows.append((Letter(slide), self.pretty.quotient(-cross(across, split.known), bottom)))
+                self.page.show(*rows)
             case 1, 0:
                 self._direction(split.angles[0], split.lever(split.angles[0]), split.known)
             case _:
                 raise ValueError(f"{len(split.unknowns)} unknowns of one polygon")
-
-    def _two_angles(self, split: Split) -> None:
-        """RRR: |U|² = |V e^(iθ) + K|², which is A sin θ + B cos θ + C = 0."""
-        other, angle = split.angles
-        lever, arm, known = split.lever(other), split.lever(angle), split.known
-        turned = known.conjugate * arm
-        self.page.say("equations.eliminate angle", other=Letter(other), angle=Letter(angle))
-        rest = squared(lever) - squared(arm) - squared(known)
-        self._half_angle(angle, turned.imag.times(2.0), turned.real.times(-2.0), rest)
-        self._direction(other, lever, known + arm * unit_vector(AngleSum.of(angle)))
 
     def _angle_and_slide(self, split: Split) -> None:
         """RRP: across the guide the displacement vanishes."""
@@ -158,7 +152,15 @@ class Solver:
         line = unit_vector(term.angle)
         self.page.say("equations.eliminate slide", other=Letter(slide))
         if lever.only is not None:
-            self._sine(line, lever * unit_vector(AngleSum.of(angle)), known)
+            # one arrow of unknown angle against a line: its sine is known, its cosine up to the sign
+            turned = lever * unit_vector(AngleSum.of(angle))
+            (first,), (second,) = cross(line, turned).terms, dot(line, turned).terms
+            sine, cosine = (Sum((SymbolProduct(1.0, waves=each.waves),)) for each in (first, second))
+            left = self.pretty.sum(sine)
+            right = self.pretty.quotient(-cross(line, known), Sum((SymbolProduct(first.factor, first.symbols),)))
+            root = Root(Row((Num("1"), Op("−"), Pow(left, 2))))
+            self.page.show((left, right), (self.pretty.sum(cosine), Row((Op("±"), root))))
+            self._sign(real(cosine.at(self.values)) > 0)
         else:
             turned = line.conjugate * lever
             self._half_angle(angle, turned.real, turned.imag, cross(line, known))
@@ -176,23 +178,14 @@ class Solver:
         self.page.say("equations.square", angle=Letter(angle))
         root = Root(self.pretty.sum(under))
         if offset.terms or real(self.values[slide]) < 0:
-            self.page.show((Letter(slide), Row((*_items(offset, self.pretty), Op("±"), root))))
+            node = self.pretty.sum(offset)
+            is_sum = isinstance(node, Row) and any(isinstance(item, Op) for item in node.items)
+            before = node.items if isinstance(node, Row) and is_sum else (node,) * bool(offset.terms)
+            self.page.show((Letter(slide), Row((*before, Op("±"), root))))
             self._sign(real(self.values[slide]) - real(offset.at(self.values)) > 0)
         else:
             self.page.show((Letter(slide), root))
         self._direction(angle, lever + Sum((SymbolProduct(term.factor, ((slide, 1),)),)) * line, known)
-
-    def _two_slides(self, split: Split) -> None:
-        """Both directions are known: each displacement across the other's line."""
-        self.page.say("equations.each across")
-        rows = []
-        for slide, other in (split.slides, split.slides[::-1]):
-            across, term = unit_vector(split.slid(other).angle), split.slid(slide)
-            bottom = cross(across, unit_vector(term.angle)).times(term.factor)
-            rows.append((Letter(slide), self.pretty.quotient(-cross(across, split.known), bottom)))
-        self.page.show(*rows)
-
-    # --- their parts ---------------------------------------------------------------------------
 
     def _half_angle(self, angle: Symbol, a: Sum, b: Sum, c: Sum) -> None:
         """A sin θ + B cos θ + C = 0, and tan(θ/2) = (A ± √(A² + B² − C²)) / (B − C)."""
@@ -208,16 +201,6 @@ class Solver:
         self.page.show((half, Frac(Row((first, Op("±"), root)), Row((second, Op("−"), third)))))
         x = real(self.values[angle])
         self._sign(bool(real(a.at(self.values)) * np.cos(x) - real(b.at(self.values)) * np.sin(x) < 0))
-
-    def _sine(self, line: Sum, turned: Sum, known: Sum) -> None:
-        """One arrow of unknown angle against a line: its sine is known, its cosine up to the sign."""
-        (first,), (second,) = cross(line, turned).terms, dot(line, turned).terms
-        sine, cosine = (Sum((SymbolProduct(1.0, waves=term.waves),)) for term in (first, second))
-        left = self.pretty.sum(sine)
-        right = self.pretty.quotient(-cross(line, known), Sum((SymbolProduct(first.factor, first.symbols),)))
-        root = Root(Row((Num("1"), Op("−"), Pow(left, 2))))
-        self.page.show((left, right), (self.pretty.sum(cosine), Row((Op("±"), root))))
-        self._sign(real(cosine.at(self.values)) > 0)
 
     def _direction(self, angle: Symbol, lever: Sum, rest: Sum) -> None:
         """lever · e^(iθ) = −rest: θ is the direction of −rest less that of the lever."""
@@ -235,11 +218,3 @@ class Solver:
 
     def _sign(self, positive: bool) -> None:
         self.page.say("equations.sign", sign="+" if positive else "−")
-
-
-def _items(of: Sum, pretty: Pretty) -> tuple[Node, ...]:
-    """A sum's nodes, to be followed by more."""
-    if not of.terms:
-        return ()
-    node = pretty.sum(of)
-    return node.items if isinstance(node, Row) and any(isinstance(item, Op) for item in node.items) else (node,)

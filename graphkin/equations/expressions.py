@@ -226,10 +226,6 @@ class Sum:
         return Sum.of(term for part in parts for term in part.terms)
 
     @property
-    def over_i(self) -> Sum:
-        return self * Sum((SymbolProduct(-1.0, turns=1),))
-
-    @property
     def only(self) -> SymbolProduct | None:
         """Its only term; None where there are several, or none."""
         return self.terms[0] if len(self.terms) == 1 else None
@@ -269,7 +265,16 @@ class Sum:
 
     def at(self, values: Values) -> Value:
         """Its value (complex where e^i or i stands in it); scalars or arrays."""
-        return sum((_value(term, values) for term in self.terms), start=np.float64(0.0))
+        total: Value = np.float64(0.0)
+        for term in self.terms:
+            product: Value = term.factor * (1j if term.turns else 1.0)
+            for symbol, power in term.symbols:
+                product = product * values[symbol] ** power
+            for each in term.waves:
+                angle = angle_value(each.angle, values)
+                product = product * (np.exp(1j * angle) if each.kind == "exp" else getattr(np, each.kind)(angle))
+            total = total + product
+        return total
 
 
 def one(symbol: Symbol) -> Sum:
@@ -343,13 +348,3 @@ def squared(vector: Sum) -> Sum:
 def angle_value(angle: AngleSum, values: Values) -> Value:
     """[rad]"""
     return sum((count * values[symbol] for symbol, count in angle.parts), start=angle.quarters * np.pi / 2)
-
-
-def _value(term: SymbolProduct, values: Values) -> Value:
-    product: Value = term.factor * (1j if term.turns else 1.0)
-    for symbol, power in term.symbols:
-        product = product * values[symbol] ** power
-    for each in term.waves:
-        angle = angle_value(each.angle, values)
-        product = product * (np.exp(1j * angle) if each.kind == "exp" else getattr(np, each.kind)(angle))
-    return product

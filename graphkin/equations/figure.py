@@ -16,7 +16,7 @@ from graphkin.errors import Lang
 from graphkin.sheet import Sheet
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run
-from graphkin.sheet.marks import ArcMark, Place, Stroke, VectorMark
+from graphkin.sheet.marks import ArcMark, Stroke, VectorMark
 from graphkin.sheet.mechanism_figure import mechanism_figure, mechanism_places
 from graphkin.sheet.page import Page, Panel
 from graphkin.sheet.paper import Paper, finest
@@ -30,10 +30,8 @@ _VECTORS = 1  # the step the vectors and their letters are marked with, until th
 
 
 def figure(model: Model, caption: str, lang: Lang) -> Sheet:
-    """At the drawn position, at the finest standard scale that fits a page of text, on a paper cut to its size.
-
-    Vectors and their letters stand out; steps of a construction there are none.
-    """
+    """At the drawn position, at the finest standard scale that fits a page of text, on a paper cut to its size. Vectors
+    and their letters stand out; steps of a construction there are none."""
     method, places = model.method, mechanism_places(model.method, model.plot)
     sides = (polygon.sides for task in model.tasks for polygon in task.polygons)
     by_length: dict[Symbol, LinkVector] = {}
@@ -66,20 +64,15 @@ def _draw(model: Model, places: list[complex], arrows: list[LinkVector], window:
         theta, count = arrow.angle.parts[0] if len(arrow.angle.parts) == 1 else (None, 0)
         if theta is not None and count == 1 and not arrow.angle.quarters and theta not in with_arc:
             with_arc.add(theta)
-            _draw_angle(drawing, theta, number(values[theta]), start, abs(end - start))
+            value, radius = number(values[theta]), min(_ARC, 0.6 * abs(end - start))
+            sweep = value if abs(value) <= math.tau else math.remainder(value, math.tau)
+            if not theta.moves or radius < _ARC / 2 or abs(sweep) < math.radians(8):
+                continue  # no room for an arc from the x axis to the arrow
+            drawing.marks.append(Stroke((start, start + 1.4 * radius), "construction", step=_VECTORS))
+            drawing.marks.append(ArcMark(start, radius, 0.0, -sweep, "thin", step=_VECTORS))
+            away = cmath.rect(1.0, -sweep / 2)
+            drawing.wanted.append(LabelRequest(symbol_label(theta), start + radius * away, away=away, step=_VECTORS))
     return drawing
-
-
-def _draw_angle(drawing: Figure, theta: Symbol, value: float, at: Place, length: float) -> None:
-    """An arc from the x axis to the arrow, with its θ, where there is room for one."""
-    radius = min(_ARC, 0.6 * length)
-    sweep = value if abs(value) <= math.tau else math.remainder(value, math.tau)
-    if not theta.moves or radius < _ARC / 2 or abs(sweep) < math.radians(8):
-        return
-    drawing.marks.append(Stroke((at, at + 1.4 * radius), "construction", step=_VECTORS))
-    drawing.marks.append(ArcMark(at, radius, 0.0, -sweep, "thin", step=_VECTORS))
-    away = cmath.rect(1.0, -sweep / 2)
-    drawing.wanted.append(LabelRequest(symbol_label(theta), at + radius * away, away=away, step=_VECTORS))
 
 
 def _ends(model: Model, arrow: LinkVector) -> tuple[complex, complex]:

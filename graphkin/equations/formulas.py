@@ -119,9 +119,6 @@ Node = Letter | Num | Op | Word | Minus | Row | Frac | Root | Pow | Exp | Call |
 ZERO = Num("0")
 
 
-# --- notations --------------------------------------------------------------------------------
-
-
 @frozen
 class Notation:
     """The signs of one kind of file; `%s` stands for what a sign goes around.

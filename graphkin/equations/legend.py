@@ -88,46 +88,39 @@ def values(legend: Legend, motion: Motion) -> dict[Symbol, Value]:
     return {symbol: entry.read(motion) for symbol, entry in legend.entries.items()}
 
 
-# --- readers ----------------------------------------------------------------------------------
-
-
 def angle_readers(structure: Topology, body: str, drawn: Motion) -> Three:
     """θ, ω, α of a body [rad, rad/s, rad/s^2]; of a link of the equivalent, by its two points."""
     if structure.is_pin(body):
         slide = structure.pins[body]
         theta, omega, alpha = angle_readers(structure, slide.guide, drawn)
         return lambda motion: theta(motion) + cmath.phase(slide.line.direction), omega, alpha
-    if not structure.is_link(body):
-        tail, head = structure.bodies[body][:2]
-        return _between(tail, head, drawn)
-    return (lambda motion: motion.theta[body], lambda motion: motion.omega[body], lambda motion: motion.alpha[body])
-
-
-def difference(first: Three, second: Three) -> Three:
-    """One body against another."""
-
-    def minus(one: Reader, other: Reader) -> Reader:
-        return lambda motion: one(motion) - other(motion)
-
-    return minus(first[0], second[0]), minus(first[1], second[1]), minus(first[2], second[2])
-
-
-def _between(tail: str, head: str, drawn: Motion) -> Three:
-    """Of a link of the equivalent: its angle counts on from the drawn position, as rolling needs it."""
+    if structure.is_link(body):
+        return (lambda motion: motion.theta[body], lambda motion: motion.omega[body], lambda motion: motion.alpha[body])
+    tail, head = structure.bodies[body][:2]
 
     def arm(motion: Motion) -> Value:
         return motion.position[head] - motion.position[tail]
 
-    def theta(motion: Motion) -> Real:
+    def counted(motion: Motion) -> Real:
+        """On from the drawn position, as rolling needs it."""
         return np.angle(arm(drawn)) + np.angle(arm(motion) / arm(drawn))
 
-    def omega(motion: Motion) -> Real:
+    def rate(motion: Motion) -> Real:
         return np.imag((motion.velocity[head] - motion.velocity[tail]) / arm(motion))
 
-    def alpha(motion: Motion) -> Real:
+    def push(motion: Motion) -> Real:
         return np.imag((motion.acceleration[head] - motion.acceleration[tail]) / arm(motion))
 
-    return theta, omega, alpha
+    return counted, rate, push
+
+
+def difference(first: Three, second: Three) -> Three:
+    """One body against another."""
+    theta, omega, alpha = zip(first, second, strict=True)
+    return (
+        lambda motion: theta[0](motion) - theta[1](motion), lambda motion: omega[0](motion) - omega[1](motion),
+        lambda motion: alpha[0](motion) - alpha[1](motion),
+    )  # fmt: skip
 
 
 def point_place(structure: Topology, point: str, body: str, motion: Motion) -> Value:

@@ -5,13 +5,13 @@ Source: Sun Huan, Theory of Machines, section 3-3, (3-21) to (3-29). With severa
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
 
-from graphkin.base.geometry import Value, number
+from graphkin.base.geometry import number
 from graphkin.base.value import frozen
 from graphkin.equations.document import EquationPage
 from graphkin.equations.expressions import Sum, Symbol
@@ -34,10 +34,8 @@ Entries = tuple[tuple[Sum, ...], ...]
 
 @frozen
 class System:
-    """Equations (each zero) in unknowns and drivers; all matrices by derivation.
-
-    A is the derivative of the equations by the unknowns, B that by the drivers with its sign turned.
-    """
+    """Equations (each zero) in unknowns and drivers; all matrices by derivation. A is the derivative of the equations
+    by the unknowns, B that by the drivers with its sign turned."""
 
     equations: tuple[Sum, ...]
     unknowns: tuple[Symbol, ...]
@@ -45,21 +43,21 @@ class System:
 
     @cached_property
     def a(self) -> Entries:
-        return tuple(tuple(_slope(each, unknown) for unknown in self.unknowns) for each in self.equations)
+        return self._slopes(self.unknowns)
 
     @cached_property
     def b(self) -> Entries:
-        return tuple(tuple(-_slope(each, driver) for driver in self.drivers) for each in self.equations)
+        return tuple(tuple(-slope for slope in row) for row in self._slopes(self.drivers))
+
+    def _slopes(self, symbols: Sequence[Symbol]) -> Entries:
+        """Derivatives; most equations of a large mechanism have few of the unknowns."""
+        return tuple(tuple(of.partial(symbol) if symbol in of.symbols else Sum() for symbol in symbols)
+                     for of in self.equations)  # fmt: skip
 
     @property
     def driver_rate(self) -> Symbol | None:
         """The rate of the only driver."""
         return self.drivers[0].rate if len(self.drivers) == 1 else None
-
-
-def _slope(of: Sum, symbol: Symbol) -> Sum:
-    """A derivative; most equations of a large mechanism have few of the unknowns."""
-    return of.partial(symbol) if symbol in of.symbols else Sum()
 
 
 def rates_of(entries: Sequence[Sequence[Sum]]) -> Entries:
@@ -97,9 +95,25 @@ def matrices(
     _velocity(page, pretty, system)
     page.head("equations.acceleration", 3)
     _acceleration(page, pretty, system)
-    if numbers:
-        page.say("equations.numbers")
-        _numbers(page, system, model.values)
+    if not numbers:
+        return
+    page.say("equations.numbers")
+    values = model.values
+
+    def figures(of: Sum) -> Node:
+        """Its number; 0 for what is left of terms that cancel."""
+        sizes = (abs(number(Sum((replace(term, waves=()),)).at(values))) for term in of.terms)
+        return _figures(number(of.at(values)), max(sizes)) if of.terms else ZERO
+
+    for letter, entries in (A, system.a), (B, system.b), (A_RATE, rates_of(system.a)), (B_RATE, rates_of(system.b)):
+        if entries and entries[0]:
+            page.show((letter, Grid(tuple(tuple(figures(entry) for entry in row) for row in entries))))
+    page.say("equations.solution")
+    for letter, order in ((OMEGA, 1), (ALPHA, 2)):
+        rates = derivatives(system.unknowns, order)
+        solution = [0.0 if rate is None else number(values[rate]) for rate in rates]
+        solved = Grid(tuple((_figures(value, max(map(abs, solution))),) for value in solution))
+        page.show((letter, column(rates), solved))
 
 
 def _velocity(page: EquationPage, pretty: Pretty, system: System) -> None:
@@ -140,25 +154,6 @@ def _acceleration(page: EquationPage, pretty: Pretty, system: System) -> None:
     page.show((A_RATE, grid(pretty, rates_of(system.a))))
     if system.drivers:
         page.show((B_RATE, grid(pretty, rates_of(system.b))))
-
-
-def _numbers(page: EquationPage, system: System, values: Mapping[Symbol, Value]) -> None:
-    """The same matrices with numbers, and the columns solved; 0 for what is left of terms that cancel."""
-
-    def figures(of: Sum) -> Node:
-        sizes = (abs(number(Sum((replace(term, waves=()),)).at(values))) for term in of.terms)
-        return _figures(number(of.at(values)), max(sizes)) if of.terms else ZERO
-
-    matrices = (A, system.a), (B, system.b), (A_RATE, rates_of(system.a)), (B_RATE, rates_of(system.b))
-    for letter, entries in matrices:
-        if entries and entries[0]:
-            page.show((letter, Grid(tuple(tuple(figures(entry) for entry in row) for row in entries))))
-    page.say("equations.solution")
-    for letter, order in ((OMEGA, 1), (ALPHA, 2)):
-        rates = derivatives(system.unknowns, order)
-        solution = [0.0 if rate is None else number(values[rate]) for rate in rates]
-        solved = Grid(tuple((_figures(value, max(map(abs, solution))),) for value in solution))
-        page.show((letter, column(rates), solved))
 
 
 def _figures(value: float, most: float) -> Node:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from graphkin.equations.document import EquationPage, listed
 from graphkin.equations.dyads import Solver, Split, quotients
 from graphkin.equations.expressions import Sum, Symbol, SymbolProduct
 from graphkin.equations.formulas import Letter, Node, Op, Row, Word
-from graphkin.equations.legend import LegendEntry, Reader
+from graphkin.equations.legend import LegendEntry
 from graphkin.equations.matrices import column, derivatives, grid, matrices, rates_of
 from graphkin.equations.model import Model, PointChain, Task, point_chains, point_symbols
 from graphkin.equations.polygons import ClosedPolygon, RollingSum
@@ -36,12 +37,9 @@ def _complex_sides(pretty: Pretty, polygon: ClosedPolygon, of: Sum) -> tuple[Nod
     return pretty.sum(Sum(tuple(terms[0])), ordered=True), pretty.sum(-Sum(tuple(terms[1])), ordered=True)
 
 
-# --- complex vectors --------------------------------------------------------------------------
-
-
 def write_complex(model: Model, page: EquationPage) -> None:
     """Each polygon closed, split, derived twice, solved in closed form; then the points asked for."""
-    pretty = Pretty(model.alias)
+    pretty = Pretty(model.legend.alias)
     polygons = sum(len(task.polygons) for task in model.tasks)
     number, values = 0, model.values
     for task in model.tasks:
@@ -57,7 +55,12 @@ def write_complex(model: Model, page: EquationPage) -> None:
             page.head("equations.rolling", names=", ".join(model.bodies.called(w) for w in rolling.contact.wheels))
             _roll(page, pretty, rolling)
         if not task.polygons and len(task.unknowns) == 1:
-            _solve_rolling(page, pretty, task)
+            rows, of = [], task.rollings[0].sum
+            for order, equation in enumerate((of, of.rate, of.rate.rate)):
+                unknown = task.unknowns[0].derivative(order)
+                rows.append((Letter(unknown), pretty.quotient(-equation.lacking(unknown), equation.partial(unknown))))
+            page.say("equations.hence")
+            page.show(*rows)
         elif not task.polygons and len(task.unknowns) == len(task.rollings) == 2:
             _head_group(model, page, task)
             _solve_two_rolling(page, pretty, task)
@@ -65,8 +68,15 @@ def write_complex(model: Model, page: EquationPage) -> None:
             _head_group(model, page, task)
             page.say("equations.newton", count=len(task.equations))
             matrices(model, page, pretty, task.equations, task.unknowns, numbers=False)
-    for chain in point_chains(model):
-        _write_point(model, page, pretty, chain)
+    for chain in point_chains(model):  # (3-18) to (3-20)
+        page.head("equations.point", name=chain.of)
+        page.say("equations.point from", start=model.bodies.spot(chain.start), name=chain.of)
+        place, velocity, acceleration = (Letter(symbol) for symbol in point_symbols(model, chain))
+        page.show((place, pretty.sum(chain.sum)))
+        page.say_derived([chain.sum])
+        for letter, sum_ in ((velocity, chain.sum.rate), (acceleration, chain.sum.rate.rate)):
+            real, imaginary = (bracketed(pretty.grouped(part)) for part in (sum_.real, sum_.imag))
+            page.show((letter, Row((real, Op("+"), Row((Word("i"), imaginary))))))
 
 
 def _close(page: EquationPage, pretty: Pretty, polygon: ClosedPolygon) -> None:
@@ -91,7 +101,8 @@ def _solve(solver: Solver, task: Task, polygon: ClosedPolygon) -> None:
         derived = derived.rate
         if order == 1:
             page.say("equations.derived")
-            derived = derived if any(arrow.length.moves for arrow in polygon.arrows) else derived.over_i
+            if not any(arrow.length.moves for arrow in polygon.arrows):
+                derived = derived * Sum((SymbolProduct(-1.0, turns=1),))  # over i
         else:
             page.say_derived([polygon.sum], again=True)
         page.show(_complex_sides(pretty, polygon, derived))
@@ -110,16 +121,6 @@ def _roll(page: EquationPage, pretty: Pretty, rolling: RollingSum) -> None:
     for of in (moving.rate, moving.rate.rate):
         left = Sum(tuple(term for term in of.terms if term.factor > 0))
         rows.append((pretty.sum(left), pretty.sum(left - of)))
-    page.show(*rows)
-
-
-def _solve_rolling(page: EquationPage, pretty: Pretty, task: Task) -> None:
-    """The last unknown of a rolling contact."""
-    rows, of = [], task.rollings[0].sum
-    for order, equation in enumerate((of, of.rate, of.rate.rate)):
-        unknown = task.unknowns[0].derivative(order)
-        rows.append((Letter(unknown), pretty.quotient(-equation.lacking(unknown), equation.partial(unknown))))
-    page.say("equations.hence")
     page.show(*rows)
 
 
@@ -146,48 +147,26 @@ def _head_group(model: Model, page: EquationPage, task: Task) -> None:
     page.say("equations.unknown", unknowns=listed(task.unknowns))
 
 
-def _write_point(model: Model, page: EquationPage, pretty: Pretty, chain: PointChain) -> None:
-    """(3-18) to (3-20) for a point asked for."""
-    _head_point(model, page, chain)
-    place, velocity, acceleration = (Letter(symbol) for symbol in point_symbols(model, chain))
-    page.show((place, pretty.sum(chain.sum)))
-    page.say_derived([chain.sum])
-    for letter, of in ((velocity, chain.sum.rate), (acceleration, chain.sum.rate.rate)):
-        real, imaginary = (bracketed(pretty.grouped(part)) for part in (of.real, of.imag))
-        page.show((letter, Row((real, Op("+"), Row((Word("i"), imaginary))))))
-
-
-def _head_point(model: Model, page: EquationPage, chain: PointChain) -> None:
-    page.head("equations.point", name=chain.of)
-    page.say("equations.point from", start=model.bodies.spot(chain.start), name=chain.of)
-
-
-# --- matrices ---------------------------------------------------------------------------------
-
-
 def write_matrix(model: Model, page: EquationPage) -> None:
     """The polygons in complex form, their components with the unknowns left, the matrices, the points asked for."""
-    pretty = Pretty(model.alias)
+    pretty = Pretty(model.legend.alias)
     if model.unknowns:
-        _write_system(model, page, pretty)
+        page.head("equations.position", 3)
+        page.say("equations.unknown", unknowns=listed(model.unknowns))
+        for number, polygon in enumerate((p for task in model.tasks for p in task.polygons), start=1):
+            page.head("equations.polygon", 3, number=number, names=_corners(model, polygon))
+            page.show(_complex_sides(pretty, polygon, polygon.sum))
+        page.say("equations.all unknowns")
+        equations = [each for task in model.tasks for each in task.equations]
+        page.show(*(_unknown_left(pretty, each, model.unknowns) for each in equations))
+        page.say("equations.derived")  # (3-22): unknown rates left
+        rates = [rate for rate in derivatives(model.unknowns, 1) if rate is not None]
+        page.show(*(_unknown_left(pretty, each.rate, rates) for each in equations))
+        matrices(model, page, pretty, equations, model.unknowns)
     for chain in point_chains(model):
-        _head_point(model, page, chain)
+        page.head("equations.point", name=chain.of)
+        page.say("equations.point from", start=model.bodies.spot(chain.start), name=chain.of)
         _write_components(model, page, pretty, chain)
-
-
-def _write_system(model: Model, page: EquationPage, pretty: Pretty) -> None:
-    page.head("equations.position", 3)
-    page.say("equations.unknown", unknowns=listed(model.unknowns))
-    for number, polygon in enumerate((p for task in model.tasks for p in task.polygons), start=1):
-        page.head("equations.polygon", 3, number=number, names=_corners(model, polygon))
-        page.show(_complex_sides(pretty, polygon, polygon.sum))
-    page.say("equations.all unknowns")
-    equations = [each for task in model.tasks for each in task.equations]
-    page.show(*(_unknown_left(pretty, each, model.unknowns) for each in equations))
-    page.say("equations.derived")  # (3-22): unknown rates left
-    rates = [rate for rate in derivatives(model.unknowns, 1) if rate is not None]
-    page.show(*(_unknown_left(pretty, each.rate, rates) for each in equations))
-    matrices(model, page, pretty, equations, model.unknowns)
 
 
 def _unknown_left(pretty: Pretty, of: Sum, unknowns: Sequence[Symbol]) -> tuple[Node, Node]:
@@ -198,7 +177,16 @@ def _unknown_left(pretty: Pretty, of: Sum, unknowns: Sequence[Symbol]) -> tuple[
 def _write_components(model: Model, page: EquationPage, pretty: Pretty, chain: PointChain) -> None:
     """(3-25) to (3-27)."""
     whole = point_symbols(model, chain)
-    letters = [_components(model, symbol, axis) for symbol, axis in zip(whole, ("", "v", "a"), strict=True)]
+    letters: list[list[Symbol]] = []  # x_E, y_E; v_Ex, v_Ey; a_Ex, a_Ey
+    for symbol, axis in zip(whole, ("", "v", "a"), strict=True):
+        entry, pair = model.legend.entries[symbol], list[Symbol]()
+        for name, turn in (("x", 1.0), ("y", -1j)):
+            letter, low = (axis, f"{symbol.low}{name}") if axis else (name, symbol.low)
+            pair.append(model.legend.fresh(letter, low + "'" * symbol.primes))
+            text = meaning("equations.component", of=entry.meaning, axis=name)
+            read = partial(lambda motion, entry, turn: dot(np.conj(turn), entry.read(motion)), entry=entry, turn=turn)
+            model.legend.entries[pair[-1]] = LegendEntry(text, entry.unit, read)
+        letters.append(pair)
     for symbol in whole:  # the vectors are written by their components here
         del model.legend.entries[symbol]
     parts, moving = (chain.sum.real, chain.sum.imag), chain.sum.moving
@@ -207,19 +195,3 @@ def _write_components(model: Model, page: EquationPage, pretty: Pretty, chain: P
     matrix, first, second = grid(pretty, slope), column(derivatives(moving, 1)), column(derivatives(moving, 2))
     page.show((column(letters[1]), Row((matrix, first))))
     page.show((column(letters[2]), Row((matrix, second, Op("+"), grid(pretty, rates_of(slope)), first))))
-
-
-def _components(model: Model, symbol: Symbol, axis: str) -> tuple[Symbol, Symbol]:
-    """x_E, y_E; v_Ex, v_Ey; a_Ex, a_Ey."""
-    entry, symbols = model.legend.entries[symbol], []
-    for name, turn in (("x", 1.0), ("y", -1j)):
-        letter, low = (axis, f"{symbol.low}{name}") if axis else (name, symbol.low)
-        symbols.append(model.legend.fresh(letter, low + "'" * symbol.primes))
-        text = meaning("equations.component", of=entry.meaning, axis=name)
-        model.legend.entries[symbols[-1]] = LegendEntry(text, entry.unit, _real_part(entry.read, turn))
-    return symbols[0], symbols[1]
-
-
-def _real_part(read: Reader, turn: complex) -> Reader:
-    """One component of a vector: the real part once it is turned."""
-    return lambda motion: dot(np.conj(turn), read(motion))

@@ -40,13 +40,11 @@ class Task:
     @property
     def equations(self) -> tuple[Sum, ...]:
         """Sums that are zero: x and y parts of the polygons, then the angle relations."""
-        sums = [_unknowns_first(polygon.sum, self.unknowns) for polygon in self.polygons]
+        sums = [polygon.sum for polygon in self.polygons]
+        sums = [  # turned where all the unknown vectors are walked backward
+            -of if all(term.factor < 0 for term in of.having(*self.unknowns).terms) else of for of in sums
+        ]
         return (*(part for each in sums for part in (each.real, each.imag)), *(each.sum for each in self.rollings))
-
-
-def _unknowns_first(of: Sum, unknowns: tuple[Symbol, ...]) -> Sum:
-    """A polygon with its sign turned where all its unknown vectors are walked backward."""
-    return -of if all(term.factor < 0 for term in of.having(*unknowns).terms) else of
 
 
 @frozen
@@ -66,10 +64,6 @@ class Model:
     drivers: tuple[Symbol, ...]
     motion: Motion
     plot: Plot
-
-    @property
-    def alias(self) -> Mapping[Symbol, AngleSum]:
-        return self.legend.alias
 
     @property
     def unknowns(self) -> tuple[Symbol, ...]:
@@ -96,18 +90,9 @@ def model_of(method: Method) -> Model:
     for stage in method.stages:
         if (task := _task(stage, arrows, frozenset(known), roads.exact)) is not None:
             tasks.append(task)
-        known.update(_bodies(stage))
+        if not isinstance(stage, Mesh):
+            known.update((stage.body,) if isinstance(stage, Carry | Bridge) else stage.bodies)
     return Model(method, legend, bodies, arrows, tuple(tasks), drivers, roads.exact, roads.plot)
-
-
-def _bodies(stage: Stage) -> tuple[str, ...]:
-    match stage:
-        case Carry() | Bridge():
-            return (stage.body,)
-        case Loop() | Group():
-            return stage.bodies
-        case Mesh():
-            return ()
 
 
 def _task(stage: Stage, arrows: LinkVectorMaker, known: frozenset[str], motion: Motion) -> Task | None:
@@ -146,9 +131,6 @@ def _unknowns(stage: Loop | Bridge | Mesh | Group, arrows: LinkVectorMaker) -> t
     return (*moving, *dict.fromkeys(thetas), *fixed)
 
 
-# --- points -----------------------------------------------------------------------------------
-
-
 @frozen
 class PointChain:
     """The vector from the fixed point `start` to the point `of`, as in (3-18):
@@ -183,19 +165,17 @@ def _chain(model: Model, point: str, low: str) -> PointChain:
             total += -slid if structure.slides[joint.slide].guide == inner else slid
         goal = point if k == 0 else arrows.point_of(joints[k - 1], inner)
         total += _arm(model, inner, arrows.point_of(joint, inner), goal, low)
-    return PointChain(arrows.point_of(joints[-1], FRAME), point, _by_links(model, total))
-
-
-def _by_links(model: Model, of: Sum) -> Sum:
-    """With the links' own angles where these follow from several others: θ3 turns at ω3, not at ω1 + ω21 + ω32."""
-    own = {angle.parts: (symbol, angle.quarters) for symbol, angle in model.alias.items() if len(angle.moving) > 1}
+    # links' own angles where these follow from several others: θ3 turns at ω3, not at ω1 + ω21 + ω32
+    names = model.legend.alias.items()
+    own = {angle.parts: (symbol, angle.quarters) for symbol, angle in names if len(angle.moving) > 1}
 
     def renamed(wave: Wave) -> Wave:
         if (name := own.get(wave.angle.parts)) is None:
             return wave
         return replace(wave, angle=AngleSum.of(name[0], (wave.angle.quarters - name[1]) % 4))
 
-    return Sum.of(replace(term, waves=tuple(map(renamed, term.waves))) for term in of.terms)
+    by_links = Sum.of(replace(term, waves=tuple(map(renamed, term.waves))) for term in total.terms)
+    return PointChain(arrows.point_of(joints[-1], FRAME), point, by_links)
 
 
 def _arm(model: Model, body: str, start: str, end: str, low: str) -> Sum:
@@ -218,15 +198,11 @@ def point_symbols(model: Model, of: PointChain) -> list[Symbol]:
         return motion.position[of.of] - point_place(model.method.structure, of.start, FRAME, motion)
 
     start = model.bodies.spot(of.start)
-    texts = (
-        meaning("equations.point position", start=start, point=of.of),
-        meaning("equations.point velocity", point=of.of),
-        meaning("equations.point acceleration", point=of.of),
-    )
+    texts = [meaning(f"equations.point {rate}", point=of.of) for rate in ("velocity", "acceleration")]
     entries = {
-        "l": LegendEntry(texts[0], "mm", position),
-        "v": LegendEntry(texts[1], "m/s", lambda motion: motion.velocity[of.of]),
-        "a": LegendEntry(texts[2], "m/s^2", lambda motion: motion.acceleration[of.of]),
+        "l": LegendEntry(meaning("equations.point position", start=start, point=of.of), "mm", position),
+        "v": LegendEntry(texts[0], "m/s", lambda motion: motion.velocity[of.of]),
+        "a": LegendEntry(texts[1], "m/s^2", lambda motion: motion.acceleration[of.of]),
     }
     symbols = []
     for letter, entry in entries.items():

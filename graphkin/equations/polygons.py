@@ -19,7 +19,6 @@ from graphkin.equations.bodies import Bodies, quarters
 from graphkin.equations.expressions import AngleSum, Sum, Symbol, SymbolProduct, one, phasor
 from graphkin.equations.legend import Legend, slide_readers
 from graphkin.model.mechanism import FRAME
-from graphkin.model.pairs import Slide
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.structure import Hinge, Joint, Sliding, Topology
 from graphkin.say.catalogue import meaning
@@ -112,16 +111,15 @@ class LinkVectorMaker:
         called = self.bodies.called(body)
         text = meaning("equations.length", ends=self.bodies.spot(start) + self.bodies.spot(end), link=called)
         length = self.legend.constant("l", called, text, "mm", abs(arm))
-        angle = AngleSum((), count) if count is not None else self._offset(body, called, length, arm)
+        angle = AngleSum((), count or 0)
+        if count is None:  # a letter for the angle of the arrow against its link, or on the frame
+            vector = length.letter + ("" if length.low.isdigit() else "_") + length.low + "'" * length.primes
+            letter, text = "β", meaning("equations.offset", link=called, vector=vector)
+            if body == FRAME:
+                letter, text = "θ", meaning("equations.frame direction", vector=vector)
+            low = called + "'" * length.primes
+            angle = AngleSum.of(self.legend.constant(letter, low, text, "deg", cmath.phase(arm)))
         return LinkVector(length, self.bodies.angles[body] + angle, (start, body), (end, body))
-
-    def _offset(self, body: str, called: str, length: Symbol, arm: complex) -> AngleSum:
-        """The angle of an arrow against its link, or on the frame."""
-        vector = length.letter + ("" if length.low.isdigit() else "_") + length.low + "'" * length.primes
-        letter, text = "β", meaning("equations.offset", link=called, vector=vector)
-        if body == FRAME:
-            letter, text = "θ", meaning("equations.frame direction", vector=vector)
-        return AngleSum.of(self.legend.constant(letter, called + "'" * length.primes, text, "deg", cmath.phase(arm)))
 
     def sliding(self, name: str) -> LinkVector:
         """The displacement along a slide's line, from its origin on the guide to the point."""
@@ -136,7 +134,11 @@ class LinkVectorMaker:
             slide = self.structure.slides[name]
             driver = self.structure.slides_driven.get(name)
             steady = driver is not None and self.structure.mechanism.drivers[driver].acceleration == 0
-            symbol = self.legend.fresh("s", self._low(slide), "displacement", steady)
+            # s_E on the frame; s3 along link 3's own direction; s2 where the block's direction is the line's
+            own = quarters(cmath.phase(slide.line.direction)) in (0, 2)
+            body = slide.guide if own or slide.block is None or slide.tilt != 0 else slide.block
+            low = slide.point if slide.guide == FRAME else self.bodies.called(body)
+            symbol = self.legend.fresh("s", low, "displacement", steady)
             guide, start = self.bodies.called(slide.guide), self.bodies.spot(slide.line.origin)
             words = {"point": slide.point, "guide": guide, "start": start}
             rates = ("displacement", "velocity", "acceleration")
@@ -144,13 +146,6 @@ class LinkVectorMaker:
             readers = slide_readers(self.structure, slide)
             self.slides[name] = self.legend.variable(symbol, tuple(texts), ("mm", "m/s", "m/s^2"), readers)
         return self.slides[name]
-
-    def _low(self, slide: Slide) -> str:
-        """s_E on the frame; s3 along link 3's own direction; s2 where the block's direction is the line's."""
-        if slide.guide == FRAME:
-            return slide.point
-        own = quarters(cmath.phase(slide.line.direction)) in (0, 2)
-        return self.bodies.called(slide.guide if own or slide.block is None or slide.tilt != 0 else slide.block)
 
     def point_of(self, joint: Joint, body: str) -> str:
         """The point of a body in which a joint is."""
@@ -187,9 +182,7 @@ def closed(
     arrows: LinkVectorMaker, known: Collection[str], bodies: Sequence[str], joints: Sequence[Joint]
 ) -> ClosedPolygon:
     """The polygon through `bodies`, entered by the first of `joints` and left by the last, closed over known bodies.
-
-    Where the last joint is the first, the bodies are a ring by themselves, whether or not any of them is known.
-    """
+    Where the last joint is the first, the bodies are a ring by themselves, whether or not any of them is known."""
     structure = arrows.structure
 
     def known_side(joint: Joint, body: str) -> list[str]:
@@ -217,9 +210,6 @@ def _ring(arrows: LinkVectorMaker, ring: Sequence[str], joints: Sequence[Joint])
         yield from arrows.along(body, arrows.point_of(into, body), arrows.point_of(out, body))
 
 
-# --- rolling ----------------------------------------------------------------------------------
-
-
 @frozen
 class RollingSum:
     """sum = 0: what turns and slides, less the constant of the drawn position, of one rolling contact."""
@@ -235,7 +225,18 @@ class RollingSum:
 
 def rolling(arrows: LinkVectorMaker, contact: Contact, motion: Motion) -> RollingSum:
     """The relation of one contact; its constant is what the drawn position gives."""
-    moving = _on_circles(arrows, contact) if contact.arm else _on_line(arrows, contact)
+    track, wheel = (turning_part(arrows.bodies.angles[body]) for body in contact.wheels)
+    moving = Sum()
+    if contact.arm:
+        arm = turning_part(arrows.bodies.angles[contact.arm])
+        for body, turn, radius in zip(contact.wheels, (track, wheel), contact.radii, strict=True):
+            moving += one(arrows.radius(body, abs(radius))).times(1.0 if radius > 0 else -1.0) * (turn - arm)
+    else:  # s + r (θ_wheel − θ_track) where the centre lies left of the line, s − r (..) where right
+        radius = next(share for body, share in contact.angles if body == contact.wheels[1])
+        rolled = one(arrows.radius(contact.wheels[1], radius)) * (wheel - track)
+        for slide, share in contact.way or ((contact.slide, 1.0),):  # other pairs may keep the centre on its path
+            moving += one(arrows.displacement(slide)).times(share * contact.on_slide)
+        moving += rolled
     entries = arrows.legend.entries
     value = number(moving.at({symbol: entries[symbol].read(motion) for symbol in moving.symbols}))
     names = [arrows.bodies.called(wheel) for wheel in contact.wheels]
@@ -247,25 +248,3 @@ def rolling(arrows: LinkVectorMaker, contact: Contact, motion: Motion) -> Rollin
 def turning_part(angle: AngleSum) -> Sum:
     """The part of an angle that changes with time."""
     return Sum.of(SymbolProduct(float(count), ((symbol, 1),)) for symbol, count in angle.moving)
-
-
-def _on_circles(arrows: LinkVectorMaker, contact: Contact) -> Sum:
-    arm, total = turning_part(arrows.bodies.angles[contact.arm]), Sum()
-    for wheel, radius in zip(contact.wheels, contact.radii, strict=True):
-        share = one(arrows.radius(wheel, abs(radius))).times(1.0 if radius > 0 else -1.0)
-        total += share * (turning_part(arrows.bodies.angles[wheel]) - arm)
-    return total
-
-
-def _on_line(arrows: LinkVectorMaker, contact: Contact) -> Sum:
-    """s + r (θ_wheel − θ_track) where the centre lies left of the line, s − r (..) where right.
-
-    Where other pairs keep the centre on its path, s is made up of their displacements.
-    """
-    track, wheel = (turning_part(arrows.bodies.angles[body]) for body in contact.wheels)
-    radius = next(share for body, share in contact.angles if body == contact.wheels[1])
-    rolled = one(arrows.radius(contact.wheels[1], radius)) * (wheel - track)
-    gone = Sum()
-    for slide, share in contact.way or ((contact.slide, 1.0),):
-        gone += one(arrows.displacement(slide)).times(share * contact.on_slide)
-    return gone + rolled

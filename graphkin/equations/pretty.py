@@ -8,7 +8,7 @@ from functools import cached_property
 from heapq import heapify, heappop, heappush
 
 from graphkin.base.value import frozen
-from graphkin.equations.expressions import ONE, AngleSum, Sum, Symbol, SymbolProduct, Wave
+from graphkin.equations.expressions import ONE, AngleSum, Sum, Symbol, SymbolProduct
 from graphkin.equations.formulas import ZERO, Call, Exp, Frac, Letter, Minus, Node, Num, Op, Paren, Pow, Row, Word
 
 
@@ -121,16 +121,15 @@ class Pretty:
         items += [Letter(symbol) if power == 1 else Pow(Letter(symbol), power) for symbol, power in term.symbols]
         for wave in dict.fromkeys(term.waves):
             power = term.waves.count(wave)
-            items.append(self._wave(wave) if power == 1 or wave.kind == "exp" else Pow(self._wave(wave), power))
+            angle = self.angle(wave.angle)
+            if wave.kind == "exp":
+                items.append(Exp(Row((Word("i"), angle if isinstance(angle, Letter) else Paren(angle)))))
+            else:
+                call = Call(wave.kind, (angle,))
+                items.append(call if power == 1 else Pow(call, power))
         if size != 1 or not items:
             items.insert(0, Num(f"{size:.12g}"))
         return items[0] if len(items) == 1 else Row(tuple(items))
-
-    def _wave(self, wave: Wave) -> Node:
-        angle = self.angle(wave.angle)
-        if wave.kind == "exp":
-            return Exp(Row((Word("i"), angle if isinstance(angle, Letter) else Paren(angle))))
-        return Call(wave.kind, (angle,))
 
 
 def added(terms: Sequence[tuple[bool, Node]]) -> Node:

@@ -25,9 +25,6 @@ def _has_grid(nodes: Sequence[Node]) -> bool:
             return True
     return False
 
-
-# --- text -------------------------------------------------------------------------------------
-
 _NUMBERED_AT = 88
 _PIECES = re.compile(r"[\u4e00-\u9fff][，。；：、）]*\s*|[^\s\u4e00-\u9fff]+\s*")
 """Words, and Chinese characters with the signs that may not begin a line."""
@@ -46,9 +43,19 @@ def _block_lines(block: Block) -> list[str]:
         case parts.DocumentHeading():
             return [block.text, ("-" if block.level == 2 else "·") * width(block.text)]
         case parts.DocumentSentence():
-            return _wrapped("".join(_text(part) for part in block.parts))
+            lines = [""]  # of a terminal's width, broken at blanks or between Chinese characters
+            for word in _PIECES.findall("".join(_text(part) for part in block.parts)):
+                lines += [""] if lines[-1] and width(lines[-1] + word.rstrip()) > _NUMBERED_AT else []
+                lines[-1] += word
+            return lines
         case parts.Display():
-            lines = [line for row in block.rows for line in _side_by_side(_sides(row))]
+            lines = []
+            for row in block.rows:  # a chain of equal sides; products with matrices in them taken apart
+                nodes: list[Node] = []
+                for k, side in enumerate(row):
+                    nodes += [Op("=")] if k else []
+                    nodes += side.items if isinstance(side, Row) and _has_grid(side.items) else [side]
+                lines += _side_by_side(nodes)
             lines[-1] += " " * max(3, _NUMBERED_AT - 4 - width(lines[-1])) + f"({block.number})"
             return ["    " + line for line in lines]
         case parts.DocumentTable():
@@ -64,28 +71,16 @@ def _text(part: str | Node) -> str:
     return part if isinstance(part, str) else in_notation(part, TEXT)
 
 
-def _wrapped(text: str) -> list[str]:
-    """Lines of a terminal's width, broken at blanks or between Chinese characters."""
-    lines = [""]
-    for word in _PIECES.findall(text):
-        if lines[-1] and width(lines[-1] + word.rstrip()) > _NUMBERED_AT:
-            lines.append("")
-        lines[-1] += word
-    return lines
-
-
-def _sides(row: Sequence[Node]) -> list[Node]:
-    """A chain of equal sides as nodes; products with matrices in them taken apart."""
-    nodes: list[Node] = []
-    for k, side in enumerate(row):
-        nodes += [Op("=")] if k else []
-        nodes += side.items if isinstance(side, Row) and _has_grid(side.items) else [side]
-    return nodes
-
-
 def _side_by_side(nodes: Sequence[Node]) -> list[str]:
     """Nodes on one line; matrices make as many lines as they have rows, the rest stands on the middle one."""
-    columns = [_matrix(node) if isinstance(node, Grid) else [in_notation(node, TEXT)] for node in nodes]
+    columns: list[list[str]] = []
+    for node in nodes:
+        column = [in_notation(node, TEXT)]
+        if isinstance(node, Grid):
+            rows = aligned([[in_notation(entry, TEXT) for entry in row] for row in node.rows], "<", "   ")
+            ends = [("⎡", "⎤"), *[("⎢", "⎥")] * (len(rows) - 2), ("⎣", "⎦")] if len(rows) > 1 else [("[", "]")]
+            column = [f"{left} {row} {right}" for (left, right), row in zip(ends, rows, strict=True)]
+        columns.append(column)
     height = max(len(column) for column in columns)
     lines = [""] * height
     for column in columns:
@@ -95,17 +90,6 @@ def _side_by_side(nodes: Sequence[Node]) -> list[str]:
             text = column[k - top] if top <= k < top + len(column) else ""
             lines[k] += (" " if lines[k] else "") + padded(text, wide)
     return [line.rstrip() for line in lines] if height == 1 else lines
-
-
-def _matrix(grid: Grid) -> list[str]:
-    rows = aligned([[in_notation(entry, TEXT) for entry in row] for row in grid.rows], "<", "   ")
-    if len(rows) == 1:
-        return [f"[ {rows[0]} ]"]
-    ends = [("⎡", "⎤"), *[("⎢", "⎥")] * (len(rows) - 2), ("⎣", "⎦")]
-    return [f"{left} {row} {right}" for (left, right), row in zip(ends, rows, strict=True)]
-
-
-# --- HTML -------------------------------------------------------------------------------------
 
 _STYLE = """
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font-family: "Times New Roman", "Liberation Serif",
@@ -145,7 +129,8 @@ def _block_html(block: Block) -> str:
         case parts.DocumentSentence():
             return f"<p>{''.join(_html(part) for part in block.parts)}</p>"
         case parts.Display():
-            rows = "".join(_displayed(row) for row in block.rows)
+            chains = (Row(tuple([node for side in row for node in (Op("="), side)][1:])) for row in block.rows)
+            rows = "".join(f'<math display="block">{in_notation(chain, MATHML)}</math>' for chain in chains)
             return f'<div class="equation"><div class="rows">{rows}</div><span>({block.number})</span></div>'
         case parts.DocumentTable():
             heads = "".join(f"<th>{escaped(head)}</th>" for head in block.heads)
@@ -163,15 +148,6 @@ def _block_html(block: Block) -> str:
 
 def _html(part: str | Node) -> str:
     return escaped(part) if isinstance(part, str) else f"<math>{in_notation(part, MATHML)}</math>"
-
-
-def _displayed(row: Sequence[Node]) -> str:
-    """Sides with their equals signs."""
-    chain = [node for side in row for node in (Op("="), side)][1:]
-    return f'<math display="block">{in_notation(Row(tuple(chain)), MATHML)}</math>'
-
-
-# --- LaTeX ------------------------------------------------------------------------------------
 
 _PREAMBLE = "\n".join(LIBRARIES) + r"""
 \usepackage[margin=20mm]{geometry}
@@ -207,7 +183,11 @@ def _block_tex(block: Block) -> str:
         case parts.DocumentSentence():
             return "".join(_tex(part) for part in block.parts)
         case parts.Display():
-            return "\\par\n".join(map(_paragraph, block.rows)) + rf"\numbered{{{block.number}}}"
+            lines = []  # TeX breaks a long formula at its signs; matrices are fitted to the line
+            for row in block.rows:
+                text = " = ".join(in_notation(side, LATEX) for side in row)
+                lines.append(r"\hspace*{2em}" + (rf"\fit{{{text}}}" if _has_grid(row) else rf"$\displaystyle {text}$"))
+            return "\\par\n".join(lines) + rf"\numbered{{{block.number}}}"
         case parts.DocumentTable():
             columns = "l" * (len(block.heads) - 2) + r"p{0.55\linewidth}l"
             heads = " & ".join(tex_text(head) for head in block.heads)
@@ -222,9 +202,3 @@ def _block_tex(block: Block) -> str:
 
 def _tex(part: str | Node) -> str:
     return tex_text(part) if isinstance(part, str) else f"${in_notation(part, LATEX)}$"
-
-
-def _paragraph(row: Sequence[Node]) -> str:
-    """A row of a display: TeX breaks a long formula at its signs; matrices are fitted to the line."""
-    text = " = ".join(in_notation(side, LATEX) for side in row)
-    return r"\hspace*{2em}" + (rf"\fit{{{text}}}" if _has_grid(row) else rf"$\displaystyle {text}$")

@@ -8,7 +8,7 @@ from math import remainder
 import numpy as np
 
 from graphkin.base.geometry import Value, place
-from graphkin.equations.document import Block, By, Cell, Document, EquationPage, FigureNode, listed, motion_of
+from graphkin.equations.document import Block, By, Document, DocumentTable, EquationPage, FigureNode, listed, motion_of
 from graphkin.equations.expressions import Symbol
 from graphkin.equations.figure import figure
 from graphkin.equations.formulas import Call, Exp, Letter, Op, Row, Word
@@ -30,10 +30,8 @@ _EULER = Row((Exp(Row((_I, _THETA))), Op("="), Call("cos", (_THETA,)), Op("+"), 
 
 
 def document(method: Method, by: By = "complex", lang: Lang = "en") -> Document:
-    """The equations of a planned mechanism by one of the two methods.
-
-    Raises a GraphkinError where the drawn position is a dead point: velocities are not determined there.
-    """
+    """The equations of a planned mechanism by one of the two methods. Raises a GraphkinError where the drawn position
+    is a dead point: velocities are not determined there."""
     return written(model_of(method), by, lang)
 
 
@@ -49,7 +47,11 @@ def written(model: Model, by: By, lang: Lang) -> Document:
     (write_complex if by == "complex" else write_matrix)(model, page)
     page.blocks[before:before] = _auxiliary(model, lang)
     page.head("equations.legend")
-    page.add_table((say(f"equations.{head}", lang) for head in ("symbol", "meaning", "value")), _legend(model, lang))
+    values = model.values
+    rows = [(Letter(symbol), entry.meaning.spoken(lang), _value(entry, values[symbol]))
+            for symbol, entry in model.legend.entries.items()]  # fmt: skip
+    heads = tuple(say(f"equations.{head}", lang) for head in ("symbol", "meaning", "value"))
+    page.blocks.append(DocumentTable(heads, tuple(rows)))
     mechanism = model.method.mechanism
     title = f"{mechanism.headline(lang)}{say('common.colon', lang)}{say(f'equations.method {by}', lang)}"
     return Document(title, tuple(page.blocks), by, lang, mechanism.name)
@@ -60,12 +62,12 @@ def _write_drivers(model: Model, page: EquationPage) -> None:
     if model.drivers:
         motions = listed([node for driver in model.drivers for node in motion_of(driver)])
         page.say("equations.driver" if len(model.drivers) == 1 else "equations.drivers", drivers=motions)
-    if model.alias:
+    if model.legend.alias:
         pretty = Pretty({})
         page.say("equations.fixed angles")
-        page.show(*((Letter(name), pretty.angle(angle)) for name, angle in model.alias.items()))
+        page.show(*((Letter(name), pretty.angle(angle)) for name, angle in model.legend.alias.items()))
         page.say("equations.same rates")
-        rates = {name: turning_part(angle).rate for name, angle in model.alias.items()}
+        rates = {name: turning_part(angle).rate for name, angle in model.legend.alias.items()}
         velocities = [(Letter(name.derivative(1)), pretty.sum(rate)) for name, rate in rates.items()]
         accelerations = [(Letter(name.derivative(2)), pretty.sum(rate.rate)) for name, rate in rates.items()]
         page.show(*velocities, *accelerations)
@@ -83,13 +85,6 @@ def _auxiliary(model: Model, lang: Lang) -> list[Block]:
             of = next(slide.point for slide in structure.slides.values() if slide.line.origin == point)
             page.say("equations.auxiliary", letter=letter, link=bodies.called(body), point=of)
     return page.blocks
-
-
-def _legend(model: Model, lang: Lang) -> list[tuple[Cell, ...]]:
-    """Every letter, its meaning, and its value at the drawn position."""
-    values = model.values
-    return [(Letter(symbol), entry.meaning.spoken(lang), _value(entry, values[symbol]))
-            for symbol, entry in model.legend.entries.items()]  # fmt: skip
 
 
 _SHOWN = {unit.name: unit for unit in (*EDGE.values(), Unit("mm rad", "mm·rad", EDGE["m"].factor), Unit("1", ""))}

@@ -33,25 +33,15 @@ def animation(frames: Sequence[Sheet], seconds: float = SECONDS, ink: Ink = "acc
     first = frames[0]
     pen = SvgPen(first, ink, metadata=True, moving=True)
     for number, layer in enumerate(first.layers):
-        group = _moving(pen, layer, [frame.layers[number].marks for frame in frames], seconds)
-        if len(group):
-            pen.drawing.add(Ready(group))
+        whole, painted = ET.Element("g"), list[tuple[tuple[tuple[str, str], ...], Row]]()
+        for row in _rows([frame.layers[number].marks for frame in frames]):
+            painted.append((pen.colours.paint(layer, next(mark for mark in row if mark is not None)), row))
+        for paint, rows in groupby(painted, key=lambda entry: entry[0]):  # neighbours in one paint share it
+            group = ET.SubElement(whole, "g", dict(paint))
+            group.extend([_element(pen, layer, row, seconds) for _, row in rows])
+        if len(whole):
+            pen.drawing.add(Ready(whole))
     return '<?xml version="1.0" encoding="utf-8"?>\n' + str(pen.drawing.tostring()) + "\n"
-
-
-def _moving(pen: SvgPen, layer: Layer, frames: Sequence[Sequence[Mark]], seconds: float) -> ET.Element:
-    """A layer's marks; neighbours in one paint share it."""
-    whole = ET.Element("g")
-    firsts = ((row, next(mark for mark in row if mark is not None)) for row in _rows(frames))
-    painted = [(pen.colours.paint(layer, first), row) for row, first in firsts]
-    for paint, rows in groupby(painted, key=lambda entry: entry[0]):
-        group = ET.SubElement(whole, "g", dict(paint))
-        for _, row in rows:
-            group.append(_element(pen, layer, row, seconds))
-    return whole
-
-
-# --- which marks of the sheets are one ---------------------------------------------------------
 
 
 def _rows(frames: Sequence[Sequence[Mark]]) -> list[Row]:
@@ -71,7 +61,18 @@ def _rows(frames: Sequence[Sequence[Mark]]) -> list[Row]:
                 at = max(at, order.index(key))
             at += 1
             rows[key][number] = mark
-    return [_aligned(rows[key]) for key in order]
+    for row in rows.values():
+        before: Sequence[complex] = ()
+        for k, each in enumerate(row):
+            if isinstance(each, Stroke):  # an end or a corner stays the first where it is drawn from another one now
+                if before and each.places != before:
+                    starts = range(len(each.places) if each.closed else 1)
+                    turned = [(*each.places[start:], *each.places[:start]) for start in starts]
+                    turned += [places[::-1] for places in turned]
+                    off = [sum(abs(a - b) for a, b in zip(places, before, strict=True)) for places in turned]
+                    row[k] = each = replace(each, places=turned[off.index(min(off))])
+                before = each.places
+    return [rows[key] for key in order]
 
 
 def _kind(mark: Mark) -> tuple[object, ...]:
@@ -93,30 +94,10 @@ def _kind(mark: Mark) -> tuple[object, ...]:
             assert_never(mark)
 
 
-def _aligned(row: Row) -> Row:
-    """A line's ends, and an outline's first corner, as they were before, where it is drawn from another one now."""
-    before: Sequence[complex] = ()
-    for k, mark in enumerate(row):
-        if isinstance(mark, Stroke):
-            if before and mark.places != before:
-                starts = range(len(mark.places) if mark.closed else 1)
-                turned = [(*mark.places[start:], *mark.places[:start]) for start in starts]
-                turned += [places[::-1] for places in turned]
-                off = [sum(abs(a - b) for a, b in zip(places, before, strict=True)) for places in turned]
-                row[k] = mark = replace(mark, places=turned[off.index(min(off))])
-            before = mark.places
-    return row
-
-
-# --- elements ---------------------------------------------------------------------------------
-
-
 def _element(pen: SvgPen, layer: Layer, row: Row, seconds: float) -> ET.Element:
-    """A mark as it is first, with all that changes of it; hidden where it is not there.
-
-    There it stays as it was last; before it first comes, as it will be. The size of a vector in words, which is another
-    one in each position, is left out.
-    """
+    """A mark as it is first, with all that changes of it; hidden where it is not there. There it stays as it was last;
+    before it first comes, as it will be. The size of a vector in words, which is another one in each position, is left
+    out."""
     elements: list[ET.Element] = []
     last = shown = next(mark for mark in row if mark is not None)
     for mark in row:

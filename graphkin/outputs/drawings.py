@@ -7,6 +7,7 @@ written, so that the commands can list them.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
@@ -36,60 +37,50 @@ class DrawingSource:
     ink: Ink = "accent"
 
 
-def _svg(source: DrawingSource) -> bytes:
-    from graphkin.outputs.svg import svg
+def _content(ending: str, source: DrawingSource) -> bytes:
+    """The file of a drawing; its format is loaded here."""
+    match ending:
+        case ".svg":
+            from graphkin.outputs.svg import svg
 
-    return svg(source.sheet, source.ink).encode()
+            return svg(source.sheet, source.ink).encode()
+        case ".pdf":
+            from graphkin.outputs.paged import pdf
 
+            return pdf(source.sheet, source.lang, source.ink)
+        case ".png":
+            from graphkin.outputs.paged import png
 
-def _pdf(source: DrawingSource) -> bytes:
-    from graphkin.outputs.paged import pdf
+            return png(source.sheet, source.dpi, source.ink)
+        case ".dxf":
+            from graphkin.outputs.dxf import dxf
 
-    return pdf(source.sheet, source.lang, source.ink)
+            return dxf(source.sheet)
+        case ".ggb":
+            from graphkin.outputs.geogebra import ggb
 
+            return ggb(source.method, source.plot, source.sheet.scales, source.lang)
+        case _:
+            from graphkin.outputs.tikz import tikz
 
-def _png(source: DrawingSource) -> bytes:
-    from graphkin.outputs.paged import png
-
-    return png(source.sheet, source.dpi, source.ink)
-
-
-def _dxf(source: DrawingSource) -> bytes:
-    from graphkin.outputs.dxf import dxf
-
-    return dxf(source.sheet)
-
-
-def _tikz(source: DrawingSource) -> bytes:
-    from graphkin.outputs.tikz import tikz
-
-    return tikz(source.sheet, source.ink).encode()
-
-
-def _ggb(source: DrawingSource) -> bytes:
-    from graphkin.outputs.geogebra import ggb
-
-    return ggb(source.method, source.plot, source.sheet.scales, source.lang)
+            return tikz(source.sheet, source.ink).encode()
 
 
-def _moving_svg(sheets: Sequence[Sheet], dpi: float, ink: Ink) -> bytes:
-    from graphkin.outputs.animation import animation
+def _moving(ending: str, sheets: Sequence[Sheet], dpi: float, ink: Ink) -> bytes:
+    from graphkin.outputs import animation, paged
 
-    return animation(sheets, ink=ink).encode()
-
-
-def _moving_png(sheets: Sequence[Sheet], dpi: float, ink: Ink) -> bytes:
-    from graphkin.outputs.animation import SECONDS
-    from graphkin.outputs.paged import moving_png
-
-    return moving_png(sheets, dpi, SECONDS, ink)
+    if ending == ".svg":
+        return animation.animation(sheets, ink=ink).encode()
+    return paged.moving_png(sheets, dpi, animation.SECONDS, ink)
 
 
 WRITERS: Mapping[str, Callable[[DrawingSource], bytes]] = {
-    ".svg": _svg, ".pdf": _pdf, ".png": _png, ".dxf": _dxf, ".ggb": _ggb, ".tex": _tikz,
-}  # fmt: skip
+    ending: partial(_content, ending) for ending in (".svg", ".pdf", ".png", ".dxf", ".ggb", ".tex")
+}
 """By the file's ending."""
-MOVING: Mapping[str, Callable[[Sequence[Sheet], float, Ink], bytes]] = {".svg": _moving_svg, ".png": _moving_png}
+MOVING: Mapping[str, Callable[[Sequence[Sheet], float, Ink], bytes]] = {
+    ending: partial(_moving, ending) for ending in (".svg", ".png")
+}
 """Sheets of several positions as one file, by its ending."""
 
 
@@ -124,11 +115,9 @@ def refuse_edited(path: Path, force: bool) -> None:
 
 
 def _edited(path: Path) -> bool:
-    """True for a drawing that no longer measures, or has other signs and letters than it was drawn with.
-
-    One that cannot be measured (a problem without answers, a drawing that moves, one of an older version) counts as it
-    was drawn.
-    """
+    """True for a drawing that no longer measures, or has other signs and letters than it was drawn with. One that
+    cannot be measured (a problem without answers, a drawing that moves, one of an older version) counts as it was
+    drawn."""
     if b"<animate" in path.read_bytes():
         return False
     from graphkin.check import measure

@@ -73,8 +73,18 @@ class _DxfPage:
                 start, end = -math.degrees(mark.start), -math.degrees(mark.start + mark.sweep)
                 start, end = (end, start) if mark.sweep > 0 else (start, end)
                 self.space.add_arc(self._xy(mark.centre), mark.radius, start, end, dxfattribs=self._look(mark.pen, ""))
-            case VectorMark():
-                self._arrow(mark)
+            case VectorMark():  # the line as long as the vector is; the head lies on it
+                look = self._look(mark.pen, mark.plane)
+                tail, head = complex(*self._xy(mark.start)), complex(*self._xy(mark.end))
+                self.space.add_line((tail.real, tail.imag), (head.real, head.imag), dxfattribs=look)
+                if mark.length > 0.05:
+                    length = min(_HEAD, mark.length / 2)
+                    along = cmath.rect(length, cmath.phase(head - tail))
+                    tip = head - along / length * min(mark.back, mark.length / 3)
+                    left, right = (0.0 if mark.half == other else _WIDE for other in ("right", "left"))
+                    outline = (tip, tip - along + along * left * 1j, tip - along - along * right * 1j)
+                    solid = [(corner.real, corner.imag) for corner in outline]
+                    self.space.add_solid(solid, dxfattribs={"layer": look["layer"]})
             case PointMark():
                 self.space.add_circle(self._xy(mark.at), mark.radius, dxfattribs=self._look("outline", mark.plane))
             case Text():
@@ -92,16 +102,3 @@ class _DxfPage:
         width = round(100 * PENS[pen].width)
         known = (13, 18, 25, 35, 50, 70, 100)
         return {"layer": _NAMES.get(plane, plane) or "0", "lineweight": min(known, key=lambda w: abs(w - width))}
-
-    def _arrow(self, mark: VectorMark) -> None:
-        """The line as long as the vector is; the head lies on it."""
-        look = self._look(mark.pen, mark.plane)
-        start, end = complex(*self._xy(mark.start)), complex(*self._xy(mark.end))
-        self.space.add_line((start.real, start.imag), (end.real, end.imag), dxfattribs=look)
-        if mark.length > 0.05:
-            length = min(_HEAD, mark.length / 2)
-            along = cmath.rect(length, cmath.phase(end - start))
-            tip = end - along / length * min(mark.back, mark.length / 3)
-            left, right = (0.0 if mark.half == other else _WIDE for other in ("right", "left"))
-            corners = (tip, tip - along + along * left * 1j, tip - along - along * right * 1j)
-            self.space.add_solid([(c.real, c.imag) for c in corners], dxfattribs={"layer": look["layer"]})

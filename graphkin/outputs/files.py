@@ -78,30 +78,25 @@ def _is_ended(process: int) -> bool:
 
 
 def refuse(path: Path, force: bool, marks: Sequence[bytes]) -> None:
-    """Raises FileInTheWay, NoFolder, CannotWrite; several files are all asked about before the first is written.
-
-    A device or a pipe is no file: the new one would take its place.
-    """
+    """Raises FileInTheWay, NoFolder, CannotWrite; several files are all asked about before the first is written. A
+    device or a pipe is no file: the new one would take its place. A file says in its beginning or its end that graphkin
+    wrote it; an empty one is nobody's loss."""
     try:
         if path.exists() and not path.is_file() and not path.is_dir():
             raise CannotWrite(str(path), "not a regular file")
-        if path.exists() and not force and not _is_own(path, marks):
-            raise FileInTheWay(str(path))
+        if path.exists() and not force:
+            glance = b"no file"
+            if path.is_file():
+                with path.open("rb") as file:
+                    glance = file.read(_GLANCE)
+                    file.seek(max(0, path.stat().st_size - _GLANCE))
+                    glance += file.read(_GLANCE)
+            if glance and not any(mark in glance for mark in marks):
+                raise FileInTheWay(str(path))
         if not path.parent.is_dir():
             raise NoFolder(str(path), str(path.parent))
     except OSError as error:
         raise CannotWrite.by(path, error) from None
-
-
-def _is_own(path: Path, marks: Sequence[bytes]) -> bool:
-    """True where a file says in its beginning or its end that graphkin wrote it; an empty one is nobody's loss."""
-    if not path.is_file():
-        return False
-    with path.open("rb") as file:
-        glance = file.read(_GLANCE)
-        file.seek(max(0, path.stat().st_size - _GLANCE))
-        glance += file.read(_GLANCE)
-    return not glance or any(mark in glance for mark in marks)
 
 
 class NeedsExtra(GraphkinError):

@@ -21,18 +21,12 @@ Json = dict[str, Plain]
 Read = Mapping[str, Any]  # plain data as it is read, before it is looked at
 
 
-# --- out --------------------------------------------------------------------------------------
-
-
 def key_text(key: Key) -> str:
     """The file's text: one line a quantity and a mistake, so that it can be read and changed."""
     data = key_data(key)
     lines = [f' {_line(name)}: {_line(value)},' for name, value in data.items() if not isinstance(value, list)]
-    lists = [
-        f" {_line(name)}: [\n" + ",\n".join(f"  {_line(item)}" for item in value) + "\n ]"
-        for name, value in data.items()
-        if isinstance(value, list)
-    ]
+    lists = [f" {_line(name)}: [\n" + ",\n".join(f"  {_line(item)}" for item in value) + "\n ]"
+             for name, value in data.items() if isinstance(value, list)]  # fmt: skip
     return "{\n" + "\n".join(lines) + "\n" + ",\n".join(lists) + "\n}\n"
 
 
@@ -41,11 +35,7 @@ def key_data(key: Key) -> Json:
     marking, singles = key.marking, key.singles
     mistakes = zip(singles.names, singles.values, singles.scatters, _correlations(singles), strict=True)
     return {
-        "kind": KIND,
-        "format": FORMAT,
-        "name": key.name,
-        "title": dict(key.title),
-        "coincident": key.coincident,
+        "kind": KIND, "format": FORMAT, "name": key.name, "title": dict(key.title), "coincident": key.coincident,
         "mechanism": key.text,
         "marking": {
             "lengths": dict(marking.lengths), "angle": marking.angle, "scales": dict(marking.scales),
@@ -87,9 +77,6 @@ def _line(value: object) -> str:
     return json.dumps(value, ensure_ascii=False, allow_nan=False)
 
 
-# --- in ---------------------------------------------------------------------------------------
-
-
 def key_of(text: str, where: Where) -> Key:
     """The key that a text holds. Raises BadKey."""
 
@@ -124,11 +111,17 @@ class _KeyReader:
         self._require(together.shape == (count, count) and np.allclose(together, together.T), "together")
         text = [data[name] for name in ("name", "mechanism", "coincident")]
         self._require(all(isinstance(part, str) for part in text), "mechanism")
+        item, planes = data["marking"], ("position", "velocity", "acceleration")
+        lengths = {plane: self._number(item["lengths"][plane], plane) for plane in planes}
+        scales = {str(name): self._number(x, "scales") for name, x in item["scales"].items()}
+        angle, sigmas, relative = (self._number(item[name], name) for name in ("angle", "sigmas", "relative"))
+        self._require(min(*lengths.values(), angle, relative) >= 0 and sigmas > 0, "marking")
         return Key(
-            text[0], text[1], text[2], self._marking(data["marking"]), entries,
+            text[0], text[1], text[2], Marking(lengths, angle, scales, sigmas, relative), entries,
             tuple(self._number(x, "given") for x in data["given"]), together, self._mistakes(data["mistakes"], count),
             {str(lang): str(title) for lang, title in data["title"].items()},
-            tuple(self._step(item) for item in data["steps"]),
+            tuple(KeyStep(str(step["plane"]), *(tuple(map(str, step[name])) for name in ("left", "right", "gives")))
+                  for step in data["steps"]),
             tuple(self.key(item) for item in data.get("positions", ())),
         )  # fmt: skip
 
@@ -143,14 +136,6 @@ class _KeyReader:
         self._require(doubt in get_args(Doubt), what)
         return KeyEntry(item["text"], item["unit"], cast(Sort, item["sort"]), right, scatter, tolerance, points, doubt)
 
-    def _marking(self, item: Read) -> Marking:
-        planes = ("position", "velocity", "acceleration")
-        lengths = {plane: self._number(item["lengths"][plane], plane) for plane in planes}
-        scales = {str(name): self._number(x, "scales") for name, x in item["scales"].items()}
-        angle, sigmas, relative = (self._number(item[name], name) for name in ("angle", "sigmas", "relative"))
-        self._require(min(*lengths.values(), angle, relative) >= 0 and sigmas > 0, "marking")
-        return Marking(lengths, angle, scales, sigmas, relative)
-
     def _mistakes(self, items: Iterable[Read], count: int) -> Hypotheses:
         names, values, scatters, together = [], [], [], []
         for item in items:
@@ -159,24 +144,17 @@ class _KeyReader:
             names.append(name)
             values.append(item["values"])
             scatters.append(item["scatters"])
-            together.append(self._correlations(item.get("together"), count))
+            table, text = np.full((count, count), np.nan), item.get("together")  # NaN where nothing is said
+            if text is not None:
+                rows, columns = np.triu_indices(count, 1)
+                parts = np.frombuffer(base64.b64decode(text, validate=True), dtype=np.int8) / 100
+                self._require(len(parts) == len(rows) and bool(np.all(np.abs(parts) <= 1)), "together")
+                np.fill_diagonal(table, 1.0)
+                table[rows, columns] = table[columns, rows] = parts
+            together.append(table)
         tables = self._table(values, count), self._table(scatters, count)
         self._require(not np.any(tables[1] <= 0), "mistakes")
         return Hypotheses(tuple(names), *tables, np.array(together).reshape(-1, count, count))
-
-    def _correlations(self, text: str | None, count: int) -> Array:
-        """A table of correlations; NaN where nothing is said."""
-        table = np.full((count, count), np.nan)
-        if text is not None:
-            rows, columns = np.triu_indices(count, 1)
-            values = np.frombuffer(base64.b64decode(text, validate=True), dtype=np.int8) / 100
-            self._require(len(values) == len(rows) and bool(np.all(np.abs(values) <= 1)), "together")
-            np.fill_diagonal(table, 1.0)
-            table[rows, columns] = table[columns, rows] = values
-        return table
-
-    def _step(self, item: Read) -> KeyStep:
-        return KeyStep(str(item["plane"]), *(tuple(map(str, item[name])) for name in ("left", "right", "gives")))
 
     def _table(self, rows: list[list[float | None]], count: int) -> Array:
         """(rows, count); None is NaN."""

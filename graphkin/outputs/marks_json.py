@@ -41,11 +41,16 @@ def line(graded: Graded, lang: Lang = "en") -> Json:
 def record(graded: Graded, lang: Lang = "en") -> Json:
     """All of one submission: the line's, with the arithmetic, the mistakes' places, and what was passed over."""
     marked = graded.marked
-    quantities = {} if marked is None else {one.text: _quantity(one) | _arithmetic(one) for one in marked.judged}
-    mistakes = [] if marked is None else [
-        _mistake(one) | {"names": [[_place(name) for name in names] for names in one.names]}
-        for one in marked.diagnosis.explanations
-    ]  # fmt: skip
+    quantities: dict[str, Json] = {}
+    for one in () if marked is None else marked.judged:
+        quantities[one.text] = _quantity(one) | {
+            "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
+            "points": one.points, "credit": one.credit, **({"measured": True} if one.measured else {}),
+        }  # fmt: skip
+    mistakes: list[Json] = []
+    for each in () if marked is None else marked.diagnosis.explanations:
+        sites = [[dict(zip(("id", "way", "of", "form"), name, strict=True)) for name in names] for names in each.names]
+        mistakes.append(_mistake(each) | {"names": sites})
     whole = _line(graded, lang, quantities, mistakes)
     whole |= {"place": graded.place, "notes": [note.message(lang) for note in graded.notes]}
     if marked is not None:
@@ -69,17 +74,7 @@ def _line(graded: Graded, lang: Lang, quantities: Mapping[str, Plain], mistakes:
 
 
 def _quantity(one: Judged) -> Json:
-    return {
-        "given": one.given, "right": one.right, "carried": one.carried, "tolerance": one.tolerance,
-        "verdict": one.verdict, "sense": one.sense,
-    }  # fmt: skip
-
-
-def _arithmetic(one: Judged) -> Json:
-    return {
-        "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
-        "points": one.points, "credit": one.credit, **({"measured": True} if one.measured else {}),
-    }  # fmt: skip
+    return {name: getattr(one, name) for name in _QUANTITY}
 
 
 def _mistake(one: Explanation) -> Json:
@@ -89,15 +84,8 @@ def _mistake(one: Explanation) -> Json:
     }  # fmt: skip
 
 
-def _place(name: tuple[str, str, str, str]) -> Json:
-    return dict(zip(("id", "way", "of", "form"), name, strict=True))
-
-
 def _rounded(number: float) -> float:
     return float(f"{number:.6g}") + 0.0
-
-
-# --- records read -----------------------------------------------------------------------------
 
 
 def line_of(record: Record) -> Json:
@@ -118,9 +106,6 @@ def drawn_of(record: Record) -> dict[Plane, dict[str, complex]]:
         if not all(map(cmath.isfinite, planes[plane].values())):
             raise ValueError(f"drawn: {plane}")
     return planes
-
-
-# --- a file of records ------------------------------------------------------------------------
 
 
 def write(path: Path, records: Iterable[Record], force: bool = False) -> None:

@@ -41,9 +41,7 @@ def pdf(sheet: Sheet, lang: Lang, ink: Ink = "accent") -> bytes:
 
 def unscaled(content: bytes) -> bytes:
     """A PDF that asks to be printed as large as it is: its catalog once more at the end, as PDF lets a file be changed.
-
-    As it was, where its catalog is not found.
-    """
+    As it was, where its catalog is not found."""
     trailer = content[content.rfind(b"trailer") :]
     root, start = re.search(rb"/Root (\d+) 0 R", trailer), re.search(rb"startxref\s+(\d+)", trailer)
     if root is None or start is None or re.search(rb"/Size (\d+)", trailer) is None:
@@ -68,10 +66,8 @@ def serif_files() -> list[str]:
 
 
 def png(sheet: Sheet, dpi: float, ink: Ink = "accent") -> bytes:
-    """The sheet at so many dots per inch, with who made it, and how large it is meant to be.
-
-    Raises NeedsExtra without resvg-py.
-    """
+    """The sheet at so many dots per inch, with who made it, and how large it is meant to be. Raises NeedsExtra without
+    resvg-py."""
     resvg = needed("resvg_py", "png")
     fonts = {"serif_family": SERIF, "font_files": serif_files()}
     content = bytes(resvg.svg_to_bytes(svg_string=svg(sheet, ink), dpi=dpi, background="#ffffff", **fonts))
@@ -82,10 +78,8 @@ def png(sheet: Sheet, dpi: float, ink: Ink = "accent") -> bytes:
 
 
 def moving_png(sheets: Sequence[Sheet], dpi: float, seconds: float, ink: Ink = "accent") -> bytes:
-    """The sheets one after the other, again and again (APNG): few colours, and of each only what is new.
-
-    Raises NeedsExtra without resvg-py.
-    """
+    """The sheets one after the other, again and again (APNG): few colours, and of each only what is new. Raises
+    NeedsExtra without resvg-py."""
     from PIL import Image, PngImagePlugin
 
     pictures = [Image.open(io.BytesIO(png(sheet, dpi, ink))).convert("RGB") for sheet in sheets]

@@ -43,22 +43,15 @@ def _xy(place: Place) -> list[float]:
 
 
 def statement(sheet: Sheet, moving: bool = False) -> str:
-    """The data for solving the same problem anew; a checker trusts only the lines.
-
-    What is given, what moves, and what carries no mechanism is not measured: it bears no seal.
-    """
+    """The data for solving the same problem anew; a checker trusts only the lines. What is given, what moves, and what
+    carries no mechanism is not measured: it bears no seal."""
     machine = sheet.mechanism
     data: dict[str, object] = {
-        "format": 3,
-        "program": "graphkin",
-        "mechanism": machine.text,
-        "name": machine.name,
-        "title": sheet.title,
-        "file": Path(machine.file).name,
-        "drivers": list(sheet.drivers),
+        "format": 3, "program": "graphkin", "mechanism": machine.text, "name": machine.name, "title": sheet.title,
+        "file": Path(machine.file).name, "drivers": list(sheet.drivers),
         "scales": {KEYS[plane]: scale for plane, scale in sheet.scales.items()},
         "origin": {plane: _xy(origin) for plane, origin in sheet.origins.items()},
-    }
+    }  # fmt: skip
     if not sheet.paper.margin:
         data["tight"] = True
     if sheet.given:  # the file may tell answers, in a remark
@@ -76,19 +69,18 @@ def _drawn(sheet: Sheet) -> dict[str, object]:
     drawn = [(kind(mark), said) for mark in sheet.marks if (said := stated(mark))]
     placed = any(isinstance(mark, PointMark) and mark.plane in KEYS for mark in sheet.marks)
     texts = [mark for mark in sheet.marks if isinstance(mark, Text)]
+    signs = []  # held against no length: what shows nothing, or a line of a link without points of it
+    for mark in sheet.marks:
+        said = stated(mark)
+        unheld = not placed and kind(mark) == "link" and said.get("form") != "ruler"
+        if not isinstance(mark, Text) and (not said or unheld):
+            one, other = _ends(mark)
+            signs.append([*_xy(one), *_xy(other)])
     return {
         "drawn": sorted([sort, *sorted(f"{key}={value}" for key, value in said.items())] for sort, said in drawn),
         "letters": sorted([lettered(text), *_xy(text.at)] for text in texts),
-        "signs": sorted([*_xy(one), *_xy(other)] for mark in sheet.marks if _is_sign(mark, placed)
-                        for one, other in (_ends(mark),)),
-    }  # fmt: skip
-
-
-def _is_sign(mark: Mark, placed: bool) -> bool:
-    """True if a mark is held against no length: one that shows nothing, or a line of a link without points of it."""
-    said = stated(mark)
-    unheld = not placed and kind(mark) == "link" and said.get("form") != "ruler"
-    return not isinstance(mark, Text) and (not said or unheld)
+        "signs": sorted(signs),
+    }
 
 
 def _ends(mark: Mark) -> tuple[Place, Place]:

@@ -5,23 +5,20 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from graphkin.base.geometry import Array, Value, number
+from graphkin.base.geometry import Value, number
 from graphkin.base.plain import Plain
 
 if TYPE_CHECKING:
     from graphkin.marking.discriminability import SetDiscriminability
     from graphkin.marking.power import Power
     from graphkin.marking.tolerances import Tolerances
-    from graphkin.studies.design import Design, Family, Solution
+    from graphkin.studies.design import Design, Solution
 
 Json = dict[str, Plain]
 
 
 def _finite(value: float) -> float | None:
     return value if math.isfinite(value) else None
-
-
-# --- designs ----------------------------------------------------------------------------------
 
 
 def as_json(design: Design) -> Json:
@@ -35,16 +32,30 @@ def as_json(design: Design) -> Json:
     """
     from graphkin.say.design import phrased
 
+    families: list[Json] = []
+    for one in design.families:  # every twentieth point; the arrays themselves have them all
+        arrays = {"a": one.a, "b": one.b, "d": one.d, "e": one.e, "gamma_min": one.gamma_min}
+        families.append({
+            "centre": [one.centre.real, one.centre.imag], "radius": one.radius,
+            "best": {"angle": one.best[0], "gamma_min": one.best[1]} if math.isfinite(one.best[1]) else None,
+            **{name: None if of is None else [float(value) for value in of[::20]] for name, of in arrays.items()},
+            "A": [_xy(place) for place in one.at[::20]],
+            "arcs": [{"from": arc.start, "to": arc.end, "name": arc.name} for arc in one.arcs],
+        })  # fmt: skip
+    bisectors: Json | None = None
+    if design.kind == "coupler" and design.best is not None and len(design.best.limits) == 2:
+        board, bisectors = design.best.board(), {}
+        for pivot, hinge in (("A", "B"), ("D", "C")):
+            middle, (_, along) = (board.at(f"{hinge}1") + board.at(f"{hinge}2")) / 2, board.line(f"{hinge}12")
+            bisectors[pivot] = {"through": _xy(middle), "direction": math.atan2(along.imag, along.real)}
     return {
-        "format": 1,
-        "kind": design.kind,
-        "given": dict(design.given),
+        "format": 1, "kind": design.kind, "given": dict(design.given),
         "solutions": [_solution(one) for one in design.solutions],
         "rejected": [_solution(one) for one in design.rejected],
         "why": [phrased(reason, "en") for reason in design.why],
-        "bisectors": _bisectors(design),
-        "family": [_family(one) for one in design.families],
-    }
+        "bisectors": bisectors,
+        "family": families,
+    }  # fmt: skip
 
 
 def _solution(one: Solution) -> Json:
@@ -64,49 +75,13 @@ def _xy(place: Value) -> Plain:
     return [number(place.real), number(place.imag)]
 
 
-def _bisectors(design: Design) -> Json | None:
-    if design.kind != "coupler" or design.best is None or len(design.best.limits) != 2:
-        return None
-    board = design.best.board()
-    bisectors: Json = {}
-    for pivot, hinge in (("A", "B"), ("D", "C")):
-        middle, (_, along) = (board.at(f"{hinge}1") + board.at(f"{hinge}2")) / 2, board.line(f"{hinge}12")
-        bisectors[pivot] = {"through": _xy(middle), "direction": math.atan2(along.imag, along.real)}
-    return bisectors
-
-
-def _family(one: Family) -> Json:
-    """Every twentieth point; the arrays themselves have them all."""
-
-    def thinned(values: Array | None) -> Plain:
-        return None if values is None else [float(value) for value in values[::20]]
-
-    return {
-        "centre": [one.centre.real, one.centre.imag],
-        "radius": one.radius,
-        "best": {"angle": one.best[0], "gamma_min": one.best[1]} if math.isfinite(one.best[1]) else None,
-        "a": thinned(one.a), "b": thinned(one.b), "d": thinned(one.d), "e": thinned(one.e),
-        "gamma_min": thinned(one.gamma_min),
-        "A": [_xy(place) for place in one.at[::20]],
-        "arcs": [{"from": arc.start, "to": arc.end, "name": arc.name} for arc in one.arcs],
-    }  # fmt: skip
-
-
-# --- marking ----------------------------------------------------------------------------------
-
-
 def tolerance_data(tolerances: Tolerances) -> Json:
     """Each quantity, and each step of the pencil with its part in the scatter."""
     key, marking = tolerances.key, tolerances.key.marking
     length, angle = marking.on_paper
     return {
-        "format": 1,
-        "name": key.name,
-        "pencil": {"length_mm": length, "angle_deg": angle},
-        "sigmas": marking.sigmas,
-        "relative": marking.relative,
-        "scales": dict(marking.scales),
-        "drawings": tolerances.drawings,
+        "format": 1, "name": key.name, "pencil": {"length_mm": length, "angle_deg": angle}, "sigmas": marking.sigmas,
+        "relative": marking.relative, "scales": dict(marking.scales), "drawings": tolerances.drawings,
         "failed": tolerances.failed,
         "quantities": {
             entry.text: {
@@ -128,8 +103,7 @@ def tolerance_data(tolerances: Tolerances) -> Json:
 def power_data(power: Power) -> Json:
     """An object a mistake at a place, and the rates of false alarms."""
     return {
-        "handed in": list(power.texts),
-        "trials": power.trials,
+        "handed in": list(power.texts), "trials": power.trials,
         "mistakes": [
             {
                 **dict(zip(("id", "way", "of", "form"), one.name, strict=True)), "moved": one.moved,
@@ -146,12 +120,8 @@ def power_data(power: Power) -> Json:
 def told_data(set_: SetDiscriminability) -> Json:
     """The mistakes that a set's answers tell apart; parts from 0 to 1."""
     return {
-        "problems": set_.problems,
-        "pencil": dict(zip(("length_mm", "angle_deg"), set_.pencil, strict=True)),
-        "places": set_.places,
-        "applicable": set_.seen,
-        "told apart": set_.apart,
-        "lost by numbers": set_.lost,
+        "problems": set_.problems, "pencil": dict(zip(("length_mm", "angle_deg"), set_.pencil, strict=True)),
+        "places": set_.places, "applicable": set_.seen, "told apart": set_.apart, "lost by numbers": set_.lost,
         "mistakes": {
             id: {"places": places, "applicable": seen, "told apart": apart}
             for id, (places, seen, apart) in set_.kinds.items()
@@ -159,4 +129,4 @@ def told_data(set_: SetDiscriminability) -> Json:
         "sets": [{"ids": list(pair), "part": part} for pair, part in set_.sets.items()],
         "within tolerance": [{"ids": list(pair), "part": part} for pair, part in set_.rivals.items()],
         "right work": {"problems": set_.tried, "judged wrong": set_.alarms[0], "mistake named": set_.alarms[1]},
-    }
+    }  # fmt: skip

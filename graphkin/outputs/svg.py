@@ -93,9 +93,6 @@ def _xy(place: Place) -> tuple[str, str]:
     return mm(place.real), mm(place.imag)
 
 
-# --- elements ---------------------------------------------------------------------------------
-
-
 class SvgPen:
     """One drawing in the making. Marks of one layer that follow one another in one paint share it in a group."""
 
@@ -115,7 +112,10 @@ class SvgPen:
         if metadata:
             self.drawing["xmlns:inkscape"] = _INKSCAPE
             self.drawing["role"] = "img"
-            self.drawing.set_desc(title=sheet.title, desc=_described(sheet))
+            figures = []  # the figures on the sheet, at which scales
+            for plane, scale in sheet.scales.items():
+                figures.append(f"{HEADINGS[sheet.lang][plane]}, {''.join(run.text for run in written(plane, scale))}")
+            self.drawing.set_desc(title=sheet.title, desc="; ".join(figures))
             self.drawing.set_metadata(_element("gk:sheet", _NONE, statement(sheet, moving)))
         else:
             self.drawing.set_desc(title=sheet.title)
@@ -146,12 +146,18 @@ class SvgPen:
 
     def _form(self, mark: Mark, layer: Layer) -> Form:
         match mark:
+            case Stroke(places=(start, end), closed=False):
+                return "line", _line(start, end), ""
             case Stroke():
-                return _stroke(mark)
+                corners = "L".join(" ".join(_xy(place)) for place in mark.places)
+                return "path", {"d": "M" + corners + ("Z" if mark.closed else "")}, ""
             case Disc():
                 return _circle(mark.centre, mark.radius)
             case ArcMark():
-                return _arc(mark)
+                turns, flags = (0.0, mark.sweep), f"{int(abs(mark.sweep) > math.pi)} {int(mark.sweep > 0)}"
+                ends = (_xy(mark.centre + cmath.rect(mark.radius, mark.start + turn)) for turn in turns)
+                (x1, y1), (x2, y2), radius = *ends, mm(mark.radius)
+                return "path", {"d": f"M{x1} {y1}A{radius} {radius} 0 {flags} {x2} {y2}"}, ""
             case VectorMark(plane="detail"):
                 return "path", {"d": _pointed(mark)}, ""
             case VectorMark():
@@ -164,22 +170,13 @@ class SvgPen:
                 assert_never(mark)
 
     def _vector(self, mark: VectorMark, colour: str) -> Form:
+        """A line and its size in words; the head's tip lies on the line, so far from its end, small on short arrows."""
         form = _line(mark.start, mark.end)
-        if mark.length > 0.05:
-            form["marker-end"] = f"url(#{self._head(mark, colour)})"
-        if mark.plane not in self.sheet.scales:
-            return "line", form, ""
-        size = mark.length * next(scale for plane, scale in self.sheet.scales.items() if plane == mark.plane)
-        value = f"{size:.4g}" if mark.length > 0.0001 else "0"  # v_B3 = v_C = 0.2712 m/s
-        title = f"{' = '.join((mark.name, *mark.also))} = {value} {'m/s' if mark.plane == 'velocity' else 'm/s²'}"
-        return "line", form, [_element("title", {}, title)]
-
-    def _head(self, mark: VectorMark, colour: str) -> str:
-        """The name of an arrow head whose tip lies on the line, so far from its end; on short arrows it is small."""
-        part = 1.0 if mark.length > 1.6 * _TIP + mark.back else 0.5
-        back = min(mark.back, 0.4 * mark.length)
+        part, back = 1.0 if mark.length > 1.6 * _TIP + mark.back else 0.5, min(mark.back, 0.4 * mark.length)
         name = "-".join(filter(None, ("tip", colour.strip("#"), mm(10 * part), mm(back), mark.half)))
-        if name not in self.heads:
+        if mark.length > 0.05:
+            form["marker-end"] = f"url(#{name})"
+        if mark.length > 0.05 and name not in self.heads:
             self.heads.add(name)
             head = self.drawing.marker(
                 id=name, insert=(mm(_TIP + back / part), "0.7"), size=(mm(_TIP * part), mm(1.4 * part)), orient="auto",
@@ -187,7 +184,12 @@ class SvgPen:
             )  # fmt: skip
             head.add(self.drawing.path(d=_HEADS[mark.half], fill=colour, stroke="none"))
             self.drawing.defs.add(head)
-        return name
+        if mark.plane not in self.sheet.scales:
+            return "line", form, ""
+        size = mark.length * next(scale for plane, scale in self.sheet.scales.items() if plane == mark.plane)
+        value = f"{size:.4g}" if mark.length > 0.0001 else "0"  # v_B3 = v_C = 0.2712 m/s
+        title = f"{' = '.join((mark.name, *mark.also))} = {value} {'m/s' if mark.plane == 'velocity' else 'm/s²'}"
+        return "line", form, [_element("title", {}, title)]
 
 
 class Ready:
@@ -220,21 +222,6 @@ def _circle(centre: Place, radius: float) -> Form:
     return "circle", {"cx": x, "cy": y, "r": mm(radius)}, ""
 
 
-def _stroke(mark: Stroke) -> Form:
-    if len(mark.places) == 2 and not mark.closed:
-        return "line", _line(*mark.places), ""
-    corners = "L".join(" ".join(_xy(place)) for place in mark.places)
-    return "path", {"d": "M" + corners + ("Z" if mark.closed else "")}, ""
-
-
-def _arc(mark: ArcMark) -> Form:
-    start = mark.centre + cmath.rect(mark.radius, mark.start)
-    end = mark.centre + cmath.rect(mark.radius, mark.start + mark.sweep)
-    flags = f"{int(abs(mark.sweep) > math.pi)} {int(mark.sweep > 0)}"
-    (x1, y1), (x2, y2), radius = _xy(start), _xy(end), mm(mark.radius)
-    return "path", {"d": f"M{x1} {y1}A{radius} {radius} 0 {flags} {x2} {y2}"}, ""
-
-
 def _text(mark: Text) -> Form:
     """Letters of one style as one; else each run at its own place, so that no viewer has to set them."""
     size, spans = {"font-size": mm(mark.size)}, runs(mark)
@@ -250,9 +237,7 @@ def _text(mark: Text) -> Form:
     return "text", size, elements
 
 
-_HEADS: Mapping[Half, str] = {
-    "": "M0 .2L2.8 .7L0 1.2Z", "left": "M0 0L2.8 .7L0 .7Z", "right": "M0 .7L2.8 .7L0 1.4Z",
-}  # fmt: skip
+_HEADS: Mapping[Half, str] = {"": "M0 .2L2.8 .7L0 1.2Z", "left": "M0 0L2.8 .7L0 .7Z", "right": "M0 .7L2.8 .7L0 1.4Z"}
 
 
 def _pointed(mark: VectorMark) -> str:
@@ -270,13 +255,6 @@ def _pointed(mark: VectorMark) -> str:
 
 _WIDTHS: Mapping[Half, tuple[float, float]] = {"": (0.45, 0.45), "left": (0.6, 0.0), "right": (0.0, 0.6)}
 """How far such a head opens to the left and to the right, with the line around it as far as others do [mm]."""
-
-
-def _described(sheet: Sheet) -> str:
-    """The figures on the sheet, at which scales."""
-    words = HEADINGS[sheet.lang]
-    labels = {plane: "".join(run.text for run in written(plane, scale)) for plane, scale in sheet.scales.items()}
-    return "; ".join(f"{words[plane]}, {label}" for plane, label in labels.items())
 
 
 class NotebookSheet(Sheet):

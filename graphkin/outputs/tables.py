@@ -22,8 +22,7 @@ from graphkin.base.plain import Plain
 from graphkin.errors import GraphkinError, Lang
 from graphkin.model.quantities import EDGE, Unit, driven
 from graphkin.outputs.files import beside
-from graphkin.running.path import Event
-from graphkin.studies.sweeps import Course, Road, Series, Sweep, in_parts
+from graphkin.studies.sweeps import Course, Road, Sweep, in_parts
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -49,13 +48,22 @@ class NoParquet(GraphkinError):
 def write(
     path: Path, course: Course, names: tuple[str, ...], by: Road, force: bool = False, seen: Seen = lambda part: None
 ) -> None:
-    """A table into a file, by its suffix; `seen` is shown each part.
-
-    Raises FileInTheWay, NoFolder, CannotWrite, NoParquet.
-    """
+    """A table into a file, by its suffix; `seen` is shown each part. Raises FileInTheWay, NoFolder, CannotWrite,
+    NoParquet."""
     parts = shown_parts(in_parts(course, names, by), seen)
     if path.suffix == ".parquet":
-        _write_parquet(path, parts, force)
+        try:
+            import pyarrow  # type: ignore[import-not-found, unused-ignore]
+            import pyarrow.parquet  # type: ignore[import-not-found, unused-ignore]
+        except ImportError:
+            raise NoParquet(str(path)) from None
+        with beside(path, force, MARKS) as draft:
+            writer: Any = None
+            for part in parts:
+                table = pyarrow.table(columns(part)).replace_schema_metadata({"writer": "graphkin"})
+                writer = writer or pyarrow.parquet.ParquetWriter(draft, table.schema)
+                writer.write_table(table)
+            writer.close()
         return
     with beside(path, force, MARKS) as draft, draft.open("w", encoding="utf-8", newline="\n") as file:
         if path.suffix == ".json":
@@ -71,14 +79,9 @@ def shown_parts(parts: Iterator[Sweep], seen: Seen) -> Iterator[Sweep]:
         seen(part)
 
 
-# --- columns ----------------------------------------------------------------------------------
-
-
 def columns(part: Sweep, units: Mapping[str, Unit] = EDGE) -> dict[str, Array]:
-    """By header, in mm and deg or so: the drivers' values, and each quantity as the terminal has it.
-
-    Of vectors then x and y; where a guide of the frame gives a sign, the size, too.
-    """
+    """By header, in mm and deg or so: the drivers' values, and each quantity as the terminal has it. Of vectors then x
+    and y; where a guide of the frame gives a sign, the size, too."""
     unit = units[part.course.unit]
     table: dict[str, Array] = {f"{part.course.driver.name} [{unit.name}]": part.driven * unit.factor}
     for name, other, values in _others(part):
@@ -87,17 +90,12 @@ def columns(part: Sweep, units: Mapping[str, Unit] = EDGE) -> dict[str, Array]:
         shown, factor = units[entry.unit].name or "1", units[entry.unit].factor
         if not entry.is_place:
             table[f"{entry.name} [{shown}]"] = entry.signed * factor
-        if _has_size(entry):
+        if entry.along is not None and entry.vectors is not None:  # its value has a sign that its size has not
             table[f"{entry.name} size [{shown}]"] = entry.values * factor
         if entry.vectors is not None:
             table[f"{entry.name} x [{shown}]"] = entry.vectors.real * factor
             table[f"{entry.name} y [{shown}]"] = entry.vectors.imag * factor
     return table
-
-
-def _has_size(entry: Series) -> bool:
-    """True where its value has a sign that its size has not."""
-    return entry.along is not None and entry.vectors is not None
 
 
 def _others(part: Sweep) -> Iterator[tuple[str, str, Array]]:
@@ -107,9 +105,6 @@ def _others(part: Sweep) -> Iterator[tuple[str, str, Array]]:
         if k != course.swept and course.path.pace[k]:
             unit = driven(driver.kind == "slide")
             yield driver.name, unit, course.path.start[k] + course.path.pace[k] * part.t
-
-
-# --- files ------------------------------------------------------------------------------------
 
 
 def csv_lines(course: Course, parts: Iterator[Sweep]) -> Iterator[str]:
@@ -146,42 +141,33 @@ def json_text(course: Course, parts: Iterator[Sweep]) -> str:
         name: {"unit": unit, "values": _all(part[k][2] for part in others)}
         for k, (name, unit, _) in enumerate(others[0])
     }
+    events: list[list[Plain]] = []
+    for some in (course.stops, course.changes):
+        events.append([{"at": number(course.value(e.at)), "kind": e.kind, "links": list(e.links)} for e in some])
+    quantities: dict[str, dict[str, Plain]] = {}
+    for k, first in enumerate(collected[0].series):
+        each = [part.series[k] for part in collected]
+        quantities[first.name] = {"unit": first.unit, "values": _all(one.signed for one in each)}
+        if first.along is not None and first.vectors is not None:
+            quantities[first.name]["sizes"] = _all(one.values for one in each)
+        if first.vectors is not None:
+            vectors = np.concatenate([np.asarray(one.vectors) for one in each])
+            quantities[first.name]["vectors"] = [[_finite(vector.real), _finite(vector.imag)] for vector in vectors]
     undefined = _all(part.undefined for part in collected)
     values = _all(part.driven for part in collected)
     data: dict[str, Plain] = {
-        "format": 1,
-        "name": course.method.mechanism.name,
+        "format": 1, "name": course.method.mechanism.name,
         "driver": {"name": course.driver.name, "unit": course.unit, "values": values},
         **({"together": together} if together else {}),
         "range": {
-            "full_turn": course.full_turn,
-            "low": low,
-            "high": high,
-            "stops": [_event(course, stop) for stop in course.stops],
-            "change_points": [_event(course, change) for change in course.changes],
+            "full_turn": course.full_turn, "low": low, "high": high,
+            "stops": events[0], "change_points": events[1],
             "not_reached": [float(value) for value in course.dropped],
             **({"undefined": undefined} if undefined else {}),
         },
-        "quantities": {
-            entry.name: _quantity([part.series[k] for part in collected])
-            for k, entry in enumerate(collected[0].series)
-        },
-    }
+        "quantities": quantities,
+    }  # fmt: skip
     return json.dumps(data, ensure_ascii=False, allow_nan=False)
-
-
-def _event(course: Course, event: Event) -> Plain:
-    return {"at": number(course.value(event.at)), "kind": event.kind, "links": list(event.links)}
-
-
-def _quantity(parts: list[Series]) -> dict[str, Plain]:
-    data: dict[str, Plain] = {"unit": parts[0].unit, "values": _all(part.signed for part in parts)}
-    if _has_size(parts[0]):
-        data["sizes"] = _all(part.values for part in parts)
-    if parts[0].vectors is not None:
-        vectors = np.concatenate([np.asarray(part.vectors) for part in parts])
-        data["vectors"] = [[_finite(vector.real), _finite(vector.imag)] for vector in vectors]
-    return data
 
 
 def _all(parts: Iterable[Array]) -> list[float | None]:
@@ -191,24 +177,6 @@ def _all(parts: Iterable[Array]) -> list[float | None]:
 def _finite(value: float) -> float | None:
     """A number JSON can hold; what has no value there (a quotient by 0) is null."""
     return float(value) + 0.0 if math.isfinite(value) else None
-
-
-def _write_parquet(path: Path, parts: Iterator[Sweep], force: bool) -> None:
-    try:
-        import pyarrow  # type: ignore[import-not-found, unused-ignore]
-        import pyarrow.parquet  # type: ignore[import-not-found, unused-ignore]
-    except ImportError:
-        raise NoParquet(str(path)) from None
-    with beside(path, force, MARKS) as draft:
-        writer: Any = None
-        for part in parts:
-            table = pyarrow.table(columns(part)).replace_schema_metadata({"writer": "graphkin"})
-            writer = writer or pyarrow.parquet.ParquetWriter(draft, table.schema)
-            writer.write_table(table)
-        writer.close()
-
-
-# --- notebooks and other programs -------------------------------------------------------------
 
 
 class SweepFrames(Sweep):
@@ -276,10 +244,8 @@ class SweepFrames(Sweep):
         """Its first and last rows, in deg and mm."""
         table, count = self.columns(), self.t.size
         rows = [*range(count)] if count <= 2 * _SHOWN else [*range(_SHOWN), None, *range(count - _SHOWN, count)]
-        lines = [_html_row("th", table)]
-        lines += [
-            _html_row("td", ("…" if k is None else f"{column[k]:.6g}" for column in table.values())) for k in rows
-        ]
+        cells = (("…" if k is None else f"{column[k]:.6g}" for column in table.values()) for k in rows)
+        lines = [_html_row("th", table), *(_html_row("td", row) for row in cells)]
         return f"<table>\n<caption>{escape(repr(self)[1:-1])}</caption>\n" + "\n".join(lines) + "\n</table>"
 
 

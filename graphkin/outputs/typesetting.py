@@ -63,7 +63,11 @@ def runs(mark: Text) -> list[LetterSpan]:
     spans: list[LetterSpan] = []
     for run, start, drop in scripts(mark.label, mark.size):
         size = run_size(run, mark.size)
-        for text in _of_one_script(run.text):
+        # Chinese and Latin letters apart, and those with dots by themselves
+        pieces = [run.text] if run.text.isascii() else _ANY_DOTTED.split(run.text)
+        apart = ([piece] if piece in _DOTTED or run.text.isascii() else
+                 ["".join(some) for _, some in groupby(piece, _is_chinese)] for piece in pieces)  # fmt: skip
+        for text in (text for texts in apart for text in texts):
             bare = text.lstrip(" ")
             spaces = text[: len(text) - len(bare)]
             if spaces and spans:
@@ -80,14 +84,6 @@ def lettered(mark: Text) -> str:
     """Its letters as a reader of the file finds them."""
     text = "".join(run.text for run in mark.label)
     return text if text.isascii() else _ANY_DOTTED.sub(lambda match: _DOTTED[match[0]], text)
-
-
-def _of_one_script(text: str) -> list[str]:
-    """Its letters, Chinese and Latin ones apart, and those with dots by themselves."""
-    if text.isascii():
-        return [text]
-    parts = ([part] if part in _DOTTED else groupby(part, _is_chinese) for part in _ANY_DOTTED.split(text))
-    return [each if isinstance(each, str) else "".join(each[1]) for part in parts for each in part]
 
 
 _TEX_SIGNS = {
@@ -121,9 +117,7 @@ def tex_words(label: Label) -> str:
 def stacked(label: Label) -> str:
     """A label as MTEXT of DXF writes it: a part and a subscript are stacked (`a\\Sn^ CB;`)."""
     escapes = str.maketrans({sign: f"\\{sign}" for sign in "\\{};"})
-    return _scripted(
-        label, lambda run: run.text.translate(escapes), lambda high, low: f"{{\\H0.7x;\\S{high}^ {low};}}"
-    )
+    return _scripted(label, lambda run: run.text.translate(escapes), lambda high, low: f"{{\\H0.7x;\\S{high}^ {low};}}")
 
 
 def _scripted(label: Label, letters: Callable[[Run], str], scripts: Callable[[str, str], str]) -> str:

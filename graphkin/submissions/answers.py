@@ -17,7 +17,6 @@ from graphkin import errors
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE, GraphkinError, Where
-from graphkin.model.mechanism import Driver
 from graphkin.model.quantities import Centre, Moving, Quantity, at_position, position_of
 from graphkin.submissions import numbers
 from graphkin.submissions.numbers import parsed_value, plain, short
@@ -65,7 +64,13 @@ def answers(entries: Iterable[Entry], questions: Questions, limits: Limits) -> A
         question, quantity, unit = read
         value = _value(raw, quantity, unit, scales)
         value = replace(value, where=where, fault=value.fault and value.fault.at(where))
-        values[question] = _joined(values[question], value, question) if question in values else value
+        first = values.get(question)
+        if first is None or first.value is None:  # of two answers one where they say the same, else none
+            values[question] = value if first is None or value.value is not None else first
+        elif value.value is not None:
+            same = math.isclose(first.value, value.value, rel_tol=1e-9) and first.sense in (None, value.sense)
+            twice = errors.AnsweredTwice(value.where, question, first.text[:60], value.text[:60])
+            values[question] = value if same else replace(first, value=None, vector=None, fault=twice)
     return Answers(values, stated, tuple(notes))
 
 
@@ -73,25 +78,18 @@ def _is_nothing(raw: object) -> bool:
     return raw is None or (isinstance(raw, str) and plain(raw).lower() in _NOTHING)
 
 
-def _joined(first: HandedValue, second: HandedValue, question: str) -> HandedValue:
-    """Two answers to one question: one where they say the same, else none."""
-    if first.value is None or second.value is None:
-        return first if second.value is None else second
-    if math.isclose(first.value, second.value, rel_tol=1e-9) and first.sense in (None, second.sense):
-        return second
-    fault = errors.AnsweredTwice(second.where, question, first.text[:60], second.text[:60])
-    return replace(first, value=None, vector=None, fault=fault)
-
-
-# --- one value --------------------------------------------------------------------------------
-
-
 def _value(raw: object, quantity: Quantity, unit: str, scales: Mapping[Plane, float]) -> HandedValue:
     match raw:
         case bool():
             return HandedValue(str(raw).lower(), None, fault=errors.NotAnAnswer(NOWHERE, str(raw).lower()))
         case int() | float():
-            return _number(raw, quantity, unit)
+            try:  # one too long to be printed is none
+                shown = repr(float(raw)) if isinstance(raw, float) else str(raw) if abs(raw) < 10**30 else "1e999"
+            except OverflowError:
+                shown = "1e999"
+            if not math.isfinite(float(shown)):
+                return HandedValue(shown, None, fault=errors.OutOfRange(NOWHERE, shown))
+            return replace(parsed_value(shown, quantity.unit, unit), text=shown)
         case str():
             return _text(raw, quantity, unit, scales)
         case {"value": inner, **more} if not isinstance(inner, dict | list):
@@ -103,39 +101,23 @@ def _value(raw: object, quantity: Quantity, unit: str, scales: Mapping[Plane, fl
             return HandedValue("", None, fault=errors.WrongType(NOWHERE, "quantity", type(raw).__name__))
 
 
-def _number(raw: float, quantity: Quantity, unit: str) -> HandedValue:
-    """A bare number; one too long to be printed is none."""
-    try:
-        shown = repr(float(raw)) if isinstance(raw, float) else str(raw) if abs(raw) < 10**30 else "1e999"
-    except OverflowError:
-        shown = "1e999"
-    if not math.isfinite(float(shown)):
-        return HandedValue(shown, None, fault=errors.OutOfRange(NOWHERE, shown))
-    return replace(parsed_value(shown, quantity.unit, unit), text=shown)
-
-
 def _text(raw: str, quantity: Quantity, unit: str, scales: Mapping[Plane, float]) -> HandedValue:
     text = raw.strip()[:400]
-    if isinstance(quantity, Centre | Moving) and (pair := _components(text)) is not None:
-        return replace(_pair(*pair, quantity, unit), text=text)
+    bare = plain(text)
+    if isinstance(quantity, Centre | Moving) and bare.startswith(("(", "[")):
+        # `(12.3, 40.5) mm`: two numbers in brackets; `;` between decimal commas
+        inner, close, after = bare[1:].partition(")" if bare[0] == "(" else "]")
+        parts = inner.split(";") if ";" in inner else inner.split(",")
+        if close and len(parts) == 2:
+            return replace(_pair(f"{parts[0]} {after}", f"{parts[1]} {after}", quantity, unit), text=text)
     value = parsed_value(text, quantity.unit, unit)
-    plane = numbers.plane_of(quantity.unit)
+    plane = numbers.PLANES.get(quantity.unit)
     if plane is None or value.unit not in numbers.PAPER or value.value is None:
         return value
     mm = value.value * numbers.PAPER[value.unit]
     if plane not in scales:
         return HandedValue(text, None, None, value.unit, errors.NoPaperScale(NOWHERE, text[:60], plane), paper_mm=mm)
     return HandedValue(text, mm * scales[plane], None, value.unit, paper_mm=mm)
-
-
-def _components(text: str) -> tuple[str, str] | None:
-    """`(12.3, 40.5) mm`: two numbers in brackets; `;` between decimal commas."""
-    text = plain(text)
-    if not text.startswith(("(", "[")):
-        return None
-    inner, close, unit = text[1:].partition(")" if text[0] == "(" else "]")
-    parts = inner.split(";") if ";" in inner else inner.split(",")
-    return (f"{parts[0]} {unit}", f"{parts[1]} {unit}") if close and len(parts) == 2 else None
 
 
 def _pair(x: object, y: object, quantity: Quantity, unit: str) -> HandedValue:
@@ -148,9 +130,6 @@ def _pair(x: object, y: object, quantity: Quantity, unit: str) -> HandedValue:
         return HandedValue(text, None, fault=fault)
     vector = complex(*(half.value or 0.0 for half in halves))
     return HandedValue(text, abs(vector), None, halves[0].unit, halves[0].fault, vector=vector)
-
-
-# --- positions --------------------------------------------------------------------------------
 
 
 def answers_at(
@@ -199,13 +178,10 @@ def _position(name: str, asked: ReadableProblem) -> tuple[str, int]:
     typed = float(match[1].replace(",", "."))
     for driver in asked.mechanism.drivers:
         for number, value in enumerate((driver.value, *driver.also) if driver.also else (), 1):
-            if value is not None and _off(driver, value, typed) <= _NEAR:
+            if value is None:
+                continue
+            turn = driver.kind != "slide"  # of an angle whole turns do not count
+            off = math.remainder(math.degrees(value) - typed, 360.0) if turn else value * 1000 - typed
+            if abs(off) <= _NEAR:
                 return bare, number
     return bare, 0
-
-
-def _off(driver: Driver, value: float, typed: float) -> float:
-    """In deg, but for whole turns, or mm."""
-    if driver.kind == "slide":
-        return abs(value * 1000 - typed)
-    return abs(math.remainder(math.degrees(value) - typed, 360.0))

@@ -99,9 +99,6 @@ def _check_ratio(info: ZipInfo, where: Where, limits: Limits) -> None:
         raise TooMuch(where, "ratio", limits.ratio)
 
 
-# --- text --------------------------------------------------------------------------------------
-
-
 def decoded(content: bytes, where: Where) -> str:
     """The text of a whole file. Raises BrokenSubmission for what is text in none of these."""
     try:

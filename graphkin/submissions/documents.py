@@ -65,7 +65,9 @@ def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[TableRow]:
     at = next((folded.index(name) for name in IDS if name in folded), None)
     second = next(filled, None)
     filled = chain([] if second is None else [second], filled)
-    if at is None or _is_question_table(header) or (second is not None and _is_one(header, second[1])):
+    # `student, s1` over `omega 3, 3.92` begins one student's table, and no class
+    below = _shown(second[1][0]) if second is not None and second[1] and len(header) == 2 else ""
+    if at is None or _is_question_table(header) or (begins_like_one(below) and not begins_like_one(header[1])):
         yield _one(chain([first], filled), limits)
         return
     for count, (line, row) in enumerate(filled):
@@ -83,11 +85,6 @@ def student_of(name: str) -> bool:
 def _is_question_table(header: Sequence[str]) -> bool:
     folded = {plain(name).lower() for name in header}
     return bool(folded & _QUESTION and folded & _VALUE)
-
-
-def _is_one(header: Sequence[str], row: Sequence[object]) -> bool:
-    """True where `student, s1` over `omega 3, 3.92` begins one student's table, and no class."""
-    return len(header) == 2 and bool(row) and begins_like_one(_shown(row[0])) and not begins_like_one(header[1])
 
 
 def _one(cells: Iterable[tuple[int, Sequence[object]]], limits: Limits) -> TableRow:
@@ -123,9 +120,6 @@ def _shown(cell: object) -> str:
     return "" if cell is None else str(cell).strip()
 
 
-# --- CSV --------------------------------------------------------------------------------------
-
-
 def csv_cells(stream: IO[bytes], where: Where) -> Cells:
     """The rows of a CSV in any usual encoding, by comma, semicolon or tabulator. Raises BrokenSubmission."""
     csv.field_size_limit(_LONGEST_CELL)
@@ -144,14 +138,9 @@ def csv_cells(stream: IO[bytes], where: Where) -> Cells:
         raise BrokenSubmission(Where(where.file, reader.line_num), "CSV", str(problem)) from None
 
 
-# --- XLSX -------------------------------------------------------------------------------------
-
-
 def xlsx_cells(content: bytes, where: Where, limits: Limits) -> Cells:
-    """The rows of the first sheet that has any, without the empty cells at their ends.
-
-    Raises WantsExtra, BrokenSubmission, TooMuch.
-    """
+    """The rows of the first sheet that has any, without the empty cells at their ends. Raises WantsExtra,
+    BrokenSubmission, TooMuch."""
     try:
         from openpyxl import load_workbook
     except ImportError:
@@ -180,9 +169,6 @@ def cells_of(name: str, content: bytes, where: Where, limits: Limits) -> Cells:
     return csv_cells(io.BytesIO(content), where)
 
 
-# --- documents --------------------------------------------------------------------------------
-
-
 @frozen
 class StudentDocument:
     """A student's id as stated ("" where none is) and the answers."""
@@ -201,7 +187,9 @@ def read_toml(text: str, where: Where, limits: Limits) -> StudentDocument:
     except RecursionError:
         raise TooMuch(where, "depth", limits.depth) from None
     except ValueError as problem:
-        if _is_filled_form(text):
+        # headings and `name = ..`, some left open or without quotes, as people fill in a form
+        filled = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+        if filled and all(_HEADER.fullmatch(line[:60]) or _KEY.match(line[:400]) for line in filled):
             return read_lines(text, where, limits)
         raise BrokenSubmission(where, "TOML", str(problem)[:120]) from None
     lines: dict[str, int] = {}  # of each key as far as plain sight tells
@@ -209,12 +197,6 @@ def read_toml(text: str, where: Where, limits: Limits) -> StudentDocument:
         if (key := _KEY.match(line[:400])) is not None:
             lines.setdefault(_key_name(key), number)
     return _document(document, where, lines)
-
-
-def _is_filled_form(text: str) -> bool:
-    """True where all of it is headings and `name = ..`, some left open or without quotes, as people fill in a form."""
-    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
-    return bool(lines) and all(_HEADER.fullmatch(line[:60]) or _KEY.match(line[:400]) for line in lines)
 
 
 def _key_name(key: re.Match[str]) -> str:

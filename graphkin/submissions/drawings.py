@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
 from pathlib import PurePosixPath
@@ -19,7 +19,7 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, LetterTwice, NoLetters, NoScaleDrawn, Where
-from graphkin.model.mechanism import FRAME, Mechanism
+from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Rotation
 from graphkin.submissions import numbers
 from graphkin.submissions.answers import answers
@@ -39,7 +39,6 @@ _LENGTHS, _AGREE = 3, 2 / 3
 
 Pair = tuple[str, str]
 Points = Mapping[tuple[Plane, str], complex]
-Measured = tuple[dict[str, HandedValue], MeasuredDrawing, list[GraphkinError]]
 
 
 def picture_of(name: str, content: bytes, where: Where, limits: Limits) -> PagePicture:
@@ -68,20 +67,23 @@ class _PaperScale:
 def measured(
     name: str, content: bytes, where: Where, asked: ReadableProblem, stated: Mapping[Plane, float],
     questions: Questions, limits: Limits,
-) -> Measured:  # fmt: skip
+) -> tuple[dict[str, HandedValue], MeasuredDrawing, list[GraphkinError]]:  # fmt: skip
     """The vectors of a drawing's polygons, and what else is written on it. Raises what `picture_of` does, NoLetters."""
     picture = picture_of(name, content, where, limits)
     shapes = polygons(asked.mechanism, questions)
     letters = find_letters(picture, shapes, asked.mechanism.points, limits.names)
     texts, written = _written_on(picture, where, questions, limits)
-    first = dict(_first_known(letters.points, shapes))
+    first: dict[Plane, tuple[complex, complex]] = {}  # known and drawn long enough: as drawn [mm] and as it is [SI]
+    for plane, vector, value in [(shape.plane, *known) for shape in shapes for known in shape.known]:
+        tail, head = (letters.points.get((plane, letter)) for letter in (vector.tail, vector.head))
+        if tail is not None and head is not None and abs(head - tail) >= _SHORTEST and value:
+            first.setdefault(plane, (head - tail, value))
     calibrated = {plane: abs(value) / abs(drawn) for plane, (drawn, value) in first.items()}
     claimed = {**picture.scales, **written, **stated}
     scales = numbers.stated_by(asked.mechanism) | calibrated | claimed
     turned = {plane: cmath.phase(drawn / value) for plane, (drawn, value) in first.items()} if limits.turned else {}
     paper = _PaperScale(scales, turned, where)
-    values = _named(picture, paper, questions) | _vectors(letters.points, shapes, paper)
-    values |= directions(picture, questions, where, limits)
+    values = _drawn(picture, letters.points, shapes, paper, questions) | directions(picture, questions, where, limits)
     if not values and not texts and not letters.points:
         raise NoLetters(where, tuple(letter for shape in shapes for letter in shape.letters))
     for question, text in texts.items():  # the written value, with the drawn direction
@@ -111,48 +113,37 @@ def _written_on(
     return values, written.scales
 
 
-def _first_known(points: Points, shapes: Sequence[PaperPolygon]) -> Iterator[tuple[Plane, tuple[complex, complex]]]:
-    """By plane the first known vector that is drawn long enough, as drawn [mm] and as it is [SI]."""
-    for shape in shapes:
-        for vector, value in shape.known:
-            tail, head = (points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
-            if tail is not None and head is not None and abs(head - tail) >= _SHORTEST and value:
-                yield shape.plane, (head - tail, value)
-                break
-
-
-def _vectors(points: Points, shapes: Sequence[PaperPolygon], paper: _PaperScale) -> dict[str, HandedValue]:
-    """Every vector between two letters that are found, where its plane has a scale."""
-    values: dict[str, HandedValue] = {}
-    for shape in shapes:
-        for vector in shape.vectors:
-            tail, head = (points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
-            if vector.question and tail is not None and head is not None and shape.plane in paper.scales:
-                values.setdefault(vector.question, paper.value(tail, head, shape.plane))
-    return values
-
-
-def _named(picture: PagePicture, paper: _PaperScale, questions: Questions) -> dict[str, HandedValue]:
-    """Arrows that the file itself names after a quantity: `v_B3B2`."""
-    values: dict[str, HandedValue] = {}
+def _drawn(
+    picture: PagePicture, points: Points, shapes: Sequence[PaperPolygon], paper: _PaperScale, questions: Questions
+) -> dict[str, HandedValue]:
+    """Vectors between two letters, and arrows that the file itself names after a quantity: `v_B3B2`."""
+    named: dict[str, HandedValue] = {}
     for arrow in picture.arrows:
         read = questions.read(arrow.name) if arrow.name else None
-        plane = numbers.plane_of(read[1].unit) if read is not None else None
+        plane = numbers.PLANES.get(read[1].unit) if read is not None else None
         if read is not None and plane is not None and plane in paper.scales and not read[2]:
-            values.setdefault(read[0], paper.value(arrow.tail, arrow.head, plane))
-    return values
-
-
-# --- directions of links ----------------------------------------------------------------------
+            named.setdefault(read[0], paper.value(arrow.tail, arrow.head, plane))
+    lettered: dict[str, HandedValue] = {}
+    for shape, vector in [(polygon, vector) for polygon in shapes for vector in polygon.vectors]:
+        tail, head = (points.get((shape.plane, letter)) for letter in (vector.tail, vector.head))
+        if vector.question and tail is not None and head is not None and shape.plane in paper.scales:
+            lettered.setdefault(vector.question, paper.value(tail, head, shape.plane))
+    return named | lettered
 
 
 def directions(picture: PagePicture, questions: Questions, where: Where, limits: Limits) -> dict[str, HandedValue]:
     """theta of the links whose direction the problem asks for, as drawn [rad]."""
     mechanism = questions.mechanism
-    axes = dict(_axes(mechanism, questions))
+    axes: dict[str, Pair] = {}  # the two points through which a direction that is asked for runs
+    for read in map(questions.read, mechanism.ask):
+        if read is not None and isinstance(read[1], Rotation) and read[1].word == "theta":
+            axis = mechanism.links[read[1].link].axis
+            if axis is not None and set(axis) <= set(mechanism.points):
+                axes[read[0]] = axis
     if not axes:
         return {}
-    sizes = dict(_lengths(mechanism))
+    pairs = ((link, pair) for link in mechanism.links.values() for pair in combinations(mechanism.named(link.name), 2))
+    sizes: dict[Pair, float] = {pair: size for link, pair in pairs if (size := abs(link.arm(*pair))) > 0}  # [m]
     names = {name: (name,) for name in mechanism.points}
     figure = PaperPolygon("position", names, tuple(PolygonVector("", *pair) for pair in sizes), ())
     places = {name: place for (_, name), place in find_letters(picture, [figure]).points.items()}
@@ -164,36 +155,13 @@ def directions(picture: PagePicture, questions: Questions, where: Where, limits:
     good = {pair for pair, each in lengths.items() if abs(each - scale) <= _OFF * scale}
     if len(good) < _LENGTHS or len(good) <= _AGREE * len(lengths):
         return {}
-    turned = _page_turn(mechanism, places, good) if limits.turned else 0.0
+    fixed = next((pair for pair in combinations(mechanism.named(FRAME), 2) if pair in good), None)
+    turned = 0.0  # the angle by which the page is turned, by two fixed points [rad]
+    if limits.turned and fixed is not None:
+        turned = cmath.phase((places[fixed[1]] - places[fixed[0]]) / mechanism.links[FRAME].arm(*fixed))
     values = {}
     for question, (tail, head) in axes.items():
         if good & {(tail, head), (head, tail)}:
             angle, ends = cmath.phase(places[head] - places[tail]) - turned, (places[tail], places[head])
             values[question] = HandedValue("", angle, where=where, ends=ends)
     return values
-
-
-def _axes(mechanism: Mechanism, questions: Questions) -> Iterator[tuple[str, Pair]]:
-    """Questions for a direction, with the two points it runs through."""
-    for text in mechanism.ask:
-        read = questions.read(text)
-        if read is not None and isinstance(read[1], Rotation) and read[1].word == "theta":
-            axis = mechanism.links[read[1].link].axis
-            if axis is not None and set(axis) <= set(mechanism.points):
-                yield read[0], axis
-
-
-def _lengths(mechanism: Mechanism) -> Iterator[tuple[Pair, float]]:
-    """Every two points of a link, and how far apart they are [m]."""
-    for link in mechanism.links.values():
-        for pair in combinations(mechanism.named(link.name), 2):
-            if (size := abs(link.arm(*pair))) > 0:
-                yield pair, size
-
-
-def _page_turn(mechanism: Mechanism, places: dict[str, complex], good: set[Pair]) -> float:
-    """The angle by which the page is turned, by two fixed points [rad]."""
-    for pair in combinations(mechanism.named(FRAME), 2):
-        if pair in good:
-            return cmath.phase((places[pair[1]] - places[pair[0]]) / mechanism.links[FRAME].arm(*pair))
-    return 0.0

@@ -61,8 +61,15 @@ class _DxfReader:
         if entity.dxf.get("layer", "0").lower() in self.hidden or entity.dxf.get("invisible", 0):
             return
         match entity.dxftype():
-            case "INSERT":
-                yield from self._block(entity, depth)
+            case "INSERT":  # the marks of a block where it is put, its attributes too
+                if depth > min(self.limits.depth, 20):
+                    raise TooMuch(self.where, "depth", min(self.limits.depth, 20))
+                self.limits.check(self.where, "copies", entity.mcount)
+                for single in entity.multi_insert() if entity.mcount > 1 else (entity,):
+                    for inner in single.virtual_entities():
+                        yield from self._marks(inner, depth + 1)
+                for attribute in entity.attribs:
+                    yield from self._marks(attribute, depth + 1)
             case "LINE":
                 yield self._place(entity.dxf.start), self._place(entity.dxf.end)
             case "LWPOLYLINE" | "POLYLINE":
@@ -79,17 +86,6 @@ class _DxfReader:
             case _:
                 pass
 
-    def _block(self, insert: _Dxf, depth: int) -> Iterator[_Mark]:
-        """The marks of a block where it is put, its attributes too."""
-        if depth > min(self.limits.depth, 20):
-            raise TooMuch(self.where, "depth", min(self.limits.depth, 20))
-        self.limits.check(self.where, "copies", insert.mcount)
-        for single in insert.multi_insert() if insert.mcount > 1 else (insert,):
-            for entity in single.virtual_entities():
-                yield from self._marks(entity, depth + 1)
-        for attribute in insert.attribs:
-            yield from self._marks(attribute, depth + 1)
-
     def _place(self, point: _Dxf) -> complex:
         place = complex(point.x, point.y) * self.mm
         if not (cmath.isfinite(place) and abs(place) < 1e9):
@@ -101,7 +97,10 @@ class _DxfReader:
         letters = entity.plain_text().strip()
         placement = entity.get_placement()
         anchor = self._place(entity.ocs().to_wcs(placement[1]))
-        right, up = self._axes(entity, entity.dxf.get("rotation", 0.0))
+        ocs, turned = entity.ocs(), math.radians(entity.dxf.get("rotation", 0.0))
+        axes = (math.cos(turned), math.sin(turned), 0), (-math.sin(turned), math.cos(turned), 0)
+        right, up = (complex(at[0], at[1]) for at in map(ocs.to_wcs, axes))  # its line and across it
+        right, up = right / (abs(right) or 1.0), up / (abs(up) or 1.0)
         tall = float(entity.dxf.height) * self.mm
         width = _WIDE * tall * len(letters) * float(entity.dxf.get("width", 1.0) or 1.0)
         name = placement[0].name
@@ -109,14 +108,6 @@ class _DxfReader:
         low = tall if name.startswith("TOP") else tall / 2 if name.startswith("MIDDLE") else 0.0
         if letters:
             yield PictureText(letters[:400], anchor - left * right - low * up, right, up, width, tall, 0.25 * tall)
-
-    def _axes(self, entity: _Dxf, degrees: float) -> tuple[complex, complex]:
-        """The directions of a text's line and across it, as they come to lie."""
-        ocs, turned = entity.ocs(), math.radians(degrees)
-        right = ocs.to_wcs((math.cos(turned), math.sin(turned), 0))
-        up = ocs.to_wcs((-math.sin(turned), math.cos(turned), 0))
-        one, other = complex(right[0], right[1]), complex(up[0], up[1])
-        return one / (abs(one) or 1.0), other / (abs(other) or 1.0)
 
     def _mtext(self, entity: _Dxf) -> Iterator[PictureText]:
         """A text of pieces, `v^n_CD`, as people write it; MTEXT has a caret and a blank for a caret."""

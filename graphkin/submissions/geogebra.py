@@ -35,32 +35,32 @@ def read_ggb(content: bytes, where: Where, limits: Limits) -> PagePicture:
     construction = root.find("construction")
     if root.tag != "geogebra" or construction is None:
         raise BrokenSubmission(where, "GeoGebra")
-    return _picture(construction)
-
-
-def _picture(construction: Element) -> PagePicture:
     elements = [element for element in construction if element.tag == "element"]
-    points = {element.get("label", ""): (element, place) for element in elements
-              if (place := _place(element)) is not None}  # fmt: skip
+    points: dict[str, tuple[Element, complex]] = {}  # none that is undefined or at infinity
+    for element in (element for element in elements if element.get("type") == "point"):
+        x, y, z = (_number(element.find("coords"), key) for key in "xyz")
+        if x is not None and y is not None and z and abs(place := complex(x, y) / z) <= 1e9:
+            points[element.get("label", "")] = element, place
     places = {label: place for label, (_, place) in points.items()}
     written = {e.get("label", ""): e.get("exp", "") for e in construction if e.tag == "expression"}
     ends = dict(_ends(construction, places, written))
-    texts = [
-        PictureText(text, places.get("", 0j), 1 + 0j, 1j, 0.0, 0.0)
-        for element in elements
-        if element.get("type") == "text" and "=" in (text := written.get(element.get("label", ""), "").strip('"'))
-    ]
+    named = ((e, written.get(e.get("label", ""), "").strip('"')) for e in elements if e.get("type") == "text")
+    texts = [PictureText(text, places.get("", 0j), 1 + 0j, 1j, 0.0, 0.0) for _, text in named if "=" in text]
     units = (_UNIT.search(text.text) for text in texts)
     mm = next((float(unit[1]) for unit in units if unit is not None), 1.0)
     mm = mm if 1e-6 < mm < 1e6 else 1.0
-    dots = (Dot(mm * place, _name(element)) for element, place in points.values())
     arrows = []
-    for element in elements:
-        if element.get("type") == "vector":
-            pair = ends.get(element.get("label", "")) or _free(element)
-            arrows += [PictureArrow(_name(element), mm * pair[0], mm * pair[1])] if pair is not None else []
+    for element in (element for element in elements if element.get("type") == "vector"):
+        pair = ends.get(element.get("label", ""))
+        x, y = (_number(element.find("coords"), key) for key in "xy")
+        if pair is None and x is not None and y is not None:  # that no two points made, from where it starts
+            start = element.find("startPoint")
+            tail = complex(_number(start, "x") or 0.0, _number(start, "y") or 0.0)
+            pair = tail, tail + complex(x, y)
+        arrows += [PictureArrow(_name(element), mm * pair[0], mm * pair[1])] if pair is not None else []
+    dots = tuple(Dot(mm * place, _name(element)) for element, place in points.values())
     lines = tuple((mm * one, mm * other) for one, other in ends.values())
-    return PagePicture(lines, tuple(dots), tuple(texts), tuple(arrows))
+    return PagePicture(lines, dots, tuple(texts), tuple(arrows))
 
 
 def _number(element: Element | None, key: str) -> float | None:
@@ -69,16 +69,6 @@ def _number(element: Element | None, key: str) -> float | None:
     except ValueError:
         return None
     return value if abs(value) < 1e12 else None
-
-
-def _place(element: Element) -> complex | None:
-    """Of a point; None for one that is undefined or at infinity."""
-    if element.get("type") != "point":
-        return None
-    x, y, z = (_number(element.find("coords"), key) for key in "xyz")
-    if x is None or y is None or not z or abs(complex(x, y) / z) > 1e9:
-        return None
-    return complex(x, y) / z
 
 
 def _name(element: Element) -> str:
@@ -120,13 +110,3 @@ def _point(text: str, places: Mapping[str, complex]) -> complex | None:
     except ValueError:
         return None
     return place if place is not None and cmath.isfinite(place) else None
-
-
-def _free(element: Element) -> tuple[complex, complex] | None:
-    """A vector that no two points made, from where it starts."""
-    x, y = (_number(element.find("coords"), key) for key in "xy")
-    if x is None or y is None:
-        return None
-    start = element.find("startPoint")
-    tail = complex(_number(start, "x") or 0.0, _number(start, "y") or 0.0)
-    return tail, tail + complex(x, y)

@@ -86,7 +86,14 @@ def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
         cells = cells_of(path.name, _content(path, where, limits), where, limits)
         yield from _of_table(rows_of(cells, where, limits), owner(path.name), where, limits)
     else:
-        yield from _of_file(path, where, limits)
+        content, students = _content(path, where, limits), None
+        if path.suffix.lower() == ".json" and content.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"[":
+            students = listed(archives.decoded(content, where), where, limits)
+        for number, student in enumerate(students or (), 1):
+            row = TableRow(student.student, number, tuple((name, value, number) for name, value, _ in student.entries))
+            yield _of_row(row, owner(path.name), str(path))
+        if not students:
+            yield Handed(owner(path.name), str(path), files=((path.name, content),))
 
 
 def _content(path: Path, where: Where, limits: Limits) -> bytes:
@@ -94,18 +101,6 @@ def _content(path: Path, where: Where, limits: Limits) -> bytes:
         content = stream.read(limits.bytes + 1)
     limits.check(where, "bytes", len(content))
     return content
-
-
-def _of_file(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
-    content = _content(path, where, limits)
-    if path.suffix.lower() == ".json" and content.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"[":
-        students = listed(archives.decoded(content, where), where, limits)
-        for number, student in enumerate(students or (), 1):
-            row = TableRow(student.student, number, tuple((name, value, number) for name, value, _ in student.entries))
-            yield _of_row(row, owner(path.name), str(path))
-        if students:
-            return
-    yield Handed(owner(path.name), str(path), files=((path.name, content),))
 
 
 def _of_table(rows: Iterator[TableRow], by_file: Owner, where: Where, limits: Limits) -> Iterator[Handed]:
@@ -186,9 +181,6 @@ def _walked(path: Path) -> Iterator[str]:
                 yield inside.relative_to(path).as_posix()
 
 
-# --- whose files they are ---------------------------------------------------------------------
-
-
 def _is_class_table(names: list[str]) -> bool:
     """True where all there is is a table, which bears no student's name as platforms give them: nobody else's work
     stands beside it. Among others it is one student's."""
@@ -199,11 +191,17 @@ def _is_class_table(names: list[str]) -> bool:
 
 def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:
     """The files of each hand-in, in the order of the first of each; of a large class hardly more is held than names."""
-    root, shared = _root(names), _shared_folders(names)
+    root, shared, kinds = _root(names), set[int](), set[int]()
+    for name in names:  # a folder with several files of one kind is a class's; a student's has answers and a drawing
+        file, folder = PurePosixPath(name), name.rpartition("/")[0]
+        kind = hash((folder, file.suffix.lower(), position_of(file.stem)[1]))
+        shared |= {hash(folder)} if kind in kinds else set()
+        kinds.add(kind)
 
     def of(k: int) -> Owner:
         return owner(names[k], root, alone=hash(names[k].rpartition("/")[0]) in shared)
 
+    del kinds
     number: dict[int, int] = {}
     groups = np.fromiter((number.setdefault(hash(of(k).group), len(number)) for k in range(len(names))), np.int64)
     del number
@@ -214,19 +212,6 @@ def _grouped(names: list[str]) -> Iterator[tuple[Owner, list[int]]]:
         numbers = order[start:end].tolist()
         yield of(numbers[0]), numbers
         start = end
-
-
-def _shared_folders(names: list[str]) -> set[int]:
-    """Folders with several files of one kind: a class's, while a student's own has answers and a drawing."""
-    seen: set[int] = set()
-    shared: set[int] = set()
-    for name in names:
-        path, folder = PurePosixPath(name), name.rpartition("/")[0]
-        kind = hash((folder, path.suffix.lower(), position_of(path.stem)[1]))
-        if kind in seen:
-            shared.add(hash(folder))
-        seen.add(kind)
-    return shared
 
 
 def _root(names: list[str]) -> str:

@@ -17,7 +17,7 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.submissions.picture import Figures, Line, PagePicture, PictureText, distances
+from graphkin.submissions.picture import Figures, PagePicture, PictureText, distances
 from graphkin.submissions.polygons import PaperPolygon, by_name, loosely, pieces_of, spellings, texts_of
 
 _REACH = 6.0  # a letter belongs to no dot farther from it [mm]
@@ -95,16 +95,19 @@ def _own_figure(
     return own
 
 
-# --- where they belong ------------------------------------------------------------------------
-
-
 def _candidates(picture: PagePicture, texts: Sequence[PictureText]) -> list[Place]:
     """Points near any of a letter's texts, the nearest first."""
     candidates: list[Place] = []
     for text in texts[:8]:
         near = [(_far(text, dot.place, _REACH), dot.place) for dot in picture.dots]
         near += [(_END + _far(text, end, _NEAR), end) for line in picture.lines for end in line]
-        near += [(_LEADER + distance, far) for distance, far in _led(picture, text)]
+        for line, end, far in [(pair, *ends) for pair in picture.lines for ends in (pair, pair[::-1])]:
+            distance = text.distance(end)  # a line that begins at a text and at nothing else leads to its far end
+            if distance <= _TOUCHES and abs(far - end) <= 2 * _REACH:
+                others = (place for other in picture.lines if other is not line for place in other)
+                marks = (dot.place for dot in picture.dots)
+                if all(abs(end - mark) > _SAME for mark in chain(marks, others)):
+                    near.append((_LEADER + distance, far))
         near += [(_CROSSING + _far(text, place, _NEAR), place) for place in _crossings(picture, text)]
         for distance, place in sorted((pair for pair in near if pair[0] < math.inf), key=lambda pair: pair[0]):
             if all(abs(place - other) > _SAME for _, other in candidates):
@@ -120,37 +123,20 @@ def _far(text: PictureText, place: complex, reach: float) -> float:
     return distance + distance**2 * _FARTHER if distance <= reach else math.inf
 
 
-def _led(picture: PagePicture, text: PictureText) -> Iterator[Place]:
-    """The far ends of lines that begin at a text and at nothing else."""
-    for line in picture.lines:
-        for end, far in (line, line[::-1]):
-            distance = text.distance(end)
-            if distance <= _TOUCHES and abs(far - end) <= 2 * _REACH:
-                others = (place for other in picture.lines if other is not line for place in other)
-                marks = (dot.place for dot in picture.dots)
-                if all(abs(end - mark) > _SAME for mark in chain(marks, others)):
-                    yield distance, far
-
-
 def _crossings(picture: PagePicture, text: PictureText) -> Iterator[complex]:
     """The crossings of lines near a text: direction lines are drawn beyond their points."""
     middle = text.corner + text.right * text.width / 2
     reach = _REACH + text.width / 2 + text.above
     near = [line for line in picture.lines if _off(middle, *line) < reach][:_LINES_NEAR]
     for one, other in combinations(near, 2):
-        place = _crossing(one, other)
-        if place is not None and text.distance(place) <= _REACH:
+        a, b = one[1] - one[0], other[1] - other[0]
+        turn = (a.conjugate() * b).imag
+        if abs(turn) <= 0.02 * abs(a) * abs(b):
+            continue
+        along = ((other[0] - one[0]).conjugate() * b).imag / turn
+        place, slack = one[0] + along * a, _SAME / abs(a)
+        if -slack <= along <= 1 + slack and _off(place, *other) <= _SAME and text.distance(place) <= _REACH:
             yield place
-
-
-def _crossing(one: Line, other: Line) -> complex | None:
-    a, b = one[1] - one[0], other[1] - other[0]
-    turn = (a.conjugate() * b).imag
-    if abs(turn) <= 0.02 * abs(a) * abs(b):
-        return None
-    along = ((other[0] - one[0]).conjugate() * b).imag / turn
-    place, slack = one[0] + along * a, _SAME / abs(a)
-    return place if -slack <= along <= 1 + slack and _off(place, *other) <= _SAME else None
 
 
 def _off(place: complex, start: complex, end: complex) -> float:

@@ -10,6 +10,7 @@ import math
 import re
 import unicodedata
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 from graphkin.base.value import frozen
@@ -97,18 +98,15 @@ def _in_si(text: str, value: WrittenNumber, dimension: Dimension | None, unit: s
         raise SenseDisputed(NOWHERE, text[:LONGEST])
     sized = abs(value.number) * (-1 if sense == "cw" else 1) if sense else value.number
     name = unit_named(value.unit or unit)
+    if dimension is None and name:
+        raise NotAnAnswer(NOWHERE, text[:LONGEST])
     if dimension is None:
-        if name:
-            raise NotAnAnswer(NOWHERE, text[:LONGEST])
         return HandedValue(text, read_quantity(sized, "velocity"), sense)
     shown = name.replace("²", "^2")
     try:
         return HandedValue(text, read_quantity(f"{sized!r} {name}" if name else sized, dimension), sense, shown)
     except OtherDimension as fault:
         return HandedValue(text, read_quantity(sized, dimension), sense, shown, fault)
-
-
-# --- number, unit and sense -------------------------------------------------------------------
 
 
 def written(text: str, whole: str) -> WrittenNumber:
@@ -130,13 +128,7 @@ def written(text: str, whole: str) -> WrittenNumber:
     exponent = re.sub(r"^(?:[eE]| ?[*xX] ?10 ?(?:\^|\*\*)? ?\(?)", "", power or "").rstrip(")")  # of `e-3`, `*10^-3`
     if len(exponent) > 5:
         raise NotAnAnswer(NOWHERE, power.strip()[:40])
-    value = float(f"{_digits(body, whole)}e{int(exponent or 0)}")
-    unit = text[match.end() :].strip(" ,;")
-    return WrittenNumber(-value if sign == "-" else value, unit, next(iter(senses), None))
-
-
-def _digits(body: str, whole: str) -> str:
-    """With a point as the decimal sign and no groups: of `3,92`, `1 234.5`, `1.234,5`."""
+    # with a point as the decimal sign and no groups: of `3,92`, `1 234.5`, `1.234,5`
     points, commas = body.count("."), body.count(",")
     decimal = ""
     if points and commas:
@@ -146,7 +138,9 @@ def _digits(body: str, whole: str) -> str:
     head, _, tail = body.rpartition(decimal) if decimal else (body, "", "")
     if (not tail.isdigit() and tail) or (not head.isdigit() and head and not _GROUPS.fullmatch(head)):
         raise NotAnAnswer(NOWHERE, whole[:LONGEST])
-    return f"{re.sub('[^0-9]', '', head) or '0'}.{tail or '0'}"
+    value = float(f"{re.sub('[^0-9]', '', head) or '0'}.{tail or '0'}e{int(exponent or 0)}")
+    unit = text[match.end() :].strip(" ,;")
+    return WrittenNumber(-value if sign == "-" else value, unit, next(iter(senses), None))
 
 
 _SPELT = (
@@ -179,7 +173,8 @@ def unit_named(text: str) -> str:
 PAPER: Mapping[str, float] = {"mm": 1.0, "cm": 10.0, "in": 25.4}
 """Units of lengths on paper in mm: such a length becomes a velocity or an acceleration by its scale."""
 _DIMENSIONS: Mapping[Plane, Dimension] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
-_SI: Mapping[str, Plane] = {"m/s": "velocity", "m/s^2": "acceleration"}
+PLANES: Mapping[str, Plane] = {"m/s": "velocity", "m/s^2": "acceleration"}
+"""The polygon in which a quantity of a unit is drawn."""
 _NAMES: Mapping[str, Plane] = {
     "l": "position", "s": "position", "length": "position", "position": "position", "长度": "position",
     "v": "velocity", "velocity": "velocity", "速度": "velocity",
@@ -198,43 +193,31 @@ def plane_named(text: str) -> Plane | None:
     return _NAMES[next(name for name in match.groups() if name)] if match is not None else None
 
 
-def plane_of(si: str) -> Plane | None:
-    """The polygon in which a quantity of this unit is drawn."""
-    return _SI.get(si)
-
-
 def stated_by(mechanism: Mechanism) -> dict[Plane, float]:
     """The scales that the problem says to take."""
     return {plane: mechanism.scales[key] for plane, key in _DIMENSIONS.items() if key in mechanism.scales}
 
 
 def scale(raw: object, plane: Plane) -> float:
-    """SI units per mm on paper: `0.01`, `0.01 (m/s)/mm`, `1 mm = 0.01 m/s`, `100 mm : 1 m/s`.
-
-    Raises NotAnAnswer, OutOfRange, OtherDimension with `NOWHERE`.
-    """
+    """SI units per mm on paper: `0.01`, `0.01 (m/s)/mm`, `1 mm = 0.01 m/s`, `100 mm : 1 m/s`. Raises NotAnAnswer,
+    OutOfRange, OtherDimension with `NOWHERE`."""
     if isinstance(raw, bool) or not isinstance(raw, int | float | str):
         raise NotAnAnswer(NOWHERE, str(raw)[:40])
     shown = str(raw)[:200] if isinstance(raw, str) or abs(raw) < 1e30 else "1e30"
     text, dimension = plain(shown), _DIMENSIONS[plane]
-    if (value := _ratio(text, dimension)) is None:
+    # of a length on paper and what it stands for, in either order
+    value, (one, sign, other) = None, text.partition("=") if "=" in text else text.partition(":")
+    for paper, thing in ((one, other), (other, one)) if sign else ():
+        with suppress(GraphkinError, ZeroDivisionError):
+            value = _read(thing, dimension) / (_read(paper, "length") * 1000)
+            break
+    if value is None:
         number = written(re.sub(r"/\((s(?:\^2)?)\*mm\)", r"/\1/mm", text.replace(" ", "")), text)
         unit = re.sub(r"(?:/|\*? ?per|\*) ?mm(?:\^-1)?$", "", number.unit.replace("*mm^-1", "/mm")).strip("() ")
         value = _read(f"{number.number!r} {unit}", dimension) if unit else number.number
     if not _SMALLEST <= value <= _LARGEST:
         raise OutOfRange(NOWHERE, shown[:40])
     return value
-
-
-def _ratio(text: str, dimension: Dimension) -> float | None:
-    """Of a length on paper and what it stands for, in either order; None for what is no such pair."""
-    one, sign, other = text.partition("=") if "=" in text else text.partition(":")
-    for paper, thing in ((one, other), (other, one)) if sign else ():
-        try:
-            return _read(thing, dimension) / (_read(paper, "length") * 1000)
-        except (GraphkinError, ZeroDivisionError):
-            continue
-    return None
 
 
 def _read(text: str, dimension: Dimension) -> float:

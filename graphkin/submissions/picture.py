@@ -90,19 +90,15 @@ class Figures:
             if figure.sum() > _LARGEST:
                 return ()
             touched = np.zeros(len(figure), dtype=bool)
-            for k in new:
-                touched |= self._touching(int(k))
+            for k in new:  # the lines that end on line k or cross it, or on which it ends
+                tails, heads, tail, head = self._tails, self._heads, self._tails[k], self._heads[k]
+                touched |= (self._off(tail) <= _TOUCH) | (self._off(head) <= _TOUCH)
+                for ends in (tails, heads):
+                    touched |= distances(ends, np.array([tail]), np.array([head])) <= _TOUCH
+                touched |= _parted(tails, heads, tail, head) & _parted(tail, head, tails, heads)
             new = np.flatnonzero(touched & ~figure)
             figure |= touched
         return [(complex(self._tails[k]), complex(self._heads[k])) for k in np.flatnonzero(figure)]
-
-    def _touching(self, k: int) -> Array:
-        """Flags of the lines that end on line k or cross it, or on which it ends."""
-        tails, heads, tail, head = self._tails, self._heads, self._tails[k], self._heads[k]
-        near = (self._off(tail) <= _TOUCH) | (self._off(head) <= _TOUCH)
-        for ends in (tails, heads):
-            near |= distances(ends, np.array([tail]), np.array([head])) <= _TOUCH
-        return np.asarray(near | (_parted(tails, heads, tail, head) & _parted(tail, head, tails, heads)))
 
     def _off(self, place: complex) -> Array:
         return distances(np.array([place]), self._tails, self._heads)

@@ -47,6 +47,7 @@ def polygons(mechanism: Mechanism, questions: Questions) -> tuple[PaperPolygon, 
     """Of velocities and of accelerations. Raises what planning raises."""
     method = planning.plan(mechanism)
     plot = running.replay_all(method)
+    driven = {driver.link for driver in mechanism.drivers if driver.from_link == FRAME and driver.kind != "slide"}
     polygons = []
     for construction in (method.velocity, method.acceleration):
         values = plot.points(construction.plane)
@@ -57,12 +58,16 @@ def polygons(mechanism: Mechanism, questions: Questions) -> tuple[PaperPolygon, 
         letters = {construction.pole: tuple(name for name in pole if name not in names)}
         letters |= {name: tuple(dict.fromkeys((name, name.rstrip("'") + prime))) for name in names}
         vectors = tuple(_vectors(construction, questions))
-        known = tuple(
-            (vector, place(values[vector.head]) - place(values[vector.tail]))
-            for vector in _known(construction, mechanism, vectors)
-            if vector.tail in values and vector.head in values
-        )
-        polygons.append(PaperPolygon(construction.plane, letters, vectors, known))
+        known = []  # laid off from the givens alone: motions of driven links, and driven sliding
+        by_ends = {(vector.tail, vector.head): vector for vector in vectors}
+        for step in (step for step in construction.steps if isinstance(step, kinds.LayOff)):
+            size, ends = step.term.size, (step.start, step.tip)
+            of_driven = isinstance(size, kinds.Turning | kinds.Normal | kinds.Tangential) and size.link in driven
+            if of_driven or isinstance(size, kinds.Driven | kinds.Relative):
+                vector = by_ends.get(ends, PolygonVector("", *ends))
+                if vector.tail in values and vector.head in values:
+                    known.append((vector, place(values[vector.head]) - place(values[vector.tail])))
+        polygons.append(PaperPolygon(construction.plane, letters, vectors, tuple(known)))
     return tuple(polygons)
 
 
@@ -92,20 +97,6 @@ def _vectors(construction: Construction, questions: Questions) -> Iterator[Polyg
             yield PolygonVector(question(f"{letter} {node.of}"), construction.pole, name)
 
 
-def _known(
-    construction: Construction, mechanism: Mechanism, vectors: Sequence[PolygonVector]
-) -> Iterator[PolygonVector]:
-    """Vectors laid off from the givens alone: motions of driven links, and driven sliding."""
-    driven = {driver.link for driver in mechanism.drivers if driver.from_link == FRAME and driver.kind != "slide"}
-    by_ends = {(vector.tail, vector.head): vector for vector in vectors}
-    for step in construction.steps:
-        if isinstance(step, kinds.LayOff):
-            size = step.term.size
-            of_driven = isinstance(size, kinds.Turning | kinds.Normal | kinds.Tangential) and size.link in driven
-            if of_driven or isinstance(size, kinds.Driven | kinds.Relative):
-                yield by_ends.get((step.start, step.tip), PolygonVector("", step.start, step.tip))
-
-
 def texts_of(
     texts: Sequence[PictureText], spelled: Mapping[str, tuple[Plane, str]]
 ) -> dict[tuple[Plane, str], list[PictureText]]:
@@ -120,11 +111,9 @@ def texts_of(
 
 
 def spellings(polygons: Sequence[PaperPolygon]) -> dict[str, tuple[Plane, str]]:
-    """By every spelling the point it means.
-
-    One without its prime is the acceleration's where no other is so called. One with a capital letter is a polygon's
-    where a number or a prime stands with it. `n'` is n3' or n_rod' where there is one n in this polygon.
-    """
+    """By every spelling the point it means. One without its prime is the acceleration's where no other is so called.
+    One with a capital letter is a polygon's where a number or a prime stands with it. `n'` is n3' or n_rod' where there
+    is one n in this polygon."""
     exact: dict[str, tuple[Plane, str]] = {}
     more: dict[str, tuple[Plane, str]] = {}
     for polygon in polygons:
@@ -150,10 +139,8 @@ def spellings(polygons: Sequence[PaperPolygon]) -> dict[str, tuple[Plane, str]]:
 
 
 def _keys(text: str, spelled: Mapping[str, tuple[Plane, str]]) -> list[tuple[Plane, str]]:
-    """The points that a text letters: `b₃`, `b_{3}'`, `p, a, d`, `p′(a′, d′)`; none where it says anything else.
-
-    Primes are read last, which GeoGebra has before a number: `b'_{3}`.
-    """
+    """The points that a text letters: `b₃`, `b_{3}'`, `p, a, d`, `p′(a′, d′)`; none where it says anything else. Primes
+    are read last, which GeoGebra has before a number: `b'_{3}`."""
     pieces = (re.sub(r"^([A-Za-z]+)('+)(\w+)$", r"\1\3\2", piece.replace('"', "''")) for piece in pieces_of(text))
     keys = [spelled.get(piece) for piece in pieces]
     return [key for key in dict.fromkeys(keys) if key is not None] if all(keys) else []

@@ -70,9 +70,6 @@ def limited(seconds: float, where: Where) -> Iterator[None]:
         signal.signal(signal.SIGALRM, before)
 
 
-# --- processes --------------------------------------------------------------------------------
-
-
 def guarded(
     work: Callable[[list[_Item]], list[_Result]], batches: Iterable[list[_Item]], workers: int, seconds: float,
     failed: Callable[[_Item, str], _Result],

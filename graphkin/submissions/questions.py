@@ -58,18 +58,15 @@ class Questions:
         if text not in self._read:
             if len(self._read) > 10_000:
                 self._read.clear()
-            self._read[text] = self._reading(text) if len(text) <= LONGEST else None
+            self._read[text] = None
+            unit, quantity = "", self._quantity(text) if len(text) <= LONGEST else None
+            if quantity is None and len(text) <= LONGEST and (cut := _IN_UNIT.match(plain(text))) is not None:
+                unit = unit_named(next(unit for unit in cut.groups()[1:] if unit))
+                quantity = self._quantity(cut[1])
+            if quantity is not None:
+                own = quantity.text.replace(" ", "") if isinstance(quantity, Centre) else quantity.text
+                self._read[text] = self.asked.get(_meaning(self.mechanism, quantity), own), quantity, unit
         return self._read[text]
-
-    def _reading(self, text: str) -> tuple[str, Quantity, str] | None:
-        unit, quantity = "", self._quantity(text)
-        if quantity is None:
-            cut = _IN_UNIT.match(plain(text))
-            if cut is None or (quantity := self._quantity(cut[1])) is None:
-                return None
-            unit = unit_named(next(unit for unit in cut.groups()[1:] if unit))
-        own = quantity.text.replace(" ", "") if isinstance(quantity, Centre) else quantity.text
-        return self.asked.get(_meaning(self.mechanism, quantity), own), quantity, unit
 
     def _quantity(self, text: str) -> Quantity | None:
         """By any of its spellings; `omega BC` by two points of link 2; a word alone, `a^k`, where the key asks for one
@@ -104,9 +101,6 @@ def _quietly(mechanism: Mechanism, text: str) -> Quantity | None:
         return read(mechanism, text)
     except GraphkinError:
         return None
-
-
-# --- spellings --------------------------------------------------------------------------------
 
 
 def spelled(text: str) -> Iterator[str]:
@@ -158,9 +152,6 @@ def _of_moving(word: str, rest: str) -> Iterator[str]:
         yield f"{word}_{_PARTS[before[1].lower()]} {tight[before.end():]}"
     if after is not None:
         yield f"{word}_{_PARTS[after[1].lower()]} {tight[: after.start()]}"
-
-
-# --- the same quantity ------------------------------------------------------------------------
 
 
 def _meaning(mechanism: Mechanism, quantity: Quantity) -> object:

@@ -78,8 +78,6 @@ def _key(handed: Handed, stated: str, asked: Key, where: Where) -> tuple[str, Re
     raise errors.UnknownStudent(where, names[0])
 
 
-# --- what kind of file it is ------------------------------------------------------------------
-
 @frozen
 class _Contents:
     """The documents in a hand-in, its drawings by name, and why the rest is passed over."""
@@ -152,9 +150,6 @@ def _document(name: str, content: bytes, where: Where, limits: Limits) -> Studen
 def _of_row(row: TableRow, where: Where) -> StudentDocument:
     places = ((name, value, Where(where.file, line, short(name))) for name, value, line in row.entries)
     return StudentDocument(row.student, tuple(places))
-
-
-# --- reading it -------------------------------------------------------------------------------
 
 
 def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Contents, limits: Limits) -> Submission:

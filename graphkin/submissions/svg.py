@@ -6,6 +6,7 @@ import json
 import math
 import re
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from itertools import pairwise
 from xml.etree.ElementTree import Element, ParseError
 
@@ -106,30 +107,32 @@ class _SvgReader:
         if name in ("g", "a", "switch"):
             yield from self.walk(element, affine, kind, depth + 1)
         elif name == "svg":
-            yield from self.walk(element, affine.then(_nested(element.attrib)), kind, depth + 1)
+            inner = _shift(element.attrib)
+            if {"viewBox", "width", "height"} <= element.attrib.keys():  # fitted to its own box
+                box = _page(element.attrib)
+                inner = inner.then(Affine(box.a / _PX, 0.0, 0.0, box.d / _PX, box.e / _PX, box.f / _PX))
+            yield from self.walk(element, affine.then(inner), kind, depth + 1)
         elif name == "use":
-            yield from self._copy(element, affine, kind, depth)
+            self.copies += 1
+            self.limits.check(self.where, "copies", self.copies)
+            self.limits.check(self.where, "depth", depth)
+            href = element.attrib.get("href") or element.attrib.get(_HREF, "")
+            if (target := self.by_id.get(href.removeprefix("#"))) is None:
+                return
+            moved = affine.then(_shift(element.attrib))
+            if _name(target) == "symbol":
+                yield from self.walk(target, moved, _typed(target, kind), depth + 1)
+            else:
+                yield from self.mark(target, moved, kind, depth + 1)
         elif name == "text":
-            yield from _texts(element, affine, kind)
+            lines = [child for child in element if _name(child) == "tspan" and child.get(_ROLE) == "line"]
+            for line in lines if len(lines) > 1 else [element]:
+                yield from _text(line, affine, kind if line is element else _typed(line, kind), element)
         elif name in ("circle", "ellipse"):
             x, y = (length(element.attrib.get(key, "0")) for key in ("cx", "cy"))
             yield Dot(affine(x, y), *_named(element))
         elif name in _LINES and is_plain(name, element.attrib):
             yield self._line(name, element, affine)
-
-    def _copy(self, element: Element, affine: Affine, kind: _Type, depth: int) -> Iterator[_Mark]:
-        self.copies += 1
-        self.limits.check(self.where, "copies", self.copies)
-        self.limits.check(self.where, "depth", depth)
-        href = element.attrib.get("href") or element.attrib.get(_HREF, "")
-        target = self.by_id.get(href.removeprefix("#"))
-        if target is None:
-            return
-        moved = affine.then(_shift(element.attrib))
-        if _name(target) == "symbol":
-            yield from self.walk(target, moved, _typed(target, kind), depth + 1)
-        else:
-            yield from self.mark(target, moved, kind, depth + 1)
 
     def _line(self, name: str, element: Element, affine: Affine) -> list[tuple[complex, complex]]:
         runs = [[affine(z.real, z.imag) for z in run] for run in outline(name, element.attrib)]
@@ -154,13 +157,11 @@ def _named(element: Element) -> tuple[str, Plane | None]:
     return (attributes.get(f"{_INK}label") or attributes.get("id", ""))[:60], None
 
 
-# --- page and type ----------------------------------------------------------------------------
-
-
 def _page(attributes: Mapping[str, str]) -> Affine:
     """From the root's units to mm on the page. Without a width in units a pixel is one of 96 to the inch."""
     box = numbers_in(attributes.get("viewBox", "").replace(",", " "))
-    wide, high = (_millimetres(attributes.get(key, "")) for key in ("width", "height"))
+    stated = (re.sub(r"(?<=[0-9])\s+(?=[a-zA-Z])", "", attributes.get(key, "")) for key in ("width", "height"))
+    wide, high = (0.0 if text.strip()[-1:] in ("", "%") else length(text) * _PX for text in stated)
     if len(box) != 4 or not (box[2] > 0 and box[3] > 0):
         return Affine(_PX, 0.0, 0.0, _PX, 0.0, 0.0)
     ratios = [size / unit for size, unit in ((wide, box[2]), (high, box[3])) if size]
@@ -170,23 +171,8 @@ def _page(attributes: Mapping[str, str]) -> Affine:
     return Affine(scale, 0.0, 0.0, scale, -box[0] * scale, -box[1] * scale)
 
 
-def _millimetres(text: str) -> float:
-    if not text.strip() or text.strip().endswith("%"):
-        return 0.0
-    return length(re.sub(r"(?<=[0-9])\s+(?=[a-zA-Z])", "", text)) * _PX
-
-
 def _shift(attributes: Mapping[str, str]) -> Affine:
     return Affine(e=length(attributes.get("x", "0")), f=length(attributes.get("y", "0")))
-
-
-def _nested(attributes: Mapping[str, str]) -> Affine:
-    """Of an `svg` within: moved, and fitted to its own box."""
-    moved = _shift(attributes)
-    if "viewBox" not in attributes or not {"width", "height"} <= attributes.keys():
-        return moved
-    inner = _page(attributes)
-    return moved.then(Affine(inner.a / _PX, 0.0, 0.0, inner.d / _PX, inner.e / _PX, inner.f / _PX))
 
 
 def _typed(element: Element, above: _Type) -> _Type:
@@ -195,35 +181,24 @@ def _typed(element: Element, above: _Type) -> _Type:
     keys = ("font-size", "text-anchor", "display", "visibility")
     size, anchor, display, visibility = (style.get(key, element.attrib.get(key, "")) for key in keys)
     shown = above.shown and display != "none" and visibility not in ("hidden", "collapse")
-    return _Type(_size(size, above.size), anchor or above.anchor, shown)
-
-
-def _size(text: str, above: float) -> float:
-    try:
-        if text.endswith("%"):
-            return above * float(text[:-1]) / 100
-        if text.endswith("em"):
-            return above * float(text[:-2])
-        return length(text) if text else above
-    except (Unread, ValueError):
-        return above
-
-
-# --- texts ------------------------------------------------------------------------------------
-
-
-def _texts(element: Element, affine: Affine, kind: _Type) -> Iterator[PictureText]:
-    """A text; of several lines each for itself."""
-    lines = [child for child in element if _name(child) == "tspan" and child.get(_ROLE) == "line"]
-    for line in lines if len(lines) > 1 else [element]:
-        yield from _text(line, affine, kind if line is element else _typed(line, kind), element)
+    tall = above.size
+    with suppress(Unread, ValueError):
+        if size.endswith("%"):
+            tall = tall * float(size[:-1]) / 100
+        elif size.endswith("em"):
+            tall *= float(size[:-2])
+        elif size:
+            tall = length(size)
+    return _Type(tall, anchor or above.anchor, shown)
 
 
 def _text(element: Element, affine: Affine, kind: _Type, whole: Element) -> Iterator[PictureText]:
     letters = "".join(_letters(element)).strip()
     if not letters:
         return
-    x, y = (_first(element, whole, key) for key in "xy")
+    pieces = [*element.iter(), *whole.iter()]  # of these the first that says so tells where the text starts
+    starts = (next((text for piece in pieces if (text := piece.attrib.get(key, "")).strip()), "0") for key in "xy")
+    x, y = (length(start.replace(",", " ").split()[0]) for start in starts)
     corner = affine(x, y)
     right, up = affine(x + 1, y) - corner, affine(x, y - 1) - corner
     scale, tall = abs(right), abs(up)
@@ -245,13 +220,6 @@ def _letters(element: Element) -> Iterator[str]:
         for child in element:
             yield from _letters(child)
             yield re.sub(r"\s*\n\s*", "", child.tail or "")
-
-
-def _first(element: Element, whole: Element, key: str) -> float:
-    """The start of a text: the first x (y) that one of its pieces has."""
-    values = (piece.attrib.get(key, "") for source in (element, whole) for piece in source.iter())
-    value = next((value for value in values if value.strip()), "")
-    return length(value.replace(",", " ").split()[0]) if value else 0.0
 
 
 def _stated(root: Element) -> dict[Plane, float]:

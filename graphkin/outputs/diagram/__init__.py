@@ -73,11 +73,8 @@ def figure(course: Course, names: Sequence[str], lang: Lang = "en", by: Road = "
 def write(
     path: Path, course: Course, names: Sequence[str], lang: Lang = "en", by: Road = "construction", force: bool = False
 ) -> NoChineseFont | None:
-    """Write a diagram as SVG, PNG or PDF, after the file's ending; beside, then renamed.
-
-    Returns the message for a diagram that needs Chinese letters where there are none. Raises NotADiagram, FileInTheWay,
-    NoFolder, CannotWrite.
-    """
+    """Write a diagram as SVG, PNG or PDF, after the file's ending; beside, then renamed. Returns the message for a
+    diagram that needs Chinese letters where there are none. Raises NotADiagram, FileInTheWay, NoFolder, CannotWrite."""
     kind, title = path.suffix.lower(), course.method.mechanism.headline(lang)
     if kind not in FORMATS:
         raise NotADiagram(str(path))

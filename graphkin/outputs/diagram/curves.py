@@ -5,7 +5,7 @@ Nothing here draws. Times of the path (`t`) are as in `graphkin.studies.sweeps`:
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cached_property
 
 import numpy as np
@@ -65,35 +65,30 @@ class Curves:
     def alike(self) -> tuple[tuple[int, ...], ...]:
         """Numbers of curves that lie on one another, together: links 2 and 3 that slide on each other turn alike."""
         groups: list[list[int]] = []
-        for k in range(len(self.series)):
-            group = next((group for group in groups if self._same(group[0], k)), None)
-            if group is None:
-                groups.append([k])
+        for k, entry in enumerate(self.series):
+            for group in groups:
+                first, like = self.series[group[0]], self.like(group[0])
+                clear = np.abs(first.signed) <= 10 * like
+                close = np.isclose(first.signed, entry.signed, rtol=0, atol=ZERO * like, equal_nan=True)
+                if first.unit == entry.unit and close[clear].all() and clear.any():
+                    group.append(k)
+                    break
             else:
-                group.append(k)
+                groups.append([k])
         return tuple(map(tuple, groups))
-
-    def _same(self, one: int, other: int) -> bool:
-        first, second = self.series[one], self.series[other]
-        if first.unit != second.unit:
-            return False
-        clear = np.abs(first.signed) <= 10 * self.like(one)
-        close = np.isclose(first.signed, second.signed, rtol=0, atol=ZERO * self.like(one), equal_nan=True)
-        return bool(close[clear].all() and clear.any())
 
     def unbounded(self, k: int) -> tuple[bool, bool]:
         """True where a curve grows without bound, towards the low and the high end of what is shown."""
-        return self._growing(k, self.low), self._growing(k, self.high)
-
-    def _growing(self, k: int, end: float) -> bool:
-        size = self.high - self.low
-        part = np.abs(self.t - end) / size
-        values = np.abs(self.series[k].signed)
-        known = np.isfinite(values) & (part < 1e-3)
-        if not known.any() or not any(abs(end - stop.at) <= 1e-6 * size for stop in self.course.path.stops):
-            return False
-        nearest, farther = values[known & (part < 1e-6)], values[known & (part > 1e-4)]
-        return bool(nearest.size and farther.size and nearest.max() > 2 * farther.max())
+        size, values = self.high - self.low, np.abs(self.series[k].signed)
+        growing = []
+        for end in (self.low, self.high):
+            part = np.abs(self.t - end) / size
+            known = np.isfinite(values) & (part < 1e-3)
+            stops = any(abs(end - stop.at) <= 1e-6 * size for stop in self.course.path.stops)
+            nearest, farther = values[known & (part < 1e-6)], values[known & (part > 1e-4)]
+            seen = stops and nearest.size and farther.size
+            growing.append(bool(seen and nearest.max() > 2 * farther.max()))
+        return growing[0], growing[1]
 
     def bounds(self, k: int) -> tuple[float, float]:
         """The least and greatest value to be shown; where a curve grows without bound, some of the growth."""
@@ -111,31 +106,36 @@ class Curves:
     @cached_property
     def peaks(self) -> tuple[tuple[Peak, ...], ...]:
         """By curve: where it is greatest and least. None of a constant, nor where a curve only runs off its end."""
-        brackets = [bracket for k in range(len(self.series)) for bracket in self._brackets(k)]
+        brackets: list[tuple[int, int, float, float]] = []  # curve, sign, from and to around its extreme sample
+        for k, values in enumerate(entry.signed for entry in self.series):
+            there, (low, high) = np.flatnonzero(np.isfinite(values)), self.bounds(k)
+            if not there.size or high - low <= ZERO * self.like(k):
+                continue
+            for sign in (1, -1):
+                at = self._highest(k, sign * values[there], there, ZERO * (high - low))
+                if at is not None:
+                    before, after = there[max(at - 1, 0)], there[min(at + 1, there.size - 1)]
+                    brackets.append((k, sign, float(self.t[before]), float(self.t[after])))
         by_curve: list[list[Peak]] = [[] for _ in self.series]
         for (owner, *_), peak in zip(brackets, self._polished(brackets) if brackets else (), strict=True):
             by_curve[owner].append(peak)
         return tuple(map(tuple, by_curve))
 
-    def _brackets(self, k: int) -> Iterator[tuple[int, int, float, float]]:
-        """(curve, sign, from, to) around its greatest and its least sampled value."""
-        values = self.series[k].signed
-        there = np.flatnonzero(np.isfinite(values))
-        low, high = self.bounds(k)
-        if not there.size or high - low <= ZERO * self.like(k):
-            return
-        for sign in (1, -1):
-            at = self._highest(k, sign * values[there], there, ZERO * (high - low))
-            if at is not None:
-                before, after = there[max(at - 1, 0)], there[min(at + 1, there.size - 1)]
-                yield k, sign, float(self.t[before]), float(self.t[after])
-
     def _highest(self, k: int, heights: Array, there: Array, rounding: float) -> int | None:
         """The first of the highest places; where a curve rises without bound, the highest of its summits, if any."""
         at = int(np.flatnonzero(heights >= heights.max() - rounding)[0])
-        if self._is_peak(k, at, there):
+        # an end of what is shown counts where the curve stops there, not where it goes on round or without bound
+        grows, values = self.unbounded(k), self.series[k].signed[there]
+        if 0 < at < there.size - 1:
+            ends = [end for end, without_bound in zip((self.low, self.high), grows, strict=True) if without_bound]
+            is_peak = all(abs(self.t[there[at]] - end) > 1e-3 * (self.high - self.low) for end in ends)
+        elif self.course.full_turn and self.high - self.low > TURN - 1e-9:
+            is_peak = bool(abs(values[0] - values[-1]) < 1e-6 * np.ptp(values))
+        else:
+            is_peak = not grows[0 if at == 0 else 1]
+        if is_peak:
             return at
-        if not any(self.unbounded(k)):
+        if not any(grows):
             return None
         rise = np.diff(heights)
         summits = 1 + np.flatnonzero((rise[:-1] > 0) & (rise[1:] <= 0))
@@ -149,17 +149,6 @@ class Curves:
         unit = self.series[k].unit
         same = [j for j, entry in enumerate(self.series) if entry.unit == unit]
         return max((abs(end) for j in same for end in self.bounds(j)), default=0.0)
-
-    def _is_peak(self, k: int, at: int, there: Array) -> bool:
-        """An end of what is shown counts where the curve stops there, not where it goes on round or without bound."""
-        if 0 < at < there.size - 1:
-            t = self.t[there[at]]
-            ends = [end for end, grows in zip((self.low, self.high), self.unbounded(k), strict=True) if grows]
-            return all(abs(t - end) > 1e-3 * (self.high - self.low) for end in ends)
-        values = self.series[k].signed[there]
-        if self.course.full_turn and self.high - self.low > TURN - 1e-9:
-            return bool(abs(values[0] - values[-1]) < 1e-6 * np.ptp(values))
-        return not self.unbounded(k)[0 if at == 0 else 1]
 
     def _polished(self, brackets: Sequence[tuple[int, int, float, float]]) -> list[Peak]:
         """All of them closed in on together: each round looks at some positions in every bracket."""
@@ -181,10 +170,19 @@ class Curves:
         return peaks
 
 def curves(course: Course, names: Sequence[str], by: Road = "construction") -> Curves:
-    """Quantities over the shown part of a course, finely sampled whatever the steps of its table are."""
+    """Quantities over the shown part of a course, finely sampled whatever the steps of its table are. First evenly, and
+    ever closer to where the path stops, never on a stop itself; then more where curves bend."""
     low, high = span(course)
     names = sweeps.drawable(course.method.mechanism, names)
-    t = _first_positions(course, low, high)
+    size = high - low
+    turns = size / TURN if course.angular else 1.0
+    t = np.linspace(low, high, int(min(max(POSITIONS, turns * POSITIONS / 2), 40 * POSITIONS)))
+    for stop in course.path.stops:
+        if abs(stop.at - low) < 1e-9 * size:
+            t = np.append(t[t > low], low + NEAR * size)
+        if abs(stop.at - high) < 1e-9 * size:
+            t = np.append(t[t < high], high - NEAR * size)
+    t = np.unique(t)
     for _ in range(4):
         series = sweeps.quantities_at(course, names, t, by).series
         more = _where_bent(Curves(course, by, low, high, t, series))
@@ -207,19 +205,6 @@ def span(course: Course) -> tuple[float, float]:
         low = path.first if low - path.first <= step else low
         high = path.last if path.last - high <= step else high
     return low, high
-
-
-def _first_positions(course: Course, low: float, high: float) -> Array:
-    """Evenly, and ever closer to where the way stops; never on a stop itself."""
-    size = high - low
-    turns = size / TURN if course.angular else 1.0
-    t = np.linspace(low, high, int(min(max(POSITIONS, turns * POSITIONS / 2), 40 * POSITIONS)))
-    for stop in course.path.stops:
-        if abs(stop.at - low) < 1e-9 * size:
-            t = np.append(t[t > low], low + NEAR * size)
-        if abs(stop.at - high) < 1e-9 * size:
-            t = np.append(t[t < high], high - NEAR * size)
-    return np.unique(t)
 
 
 def _where_bent(curves: Curves) -> Array:

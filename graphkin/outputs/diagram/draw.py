@@ -11,19 +11,10 @@ import numpy as np
 from graphkin.base.geometry import number
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE, IN_GRAVITY
+from graphkin.outputs.diagram import panels
 from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.fonts import has_chinese, typeset, writable
 from graphkin.outputs.diagram.notes import DrawnPanel, note_peaks
-from graphkin.outputs.diagram.panels import (
-    CurvePanel,
-    about_drivers,
-    across,
-    division,
-    event_line,
-    limits,
-    panels,
-    upright_label,
-)
 from graphkin.say.catalogue import say
 from graphkin.sheet.lettering import Label, joined, width
 from graphkin.sheet.results import label_of
@@ -59,12 +50,12 @@ def draw(curves: Curves, lang: Lang) -> Figure:
     from matplotlib.figure import Figure
     from matplotlib.text import Text
 
-    layout = panels({group[0]: curves.series[group[0]].unit for group in curves.alike})
+    layout = panels.panels({group[0]: curves.series[group[0]].unit for group in curves.alike})
     rows = []  # of each legend: as wide as its labels, with their samples of a line, are
     for panel in layout:
         size = sum(width(_label(curves, k), 9 * POINT) + 15.0 for axis in panel.axes for k in axis.curves)
         rows.append(max(1, math.ceil(size / (WIDTH - LEFT - 2 * SIDE - 30.0))))
-    notes = [event_line(curves, event, lang) for event in curves.events]
+    notes = [panels.event_line(curves, event, lang) for event in curves.events]
     room = A4 - TOP - FOOT - len(notes) * LINE - sum(row * ROW + BETWEEN for row in rows)
     high = min(HIGH, max(LOW, room / len(rows)))
     total = TOP + FOOT + len(notes) * LINE + sum(high + row * ROW + BETWEEN for row in rows)
@@ -96,59 +87,60 @@ def _label(curves: Curves, k: int) -> Label:
 def _head(page: Figure, curves: Curves, lang: Lang, total: float) -> None:
     """Title and drivers; long ones are written smaller."""
     mechanism = curves.course.method.mechanism
-    lines = (writable(mechanism.headline(lang)), 11.0, 6.0), (about_drivers(curves.course, lang), 9.0, 10.5)
+    lines = (writable(mechanism.headline(lang)), 11.0, 6.0), (panels.about_drivers(curves.course, lang), 9.0, 10.5)
     for text, size, below in lines:
         wide = sum(1.0 if has_chinese(letter) else 0.5 for letter in text) * size * POINT
         size *= min(1.0, (WIDTH - 10.0) / wide)
         page.text(0.5, 1 - below / total, text, fontsize=size, parse_math=False, ha="center")
 
 
-# --- one panel --------------------------------------------------------------------------------
-
-
 def _panel(
-    page: Figure, curves: Curves, panel: CurvePanel, lang: Lang, place: tuple[float, float], rows: int, last: bool
-) -> DrawnPanel:
+    page: Figure, curves: Curves, panel: panels.CurvePanel, lang: Lang, place: tuple[float, float], rows: int,
+    last: bool,
+) -> DrawnPanel:  # fmt: skip
     """Axes, curves and legend of one panel; `place`: where its lower edge is and how high it is, of the page."""
     low, high = place
     first = page.add_axes((LEFT / WIDTH, low, 1 - (LEFT + PLAIN_RIGHT) / WIDTH, high), label=panel.kind)
     sides = [first, *(first.twinx() for _ in panel.axes[1:])]
-    for side, axis, ends in zip(sides, panel.axes, limits(curves, panel), strict=True):
+    for side, axis, ends in zip(sides, panel.axes, panels.limits(curves, panel), strict=True):
         side.set_ylim(*ends)
         _divide(side, side, axis.unit, ends, max(map(abs, ends)), lang)
     _acceleration_in_g(sides, panel, lang)
     _across(first, curves, lang, last)
     lines: dict[int, tuple[Axes, Line2D]] = {}
-    for side, axis in zip(sides, panel.axes, strict=True):
-        for k in axis.curves:
-            lines[k] = side, _curve(side, curves, k, STYLES[len(lines) % len(STYLES)])
-    _legend(first, panel, lang, [line for _, line in lines.values()], rows)
-    _thin_lines(first, curves, panel)
+    across = curves.course.value(curves.t) * EDGE[curves.course.unit].factor
+    for side, k in ((side, k) for side, axis in zip(sides, panel.axes, strict=True) for k in axis.curves):
+        (colour, dashes), entry = STYLES[len(lines) % len(STYLES)], curves.series[k]
+        (line,) = side.plot(
+            across, entry.signed * EDGE[entry.unit].factor, color=colour, linestyle=dashes, linewidth=BROAD / POINT,
+            label=typeset(_label(curves, k)), gid=f"curve-{k}", solid_joinstyle="round",
+        )  # fmt: skip
+        lines[k] = side, line
+    first.set_title(say(f"diagrams.panel {panel.kind}", lang), loc="left", fontsize=9, pad=4, y=1.0)
+    first.legend(  # above the panel, so that it never hides a curve
+        handles=[line for _, line in lines.values()], loc="lower right", bbox_to_anchor=(1.0, 1.0),
+        ncols=math.ceil(len(lines) / rows), frameon=False, borderaxespad=0.15, borderpad=0.1, handlelength=3.2,
+        handletextpad=0.5, columnspacing=1.4, labelspacing=0.15, fontsize=9,
+    )  # fmt: skip
+    bottom, top = first.get_ylim()
+    if bottom < 0 < top and (panel.kind != "position" or len(panel.axes) == 1):
+        first.axhline(0, color="black", linewidth=THIN / POINT, zorder=1.5)
+    for event in curves.events:  # where the driver stops, and change points
+        at = number(curves.course.value(event.at)) * EDGE[curves.course.unit].factor
+        first.axvline(at, color="black", linewidth=THIN / POINT, zorder=1.5, linestyle=(0, (12, 3, 2, 3)))
     return DrawnPanel(panel, tuple(sides), lines)
 
 
-def _curve(side: Axes, curves: Curves, k: int, style: Style) -> Line2D:
-    entry, course = curves.series[k], curves.course
-    (line,) = side.plot(
-        course.value(curves.t) * EDGE[course.unit].factor, entry.signed * EDGE[entry.unit].factor,
-        color=style[0], linestyle=style[1], linewidth=BROAD / POINT, label=typeset(_label(curves, k)),
-        gid=f"curve-{k}", solid_joinstyle="round",
-    )  # fmt: skip
-    return line
-
-
 def _divide(axis: _AxesBase, side: Axes, unit: str, ends: tuple[float, float], size: float, lang: Lang) -> None:
-    """Round ticks and name of a y axis beside `side`; very large and small numbers have a power of ten.
-
-    At most one tick in 7 mm, and none so near to the lower edge that its figure would stand on those of the x axis.
-    """
+    """Round ticks and name of a y axis beside `side`; very large and small numbers have a power of ten. At most one
+    tick in 7 mm, and none so near to the lower edge that its figure would stand on those of the x axis."""
     low, high = ends
     power = 0 if size == 0 or 0.01 <= size < 1e5 else 3 * math.floor(math.log10(size) / 3)
     height = side.bbox.height / side.figure.dpi / MM
     low += (high - low) * 1.2 / height
-    ticks = division(low, high, most=max(3, int(height / 7)), degrees=unit == "rad")
+    ticks = panels.division(low, high, most=max(3, int(height / 7)), degrees=unit == "rad")
     axis.set_yticks(ticks, labels=[_tick(value / 10**power, ticks, power) for value in ticks])
-    axis.set_ylabel(upright_label(unit, lang, power), labelpad=3)
+    axis.set_ylabel(panels.upright_label(unit, lang, power), labelpad=3)
     axis.tick_params(direction="in", width=THIN / POINT, length=3, labelsize=8, pad=2.5)
     for spine in axis.spines.values():
         spine.set_linewidth(THIN / POINT)
@@ -160,7 +152,7 @@ def _tick(value: float, ticks: Sequence[float], power: int) -> str:
     return f"{value:.{digits}f}".replace("-", "−") if abs(value) > 1e-9 * step else "0"
 
 
-def _acceleration_in_g(sides: Sequence[Axes], panel: CurvePanel, lang: Lang) -> None:
+def _acceleration_in_g(sides: Sequence[Axes], panel: panels.CurvePanel, lang: Lang) -> None:
     """A second scale for accelerations of points, in multiples of the standard gravity."""
     if panel.axes[-1].unit != "m/s^2":
         return
@@ -179,33 +171,12 @@ def _across(first: Axes, curves: Curves, lang: Lang, last: bool) -> None:
     low, high = sorted(number(course.value(t)) * factor for t in (curves.low, curves.high))
     beyond = 0.015 * (high - low) if course.path.stops else 0.0
     first.set_xlim(low - beyond, high + beyond)
-    ticks = division(low, high, most=13, degrees=course.angular)
+    ticks = panels.division(low, high, most=13, degrees=course.angular)
     first.set_xticks(ticks, labels=[_tick(value, ticks, 0) for value in ticks] if last else [""] * len(ticks))
     first.grid(color=GREY, linewidth=THIN / POINT / 2)
     first.set_axisbelow(True)
     if last:
-        first.set_xlabel(across(course, lang), labelpad=3)
-
-
-def _thin_lines(first: Axes, curves: Curves, panel: CurvePanel) -> None:
-    """The zero line, and upright lines where the driver stops and at change points."""
-    low, high = first.get_ylim()
-    if low < 0 < high and (panel.kind != "position" or len(panel.axes) == 1):
-        first.axhline(0, color="black", linewidth=THIN / POINT, zorder=1.5)
-    factor = EDGE[curves.course.unit].factor
-    for event in curves.events:
-        place = number(curves.course.value(event.at)) * factor
-        first.axvline(place, color="black", linewidth=THIN / POINT, zorder=1.5, linestyle=(0, (12, 3, 2, 3)))
-
-
-def _legend(first: Axes, panel: CurvePanel, lang: Lang, lines: Sequence[Line2D], rows: int) -> None:
-    """The title of a panel, and which line is which; above the panel, so that it never hides a curve."""
-    first.set_title(say(f"diagrams.panel {panel.kind}", lang), loc="left", fontsize=9, pad=4, y=1.0)
-    first.legend(
-        handles=lines, loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=math.ceil(len(lines) / rows), frameon=False,
-        borderaxespad=0.15, borderpad=0.1, handlelength=3.2, handletextpad=0.5, columnspacing=1.4, labelspacing=0.15,
-        fontsize=9,
-    )  # fmt: skip
+        first.set_xlabel(panels.across(course, lang), labelpad=3)
 
 
 def _fit_sides(page: Figure, drawn: Sequence[DrawnPanel]) -> None:

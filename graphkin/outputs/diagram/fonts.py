@@ -8,7 +8,7 @@ from itertools import groupby
 from typing import ClassVar
 
 from graphkin.errors import GraphkinError, Lang
-from graphkin.sheet.lettering import Label, Run
+from graphkin.sheet.lettering import Label
 
 LATIN = "STIXGeneral"
 _CHINESE = (
@@ -20,9 +20,7 @@ _CHINESE = (
 _FILES = re.compile(r"cjk|source ?han|song|simsun|simhei|msyh|pingfang|uming|wqy|droidsansfallback|notos\w+sc", re.I)
 _WIDE = re.compile("[\u2e80-\u9fff\uf900-\ufaff\uff00-\uffef\u3000-\u303f]")
 _MATHS = re.compile("[ -~θωαμφ′−×]*")  # letters that stand in mathematics; names in others are written plainly
-_RELATIONS = {
-    " = ": "=", " + ": "+", "θ": r"\theta", "ω": r"\omega", "α": r"\alpha", "μ": r"\mu", "φ": r"\varphi",
-}  # fmt: skip
+_RELATIONS = {" = ": "=", " + ": "+", "θ": r"\theta", "ω": r"\omega", "α": r"\alpha", "μ": r"\mu", "φ": r"\varphi"}
 _SIGNS = {" ": r"\ ", "-": r"\text{-}", "_": r"\_", "/": "/"}
 
 
@@ -69,16 +67,11 @@ def has_chinese(text: str) -> bool:
 
 def writable(text: str) -> str:
     """The text in one line, with a question mark for each letter that no font here has."""
-    families = tuple(letters())
-    return "".join(letter if _has(families, letter) else "?" for letter in " ".join(text.split()))
-
-
-@cache
-def _has(families: tuple[str, ...], letter: str) -> bool:
     from matplotlib.font_manager import findfont, get_font
 
-    fonts = (get_font(findfont(family)) for family in families)
-    return letter.isprintable() and any(font.get_char_index(ord(letter)) for font in fonts)
+    fonts, line = [get_font(findfont(family)) for family in letters()], " ".join(text.split())
+    there = {c for c in line if c.isprintable() and any(font.get_char_index(ord(c)) for font in fonts)}
+    return "".join(letter if letter in there else "?" for letter in line)
 
 
 def typeset(label: Label) -> str:
@@ -89,11 +82,9 @@ def typeset(label: Label) -> str:
         return writable(" ".join("".join(run.text for run in some) for _, some in runs))
     text = ""
     for place, some in runs:
-        inside = "".join(_RELATIONS.get(run.text) or _mathtext(run) for run in some)
+        inside = ""
+        for run in some:
+            signs = "".join(_SIGNS.get(letter, letter) for letter in run.text)
+            inside += _RELATIONS.get(run.text) or (rf"\mathit{{{signs}}}" if run.italic else rf"\mathrm{{{signs}}}")
         text += inside if place == "base" else f"{'_' if place == 'sub' else '^'}{{{inside}}}"
     return f"${text}$"
-
-
-def _mathtext(run: Run) -> str:
-    inside = "".join(_SIGNS.get(letter, letter) for letter in run.text)
-    return rf"\mathit{{{inside}}}" if run.italic else rf"\mathrm{{{inside}}}"

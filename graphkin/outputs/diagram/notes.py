@@ -15,7 +15,7 @@ from graphkin.base.geometry import Array, number
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.model.quantities import EDGE
-from graphkin.outputs.diagram.curves import Curves, Peak
+from graphkin.outputs.diagram.curves import Curves
 from graphkin.outputs.diagram.panels import CurvePanel, event_mark, figure_of, place_of
 from graphkin.running.path import Event
 
@@ -63,40 +63,38 @@ class Note:
 
 def note_peaks(page: Figure, curves: Curves, drawn: Sequence[DrawnPanel], lang: Lang) -> None:
     """Write at every panel, once all is where it stays."""
+    from matplotlib.path import Path
+
     page.draw_without_rendering()
     for panel in drawn:
         lines = [line for _, line in panel.lines.values()]
         straight = [line for line in panel.sides[0].lines if line not in lines]  # the zero line and the upright ones
-        paths = [path for line in (*lines, *straight) for path in _paths(line)]
+        paths: list[Path] = []  # the drawn stretches [pixels], without the places where a curve is not known
+        for line in (*lines, *straight):
+            pixels = np.asarray(line.get_transform().transform(np.column_stack(line.get_data())))
+            known = np.isfinite(pixels).all(axis=1)
+            pieces: list[Array] = np.split(pixels, np.flatnonzero(np.diff(known.astype(int))) + 1)
+            paths += [Path(piece) for piece in pieces if len(piece) > 1 and np.isfinite(piece).all()]
         boxes: list[Bbox] = []
         for event in curves.events:
             boxes.append(_name_event(page, panel, curves, event, paths, boxes, lang))
         _write_peaks(page, curves, panel, paths, boxes)
 
 
-def _paths(line: Line2D) -> list[Path]:
-    """The drawn stretches of a curve [pixels], without the places where it is not known."""
-    from matplotlib.path import Path
-
-    pixels = np.asarray(line.get_transform().transform(np.column_stack(line.get_data())))
-    known = np.isfinite(pixels).all(axis=1)
-    pieces: list[Array] = np.split(pixels, np.flatnonzero(np.diff(known.astype(int))) + 1)
-    return [Path(piece) for piece in pieces if len(piece) > 1 and np.isfinite(piece).all()]
-
-
 def _extent(page: Figure, text: Text) -> Bbox:
     return text.get_window_extent(page.canvas.get_renderer())  # type: ignore[attr-defined]
-
-
-# --- greatest and least values ----------------------------------------------------------------
 
 
 def _write_peaks(page: Figure, curves: Curves, drawn: DrawnPanel, paths: Sequence[Path], boxes: Sequence[Bbox]) -> None:
     top = drawn.sides[-1]
     texts: list[Text] = []
     notes: list[Note] = []
-    for k, place, peak, text in _peaks(curves, drawn):
-        side, line = drawn.lines[k]
+    across = EDGE[curves.course.unit].factor
+    for k, peak in [(curve, peak) for curve in drawn.lines for peak in curves.peaks[curve]]:
+        (side, line), unit = drawn.lines[k], EDGE[curves.series[k].unit]
+        place = number(curves.course.value(peak.t)) * across, peak.value * unit.factor
+        degree = unit.sign if unit.sign == "°" else ""
+        text = f"{figure_of(place[1])}{degree} @ {place_of(curves, peak.t)}"
         x, y = (float(part) for part in side.transData.transform(place))
         name = f"peak-{k}-{'greatest' if peak.sign > 0 else 'least'}"
         side.plot(*place, color=line.get_color(), marker="o", markersize=2.6, linestyle="", gid=name)
@@ -112,25 +110,11 @@ def _write_peaks(page: Figure, curves: Curves, drawn: DrawnPanel, paths: Sequenc
             top.plot([x0, x1], [y0, y1], transform=top.transAxes, color=written.get_color(), linewidth=THIN_PT)
 
 
-def _peaks(curves: Curves, drawn: DrawnPanel) -> Iterator[tuple[int, tuple[float, float], Peak, str]]:
-    """(curve, place in its axes, peak, text) of all extremes in a panel."""
-    across = EDGE[curves.course.unit].factor
-    for k in drawn.lines:
-        unit = EDGE[curves.series[k].unit]
-        for peak in curves.peaks[k]:
-            place = number(curves.course.value(peak.t)) * across, peak.value * unit.factor
-            degree = unit.sign if unit.sign == "°" else ""
-            yield k, place, peak, f"{figure_of(place[1])}{degree} @ {place_of(curves, peak.t)}"
-
-
 def _put(top: Axes, text: Text, box: Bbox) -> None:
     """Move a text to its box, in parts of the panel, so that it stays there at any resolution."""
     text.set_transform(top.transAxes)
     x, y = top.transAxes.inverted().transform((box.x0, box.y0))
     text.set_position((float(x), float(y)))
-
-
-# --- stops and change points ------------------------------------------------------------------
 
 
 def _name_event(
@@ -159,9 +143,6 @@ def _name_event(
     return box
 
 
-# --- places of texts --------------------------------------------------------------------------
-
-
 def arrange(
     notes: Sequence[Note], curves: Sequence[Path], occupied: Sequence[Bbox], frame: Bbox, point: float
 ) -> list[tuple[Bbox, bool]]:
@@ -177,23 +158,17 @@ def arrange(
         for k, note in enumerate(notes):
             others = [box for j, box in sorted(boxes.items()) if j != k]
             others += [*occupied, *(dot for j, dot in enumerate(dots) if j != k)]
-            boxes[k] = _best(note, curves, others, frame, point)
+            least = math.inf
+            for cost, box in sorted(_tried(note, frame, point), key=lambda entry: entry[0]):
+                if cost >= least:
+                    break
+                wide = box.padded(GAP * point)
+                cost += ON_A_NOTE * sum(bool(wide.overlaps(other)) for other in others)
+                if cost < least:
+                    cost += ON_A_CURVE * sum(bool(path.intersects_bbox(wide, filled=False)) for path in curves)
+                if cost < least:
+                    boxes[k], least = box, cost
     return [(boxes[k], _distance(note.at, boxes[k]) > FAR * point) for k, note in enumerate(notes)]
-
-
-def _best(note: Note, curves: Sequence[Path], others: Sequence[Bbox], frame: Bbox, point: float) -> Bbox:
-    best, least = None, math.inf
-    for cost, box in sorted(_tried(note, frame, point), key=lambda entry: entry[0]):
-        if cost >= least:
-            break
-        wide = box.padded(GAP * point)
-        cost += ON_A_NOTE * sum(bool(wide.overlaps(other)) for other in others)
-        if cost < least:
-            cost += ON_A_CURVE * sum(bool(path.intersects_bbox(wide, filled=False)) for path in curves)
-        if cost < least:
-            best, least = box, cost
-    assert best is not None
-    return best
 
 
 def _tried(note: Note, frame: Bbox, point: float) -> Iterator[tuple[float, Bbox]]:

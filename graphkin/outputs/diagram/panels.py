@@ -23,7 +23,6 @@ KINDS = ("position", "velocity", "acceleration", "ratio")
 LETTERS = {"rad": "θ", "m": "s", "rad/s": "ω", "m/s": "v", "rad/s^2": "α", "m/s^2": "a", "g": "a", "1": ""}
 HEADROOM = 0.16  # room above and below the curves for what is written at them, as a part of their height
 
-
 _PLACE = {"rad": (0, 0), "m": (0, 1), "rad/s": (1, 0), "m/s": (1, 1), "rad/s^2": (2, 0), "m/s^2": (2, 1), "1": (3, 0)}
 """By SI unit: the kind of panel, and whether it is the second axis of one."""
 
@@ -66,13 +65,15 @@ def panels(units: Mapping[int, str]) -> tuple[CurvePanel, ...]:
     return tuple(panels)
 
 
-# --- scales -----------------------------------------------------------------------------------
-
-
 def limits(curves: Curves, panel: CurvePanel) -> list[tuple[float, float]]:
     """Least and greatest value of each axis, as shown; the zeros of two axes of a panel lie on one line."""
     with_zero = panel.kind != "position"
-    ends = [_ends(curves, axis, with_zero) for axis in panel.axes]
+    ends: list[tuple[float, float]] = []
+    for axis in panel.axes:
+        factor = EDGE[axis.unit].factor
+        bounds = [(low * factor, high * factor) for low, high in map(curves.bounds, axis.curves)]
+        bounds += [(0.0, 0.0)] if with_zero else []
+        ends.append((min(low for low, _ in bounds), max(high for _, high in bounds)))
     if with_zero:
         sizes = [max(-low, high) or 1.0 for low, high in ends]
         down = max(-low / size for (low, _), size in zip(ends, sizes, strict=True))
@@ -87,13 +88,6 @@ def limits(curves: Curves, panel: CurvePanel) -> list[tuple[float, float]]:
     return shown
 
 
-def _ends(curves: Curves, axis: Axis, with_zero: bool) -> tuple[float, float]:
-    factor = EDGE[axis.unit].factor
-    bounds = [(low * factor, high * factor) for low, high in map(curves.bounds, axis.curves)]
-    extra = [0.0] if with_zero else []
-    return min([low for low, _ in bounds] + extra), max([high for _, high in bounds] + extra)
-
-
 def division(low: float, high: float, most: int, degrees: bool = False) -> list[float]:
     """Round values from low to high, at most so many: steps of 1, 2, 5, and of 15, 30, 60, 90 for degrees."""
     least = (high - low) / most
@@ -103,9 +97,6 @@ def division(low: float, high: float, most: int, degrees: bool = False) -> list[
         step = next(power * k for k in (1, 2, 5, 10) if power * k >= least * (1 - 1e-9))
     first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
     return [k * step for k in range(first, last + 1)]
-
-
-# --- names ------------------------------------------------------------------------------------
 
 
 def figure_of(value: float) -> str:

@@ -13,9 +13,9 @@ from collections.abc import Mapping
 from typing import ClassVar
 
 from graphkin.base.geometry import number, place
-from graphkin.construction import Construction, Fit, Plane, Plot
+from graphkin.construction import Fit, Plane, Plot
 from graphkin.errors import GraphkinError, Lang
-from graphkin.model.mechanism import FRAME, Driver
+from graphkin.model.mechanism import FRAME
 from graphkin.outputs.geogebra.protocol import BLACK, Colour, Protocol, grouped
 from graphkin.outputs.geogebra.state import Drives, GeogebraState
 from graphkin.outputs.geogebra.steps import Draughtsman, Nearly
@@ -48,10 +48,8 @@ class TriedOut(GraphkinError):
 
 
 def ggb(method: Method, plot: Plot, scales: Mapping[Plane, float], lang: Lang) -> bytes:
-    """The drawing as a .ggb file; one of its units is a millimetre of the sheet with these scales.
-
-    Raises TriedOut where links are fitted and several drivers move them.
-    """
+    """The drawing as a .ggb file; one of its units is a millimetre of the sheet with these scales. Raises TriedOut
+    where links are fitted and several drivers move them."""
     machine = method.mechanism
     fitted = any(isinstance(step, Fit) for step in method.position.steps)
     if fitted and len(method.drivers) > 1:
@@ -71,8 +69,12 @@ def ggb(method: Method, plot: Plot, scales: Mapping[Plane, float], lang: Lang) -
         Draughtsman(construction, plot, state, captions, _COLOURS[plane], origins[plane], nearly).draw()
         if plane == "position":
             _links(method, state, plot)
-        else:
-            _vectors(method, construction, plot, state)
+            continue
+        points = state.points[plane]
+        for arrow in arrows(machine, construction, plot.points(plane)):
+            if points[arrow.tail] != points[arrow.head]:
+                caption = ggb_text(vector_label(arrow.name))
+                protocol.vector(caption, points[arrow.tail], points[arrow.head], _COLOURS[plane])
     _notes(method, plot, state, origins)
     held = io.BytesIO()
     with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED) as archive:
@@ -101,20 +103,17 @@ def _drives(method: Method, plot: Plot, protocol: Protocol, scales: Mapping[Plan
     at = complex(min(each.real for each in places), min(each.imag for each in places) - _GAP)
     values, rates, accelerations = [], [], []
     for k, driver in enumerate(method.drivers):
-        values.append(_value(driver, float(method.facts().values[k]), protocol, at - 12j * k, method.size))
-        speed, gain, unit = ("v", "a", "m") if driver.kind == "slide" else ("ω", "α", "rad")
+        drawn, corner, size = float(method.facts().values[k]), at - 12j * k, method.size
+        if driver.kind == "slide":  # moved in millimetres or degrees; what follows counts in metres or radians
+            speed, gain, unit, factor = "v", "a", "m", "/ 1000"
+            slider = protocol.slider(f"{driver.name} [mm]", drawn * 1000, size * 1000, size * 1000 / 200, corner)
+        else:
+            speed, gain, unit, factor = "ω", "α", "rad", "* pi / 180"
+            slider = protocol.slider(f"{driver.name} [°]", math.degrees(drawn), 360, 1.0, corner)
+        values.append(protocol.number(f"{slider} {factor}"))
         rates.append(protocol.constant(f"{speed} {driver.name}", driver.rate, f"{unit}/s"))
         accelerations.append(protocol.constant(f"{gain} {driver.name}", driver.acceleration, f"{unit}/s²"))
     return Drives(tuple(values), tuple(rates), tuple(accelerations))
-
-
-def _value(driver: Driver, drawn: float, protocol: Protocol, at: complex, size: float) -> str:
-    """A slider in degrees or millimetres, and the number in radians or metres that follows it."""
-    if driver.kind == "slide":
-        slider = protocol.slider(f"{driver.name} [mm]", drawn * 1000, size * 1000, size * 1000 / 200, at)
-        return protocol.number(f"{slider} / 1000")
-    slider = protocol.slider(f"{driver.name} [°]", math.degrees(drawn), 360, 1.0, at)
-    return protocol.number(f"{slider} * pi / 180")
 
 
 def _links(method: Method, state: GeogebraState, plot: Plot) -> None:
@@ -134,20 +133,9 @@ def _links(method: Method, state: GeogebraState, plot: Plot) -> None:
             state.protocol.line(points[slide.line.origin], direction)
 
 
-def _vectors(method: Method, construction: Construction, plot: Plot, state: GeogebraState) -> None:
-    """The arrows of the sheet's polygon."""
-    points, plane = state.points[construction.plane], construction.plane
-    for arrow in arrows(method.mechanism, construction, plot.points(plane)):
-        if points[arrow.tail] != points[arrow.head]:
-            caption = ggb_text(vector_label(arrow.name))
-            state.protocol.vector(caption, points[arrow.tail], points[arrow.head], _COLOURS[plane])
-
-
 def _notes(method: Method, plot: Plot, state: GeogebraState, origins: Mapping[Plane, complex]) -> None:
     """The scales, and how every link turns, over the polygons."""
-    heights = {
-        plane: [place(at).imag / state.scales[plane] for at in plot.points(plane).values()] for plane in PLANES
-    }
+    heights = {plane: [place(at).imag / state.scales[plane] for at in plot.points(plane).values()] for plane in PLANES}
     for plane in PLANES:
         at = complex(origins[plane].real, origins[plane].imag + max(heights[plane]) + _GAP / 2)
         scale = f"μ_{LETTERS[plane]} = {state.scales[plane]:.6g} {UNITS[plane]}"

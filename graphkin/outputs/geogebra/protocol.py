@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import cmath
 import re
-from collections.abc import Iterable
 from xml.sax.saxutils import quoteattr
 
 from graphkin.base.value import frozen
@@ -111,11 +110,6 @@ class FormulaPair:
         return minus(product(self.x, other.y), product(self.y, other.x))
 
     @property
-    def square(self) -> str:
-        """The square of its length."""
-        return self.dot(self)
-
-    @property
     def angle(self) -> str:
         """Its direction [rad], between -90 and 270 deg."""
         return f"atan({grouped(self.y)} / {grouped(self.x)}) + If[{self.x} < 0, pi, 0]"
@@ -194,10 +188,6 @@ class Protocol:
     def matrix(self, formula: str) -> str:
         """A list of lists."""
         return self._formula(self._label("m"), formula, "list", _UNSEEN)
-
-    def list_of(self, numbers: Iterable[float]) -> str:
-        """Numbers one after the other, to nine digits."""
-        return self.matrix("{" + ", ".join(value(float(f"{number:.9g}")) for number in numbers) + "}")
 
     def note(self, formula: str, at: complex) -> str:
         """A line of text; `formula` as GeoGebra joins texts and numbers."""

@@ -41,8 +41,6 @@ class GeogebraState:
             {slide: labels[driver] for slide, driver in facts.slides_driven.items()} for labels in self.drives
         )
 
-    # --- turns and displacements ---
-
     def base(self, link: str) -> str:
         return self.facts.turns[link].base
 
@@ -70,8 +68,6 @@ class GeogebraState:
     def displace(self, order: int, slide: str, formula: str) -> None:
         self.slides[order][slide] = self.protocol.number(formula)
 
-    # --- arrows ---
-
     def drawn(self, tail: str, head: str, plane: Plane, factor: float = 1.0) -> FormulaPair:
         """Between two points of a plane [SI]."""
         points = self.points[plane]
@@ -80,10 +76,6 @@ class GeogebraState:
     def arm(self, tail: str, head: str) -> FormulaPair:
         """Between two points of the mechanism [m]."""
         return self.drawn(tail, head, "position")
-
-    def direction_of(self, link: str) -> FormulaPair:
-        """The unit vector along a link's own x axis."""
-        return self.bound(FormulaPair.along(self.turn(link, 0)))
 
     def guide(self, slide: str) -> FormulaPair:
         """Unit vector of a slide's line."""
@@ -161,7 +153,7 @@ class GeogebraState:
             line = line.times("-1")
         fixed = self.span(span, without=slide)
         offset = self.protocol.number(line.cross(fixed))
-        half = f"sqrt({arm.square} - {offset}^2)"
+        half = f"sqrt({arm.dot(arm)} - {offset}^2)"
         self.displace(0, slide, minus(product(str(side), half), line.dot(fixed)))
         return minus(arm.angle, self.bound(self.span(span)).angle)
 

@@ -59,7 +59,10 @@ class Nearly:
         whole = protocol.number(f"floor({gone})")
         values = turned(method, along(method, path, t))
         names = {name for step in method.position.steps if isinstance(step, Fit) for name in _unknowns(step)}
-        lists = {name: protocol.list_of(np.broadcast_to(values[name], t.shape)) for name in sorted(names)}
+        lists = {}
+        for name in sorted(names):  # to nine digits
+            numbers = (value(float(f"{each:.9g}")) for each in np.broadcast_to(values[name], t.shape))
+            lists[name] = protocol.matrix("{" + ", ".join(numbers) + "}")
         return cls(protocol, (whole, protocol.number(f"{gone} - {whole}")), lists)
 
     def value(self, name: str) -> str:
@@ -114,8 +117,12 @@ class Draughtsman:
         state = self.state
         for step in self.construction.steps:
             match step:
-                case kinds.Given():
-                    self._given(step)
+                case kinds.Given():  # a point that can be dragged; a pole that is found last is none
+                    meets = (later.point for later in self.construction.steps if isinstance(later, kinds.Meet))
+                    if step.point != self.construction.pole or step.point not in meets:
+                        caption, at = self.captions.get(step.point, ""), self._at(step.point)
+                        self.points[step.point] = self.protocol.free_point(caption, at, self.colour)
+                        self._put_fixed_on(step.point)
                 case kinds.LayOff():
                     assert step.term.size is not None
                     arrow = state.arrow(step.term.size, self.plane).times(value(1 / self.scale))
@@ -144,8 +151,6 @@ class Draughtsman:
                 case _:
                     assert_never(step)
 
-    # --- points ---
-
     def _at(self, name: str) -> complex:
         """The place of a point now."""
         return self.origin + place(self.plot.points(self.plane)[name]) / self.scale
@@ -153,15 +158,6 @@ class Draughtsman:
     def _point(self, name: str, formula: str) -> None:
         caption = self.captions.get(name, "")
         self.points[name] = self.protocol.point(caption, formula, self._at(name), self.colour)
-
-    def _given(self, step: kinds.Given) -> None:
-        """A point that can be dragged; a pole that is found last is none."""
-        meets = (later.point for later in self.construction.steps if isinstance(later, kinds.Meet))
-        if step.point == self.construction.pole and step.point in meets:
-            return
-        caption = self.captions.get(step.point, "")
-        self.points[step.point] = self.protocol.free_point(caption, self._at(step.point), self.colour)
-        self._put_fixed_on(step.point)
 
     def _put_fixed_on(self, point: str) -> None:
         """All that never moves is on the pole, once that is there."""
@@ -190,7 +186,7 @@ class Draughtsman:
             along, across = self.state.direction(line.direction)
             return self.protocol.line(self.points[line.through], self.protocol.direction(along.point), across=across)
         radius = self.state.bound(self.state.span(line.reach))
-        return self.protocol.circle(self.points[line.about], f"sqrt({radius.square}) / {value(self.scale)}")
+        return self.protocol.circle(self.points[line.about], f"sqrt({radius.dot(radius)}) / {value(self.scale)}")
 
     def _image(self, step: kinds.Image) -> None:
         """The first point, and the known side turned and stretched as the link has it."""
@@ -202,7 +198,7 @@ class Draughtsman:
         else:
             side, arm = (self.state.bound(self.state.arm(first, other)) for other in (second, third))
             turn = FormulaPair(side.dot(arm), side.cross(arm))
-            ratio = self.state.bound(turn.times(f"1 / {grouped(side.square)}"))
+            ratio = self.state.bound(turn.times(f"1 / {grouped(side.dot(side))}"))
         self._point(step.point, f"{start} + {FormulaPair.between(start, end).by(ratio).point}")
 
     def _touch(self, step: kinds.Touch) -> None:
@@ -213,8 +209,6 @@ class Draughtsman:
             offset = FormulaPair.between(centre, self.points[step.other]).times(value(step.ratio))
         self._point(step.point, f"{centre} + {offset.point}")
 
-    # --- what is read off ---
-
     def _measure(self, step: Measure) -> None:
         state = self.state
         arrow = state.bound(FormulaPair.between(self.points[step.tail], self.points[step.head]))
@@ -224,7 +218,7 @@ class Draughtsman:
             state.settle(0, state.base(step.of), minus(arrow.angle, span.angle))
         elif step.quantity in ("omega", "alpha"):
             arm = state.bound(state.arm(*step.lever))
-            rate = f"{product(value(self.scale), arm.cross(arrow))} / {grouped(arm.square)}"
+            rate = f"{product(value(self.scale), arm.cross(arrow))} / {grouped(arm.dot(arm))}"
             state.settle(self.order, state.base(step.of), minus(rate, state.relative(step.of, self.order)))
         else:
             along = state.guide(step.of).dot(arrow)
@@ -260,8 +254,6 @@ class Draughtsman:
                 moved = minus(self.state.slides[self.order][slide], value(drawn))
                 rest = plus(rest, product(value(coefficient), moved))
         return rest, {name: value(coefficient) for name, coefficient in coefficients.items()}
-
-    # --- what is solved together ---
 
     def _solved(self, rows: Sequence[Row], names: Sequence[str]) -> list[str]:
         """The unknowns, each by its element of a column."""
@@ -304,7 +296,7 @@ class Draughtsman:
         for part in closure.parts:
             if isinstance(part, kinds.Arm):
                 link = part.link
-                arrow = FormulaPair.of(state.own_arm(part)).by(state.direction_of(link))
+                arrow = FormulaPair.of(state.own_arm(part)).by(state.bound(FormulaPair.along(state.turn(link, 0))))
             else:
                 link = state.facts.lines[part.slide][0]
                 guide = state.guide(part.slide).times(str(part.sign))
