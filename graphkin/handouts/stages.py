@@ -194,13 +194,9 @@ def rows(equation: entry.VectorEquation, lang: Lang) -> TermRows:
     """A vector equation as it is printed."""
     heads = [plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row")]
     columns: list[tuple[Label, Label, Label]] = []
-    if equation.front:
-        columns.append((formula(equation.front), (), ()))
-    for k, side in enumerate(equation.sides):
-        columns += [(plain("="), (), ())] if k or equation.front else []
-        for n, arrow in enumerate(side):
-            columns += [(plain("+"), (), ())] if n else []
-            columns.append((formula(arrow.name), formula(arrow.direction), formula(arrow.size)))
+    for term, direction, size in equation.columns:
+        sign = plain(term) if term in ("=", "+") else formula(term)
+        columns.append((sign, formula(direction), formula(size)))
     return TermRows((heads[0], heads[1]), tuple(columns))
 
 

@@ -26,10 +26,7 @@ _NO_DEVIATION = 1e-6  # parts below this are none [%]
 
 @frozen
 class AnswerLines:
-    """The answers to what is asked for, about to be worded.
-
-    calculated  the sizes of the vectors that the solution has calculated [SI], by their names
-    """
+    """The answers, about to be worded; `calculated`: sizes of vectors that the solution has worked out [SI]."""
 
     goal: SolutionGoal
     calculated: Mapping[str, float]
@@ -69,7 +66,12 @@ class AnswerLines:
             case Component():
                 return self._component(name, quantity)
             case Quotient():
-                return self._quotient(name, quantity)
+                top, bottom = self.value(quantity.top), self.value(quantity.bottom)
+                if not (top and bottom):
+                    return Calculation(name, (), "", float(quantity.answer(self._motions).value.real), "")
+                turning = all(isinstance(half, Rotation) and half.word != "theta" for half in quantity.halves)
+                note = say("centres.same" if top * bottom > 0 else "centres.opposite") if turning else ""
+                return Calculation(name, (), Operand(top) / Operand(bottom), top / bottom, "", note)
             case Rotation() if quantity.word != "theta":
                 value = self.value(quantity)
                 return Calculation(name, (), "", abs(value), unit.sign, self.reading.sense(value))
@@ -137,15 +139,6 @@ class AnswerLines:
             return Calculation(name, (), "", 0.0, unit)
         return Calculation(name, (), Operand(whole) * turned, value, unit)
 
-    def _quotient(self, name: str, quantity: Quotient) -> Calculation:
-        """`ω1/ω3 = 10/18.69 = 0.5350 (same sense)`."""
-        top, bottom = self.value(quantity.top), self.value(quantity.bottom)
-        if not (top and bottom):
-            return Calculation(name, (), "", float(quantity.answer(self._motions).value.real), "")
-        turning = all(isinstance(half, Rotation) and half.word != "theta" for half in quantity.halves)
-        note = self.reading.say("centres.same" if top * bottom > 0 else "centres.opposite") if turning else ""
-        return Calculation(name, (), Operand(top) / Operand(bottom), top / bottom, "", note)
-
     def _centre(self, quantity: Centre) -> str:
         """The place of an instant centre."""
         assert self.goal.centred is not None, quantity
@@ -160,24 +153,15 @@ class AnswerLines:
 
 
 def deviations(drawn: AnswerLines, exactly: SolutionGoal) -> Iterator[Entry]:
-    """Each answer read off a drawing beside its exact value.
-
-    exactly  the same questions of the drawing that was read
-    """
-    right = AnswerLines(exactly, {})
+    """Each answer read off a drawing beside its exact value; `exactly`: the same questions of the drawing itself."""
+    right, say = AnswerLines(exactly, {}), drawn.reading.say
     if drawn.answerable:
-        yield Heading(drawn.reading.say("solution.exactly"))
+        yield Heading(say("solution.exactly"))
     for quantity in drawn.answerable:
-        yield Sentence("  " + _beside(drawn, right, quantity))
-
-
-def _beside(drawn: AnswerLines, right: AnswerLines, quantity: Quantity) -> str:
-    """`v_C: as drawn 1.225 m/s (at 180° to +x), exactly 1.220 m/s (at 180° to +x), off by 0.44 %.`"""
-    shown = {"read": drawn.result(quantity), "exact": right.result(quantity)}
-    name, off = right.goal.symbol(quantity), ""
-    if quantity.is_place:
-        name = names.point(quantity.text.split()[-1])
-    elif exactly := right.signed(quantity):
-        part = abs(drawn.signed(quantity) / exactly - 1) * 100
-        off = drawn.reading.say("solution.off", part=number(part, _NO_DEVIATION, 2))
-    return drawn.reading.say("solution.beside", name=name, off=off, **shown)
+        name, off = exactly.symbol(quantity), ""
+        if quantity.is_place:
+            name = names.point(quantity.text.split()[-1])
+        elif value := right.signed(quantity):
+            off = say("solution.off", part=number(abs(drawn.signed(quantity) / value - 1) * 100, _NO_DEVIATION, 2))
+        shown = {"read": drawn.result(quantity), "exact": right.result(quantity)}
+        yield Sentence("  " + say("solution.beside", name=name, off=off, **shown))

@@ -30,10 +30,15 @@ def check_lines(report: RulerReport, tolerance_mm: float, lang: Lang) -> Iterato
 
 def check_json(report: RulerReport, tolerance_mm: float, lang: Lang) -> dict[str, object]:
     """The same for programs: drawn and exact in mm on paper, [x, y]; faults and notes in words."""
-    faults, notes = _remarks(report, lang)
+    measured, (faults, notes) = [], _remarks(report, lang)
+    for entry in report.measured:
+        drawn, exact = ([place.real, place.imag] for place in (entry.drawn, entry.exact))
+        off = entry.off_mm if math.isfinite(entry.off_mm) else None
+        row = {"plane": entry.plane, "kind": entry.kind, "name": entry.name, "drawn": drawn, "exact": exact}
+        measured.append(row | {"off": off, "unit_per_mm": entry.unit_per_mm, "unit": entry.unit})
     return {
         "format": 1, "file": report.file, "passed": report.passed(tolerance_mm), "tolerance": tolerance_mm,
-        "measured": [_entry(entry) for entry in report.measured], "faults": faults, "notes": notes,
+        "measured": measured, "faults": faults, "notes": notes,
     }  # fmt: skip
 
 
@@ -41,13 +46,6 @@ def _remarks(report: RulerReport, lang: Lang) -> tuple[list[str], list[str]]:
     """The faults and the notes in words."""
     faults = [say(f"checks.fault {fault.kind}", lang, what=fault.what) for fault in report.faults]
     return faults, [say(f"checks.note {note.kind}", lang, what=note.what) for note in report.notes]
-
-
-def _entry(entry: RulerReading) -> dict[str, object]:
-    drawn, exact = ([place.real, place.imag] for place in (entry.drawn, entry.exact))
-    off = entry.off_mm if math.isfinite(entry.off_mm) else None
-    said = {"plane": entry.plane, "kind": entry.kind, "name": entry.name, "drawn": drawn, "exact": exact}
-    return said | {"off": off, "unit_per_mm": entry.unit_per_mm, "unit": entry.unit}
 
 
 def _cells(entry: RulerReading, lang: Lang) -> list[str]:

@@ -69,25 +69,20 @@ def error(design: Design) -> NoDesign | None:
 
 def lines(design: Design, lang: Lang = "en") -> list[str]:
     """The solution as a book writes it, then all solutions, what is none, and the family."""
-    return list(_lines(design, lang))
-
-
-def _lines(design: Design, lang: Lang) -> Iterator[str]:
-    yield say(f"design.heading {design.kind}", lang)
-    best = design.best
+    shown, best = [say(f"design.heading {design.kind}", lang)], design.best
     if best is not None:
-        numbered = enumerate(sentences(best.construction, best.board(), lang), start=1)
-        yield from (f"({number}) {text}" for number, text in numbered)
+        stages = enumerate(sentences(best.construction, best.board(), lang), start=1)
+        shown += (f"({number}) {text}" for number, text in stages)
     for number, one in enumerate(design.solutions, start=1):
-        yield say("design.solution" if one.valid else "design.useless", lang, number=number) + _lengths(one, lang)
-        yield from _judged(one, lang)
+        key = "design.solution" if one.valid else "design.useless"
+        shown += [say(key, lang, number=number) + _lengths(one, lang), *_judged(one, lang)]
     for one in design.rejected:
-        yield say("design.refused", lang) + _lengths(one, lang)
-        yield from (f"  {phrased(reason, lang)}" for reason in one.why)
+        shown.append(say("design.refused", lang) + _lengths(one, lang))
+        shown += (f"  {phrased(reason, lang)}" for reason in one.why)
     if not design.solutions:
-        yield say("design.none", lang)
-    yield from (phrased(reason, lang) for reason in design.why)
-    yield from (_family(one, lang) for one in design.families if len(one.angle))
+        shown.append(say("design.none", lang))
+    shown += (phrased(reason, lang) for reason in design.why)
+    return shown + [_family(one, lang) for one in design.families if len(one.angle)]
 
 
 def _lengths(one: Solution, lang: Lang) -> str:

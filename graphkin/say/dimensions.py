@@ -13,7 +13,7 @@ from math import degrees, pi
 
 from graphkin.base.geometry import cross
 from graphkin.base.value import frozen
-from graphkin.construction import LayOff, Measure, Normal, Step, Swing, Tangential, Term, Turning
+from graphkin.construction import LayOff, Measure, Normal, Swing, Tangential, Term, Turning
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Cam, Gear, RollingContact, Slide
 from graphkin.say import names
@@ -142,15 +142,12 @@ def _corner(reading: Reading, slide: Slide) -> str:
 
 def dimensions(reading: Reading) -> list[str]:
     """`AD = 78 mm`, `AB = 24 mm`, .. link by link; then offsets of guides, radii of wheels, driven rates."""
-    tables = (_fixed_points, _lengths, _guide_offsets, _guide_tilts, _face_offsets, _radii, _drivers)
+    tables = (_fixed_points, _lengths, _offsets, _radii, _drivers)
     return [*dict.fromkeys(text for table in tables for text in table(reading))]
 
 
 def _fixed_points(reading: Reading) -> Iterator[str]:
-    """`AD = 78 mm` of a point level with the first, or under it; of others how far they are along x and y.
-
-    `x_D` where the first stands at the origin, else `x_AD`.
-    """
+    """`AD = 78 mm` of a point level with the first, or under it; else `x_D`, `y_D`, from the origin, or `x_AD`."""
     shape = reading.plot.facts.shapes[FRAME]
     first, *others = _drawn_points(reading, FRAME) or [""]
     for other in others:
@@ -176,27 +173,22 @@ def _lengths(reading: Reading) -> Iterator[str]:
             yield Size(side.name, millimetres(reading, side.length), "mm").text
 
 
-def _guide_offsets(reading: Reading) -> Iterator[str]:
-    """`e_A = 20 mm`: the distance at which a guide's line passes a point of its link."""
+def _offsets(reading: Reading) -> Iterator[str]:
+    """`e_A = 20 mm`, `β_C = 30°`, `h_A = 20 mm`: how guides, then flat faces, lie beside the first point of their link.
+
+    A guide of the frame that is neither level nor upright has an angle against +x.
+    """
     for slide in reading.mechanism.of(Slide):
         points = _drawn_points(reading, slide.guide)
         if points and slide.stands_for is None:
             off = aside(reading.guide(slide.name), reading.arm(points[0], slide.point))
             if off > reading.noise:
                 yield f"{'e' if slide.guide == FRAME else 'h'}_{names.point(points[0])} = {given_figure(off * 1000)} mm"
-
-
-def _guide_tilts(reading: Reading) -> Iterator[str]:
-    """`β_C = 30°` of guides of the frame that are neither level nor upright, against +x."""
     for slide in reading.mechanism.slides:
         if slide.guide == FRAME and slide.stands_for is None:
             angle = round(degrees(phase(slide.line.direction)), 9) % 180
             if angle % 90:
                 yield f"β_{names.point(slide.point)} = {given_figure(angle)}°"
-
-
-def _face_offsets(reading: Reading) -> Iterator[str]:
-    """`h_A = 20 mm`: the distance at which the flat face of a cam or a follower passes the first point of its link."""
     for line in (line for cam in reading.mechanism.of(Cam) for line in cam.lines):
         points = _drawn_points(reading, line.link)
         if points and line.origin in reading.plot.position:
@@ -207,9 +199,8 @@ def _face_offsets(reading: Reading) -> Iterator[str]:
 
 
 def _radii(reading: Reading) -> Iterator[str]:
-    for gear in reading.mechanism.of(Gear):
-        for link, _, size in gear.circles:
-            yield radius(reading, link, size).text
+    for link, _, size in (rim for gear in reading.mechanism.of(Gear) for rim in gear.circles):
+        yield radius(reading, link, size).text
     for roll in reading.mechanism.of(RollingContact):
         yield radius(reading, roll.wheel, roll.radius).text
     for centre, size in reading.circles:
@@ -235,22 +226,18 @@ def measured_lengths(reading: Reading) -> list[tuple[str, str]]:
     """The distances by which rotations are found or sizes made that no link gives: they are measured in the drawing."""
     method, owners, levers = reading.method, reading.mechanism.owners, dict[tuple[str, str], None]()
     for step in (step for construction in (method.velocity, method.acceleration) for step in construction.steps):
-        if lever := _lever(step):
+        match step:
+            case Measure(lever=lever):
+                pass
+            case LayOff(term=Term(size=Turning(_, tail, head) | Normal(_, tail, head) | Tangential(_, tail, head))):
+                lever = (tail, head)
+            case _:
+                continue
+        if lever[0]:
             first, second = sorted(lever)
             if reading.named(first) and reading.named(second) and reading.distance(first, second):
                 levers[first, second] = None
     return [ends for ends in levers if not {*owners.get(ends[0], ())} & {*owners.get(ends[1], ())}]
-
-
-def _lever(step: Step) -> tuple[str, str] | None:
-    """The points whose distance a step uses."""
-    match step:
-        case Measure(lever=(tail, head)) if tail:
-            return tail, head
-        case LayOff(term=Term(size=Turning(_, tail, head) | Normal(_, tail, head) | Tangential(_, tail, head))):
-            return tail, head
-        case _:
-            return None
 
 
 def length_text(reading: Reading, one: str, other: str) -> str:
