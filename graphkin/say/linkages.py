@@ -200,8 +200,8 @@ def _gamma(report: Report, lang: Lang) -> Iterator[str]:
             elif "slider" in called and end.how in ("near", "far"):
                 formula = _across_the_guide(report, end.how == "far")
             if formula is not None:
-                name, figures, value = formula
-                shown = f"{written(figures, value, _COSINE_DIGITS)} = {number(value, digits=_COSINE_DIGITS)}"
+                name, numbers, value = formula
+                shown = f"{written(numbers, value, _COSINE_DIGITS)} = {number(value, digits=_COSINE_DIGITS)}"
                 words["cosine"] = say("linkages.cosine", lang, cosine=f"cos γ = {name} = {shown}")
             yield say("linkages.gamma", lang, **words, driver=report.driver, value=amount(report, end.driver))
         values = _list((amount(report, end.driver) for end in report.least), lang)

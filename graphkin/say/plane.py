@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import assert_never
 
+from graphkin.base.geometry import Real
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Direction, Equation, Plane, Size, Step, Term, kinds, terms
 from graphkin.say import names
@@ -16,10 +17,7 @@ from graphkin.say.reading import Reading
 
 @frozen
 class PolygonReading:
-    """The velocity or the acceleration polygon of a reading.
-
-    shown  those of its parts that are told, where not all are
-    """
+    """The velocity or the acceleration polygon of a reading; `shown`: those of its parts that are told, if not all."""
 
     reading: Reading
     plane: Plane
@@ -141,7 +139,13 @@ class PolygonReading:
             case terms.AcrossGuide(slide):
                 return "⊥" + self.reading.line(slide)
             case terms.Quarter():
-                return self._across_relative(direction, among)
+                # across the line of the slide; for a driven rotation along its lever
+                for term in among:
+                    if term.part == "r" and isinstance(term.direction, terms.AlongGuide):
+                        return "⊥" + self.reading.line(term.direction.slide)
+                    if term.part == "rt" and isinstance(term.direction, terms.Across):
+                        return "∥" + names.pair(term.direction.tail, term.direction.head)
+                return "⊥" + PolygonReading(self.reading, "velocity").name(direction.tail, direction.head)
             case _:
                 assert_never(direction)
 
@@ -150,16 +154,6 @@ class PolygonReading:
         if isinstance(direction, terms.Along):
             return "∥" + names.pair(direction.tail, direction.head)
         return self.direction(direction, among)
-
-    def _across_relative(self, quarter: terms.Quarter, among: tuple[Term, ...]) -> str:
-        """Across the line of the slide; for a driven rotation along its lever."""
-        for term in among:
-            if term.part == "r" and isinstance(term.direction, terms.AlongGuide):
-                return "⊥" + self.reading.line(term.direction.slide)
-            if term.part == "rt" and isinstance(term.direction, terms.Across):
-                return "∥" + names.pair(term.direction.tail, term.direction.head)
-        velocity = PolygonReading(self.reading, "velocity")
-        return "⊥" + velocity.name(quarter.tail, quarter.head)
 
     def direction_row(self, term: Term, equation: tuple[Term, ...]) -> str:
         """The entry of a term in the row of directions."""
@@ -225,17 +219,13 @@ def size_calculation(polygon: PolygonReading, term: Term, equation: tuple[Term, 
     value, angle = polygon.size(term.tail, term.head), polygon.angle(term.tail, term.head)
     note = polygon.reading.say("derivation.at angle", direction=known.direction, angle=angle) if value else ""
     if not value and isinstance(term.size, terms.Coriolis):
-        note = _why_none(polygon.reading, term, term.size)
+        velocity, rate = PolygonReading(polygon.reading, "velocity"), polygon.reading.rate("ω", term.size.link)
+        if velocity.size(term.size.tail, term.size.head):
+            note = polygon.reading.say("derivation.no turning", rate=rate)
+        else:
+            note = polygon.reading.say("derivation.no sliding", relative=velocity.seen(term.of, term.seen_from))
     formulas = (*_other_names(polygon, term), known.formula)
     return Calculation(polygon.vector(term), formulas, known.numbers, value, names.UNIT[polygon.plane], note)
-
-
-def _why_none(reading: Reading, term: Term, size: terms.Coriolis) -> str:
-    """The reason why there is no Coriolis acceleration."""
-    velocity = PolygonReading(reading, "velocity")
-    if not velocity.size(size.tail, size.head):
-        return reading.say("derivation.no sliding", relative=velocity.seen(term.of, term.seen_from))
-    return reading.say("derivation.no turning", rate=reading.rate("ω", size.link))
 
 
 def _other_names(polygon: PolygonReading, term: Term) -> Iterator[str]:
@@ -252,12 +242,11 @@ def _other_names(polygon: PolygonReading, term: Term) -> Iterator[str]:
 def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str) -> KnownSize:
     reading, plot = polygon.reading, polygon.reading.plot
     match size:
-        case terms.Turning(link, tail, head):
-            return _times(polygon, reading.rate("ω", link), float(plot.omega[link]), (tail, head), direction)
+        case terms.Turning(link, tail, head) | terms.Normal(link, tail, head):
+            power = 2 if isinstance(size, terms.Normal) else 1
+            return _at_arm(polygon, reading.rate("ω", link), plot.omega[link], power, (tail, head), direction)
         case terms.Tangential(link, tail, head):
-            return _times(polygon, reading.rate("α", link), float(plot.alpha[link]), (tail, head), direction)
-        case terms.Normal(link, tail, head):
-            return _squared(polygon, reading.rate("ω", link), float(plot.omega[link]), (tail, head), direction)
+            return _at_arm(polygon, reading.rate("α", link), plot.alpha[link], 1, (tail, head), direction)
         case terms.Coriolis(link, tail, head):
             rate, velocity = reading.rate("ω", link), PolygonReading(reading, "velocity")
             relative = velocity.seen(term.of, term.seen_from)
@@ -277,23 +266,22 @@ def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str)
             assert_never(size)
 
 
-def _times(polygon: PolygonReading, rate: str, value: float, ends: tuple[str, str], direction: str) -> KnownSize:
-    numbers = Operand(abs(value)) * Operand(polygon.reading.distance(*ends))
-    way = polygon.reading.say("derivation.sense of", direction=direction, rate=rate)
-    return KnownSize(f"{rate} l_{names.pair(*ends)}", numbers, way)
-
-
-def _squared(polygon: PolygonReading, rate: str, value: float, ends: tuple[str, str], direction: str) -> KnownSize:
-    numbers = squared(abs(value)) * Operand(polygon.reading.distance(*ends))
-    return KnownSize(f"{rate}² l_{names.pair(*ends)}", numbers, direction)
+def _at_arm(
+    polygon: PolygonReading, rate: str, value: Real, power: int, ends: tuple[str, str], direction: str
+) -> KnownSize:
+    """`ω3 l_BD` in the sense of the rotation, `ω3² l_BD` of power 2."""
+    arm = Operand(polygon.reading.distance(*ends))
+    if power == 2:
+        return KnownSize(f"{rate}² l_{names.pair(*ends)}", squared(abs(float(value))) * arm, direction)
+    direction = polygon.reading.say("derivation.sense of", direction=direction, rate=rate)
+    return KnownSize(f"{rate} l_{names.pair(*ends)}", Operand(abs(float(value))) * arm, direction)
 
 
 def _relative(polygon: PolygonReading, size: terms.Relative, direction: str) -> KnownSize:
     """A driven rotation of one link against another: ω21 l, ω21² l, α21 l."""
     reading, facts = polygon.reading, polygon.reading.plot.facts
     order, symbol = (2, "α") if size.part == "t" else (1, "ω")
-    value = float(facts.relative_rate(size.link, order) - facts.relative_rate(size.seen_from, order))
+    value = facts.relative_rate(size.link, order) - facts.relative_rate(size.seen_from, order)
     called = reading.mechanism.called
     rate = names.relative(symbol, called(reading.body(size.link)), called(reading.body(size.seen_from)))
-    known = _squared if size.part == "n" else _times
-    return known(polygon, rate, value, (size.tail, size.head), direction)
+    return _at_arm(polygon, rate, value, 2 if size.part == "n" else 1, (size.tail, size.head), direction)

@@ -32,8 +32,7 @@ def _step(polygon: PolygonReading, step: Step) -> Iterator[Entry]:
     match step:
         case kinds.Given():
             yield from _renamed(polygon)
-            yield Sentence(_pole(polygon, step))
-            yield from _held_still(polygon)
+            yield from _pole(polygon, step)
             yield from _driven_groups(polygon)
         case kinds.LayOff():
             yield from known_arrow(polygon, step)
@@ -75,9 +74,19 @@ def _renamed(polygon: PolygonReading) -> Iterator[Entry]:
             yield Sentence(reading.say("derivation.renamed tips", **words))
 
 
-def _held_still(polygon: PolygonReading) -> Iterator[Entry]:
-    """The links that drivers at rest hold still: their points are fixed points."""
-    reading, owners = polygon.reading, polygon.reading.mechanism.owners
+def _pole(polygon: PolygonReading, step: kinds.Given) -> Iterator[Entry]:
+    """The pole with the fixed points; then the links that drivers at rest hold still: their points are fixed, too."""
+    reading, pole, owners = polygon.reading, names.point(step.point), polygon.reading.mechanism.owners
+    first = next((part for part in polygon.parts if isinstance(part, Equation)), None)
+    if first is not None and any(isinstance(other, kinds.Given) for other in first.steps):
+        yield Sentence(reading.say("derivation.pole last", pole=pole))
+    elif not step.also:
+        yield Sentence(reading.say("derivation.pole", pole=pole))
+    else:
+        nodes = reading.listed([names.point(node) for node in step.also])
+        fixed = reading.listed([names.point(polygon.of(node)) for node in step.also])
+        key = "derivation.pole fixed" if len(step.also) == 1 else "derivation.pole fixed, several"
+        yield Sentence(reading.say(key, pole=pole, points=fixed, nodes=nodes))
     links = [link for link in reading.mechanism.moving if reading.stands(link)]
     if links:
         held = held_points(reading.method, polygon.plane, reading.rested)
@@ -86,19 +95,6 @@ def _held_still(polygon: PolygonReading) -> Iterator[Entry]:
         fixed = reading.say(key, points=reading.listed(points), pole=names.point(polygon.construction.pole))
         key = "derivation.held still" if len(links) == 1 else "derivation.held still, several"
         yield Sentence(reading.say(key, links=reading.links(links), fixed=fixed))
-
-
-def _pole(polygon: PolygonReading, step: kinds.Given) -> str:
-    reading, pole = polygon.reading, names.point(step.point)
-    first = next((part for part in polygon.parts if isinstance(part, Equation)), None)
-    if first is not None and any(isinstance(other, kinds.Given) for other in first.steps):
-        return reading.say("derivation.pole last", pole=pole)
-    if not step.also:
-        return reading.say("derivation.pole", pole=pole)
-    nodes = reading.listed([names.point(node) for node in step.also])
-    points = reading.listed([names.point(polygon.of(node)) for node in step.also])
-    key = "derivation.pole fixed" if len(step.also) == 1 else "derivation.pole fixed, several"
-    return reading.say(key, pole=pole, points=points, nodes=nodes)
 
 
 # --- rotations ----------------------------------------------------------------------------------
@@ -135,19 +131,14 @@ def _rate(polygon: PolygonReading, step: kinds.Measure, name: str, length: float
     measured = f"{names.SCALE[polygon.plane]}·{names.stretch(step.tail, step.head)}/(μ_l·{line})"
     formulas = (f"{name}/l_{line}", measured) if direct else (f"{name}/l_{line}",)
     numbers = Operand(polygon.scale) * Operand(length) / (Operand(scale) * Operand(lever / scale))
-    value, note = length * polygon.scale / lever, _sense_note(polygon, step) if length else ""
+    value, note = length * polygon.scale / lever, ""
+    if length:
+        note = reading.say("common.ccw" if _across_lever(polygon, step) > 0 else "common.cw")
+    if length and step == polygon.first_lever:  # also how it is found
+        tail, head = (names.point(p) for p in step.lever)
+        words = {"stretch": names.stretch(step.tail, step.head), "rate": polygon.rate(step.of)}
+        note = reading.say("derivation.sense rule", sense=note, head=head, tail=tail, **words)
     return Calculation(polygon.rate(step.of), formulas, numbers, value, polygon.rate_unit, note)
-
-
-def _sense_note(polygon: PolygonReading, step: kinds.Measure) -> str:
-    """The sense; the first time also how it is found."""
-    reading = polygon.reading
-    sense = reading.say("common.ccw" if _across_lever(polygon, step) > 0 else "common.cw")
-    if step != polygon.first_lever:
-        return sense
-    tail, head = (names.point(p) for p in step.lever)
-    words = {"stretch": names.stretch(step.tail, step.head), "rate": polygon.rate(step.of)}
-    return reading.say("derivation.sense rule", sense=sense, head=head, tail=tail, **words)
 
 
 def _across_lever(polygon: PolygonReading, step: kinds.Measure) -> float:
@@ -252,7 +243,12 @@ def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
     if not polygon.arrow(*step.base):
         sentence = reading.say("derivation.image point", **words)
     elif aside(one, other) <= reading.noise * max(abs(one), abs(other)):
-        sentence = reading.say("derivation.image line", ratio=_ratio(polygon, step, corners), **words)
+        lengths = [reading.distance(first, p) for p in (third, second)]  # `dc = db3 · CD/BD = .. = 18.81 mm`
+        small, figured = polygon.length_mm(*step.base), figures(*(each / reading.scales["length"] for each in lengths))
+        formula = f"{words['small']} × {names.pair(first, third)}/{names.pair(first, second)}"
+        name, numbers = names.stretch(corners[0], step.point), Operand(small) * figured[0] / figured[1]
+        ratio = Calculation(name, (formula,), numbers, small * lengths[0] / lengths[1], "mm").text
+        sentence = reading.say("derivation.image line", ratio=ratio, **words)
     else:
         words |= {"small": names.triangle(*corners, step.point), "large": names.triangle(*step.corners)}
         ccw = float(cross(reading.arm(first, second), one)) > 0
@@ -268,14 +264,3 @@ def _own_node(polygon: PolygonReading, node: str, corner: str) -> str:
     nodes = polygon.construction.nodes.values()
     fixed = (n.name for n in nodes if n.site is not None and (n.site.point, n.site.link) == (corner, FRAME))
     return next(fixed, node)
-
-
-def _ratio(polygon: PolygonReading, step: kinds.Image, corners: list[str]) -> str:
-    """`dc = db3 · CD/BD = 27.12 × 48/69.2 = 18.81 mm`."""
-    first, second, third = step.corners
-    lengths = [polygon.reading.distance(first, p) for p in (third, second)]
-    small, scale = polygon.length_mm(*step.base), polygon.reading.scales["length"]
-    one, other = figures(*(length / scale for length in lengths))
-    formula = f"{names.stretch(*corners)} × {names.pair(first, third)}/{names.pair(first, second)}"
-    name, value = names.stretch(corners[0], step.point), small * lengths[0] / lengths[1]
-    return Calculation(name, (formula,), Operand(small) * one / other, value, "mm").text

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from graphkin.base.geometry import dot
@@ -28,7 +28,11 @@ def solve_lines(mechanism: Mechanism, results: Json, lang: Lang) -> Iterator[str
     yield "  ".join(dict.fromkeys((results["name"], results["title"])))
     for position in results["positions"]:
         yield ""
-        yield f"{say('results.position', lang)}{colon}{_driver_values(mechanism, position['drivers'], lang)}"
+        drivers = []  # `AB = 60 deg, ram = 90 mm`
+        for driver, value in zip(mechanism.drivers, position["drivers"], strict=True):
+            unit = EDGE[driven(driver.kind == "slide")]
+            drivers.append(f"{driver.name} = {exact(value * unit.factor)} {unit.name}")
+        yield f"{say('results.position', lang)}{colon}{in_signs(say('common.and', lang).join(drivers), lang)}"
         heads = ("quantity", "graphical", "analytic", "difference", "unit")
         rows = [[say(f"results.{head}", lang) for head in heads], *_rows(mechanism, position)]
         yield from table([[in_signs(cell, lang) for cell in row] for row in rows])
@@ -36,15 +40,6 @@ def solve_lines(mechanism: Mechanism, results: Json, lang: Lang) -> Iterator[str
             yield f"{say('results.asked', lang)}{colon}".rstrip()
         yield from (f"  {_answer(question, entry, lang)}" for question, entry in position["ask"].items())
         yield f"{say('results.worst', lang)}{colon}{position['worst']:.1e}"
-
-
-def _driver_values(mechanism: Mechanism, values: Sequence[float], lang: Lang) -> str:
-    """`AB = 60 deg, ram = 90 mm`."""
-    shown = []
-    for driver, value in zip(mechanism.drivers, values, strict=True):
-        unit = EDGE[driven(driver.kind == "slide")]
-        shown.append(f"{driver.name} = {exact(value * unit.factor)} {unit.name}")
-    return in_signs(say("common.and", lang).join(shown), lang)
 
 
 def _rows(mechanism: Mechanism, position: Json) -> Iterator[list[str]]:

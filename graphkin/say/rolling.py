@@ -249,14 +249,6 @@ def checked(polygon: PolygonReading, contact: Contact) -> str:
 
     "" of a wheel on a line, where it says nothing new, and where some rotation in it is not told.
     """
-    if contact.slide or not all(_rate_is_said(polygon, link) for link, _ in contact.angles):
-        return ""
-    relation = rate_relation(polygon, InStep(contact.name, contact.angles))
-    return polygon.reading.say("contacts.check relation", relation=relation.text, figures=relation.figures)
-
-
-def _rate_is_said(polygon: PolygonReading, link: str) -> bool:
-    """True where a link's rotation is told, or given."""
     turns, bases = polygon.reading.plot.facts.turns, {FRAME}
     for part in polygon.parts:
         if isinstance(part, Measure) and part.quantity in ("omega", "alpha"):
@@ -265,7 +257,10 @@ def _rate_is_said(polygon: PolygonReading, link: str) -> bool:
             bases.add(part.angle)
         elif isinstance(part, Simultaneous):
             bases.update(part.angles)
-    return turns[link].base in bases
+    if contact.slide or not all(turns[link].base in bases for link, _ in contact.angles):
+        return ""
+    relation = rate_relation(polygon, InStep(contact.name, contact.angles))
+    return polygon.reading.say("contacts.check relation", relation=relation.text, figures=relation.figures)
 
 
 # --- contacts as points of a polygon ------------------------------------------------------------

@@ -28,7 +28,14 @@ def fitted(reading: Reading, step: kinds.Fit) -> Iterator[Entry]:
     members = [link for link in reading.mechanism.moving if link in turning | blocks]
     yield Sentence(_trial(reading, step, members, turning))
     values = [link_angle(reading, link, degrees) for link in members if link in turning]
-    values += [_slide(reading, slide) for slide in step.slides]
+    for slide, pair in ((slide, structure.slides[slide]) for slide in step.slides):
+        if pair.named:
+            name, length = names.of_slide("s", slide), float(reading.plot.s[slide])
+        else:
+            ends = (pair.line.origin, pair.point)
+            name, length = f"l_{names.pair(*ends)}", abs(reading.arm(*ends))
+        if pair.named or pair.line.named:
+            values.append(f"{name} = {number(length * 1000, reading.noise * 1000)} mm")
     yield Sentence(reading.say("contacts.fitted", values=reading.joined(value for value in values if value)))
 
 
@@ -77,21 +84,21 @@ def _template(reading: Reading, step: kinds.Fit) -> str:
 def _arms(reading: Reading, step: kinds.Fit, template: str) -> list[str]:
     """The other links' lengths, and the lines on which sliding points must lie."""
     parts = [part for closure in step.closures for part in closure.parts]
-    texts = (_part(reading, part) for part in parts if not isinstance(part, terms.Arm) or part.link != template)
+    texts = []
+    for part in (part for part in parts if not isinstance(part, terms.Arm) or part.link != template):
+        if isinstance(part, terms.Arm):
+            length = reading.on_paper(reading.distance(part.tail, part.head))
+            texts.append(f"{names.pair(part.tail, part.head)} = {length} mm")
+        elif reading.method.structure.slides_driven.get(part.slide) is not None:
+            length = reading.on_paper(abs(float(reading.plot.s[part.slide])))
+            texts.append(f"{names.of_slide('s', part.slide)} = {length} mm")
+        else:
+            slide = reading.method.structure.slides[part.slide]
+            fixed = slide.guide == FRAME or part.slide in reading.contact_slides
+            along = None if fixed else reading.points_along(part.slide)
+            guide = names.pair(*along) if along else reading.path(part.slide)
+            texts.append(reading.say("contacts.lies on", point=names.point(slide.point), guide=guide))
     return list(dict.fromkeys(texts))
-
-
-def _part(reading: Reading, part: terms.Arm | terms.Slid) -> str:
-    if isinstance(part, terms.Arm):
-        length = reading.on_paper(reading.distance(part.tail, part.head))
-        return f"{names.pair(part.tail, part.head)} = {length} mm"
-    slide, symbol = reading.method.structure.slides[part.slide], names.of_slide("s", part.slide)
-    if reading.method.structure.slides_driven.get(part.slide) is not None:
-        return f"{symbol} = {reading.on_paper(abs(float(reading.plot.s[part.slide])))} mm"
-    fixed = slide.guide == FRAME or part.slide in reading.contact_slides
-    along = None if fixed else reading.points_along(part.slide)
-    guide = names.pair(*along) if along else reading.path(part.slide)
-    return reading.say("contacts.lies on", point=names.point(slide.point), guide=guide)
 
 
 def link_angle(reading: Reading, link: str, printed: Callable[[complex], str]) -> str:
@@ -101,18 +108,6 @@ def link_angle(reading: Reading, link: str, printed: Callable[[complex], str]) -
         return ""
     name, angle = reading.rate("θ", link), printed(reading.arm(*points))
     return reading.say("derivation.angle of", name=name, angle=angle, arrow=names.arrow(*points))
-
-
-def _slide(reading: Reading, slide: str) -> str:
-    pair = reading.method.structure.slides[slide]
-    if pair.named:
-        name, length = names.of_slide("s", slide), float(reading.plot.s[slide])
-    elif pair.line.named:
-        ends = (pair.line.origin, pair.point)
-        name, length = f"l_{names.pair(*ends)}", abs(reading.arm(*ends))
-    else:
-        return ""
-    return f"{name} = {number(length * 1000, reading.noise * 1000)} mm"
 
 
 def special_point(reading: Reading, step: kinds.Meet) -> str:

@@ -14,7 +14,7 @@ from graphkin.planning.stages import Bridge
 from graphkin.say.catalogue import say, say_close
 
 if TYPE_CHECKING:
-    from graphkin.studies.assur import Structure, Together
+    from graphkin.studies.assur import Structure
 
 KINDS: Mapping[type[Pair], Callable[..., tuple[str, str]]] = {
     Revolute: lambda hinge: ("multiple" if len(hinge.links) > 2 else "hinge", hinge.point),
@@ -39,7 +39,12 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
     yield mechanism.headline(lang)
     yield head("structure.links", [say("structure.frame", lang, name=mechanism.frame), *mechanism.moving])
     yield head("structure.pairs")
-    yield from (f"  {pair}" for pair in _pairs(mechanism, lang))
+    for pair in (*mechanism.hinges, *mechanism.pairs):
+        key, point = KINDS[type(pair)](pair)
+        guide, *block = pair.joins
+        groups = {"links": pair.joins, "guide": (guide,), "block": block}
+        names = {word: _list(map(mechanism.called, links), lang) for word, links in groups.items()}
+        yield "  " + say(f"structure.pair {key}", lang, point=point, **names)
     yield from _freedoms(method, parts, lang)
     yield head("structure.drivers", [driver.name for driver in mechanism.drivers])
     yield head("structure.groups")
@@ -53,15 +58,6 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
 
 def _list(entries: Iterable[str], lang: Lang) -> str:
     return say("common.list", lang).join(entries)
-
-
-def _pairs(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
-    for pair in (*mechanism.hinges, *mechanism.pairs):
-        key, point = KINDS[type(pair)](pair)
-        guide, *block = pair.joins
-        groups = {"links": pair.joins, "guide": (guide,), "block": block}
-        names = {word: _list(map(mechanism.called, links), lang) for word, links in groups.items()}
-        yield say(f"structure.pair {key}", lang, point=point, **names)
 
 
 def _freedoms(method: Method, parts: Structure, lang: Lang) -> Iterator[str]:
@@ -83,20 +79,16 @@ def _freedoms(method: Method, parts: Structure, lang: Lang) -> Iterator[str]:
 
 
 def _groups(mechanism: Mechanism, parts: Structure, lang: Lang) -> Iterator[str]:
+    """Each with its links, `4, 3, 5, 1+2`, `2 and the block that replaces cam pair 1–2`: as many as it has."""
     for group in parts.groups:
-        words = {"cls": say(f"structure.class {group.cls}", lang), "links": _members(mechanism, group, lang)}
-        words |= {"kind": group.letters, "point": group.point, "link": group.ternary}
-        yield say(f"structure.group {group.kind}", lang, **words)
-
-
-def _members(mechanism: Mechanism, group: Together, lang: Lang) -> str:
-    """`4, 3, 5, 1+2`, `2 and the block that replaces cam pair 1–2`: as many as the group has."""
-    held = {link: "+".join(pair) for pair in group.merged for link in pair}
-    links = _list(dict.fromkeys(held.get(link, link) for link in group.links), lang)
-    for each in group.added:
-        pair = called_pair(*named(mechanism, each.pair), lang)
-        links += say_close(f"structure.added {each.kind}", lang, pair=pair)
-    return links + (say("structure.merged", lang) if group.merged else "")
+        held = {link: "+".join(pair) for pair in group.merged for link in pair}
+        links = _list(dict.fromkeys(held.get(link, link) for link in group.links), lang)
+        for each in group.added:
+            pair = called_pair(*named(mechanism, each.pair), lang)
+            links += say_close(f"structure.added {each.kind}", lang, pair=pair)
+        links += say("structure.merged", lang) if group.merged else ""
+        words = {"cls": say(f"structure.class {group.cls}", lang), "links": links, "kind": group.letters}
+        yield say(f"structure.group {group.kind}", lang, **words, point=group.point, link=group.ternary)
 
 
 # --- redundant constraints ----------------------------------------------------------------------

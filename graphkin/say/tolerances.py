@@ -78,19 +78,7 @@ def power_lines(power: Power, lang: Lang) -> Iterator[str]:
     rows = [_power_row(id, [one for one in power.found if one.name[0] == id]) for id in ids]
     head = [*(say(f"tolerances.column {key}", lang) for key in heads), ""]
     yield from marks_table([head, *rows, _power_row(say("tolerances.all", lang), power.found)])
-    yield from _shares_named(power, lang)
-    out = [one for one in power.found if not one.applicable]
-    names = dict.fromkeys(one.name[0] for one in out)
-    share = f"{len(out) / max(len(power.found), 1):.0%}"
-    if out:
-        yield say("tolerances.not applicable", lang, share=share, what=say("common.list", lang).join(names))
-    wrong, named = (f"{part:.2%}" for part in power.alarms)
-    yield say("tolerances.false alarms", lang, wrong=wrong, named=named)
-    yield say("tolerances.random", lang, named=f"{power.random:.2%}")
-
-
-def _shares_named(power: Power, lang: Lang) -> Iterator[str]:
-    """The number of mistakes that are named as they should be; and of those that paper cannot tell."""
+    # the number of mistakes that are named as they should be; and of those that paper cannot tell
     some = [one for one in power.found if one.applicable]
     tellable, rest = ([one for one in some if one.tellable is expected] for expected in (True, False))
     part, missed = f"{WELL:.0%}", f"{1 - WELL:.0%}"
@@ -101,6 +89,14 @@ def _shares_named(power: Power, lang: Lang) -> Iterator[str]:
         hidden = sum(one.observed is not None and one.observed.beyond < WELL for one in rest)
         yield say("tolerances.not tellable", lang, count=len(rest), all=len(some), missed=missed, hidden=hidden,
                   share=f"{len(rest) / len(some):.0%}", named=well_of_rest, part=part)  # fmt: skip
+    out = [one for one in power.found if not one.applicable]
+    names = dict.fromkeys(one.name[0] for one in out)
+    share = f"{len(out) / max(len(power.found), 1):.0%}"
+    if out:
+        yield say("tolerances.not applicable", lang, share=share, what=say("common.list", lang).join(names))
+    wrong, named = (f"{part:.2%}" for part in power.alarms)
+    yield say("tolerances.false alarms", lang, wrong=wrong, named=named)
+    yield say("tolerances.random", lang, named=f"{power.random:.2%}")
 
 
 def _power_row(name: str, powers: Sequence[MistakePower]) -> list[str]:
