@@ -83,9 +83,6 @@ def _degrees(direction: complex) -> float:
     return angle - 180 if angle > 90 else angle + 180 if angle <= -90 else angle
 
 
-# --- Bobillier's construction -----------------------------------------------------------------
-
-
 def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
     """The source of both points, and one sentence each stage."""
     (first, second), (q, qc) = drawn.guides, drawn.crossings
@@ -104,9 +101,6 @@ def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
         kind = "measured" if entry.measured else "pivoted" if entry.pivoted else "guided"
         sources.append(say(f"about.bobillier {kind}", lang, point=entry.point, centre=entry.written))
     return [*sources, *stages]
-
-
-# --- two velocities ---------------------------------------------------------------------------
 
 
 def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
@@ -129,9 +123,6 @@ def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
         omega = Calculation("ω", (f"v_{point}/l_{point}P",), numbers, abs(found.omega), "rad/s").text
         words.append(say("about.two omega", lang, omega=omega, sense=sense(found.omega, lang)))
     return words
-
-
-# --- centrodes and paths of centres -----------------------------------------------------------
 
 
 def curves_met(curves: Centrodes, centre: complex | None, lang: Lang) -> Iterator[str]:

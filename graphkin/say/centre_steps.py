@@ -66,8 +66,6 @@ class CentreReader:
         x, y = (number(1000 * read(v), 1000 * noise) for v in (at.real, at.imag))
         return self.say("centres.mm", x=x, y=y)
 
-    # --- sentences ------------------------------------------------------------------------------
-
     def entries(self, stages: Sequence[Stage], together: Sequence[tuple[str, str]], number: int = 1) -> Iterator[Entry]:
         """The number of centres, those by definition, the others in order; `together`: pairs of links without one."""
         count = len(self.mechanism.links)
@@ -96,7 +94,12 @@ class CentreReader:
                 words |= self._links(self.found.centring.links[step.name])
             case DraftMeet():
                 first, second = (self._line(step, line) for line in stage.lines)
-                words |= {"first": first, "second": second, "met": self._met(stage)}
+                words |= {"first": first, "second": second, "met": self.say("centres.met", place=words["place"])}
+                if self.is_far(step.name):
+                    joins = [line for line in stage.lines if line.name not in self.found.centring.normals]
+                    at_infinity = any(all(self.is_far(end) for end in drawn_through(line)) for line in joins)
+                    key = "centres.met infinity" if at_infinity else "centres.met far"
+                    words["met"] = self.say(key, name=words["name"], angle=words["angle"])
             case Far() | drafting.ChosenPoint() | drafting.DraftLayOff() | drafting.MarkOn() | drafting.DraftTurn():
                 words |= self._links(self.found.centring.links[step.name])
             case _:
@@ -129,18 +132,6 @@ class CentreReader:
         words = {"near": names.point(near), "far": names.point(far[0]), "links": links}
         key = "centres.across guide" if by_definition else "centres.parallel"
         return self.say(key, angle=self.angle(far[0]), **words)
-
-    def _met(self, stage: Stage) -> str:
-        centre = stage.last.name
-        if not self.is_far(centre):
-            return self.say("centres.met", place=self.place(centre))
-        joins = [line for line in stage.lines if line.name not in self.found.centring.normals]
-        at_infinity = any(all(self.is_far(end) for end in drawn_through(line)) for line in joins)
-        key = "centres.met infinity" if at_infinity else "centres.met far"
-        return self.say(key, name=names.point(centre), angle=self.angle(centre))
-
-
-# --- a part of a solution -----------------------------------------------------------------------
 
 
 @frozen
@@ -175,9 +166,6 @@ def centre_part(reading: Reading, asked: Sequence[Centre]) -> CentrePart:
     together = tuple(pair for pair in found.centring.together if found.name(*pair) in labels)
     found = replace(found, centring=shortest(found, labels))
     return CentrePart(CentreReader(found, reading.lang, reading.measured), found.centring.stages, together)
-
-
-# --- a table ------------------------------------------------------------------------------------
 
 
 def centre_rows(found: Centres, lang: Lang) -> Iterator[list[str]]:

@@ -32,9 +32,6 @@ _FORMS: Mapping[str, tuple[str, Callable[..., Formula | str]]] = {
 _RATES = ("alpha", "a", "a_n", "a_t", "a_k", "a_r")
 
 
-# --- all centres --------------------------------------------------------------------------------
-
-
 def explain_centres(found: Centres, lang: Lang, scale: float | None = None) -> list[str]:
     """All centres at one position with the lines that give them, and the velocities asked for with their figures.
 
@@ -61,9 +58,6 @@ def advantage_lines(found: Centres, lang: Lang) -> Iterator[str]:
         words = {"out": names.point(out), "driver": names.point(drives), "senses": senses}
         ratio = f"{names.of_link('ω', drives)}/{names.of_link('ω', out)}"
         yield "  " + say("centres.advantage", lang, value=number(abs(value)), ratio=ratio, **words)
-
-
-# --- levers -------------------------------------------------------------------------------------
 
 
 @frozen
@@ -170,9 +164,6 @@ class LeverReader:
                 return say("centres.at", angle=angle)
             case _:
                 return sense(levers.turned(meant), lang)
-
-
-# --- what is asked for --------------------------------------------------------------------------
 
 
 def _velocities(reader: CentreReader, scale: float) -> Iterator[Entry]:

@@ -14,7 +14,7 @@ from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.say.figures import figures, written
 from graphkin.say.linkages import kind_name
 from graphkin.say.numbers import SentenceNumber
-from graphkin.studies.design import Design, Family, Reason, Solution, linkage_of, proof
+from graphkin.studies.design import Design, Reason, Solution, linkage_of, proof
 from graphkin.studies.linkages import filed
 
 _DIGITS = 5  # as `Figure` has them
@@ -64,9 +64,6 @@ def error(design: Design) -> NoDesign | None:
     return NoDesign(" ".join(in_english), " ".join(in_chinese))
 
 
-# --- lines -------------------------------------------------------------------------------------------
-
-
 def lines(design: Design, lang: Lang = "en") -> list[str]:
     """The solution as a book writes it, then all solutions, what is none, and the family."""
     shown, best = [say(f"design.heading {design.kind}", lang)], design.best
@@ -82,7 +79,14 @@ def lines(design: Design, lang: Lang = "en") -> list[str]:
     if not design.solutions:
         shown.append(say("design.none", lang))
     shown += (phrased(reason, lang) for reason in design.why)
-    return shown + [_family(one, lang) for one in design.families if len(one.angle)]
+    for family in (family for family in design.families if len(family.angle)):
+        open_arcs = [arc for arc in family.arcs if arc.name == "admissible"]
+        ends = (map(SentenceNumber, (arc.start % math.tau, arc.end % math.tau)) for arc in open_arcs)
+        arcs = say("common.list", lang).join(say("design.arcs", lang, start=start, end=end) for start, end in ends)
+        sizes = (family.centre.real * 1e3, family.centre.imag * 1e3, family.radius, family.best[1])
+        words = dict(zip(("x", "y", "radius", "best"), map(SentenceNumber, sizes), strict=True))
+        shown.append(say("design.family", lang, arcs=arcs, **words))
+    return shown
 
 
 def _lengths(one: Solution, lang: Lang) -> str:
@@ -109,17 +113,6 @@ def _judged(one: Solution, lang: Lang) -> Iterator[str]:
         facts.append(say("design.slow ccw" if one.pace > 0 else "design.slow cw", lang))
     yield f"  {say('design.proof', lang)}{say('common.and', lang).join(facts)}"
     yield from (f"  {phrased(reason, lang)}" for reason in one.notes if reason.key != "kind")
-
-
-def _family(one: Family, lang: Lang) -> str:
-    open_arcs = [arc for arc in one.arcs if arc.name == "admissible"]
-    ends = (map(SentenceNumber, (arc.start % math.tau, arc.end % math.tau)) for arc in open_arcs)
-    arcs = say("common.list", lang).join(say("design.arcs", lang, start=start, end=end) for start, end in ends)
-    x, y, radius, best = map(SentenceNumber, (one.centre.real * 1e3, one.centre.imag * 1e3, one.radius, one.best[1]))
-    return say("design.family", lang, arcs=arcs, x=x, y=y, radius=radius, best=best)
-
-
-# --- its linkage as a file --------------------------------------------------------------------
 
 
 def mechanism_of(solution: Solution, kind: str) -> Mechanism:

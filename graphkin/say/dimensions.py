@@ -48,9 +48,6 @@ class Side:
         return names.pair(self.first, self.second)
 
 
-# --- of links -----------------------------------------------------------------------------------
-
-
 def sides(reading: Reading, link: str) -> list[Side]:
     """The distances that fix the points of a link: of each from the first two, between which it may lie."""
     shape, points = reading.mechanism.links[link], reading.mechanism.named(link)
@@ -91,9 +88,6 @@ def driven(reading: Reading, k: int, driver: Driver) -> tuple[Size, Size, Size]:
         return Size(at, place * 1000, "mm"), Size(first, rate, "m/s"), Size(second, more, "m/s²")
     at, first, second = (reading.against(driver, symbol) for symbol in ("φ", "ω", "α"))
     return Size(at, degrees(place), "°"), Size(first, rate, "rad/s"), Size(second, more, "rad/s²")
-
-
-# --- of guides ----------------------------------------------------------------------------------
 
 
 @frozen
@@ -137,17 +131,17 @@ def _corner(reading: Reading, slide: Slide) -> str:
     return next((point for point in (*stated, *pivots, *points) if point in points), "")
 
 
-# --- the figures of a sheet ---------------------------------------------------------------------
-
-
 def dimensions(reading: Reading) -> list[str]:
     """`AD = 78 mm`, `AB = 24 mm`, .. link by link; then offsets of guides, radii of wheels, driven rates."""
-    tables = (_fixed_points, _lengths, _offsets, _radii, _drivers)
+    tables = (_lengths, _offsets, _radii, _drivers)
     return [*dict.fromkeys(text for table in tables for text in table(reading))]
 
 
-def _fixed_points(reading: Reading) -> Iterator[str]:
-    """`AD = 78 mm` of a point level with the first, or under it; else `x_D`, `y_D`, from the origin, or `x_AD`."""
+def _lengths(reading: Reading) -> Iterator[str]:
+    """`AD = 78 mm` of fixed points in one level or upright line, else `x_D`, `y_D`; then each link by its distances.
+
+    Those of its points that fix it; of points in one line each from the one before.
+    """
     shape = reading.plot.facts.shapes[FRAME]
     first, *others = _drawn_points(reading, FRAME) or [""]
     for other in others:
@@ -158,19 +152,15 @@ def _fixed_points(reading: Reading) -> Iterator[str]:
             called = names.pair(first, other) if shape[first] else names.point(other)
             parts = (("x", away.real), ("y", away.imag))
             yield from (f"{sign}_{called} = {given_figure(part * 1000)} mm" for sign, part in parts)
+    for link in reading.mechanism.moving:
+        body, row = reading.mechanism.links[link], pairwise(reading.mechanism.named(link))
+        in_line = not [*beside(reading, link)]
+        for side in [Side(*ends, abs(body.arm(*ends))) for ends in row] if in_line else sides(reading, link):
+            yield Size(side.name, millimetres(reading, side.length), "mm").text
 
 
 def _drawn_points(reading: Reading, link: str) -> list[str]:
     return [point for point in reading.mechanism.named(link) if point in reading.plot.position]
-
-
-def _lengths(reading: Reading) -> Iterator[str]:
-    """Each link by the distances of its points that fix it; of points in one line each from the one before."""
-    for link in reading.mechanism.moving:
-        shape, row = reading.mechanism.links[link], pairwise(reading.mechanism.named(link))
-        in_line = not [*beside(reading, link)]
-        for side in [Side(*ends, abs(shape.arm(*ends))) for ends in row] if in_line else sides(reading, link):
-            yield Size(side.name, millimetres(reading, side.length), "mm").text
 
 
 def _offsets(reading: Reading) -> Iterator[str]:
@@ -217,9 +207,6 @@ def _drivers(reading: Reading) -> Iterator[str]:
         for size in rates:
             if size.value:
                 yield replace(size, value=size.value if driver.kind == "slide" else abs(size.value)).text
-
-
-# --- measured lengths ---------------------------------------------------------------------------
 
 
 def measured_lengths(reading: Reading) -> list[tuple[str, str]]:

@@ -114,9 +114,6 @@ class VectorEquation:
 Entry = Heading | Sentence | Calculation | VectorEquation
 
 
-# --- lines of plain text ------------------------------------------------------------------------
-
-
 def text_lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
     """One line an entry; three a vector equation."""
     for k, entry in enumerate(entries):

@@ -51,9 +51,6 @@ def known_arrow(polygon: PolygonReading, step: kinds.LayOff) -> Iterator[Entry]:
     yield polygon.sentence(step, _lay_off(polygon, step))
 
 
-# --- the equation itself ------------------------------------------------------------------------
-
-
 def worded(polygon: PolygonReading, part: Equation) -> VectorEquation:
     """The equation as it is printed: a side that is the motion sought itself stands first."""
     sides = (part.left, part.right)
@@ -138,9 +135,6 @@ def _translation(polygon: PolygonReading, part: Equation) -> str:
     return polygon.reading.say("derivation.translates", **words)
 
 
-# --- the pencil ---------------------------------------------------------------------------------
-
-
 def _drawing(polygon: PolygonReading, steps: tuple[Step, ...], both_sides: tuple[Term, ...]) -> Iterator[Entry]:
     for step in steps:
         match step:
@@ -177,9 +171,6 @@ def _lay_off(polygon: PolygonReading, step: kinds.LayOff) -> str:
     length = polygon.laid(name, term.tail, term.head, ends)
     key = "derivation.lay off backwards" if step.backwards else "derivation.lay off"
     return say(key, name=name, start=start, length=length)
-
-
-# --- what it gives ------------------------------------------------------------------------------
 
 
 def _measured(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:

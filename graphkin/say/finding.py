@@ -25,9 +25,6 @@ _DIGITS = 6  # of what is computed
 _MARKED = re.compile("\0([^\0]+)\0")  # a driver's name where it stands for its value
 
 
-# --- values -----------------------------------------------------------------------------------
-
-
 def _driver_value(driver: Driver, value: float) -> str:
     return quantity(value, driven(driver.kind == "slide"))
 
@@ -61,9 +58,6 @@ def _values(findings: Findings, position: Position, called: Callable[[str], str]
     values = map(abs, position.values) if size else position.values
     entries = zip(findings.quantities, findings.units, values)
     return ", ".join(f"{called(name)} = {quantity(value, unit, gravity=gravity)}" for name, unit, value in entries)
-
-
-# --- lines ------------------------------------------------------------------------------------
 
 
 def lines(findings: Findings, lang: Lang = "en") -> Iterator[str]:
@@ -212,9 +206,6 @@ def _scaling(findings: Findings, scaling: Scaling, lang: Lang) -> Iterator[str]:
             sizes = [quantity(d.acceleration * entry.factor**2, unit) for d, unit in zip(accelerated, units)]
             accelerations = ", ".join(f"{driver.name}: {size}" for driver, size in zip(accelerated, sizes))
             yield say("finding.square", lang, accelerations=accelerations)
-
-
-# --- a table: how many columns depends on the condition alone -----------------------------------
 
 
 def finding_table(varying: VaryingTable, lang: Lang = "en") -> Iterator[str]:

@@ -52,8 +52,13 @@ def lines(report: Report, lang: Lang) -> Iterator[str]:
     yield f"{kind_name(report, lang)}{say('common.colon', lang)}{say('common.and', lang).join(lengths)}"
     yield say("linkages.drives", lang, driver=report.driver, output=report.output)
     yield _sums(report, lang)
-    links = {"driver": report.driver, "output": report.output, **report.linkage.called}
-    yield say(f"linkages.why {report.kind}", lang, **links, reach=_reach(report))
+    links, sizes, reach = report.linkage.called, report.linkage.sizes, ""
+    if report.kind == "rocker-slider":  # `CD + |e| = 600 + 575 = 1175 mm > DE = 150 mm`: a crank does not turn fully
+        crank, rod, both = links["crank"], links["coupler"], (sizes[links["crank"]], abs(sizes["e"]))
+        added = f"{' + '.join(exact(size * 1e3) for size in both)} = {millimetres(sum(both))}"
+        reach = f"{crank} + |e| = {added} > {rod} = {millimetres(sizes[rod])}"
+    names = {"driver": report.driver, "output": report.output, **links}
+    yield say(f"linkages.why {report.kind}", lang, **names, reach=reach)
     yield from _equal(report, lang)
     frame = say("linkages.frame", lang)
     for key, full in (("linkages.full", True), ("linkages.rocks", False)):
@@ -78,20 +83,6 @@ def amount(report: Report, value: float) -> str:
 
 def _list(parts: Iterable[str], lang: Lang) -> str:
     return say("common.list", lang).join(parts)
-
-
-# --- lengths ------------------------------------------------------------------------------------
-
-
-def _reach(report: Report) -> str:
-    """`CD + |e| = 600 + 575 = 1175 mm > DE = 150 mm`: why a crank does not turn fully; "" of what has no rod."""
-    names, sizes = report.linkage.called, report.linkage.sizes
-    if report.kind != "rocker-slider":
-        return ""
-    crank, rod = names["crank"], names["coupler"]
-    parts = (sizes[crank], abs(sizes["e"]))
-    added = " + ".join(exact(part * 1e3) for part in parts)
-    return f"{crank} + |e| = {added} = {millimetres(sum(parts))} > {rod} = {millimetres(sizes[rod])}"
 
 
 def _sums(report: Report, lang: Lang) -> str:
@@ -122,9 +113,6 @@ def _equal(report: Report, lang: Lang) -> Iterator[str]:
         alike.append([name]) if group is None else group.append(name)
     if equal := [" = ".join(group) for group in alike if len(group) > 1]:
         yield say("linkages.equal", lang, pairs=_list(equal, lang))
-
-
-# --- motion -------------------------------------------------------------------------------------
 
 
 def _how(report: Report, end: LinkagePosition, lang: Lang) -> str:
@@ -181,9 +169,6 @@ def _dead(report: Report, lang: Lang) -> Iterator[str]:
             yield say("linkages.no dead", lang, driver=driver)
 
 
-# --- transmission angles ------------------------------------------------------------------------
-
-
 def _gamma(report: Report, lang: Lang) -> Iterator[str]:
     least, alpha = report.gamma_min, report.alpha_max
     if least is None or alpha is None:
@@ -238,9 +223,6 @@ def _across_the_guide(report: Report, far: bool) -> tuple[str, Formula, float]:
     first, second = figures(one, aside)
     above, sign = (first + second, "+") if far else (first - second, "−")
     return f"({a} {sign} {e})/{names['coupler']}", above / long, abs(one + aside if far else one - aside) / rod
-
-
-# --- kinds and files -----------------------------------------------------------------------------
 
 
 def family_lines(lang: Lang) -> Iterator[str]:

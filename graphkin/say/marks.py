@@ -17,9 +17,6 @@ from graphkin.say.text_table import aligned
 _SETS = 4  # mistakes of one set that are written out; of more the number is said
 
 
-# --- one submission -----------------------------------------------------------------------------
-
-
 def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
     """One submission: its marks, its values, and what the wrong ones are consistent with."""
     marked = graded.marked
@@ -88,9 +85,6 @@ def _explanations(marked: Marked, lang: Lang) -> Iterator[str]:
         yield say(key, lang, what=what, probability=f"{explanation.probability:.0%}", explains=explains)
 
 
-# --- verdicts -----------------------------------------------------------------------------------
-
-
 class VerdictData(Protocol):
     """The data that a verdict is worded by."""
 
@@ -115,9 +109,6 @@ def verdict(one: VerdictData, lang: Lang) -> str:
     if not (one.credit > 0 and one.sense == "wrong"):
         return say("verdicts.verdict wrong", lang)
     return say(f"verdicts.verdict wrong {'direction' if one.unit in ('m/s', 'm/s^2') else 'sense'}", lang)
-
-
-# --- mistakes -----------------------------------------------------------------------------------
 
 
 def mistake(name: Name, lang: Lang) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import cached_property
 from typing import assert_never
 
@@ -191,9 +190,6 @@ class PolygonReading:
         return self.measured(pole, node, self.seen(self.of(node), ""), note)
 
 
-# --- known sizes --------------------------------------------------------------------------------
-
-
 @frozen
 class KnownSize:
     """A size as a formula, with its figures in it, and the direction of its arrow in words."""
@@ -224,19 +220,15 @@ def size_calculation(polygon: PolygonReading, term: Term, equation: tuple[Term, 
             note = polygon.reading.say("derivation.no turning", rate=rate)
         else:
             note = polygon.reading.say("derivation.no sliding", relative=velocity.seen(term.of, term.seen_from))
-    formulas = (*_other_names(polygon, term), known.formula)
-    return Calculation(polygon.vector(term), formulas, known.numbers, value, names.UNIT[polygon.plane], note)
-
-
-def _other_names(polygon: PolygonReading, term: Term) -> Iterator[str]:
-    """`v_B2 = v_B1`: the hinge is a point of the driven link too; `a_B = aⁿ_BA`: without a tangential part."""
-    size = term.size
-    if not isinstance(size, terms.Turning | terms.Normal) or term.seen_from:
-        return
-    if term.of != size.head and (other := polygon.reading.numbered(size.head, size.link)) != term.of:
-        yield polygon.seen(other, "")
-    if isinstance(size, terms.Normal) and not term.part:
-        yield polygon.seen(term.of, size.tail, "n")
+    size, formulas = term.size, list[str]()
+    if isinstance(size, terms.Turning | terms.Normal) and not term.seen_from:
+        # `v_B2 = v_B1`: the hinge is a point of the driven link too; `a_B = aⁿ_BA`: without a tangential part
+        if term.of != size.head and (other := polygon.reading.numbered(size.head, size.link)) != term.of:
+            formulas.append(polygon.seen(other, ""))
+        if isinstance(size, terms.Normal) and not term.part:
+            formulas.append(polygon.seen(term.of, size.tail, "n"))
+    formulas.append(known.formula)
+    return Calculation(polygon.vector(term), tuple(formulas), known.numbers, value, names.UNIT[polygon.plane], note)
 
 
 def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str) -> KnownSize:
@@ -259,7 +251,11 @@ def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str)
             along = reading.say(key, direction=direction, s=names.of_slide("s", slide))
             return KnownSize(f"|{names.of_slide(names.SLIDING[polygon.plane], slide)}|", "", along)
         case terms.Relative():
-            return _relative(polygon, size, direction)
+            facts, called = plot.facts, reading.mechanism.called  # of one link against another: ω21 l, ω21² l, α21 l
+            order, symbol = (2, "α") if size.part == "t" else (1, "ω")
+            value = facts.relative_rate(size.link, order) - facts.relative_rate(size.seen_from, order)
+            rate = names.relative(symbol, called(reading.body(size.link)), called(reading.body(size.seen_from)))
+            return _at_arm(polygon, rate, value, 2 if size.part == "n" else 1, (size.tail, size.head), direction)
         case terms.Drawn() | terms.Span():
             raise AssertionError("drawn arrows and lengths have no formula in a polygon")
         case _:
@@ -275,13 +271,3 @@ def _at_arm(
         return KnownSize(f"{rate}² l_{names.pair(*ends)}", squared(abs(float(value))) * arm, direction)
     direction = polygon.reading.say("derivation.sense of", direction=direction, rate=rate)
     return KnownSize(f"{rate} l_{names.pair(*ends)}", Operand(abs(float(value))) * arm, direction)
-
-
-def _relative(polygon: PolygonReading, size: terms.Relative, direction: str) -> KnownSize:
-    """A driven rotation of one link against another: ω21 l, ω21² l, α21 l."""
-    reading, facts = polygon.reading, polygon.reading.plot.facts
-    order, symbol = (2, "α") if size.part == "t" else (1, "ω")
-    value = facts.relative_rate(size.link, order) - facts.relative_rate(size.seen_from, order)
-    called = reading.mechanism.called
-    rate = names.relative(symbol, called(reading.body(size.link)), called(reading.body(size.seen_from)))
-    return _at_arm(polygon, rate, value, 2 if size.part == "n" else 1, (size.tail, size.head), direction)

@@ -54,9 +54,6 @@ def _step(polygon: PolygonReading, step: Step) -> Iterator[Entry]:
             assert_never(step)
 
 
-# --- the start ----------------------------------------------------------------------------------
-
-
 def _renamed(polygon: PolygonReading) -> Iterator[Entry]:
     """Letters that are taken: beside a point P the pole has another one; said once, in the first polygon."""
     reading, pole, nodes = polygon.reading, polygon.construction.pole, polygon.construction.nodes
@@ -97,14 +94,20 @@ def _pole(polygon: PolygonReading, step: kinds.Given) -> Iterator[Entry]:
         yield Sentence(reading.say(key, links=reading.links(links), fixed=fixed))
 
 
-# --- rotations ----------------------------------------------------------------------------------
-
-
 def _rotation(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
     """omega or alpha of a link, then of those that keep their angle to it."""
-    reading, ends = polygon.reading, (step.tail, step.head)
+    reading, plane, ends = polygon.reading, polygon.plane, (step.tail, step.head)
     if polygon.plane == "acceleration" and not polygon.written(*ends):
-        yield from _resolved(polygon, step)
+        # both ends are known from elsewhere: only the part across the lever turns the link
+        across = float(reading.usual.motion(abs(_across_lever(polygon, step)), plane).real)
+        across = float(reading.ruler.read(across, plane).real) if reading.ruler else across
+        length_mm, tail = across / polygon.scale, _own_node(polygon, step.tail, step.lever[0])
+        name = polygon.seen(polygon.of(step.head), polygon.of(tail), "t")
+        numbers = Operand(polygon.scale) * Operand(length_mm)
+        words = {"tangential": Calculation(name, (), numbers, across, names.UNIT[plane]).text}
+        words |= {"ends": names.stretch(*ends), "line": names.pair(*step.lever)}
+        yield Sentence(reading.say("derivation.tangential part", **words))
+        yield _rate(polygon, step, name, length_mm)
     else:
         name, contacts = contacted(polygon, step)
         name = name or polygon.name(*ends)
@@ -145,23 +148,6 @@ def _across_lever(polygon: PolygonReading, step: kinds.Measure) -> float:
     """Speed across the lever, positive where it turns it counter-clockwise."""
     arm = polygon.reading.arm(*step.lever)
     return float(cross(arm, polygon.arrow(step.tail, step.head))) / abs(arm)
-
-
-def _resolved(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
-    """Both ends are known from elsewhere: only the part across the lever turns the link."""
-    reading, plane = polygon.reading, polygon.plane
-    across = float(reading.usual.motion(abs(_across_lever(polygon, step)), plane).real)
-    across = float(reading.ruler.read(across, plane).real) if reading.ruler else across
-    length_mm, tail = across / polygon.scale, _own_node(polygon, step.tail, step.lever[0])
-    name = polygon.seen(polygon.of(step.head), polygon.of(tail), "t")
-    numbers = Operand(polygon.scale) * Operand(length_mm)
-    tangential = Calculation(name, (), numbers, across, names.UNIT[plane]).text
-    ends, line = names.stretch(step.tail, step.head), names.pair(*step.lever)
-    yield Sentence(reading.say("derivation.tangential part", ends=ends, line=line, tangential=tangential))
-    yield _rate(polygon, step, name, length_mm)
-
-
-# --- links that keep their angles ---------------------------------------------------------------
 
 
 def _driven_groups(polygon: PolygonReading) -> Iterator[Entry]:
@@ -208,9 +194,6 @@ def _driven_between(polygon: PolygonReading, link: str, other: str) -> list[tupl
     return [(k, sign, float(rates[k])) for k, sign in count.items() if sign]
 
 
-# --- slides -------------------------------------------------------------------------------------
-
-
 def _sliding(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
     """The speed at which a named displacement grows; of others, which distance grows or shrinks."""
     reading, plane = polygon.reading, polygon.plane
@@ -226,9 +209,6 @@ def _sliding(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
         stretch = names.pair(pair.line.origin, pair.point)
         key = "derivation.grows" if value * float(reading.plot.s[step.of]) > 0 else "derivation.shrinks"
         yield Sentence(reading.say(key, stretch=stretch, size=number(size)))
-
-
-# --- images -------------------------------------------------------------------------------------
 
 
 def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:

@@ -180,8 +180,8 @@ class PositionReader(Tangents):
         words["point"] = names.point(step.point)
         if not isinstance(step.second, kinds.Arc):
             return reading.say("derivation.meet lines", **words)
-        where = reading.note(_crossing(reading, step, step.second))
-        return reading.say("derivation.meet circles", where=where, **words)
+        words["where"] = reading.note(_crossing(reading, step, step.second))
+        return reading.say("derivation.meet circles", **words)
 
     def _circle(self, about: str, length: str) -> str:
         return self.reading.say("derivation.circle", about=self.reading.place(about), length=length)
@@ -258,9 +258,6 @@ def _corner_between(step: kinds.Measure) -> dict[str, tuple[str, str]]:
     if len(parts) != 2 or not (isinstance(parts[0], terms.Arm) and isinstance(parts[1], terms.Arm)):
         return {}
     return {parts[0].head: (step.tail, step.head)} if parts[0].head == parts[1].tail else {}
-
-
-# --- which of two crossings ---------------------------------------------------------------------
 
 
 def _crossing(reading: Reading, step: kinds.Meet, circle: kinds.Arc) -> str:

@@ -28,8 +28,7 @@ def problem_data(reading: Reading) -> Iterator[Entry]:
     between = reading.say("common.semicolon")
     yield Heading(reading.mechanism.headline(reading.lang))
     yield Heading(reading.say("solution.given"))
-    for sentence in _dimensions(reading):
-        yield Sentence(sentence)
+    yield from map(Sentence, _dimensions(reading))
     drivers = [_driver(reading, k, driver) for k, driver in enumerate(reading.mechanism.drivers)]
     yield Sentence(reading.say("derivation.given", drivers=between.join(drivers)))
     if reading.mechanism.poses:
@@ -52,9 +51,6 @@ def solution_head(reading: Reading, leaves_out: bool) -> Iterator[Entry]:
     yield Sentence(reading.say("derivation.by hand" if reading.ruler else "derivation.exactly"))
     if leaves_out:
         yield Sentence(reading.say("derivation.numbers left out"))
-
-
-# --- drivers ------------------------------------------------------------------------------------
 
 
 def _points(line: tuple[str, str]) -> str:
@@ -106,9 +102,6 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
     return reading.joined([reading.say(key, **words), *texts])
 
 
-# --- links --------------------------------------------------------------------------------------
-
-
 def _dimensions(reading: Reading) -> Iterator[str]:
     """A sentence each: lengths, fixed points, guides, rolling circles, profiles."""
     say, mechanism = reading.say, reading.mechanism
@@ -131,9 +124,6 @@ def _place(reading: Reading, place: complex) -> str:
     """Coordinates of the mechanism itself, in mm."""
     x, y = (given_figure(millimetres(reading, value)) for value in (place.real, place.imag))
     return f"({x}, {y})"
-
-
-# --- pairs --------------------------------------------------------------------------------------
 
 
 def _slide(reading: Reading, pair: Slide) -> str:
@@ -212,9 +202,6 @@ PAIR_SENTENCES: Mapping[type[Pair], Callable[..., str]] = {
     Slide: _slide, CircularSlot: _circular_slot, Gear: _gears, RollingContact: _rolling, Cam: _cam,
 }  # fmt: skip
 """The sentence of each kind that is no hinge, in this order."""
-
-
-# --- lines --------------------------------------------------------------------------------------
 
 
 def _track(reading: Reading, line: Line) -> str:

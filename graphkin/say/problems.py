@@ -93,9 +93,6 @@ def _quoted(text: str) -> str:
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
-# --- what is asked ----------------------------------------------------------------------------
-
-
 def _symbol(quantity: Quantity) -> str:
     """`ω3`, `aᵏ_B3B2`, `v_E,y`, `P13`."""
     match quantity:
@@ -126,9 +123,6 @@ def _angle_line(mechanism: Mechanism, angle: Rotation, lang: Lang) -> str:
     return say("problems.angle of guide", lang, angle=symbol, guide=mechanism.called(slide.guide))
 
 
-# --- data of the file -------------------------------------------------------------------------
-
-
 def _data(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
     """A line a link, pair and driver, in the file's order."""
     for (table, *inner), stated in mechanism.given.items():
@@ -141,17 +135,14 @@ def _data(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
             rows = [("", row) for row in (content if isinstance(content, list) else [content])]
         for name, row in rows:
             head = say(f"problems.table {table}", lang) + (f" {name}" if name else "")
-            entries = (_entry(key, value, lang) for key, value in _with_title(row, lang).items())
+            # with what a sliding pair is called behind its name, in this language
+            title, rest = row.get("title"), {key: value for key, value in row.items() if key != "title"}
+            called = title.get(lang) or next(iter(title.values()), "") if isinstance(title, dict) else title
+            if called and called != row.get("name"):
+                named = "name" in row
+                rest = {**rest, "name": f"{row['name']} ({called})"} if named else {"name": called, **rest}
+            entries = (_entry(key, value, lang) for key, value in rest.items())
             yield f"{head}{say('common.colon', lang)}{say('common.and', lang).join(entries)}"
-
-
-def _with_title(row: dict[str, object], lang: Lang) -> dict[str, object]:
-    """With what a sliding pair is called behind its name, in this language."""
-    title, rest = row.get("title"), {key: value for key, value in row.items() if key != "title"}
-    called = title.get(lang) or next(iter(title.values()), "") if isinstance(title, dict) else title
-    if not called or called == row.get("name"):
-        return rest
-    return {**rest, "name": f"{row['name']} ({called})"} if "name" in row else {"name": called, **rest}
 
 
 def _entry(key: str, value: object, lang: Lang) -> str:
@@ -173,9 +164,6 @@ def _value(value: object, lang: Lang) -> str:
             return say("problems.the frame", lang)
         case _:
             return str(value)
-
-
-# --- assembly ---------------------------------------------------------------------------------
 
 
 def assembly_sentence(sides: DrawnSides, lang: Lang) -> str:

@@ -273,7 +273,12 @@ class Reading:
         pair = self.method.structure.slides[slide]
         if pair.named and pair.guide == FRAME and slide not in self.contact_slides:
             return self.say("derivation.guide of", name=self.slide_name(slide))
-        on_it = self._points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
+        along = self.guide(slide)  # two points that lie apart on it, of those that the guide or the pair itself names
+        points = dict.fromkeys((pair.line.origin, pair.point, *self.method.structure.bodies[pair.guide]))
+        there = [p for p in points if self.named(p) and aside(along, self.arm(pair.point, p)) <= self.noise]
+        pairs = ((first, second) for first in there for second in there)
+        apart = (ends for ends in pairs if abs(float(dot(along, self.arm(*ends)))) > self.noise)
+        on_it = next(apart, None) or (None if pair.guide == FRAME else self.points_along(slide))
         if on_it is None and slide in self.contact_slides:
             rolling = pair.stands_for.rolling if pair.stands_for is not None else None
             if len(self.contact_slides) == 1:
@@ -301,15 +306,6 @@ class Reading:
             if aside(along, arm) <= self.noise < abs(arm):
                 return first, second
         return None
-
-    def _points_on(self, slide: str) -> tuple[str, str] | None:
-        """Two points that lie apart on the line, of those that the guide or the pair itself names."""
-        pair, along = self.method.structure.slides[slide], self.guide(slide)
-        points = dict.fromkeys((pair.line.origin, pair.point, *self.method.structure.bodies[pair.guide]))
-        on_it = [p for p in points if self.named(p) and aside(along, self.arm(pair.point, p)) <= self.noise]
-        pairs = ((first, second) for first in on_it for second in on_it)
-        apart = (ends for ends in pairs if abs(float(dot(along, self.arm(*ends)))) > self.noise)
-        return next(apart, None)
 
     def place(self, point: str) -> str:
         """A point of the drawing; the start of a line that has no name of its own is told by its guide."""

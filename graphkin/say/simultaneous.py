@@ -17,8 +17,6 @@ from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading, capitalized
 from graphkin.say.rolling import rate_relation, turning_relation
 
-# --- position -----------------------------------------------------------------------------------
-
 
 def fitted(reading: Reading, step: kinds.Fit) -> Iterator[Entry]:
     """A group's position by trial (样板法), or a train's by its relations; then what it comes to."""
@@ -114,24 +112,20 @@ def special_point(reading: Reading, step: kinds.Meet) -> str:
     """The point in which the lines of two legs meet."""
     site = reading.method.position.nodes[step.point].site
     assert site is not None
-    first, second = (_leg_line(reading, locus) for locus in (step.first, step.second) if isinstance(locus, kinds.Ray))
-    words = {"first": first, "second": second, "point": step.point}
+    lines = []
+    for ray in (locus for locus in (step.first, step.second) if isinstance(locus, kinds.Ray)):
+        match ray.direction:
+            case terms.Along(tail, head):
+                lines.append(reading.say("contacts.leg line", line=names.pair(tail, head)))
+            case terms.AcrossGuide(slide):
+                words = {"through": names.point(ray.through), "guide": reading.path(slide)}
+                lines.append(reading.say("contacts.leg normal", **words))
+            case terms.Across() | terms.AlongGuide() | terms.Quarter():
+                raise AssertionError("a leg's line runs along a bar or across a guide")
+            case _:
+                assert_never(ray.direction)
+    words = {"first": lines[0], "second": lines[1], "point": step.point}
     return reading.say("contacts.special point", link=reading.link(site.link), **words)
-
-
-def _leg_line(reading: Reading, ray: kinds.Ray) -> str:
-    match ray.direction:
-        case terms.Along(tail, head):
-            return reading.say("contacts.leg line", line=names.pair(tail, head))
-        case terms.AcrossGuide(slide):
-            return reading.say("contacts.leg normal", through=names.point(ray.through), guide=reading.path(slide))
-        case terms.Across() | terms.AlongGuide() | terms.Quarter():
-            raise AssertionError("a leg's line runs along a bar or across a guide")
-        case _:
-            assert_never(ray.direction)
-
-
-# --- polygons: special points -------------------------------------------------------------------
 
 
 def special_introduction(polygon: PolygonReading, part: Equation) -> str:
@@ -166,9 +160,6 @@ def instant_centre(polygon: PolygonReading, part: Equation) -> str:
         return ""
     words = {"point": names.point(site.point), "link": polygon.reading.link(site.link)}
     return polygon.reading.say("contacts.instant centre", name=polygon.seen(part.of, ""), **words)
-
-
-# --- polygons: solved together ------------------------------------------------------------------
 
 
 def solved_together(polygon: PolygonReading, step: kinds.Simultaneous) -> Iterator[Entry]:

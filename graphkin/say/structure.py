@@ -91,9 +91,6 @@ def _groups(mechanism: Mechanism, parts: Structure, lang: Lang) -> Iterator[str]
         yield say(f"structure.group {group.kind}", lang, **words, point=group.point, link=group.ternary)
 
 
-# --- redundant constraints ----------------------------------------------------------------------
-
-
 def redundant_constraints(method: Method, lang: Lang) -> Iterator[str]:
     """Each redundant (passive) constraint (虚约束): `guide high (guide low holds the same already)`."""
     for each in method.aside:

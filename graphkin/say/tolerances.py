@@ -21,9 +21,6 @@ _MOST_PAIRS = 10  # pairs of mistakes that are printed
 _SCALES = {"length": "μ_l = {} m/mm", "velocity": "μ_v = {} (m/s)/mm", "acceleration": "μ_a = {} (m/s²)/mm"}
 
 
-# --- tolerances -------------------------------------------------------------------------------
-
-
 def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
     """The pencil, a row a quantity, and the steps that cost most."""
     key, marking = tolerances.key, tolerances.key.marking
@@ -67,9 +64,6 @@ def _step(cost: Cost, lang: Lang) -> str:
     return say(step if is_phrase(step) else f"tolerances.step {mark.plane} reading", lang, **words)
 
 
-# --- power ------------------------------------------------------------------------------------
-
-
 def power_lines(power: Power, lang: Lang) -> Iterator[str]:
     """A row a mistake: at how many places it can be made, and what came of those who make it."""
     yield say("tolerances.power", lang, trials=power.trials)
@@ -107,9 +101,6 @@ def _power_row(name: str, powers: Sequence[MistakePower]) -> list[str]:
         return [name, *counts, "", "", "", "", ""]
     parts = [float(np.mean([getattr(one, what) for one in tellable])) for what in ("wrong", "named", "alone")]
     return [name, *counts, *(f"{part:.1%}" for part in parts), number(min(one.named for one in tellable)), ""]
-
-
-# --- the answers to a set of problems ---------------------------------------------------------
 
 
 def discriminability_lines(told: SetDiscriminability, lang: Lang) -> Iterator[str]:
