@@ -71,7 +71,7 @@ class HandoutProblem:
 
     @property
     def head(self) -> tuple[Section, ...]:
-        """What is given, what is asked, and the scales."""
+        """The sections before the first plane: given, asked, the scales."""
         return self._sections[1:4]
 
     @property

@@ -104,7 +104,18 @@ class AnswerLines:
             return 0.0
         match quantity:
             case Moving():
-                return self._size(quantity, exactly)
+                # as it was calculated, of the point or of that of one link (`v_C`, `v_C4`); else as it is read off
+                site, method = quantity.site, self.reading.method
+                holding = method.mechanism.owners.get(site.point, ())
+                links = {site.link, *(holding if site.link in holding else ())}
+                labels = [self.goal.symbol(quantity)]
+                for node in method.velocity.nodes.values() if quantity.seen_from is None else ():
+                    if node.site is not None and node.site.point == site.point and node.site.link in links:
+                        labels.append(names.vector(f"{quantity.letter}_{node.of}"))
+                if (known := next((label for label in labels if label in self.calculated), None)) is not None:
+                    return self.calculated[known]
+                plane: Plane = "velocity" if quantity.letter == "v" else "acceleration"
+                return exactly if ruler is None else float(ruler.read(exactly, plane).real)
             case Component():
                 return self._component("", quantity).value
             case Displacement() | Place() | Track() | Centre():
@@ -115,20 +126,6 @@ class AnswerLines:
                 return exactly
             case _:
                 assert_never(quantity)
-
-    def _size(self, quantity: Moving, exactly: float) -> float:
-        """The size of a vector as it was calculated; else as it is read off the polygon."""
-        site, method, ruler = quantity.site, self.reading.method, self.reading.ruler
-        owners = method.mechanism.owners.get(site.point, ())
-        links = {site.link, *(owners if site.link in owners else ())}
-        labels = [self.goal.symbol(quantity)]  # `v_C`, and `v_C4` of the point of one link
-        for node in method.velocity.nodes.values() if quantity.seen_from is None else ():
-            if node.site is not None and node.site.point == site.point and node.site.link in links:
-                labels.append(names.vector(f"{quantity.letter}_{node.of}"))
-        if (known := next((label for label in labels if label in self.calculated), None)) is not None:
-            return self.calculated[known]
-        plane: Plane = "velocity" if quantity.letter == "v" else "acceleration"
-        return exactly if ruler is None else float(ruler.read(exactly, plane).real)
 
     def _component(self, name: str, quantity: Component) -> Calculation:
         """`v_E,x = 0.3201 × cos 36.87° = 0.2561 m/s`."""

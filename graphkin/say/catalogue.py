@@ -23,7 +23,7 @@ SHARED_FILES: Mapping[str, tuple[str, ...]] = {
     "file_help": ("file_page", "file_keys"),
     "homework": ("problems", "assembly", "platforms", "feedback", "class_report"),
     "marking": ("marks", "verdicts", "tolerances", "discriminability"),
-    "results": ("checks",),
+    "results": ("checks", "structure"),
     "sheets": ("sheet", "diagrams", "pictures", "handouts"),
     "sweeps": ("finding",),
 }

@@ -9,7 +9,7 @@ from typing import assert_never
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import Reckon
 from graphkin.errors import Lang, listed
-from graphkin.model.mechanism import FRAME, Driver
+from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import Seen, common_link
 from graphkin.model.quantities import Moving, Quantity, Rotation, parts
 from graphkin.say import names
@@ -84,8 +84,6 @@ class LeverReader:
             return Sentence(self.reader.say("centres.together", name=self._shared(lever), **words))
         return Sentence(self.reader.say("centres.not told", name=self.rate(lever.link)))
 
-    # --- names ----------------------------------------------------------------------------------
-
     def rate(self, link: str) -> str:
         """`ω3`."""
         return names.of_link("ω", self.reader.mechanism.called(link))
@@ -135,8 +133,6 @@ class LeverReader:
             case _:
                 return (formula,), numbers
 
-    # --- notes ----------------------------------------------------------------------------------
-
     def _shared(self, lever: Lever) -> str:
         return names.point(self.levers.found.name(lever.base, lever.link))
 
@@ -175,7 +171,17 @@ def _velocities(reader: CentreReader, scale: float) -> Iterator[Entry]:
         return
     yield Sentence(reader.say("centres.scale", scale=names.SCALE["position"], value=number(scale)))
     levers = LeverReader(reader, Levers(reader.found, scale))
-    yield Sentence(reader.say("centres.given", what=_driver_rate(levers, driver)))
+    if driver.kind == "slide":  # `v_C = 0.2 m/s`
+        point, _, guide = driven_point(reader.mechanism, driver)
+        name = f"v_{names.point(point)}" if guide == FRAME else names.of_slide("ṡ", driver.link)
+        rate = f"{name} = {number(abs(driver.rate) if guide == FRAME else driver.rate)} m/s"
+    else:  # `ω1 = 10 rad/s (counter-clockwise)`
+        called, note = reader.mechanism.called, reader.say("common.note", note=sense(driver.rate, reader.lang))
+        name = levers.rate(driver.link)
+        if driver.from_link != FRAME:
+            name = names.relative("ω", called(driver.link), called(driver.from_link))
+        rate = f"{name} = {number(abs(driver.rate))} rad/s{note}"
+    yield Sentence(reader.say("centres.given", what=rate))
     yield from levers.entries(levers.levers.start(driver))
     lines = set[str]()
     asked = {text.strip(): parts(reader.mechanism, text) for text in reader.mechanism.ask}
@@ -191,20 +197,6 @@ def _velocities(reader: CentreReader, scale: float) -> Iterator[Entry]:
     rates = [text for text, halves in asked.items() if halves and halves[0].word in _RATES]
     if rates:
         yield Sentence(reader.say("centres.no accelerations", names=listed(map(names.symbols, rates), reader.lang)))
-
-
-def _driver_rate(levers: LeverReader, driver: Driver) -> str:
-    """`ω1 = 10 rad/s (counter-clockwise)`, `v_C = 0.2 m/s`: the given speed of one driver."""
-    reader, called = levers.reader, levers.reader.mechanism.called
-    if driver.kind == "slide":
-        point, _, guide = driven_point(reader.mechanism, driver)
-        if guide == FRAME:
-            return f"v_{names.point(point)} = {number(abs(driver.rate))} m/s"
-        return f"{names.of_slide('ṡ', driver.link)} = {number(driver.rate)} m/s"
-    name = levers.rate(driver.link)
-    if driver.from_link != FRAME:
-        name = names.relative("ω", called(driver.link), called(driver.from_link))
-    return f"{name} = {number(abs(driver.rate))} rad/s{reader.say('common.note', note=sense(driver.rate, reader.lang))}"
 
 
 def _answer(levers: LeverReader, *quantities: Quantity) -> Iterator[Entry]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 from math import degrees
 
@@ -26,25 +26,21 @@ def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
     words: dict[str, object] = {name: SentenceNumber(value) for name, value in numbers.items()}
     for name, place in board.places.items():
         words |= {f"{name}_x": SentenceNumber(place.real * 1e3), f"{name}_y": SentenceNumber(place.imag * 1e3)}
-    words |= _figures(numbers)
-    return [say(f"design.stage {stage.say}", lang, **words) for stage in construction.stages]
-
-
-def _figures(known: Mapping[str, float]) -> Iterator[tuple[str, str]]:
-    """The formulas of the sentences with their figures put in, of what there is on a board."""
-    if "K" in known and "theta" in known:
-        less, more, half_turn = figures(known["K"] - 1, known["K"] + 1, 180)
-        shown = written(half_turn * less / more, degrees(known["theta"]), _DIGITS)
-        yield "of_K", shown.replace("180", "180°", 1)
-    if {"AC1", "AC2", "a", "b"} <= known.keys():
-        short, long = sorted((known["AC1"] * 1e3, known["AC2"] * 1e3))
-        (one, other), (two,) = figures(short, long), figures(2)
-        yield "half_less", written((other - one) / two, known["a"] * 1e3, _DIGITS)
-        yield "half_more", written((one + other) / two, known["b"] * 1e3, _DIGITS)
+    # the formulas of the sentences with their figures put in, of what there is on the board
+    if "K" in numbers and "theta" in numbers:
+        less, more, half_turn = figures(numbers["K"] - 1, numbers["K"] + 1, 180)
+        ratio = written(half_turn * less / more, degrees(numbers["theta"]), _DIGITS)
+        words["of_K"] = ratio.replace("180", "180°", 1)
+    if {"AC1", "AC2", "a", "b"} <= numbers.keys():
+        short, long = sorted((numbers["AC1"] * 1e3, numbers["AC2"] * 1e3))
+        one, other, two = figures(short, long, 2)
+        words["half_less"] = written((other - one) / two, numbers["a"] * 1e3, _DIGITS)
+        words["half_more"] = written((one + other) / two, numbers["b"] * 1e3, _DIGITS)
     for link, divisor in (("a", "R1"), ("c", "R2")):
-        if {link, divisor, "d"} <= known.keys():
-            frame, by = figures(known["d"] * 1e3, known[divisor])
-            yield f"of_{divisor}", written(frame / by, known[link] * 1e3, _DIGITS)
+        if {link, divisor, "d"} <= numbers.keys():
+            frame, by = figures(numbers["d"] * 1e3, numbers[divisor])
+            words[f"of_{divisor}"] = written(frame / by, numbers[link] * 1e3, _DIGITS)
+    return [say(f"design.stage {stage.say}", lang, **words) for stage in construction.stages]
 
 
 def phrased(reason: Reason, lang: Lang) -> str:

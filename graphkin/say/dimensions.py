@@ -133,7 +133,7 @@ def _corner(reading: Reading, slide: Slide) -> str:
 
 def dimensions(reading: Reading) -> list[str]:
     """`AD = 78 mm`, `AB = 24 mm`, .. link by link; then offsets of guides, radii of wheels, driven rates."""
-    tables = (_lengths, _offsets, _radii, _drivers)
+    tables = (_lengths, _offsets, _radii_and_rates)
     return [*dict.fromkeys(text for table in tables for text in table(reading))]
 
 
@@ -188,25 +188,22 @@ def _offsets(reading: Reading) -> Iterator[str]:
                 yield f"h_{names.point(points[0])} = {given_figure(off * 1000)} mm"
 
 
-def _radii(reading: Reading) -> Iterator[str]:
+def _radii_and_rates(reading: Reading) -> Iterator[str]:
+    """`r2 = 20 mm` of wheels and profiles; `s_ram = 90 mm` of driven slides, then `φ1 = 30°` and the rates of all."""
     for link, _, size in (rim for gear in reading.mechanism.of(Gear) for rim in gear.circles):
         yield radius(reading, link, size).text
     for roll in reading.mechanism.of(RollingContact):
         yield radius(reading, roll.wheel, roll.radius).text
     for centre, size in reading.circles:
         yield circle(reading, centre, size).text
-
-
-def _drivers(reading: Reading) -> Iterator[str]:
-    """`s_ram = 90 mm` of driven slides, then `φ1 = 30°` and the rates of all."""
     drivers = [(driver, driven(reading, k, driver)) for k, driver in enumerate(reading.mechanism.drivers)]
     yield from (place.text for driver, (place, *_) in drivers if driver.kind == "slide")
     for driver, (place, *rates) in drivers:
         if driver.kind == "angle" and driver.value is not None:
             yield place.text
-        for size in rates:
-            if size.value:
-                yield replace(size, value=size.value if driver.kind == "slide" else abs(size.value)).text
+        for rate in rates:
+            if rate.value:
+                yield replace(rate, value=rate.value if driver.kind == "slide" else abs(rate.value)).text
 
 
 def measured_lengths(reading: Reading) -> list[tuple[str, str]]:

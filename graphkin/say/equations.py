@@ -20,12 +20,16 @@ def equation(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     if sentence := _translation(polygon, part):
         yield polygon.sentence(next(step for step in part.steps if isinstance(step, kinds.LayOff)), sentence)
         return
-    if chosen := _choice(polygon, part):
-        yield Sentence(chosen)
+    both_sides, reading = part.left + part.right, polygon.reading
+    # why the coincident points lie there: said with the velocities, where there is a choice
+    known = {term.sites[0].point: term for term in both_sides if isinstance(term.size, terms.Drawn) and term.sites}
+    slips = (term.sites[0].point for term in both_sides if _coincident(term) and term.size is None and term.sites)
+    met = next((point for point in slips if point in known), "")
+    if polygon.plane == "velocity" and met and polygon.size(known[met].tail, known[met].head):
+        yield Sentence(reading.say("derivation.chosen", point=names.point(met), known=polygon.vector(known[met])))
     yield from same_velocities(polygon, part)
     yield Sentence(_introduction(polygon, part))
     yield worded(polygon, part)
-    both_sides, reading = part.left + part.right, polygon.reading
     for term in both_sides:  # of the Coriolis term of a pin, the link whose rotation it has
         if isinstance(term.size, terms.Coriolis) and any(reading.method.structure.is_pin(s.link) for s in term.sites):
             words = {"point": names.point(term.sites[0].point), "link": reading.link(term.size.link)}
@@ -89,17 +93,6 @@ def _introduction(polygon: PolygonReading, part: Equation) -> str:
         return say(f"derivation.from relations, {polygon.plane}", relations=joined)
     motion = say(f"derivation.motion {polygon.plane}")
     return say("derivation.plain equation", of=names.point(part.of), motion=motion)
-
-
-def _choice(polygon: PolygonReading, part: Equation) -> str:
-    """The reason for the place of the coincident points: said with the velocities, where there is a choice."""
-    both_sides = part.left + part.right
-    known = {term.sites[0].point: term for term in both_sides if isinstance(term.size, terms.Drawn) and term.sites}
-    slips = (term.sites[0].point for term in both_sides if _coincident(term) and term.size is None and term.sites)
-    met = next((point for point in slips if point in known), "")
-    if polygon.plane == "velocity" and met and polygon.size(known[met].tail, known[met].head):
-        return polygon.reading.say("derivation.chosen", point=names.point(met), known=polygon.vector(known[met]))
-    return ""
 
 
 def _relation(polygon: PolygonReading, term: Term) -> str:

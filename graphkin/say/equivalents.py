@@ -28,10 +28,9 @@ def _cam(reading: Reading, cam: Cam) -> Iterator[Entry]:
     match cam.equivalent:
         case Rod() as rod:
             (one, other), ((_, _, radius), (_, _, more)) = map(names.point, rod.points), cam.circles
-            if radius and more:
-                key, length = "contacts.circles touch", _distance(rod.points, (radius, more), cam.internal)
-            else:
-                key, length = "contacts.edge on circle", f"{names.pair(*rod.points)} = {number(1000 * rod.length)} mm"
+            length = f"{names.pair(*rod.points)} = {number(1000 * rod.length)} mm"
+            length = _distance(rod.points, (radius, more), cam.internal) if radius and more else length
+            key = "contacts.circles touch" if radius and more else "contacts.edge on circle"
             one, other = (one, other) if radius else (other, one)
             yield Sentence(reading.say(key, first=one, second=other, length=length, link=names.point(rod_name(cam))))
         case Slot() as slot:

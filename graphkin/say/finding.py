@@ -16,7 +16,7 @@ from graphkin.say.catalogue import say
 from graphkin.say.figures import Operand, written
 from graphkin.say.numbers import exact, in_print, number, quantity
 from graphkin.say.text_table import table
-from graphkin.studies.finding.answers import Findings, Interval, Position, SlowPoint
+from graphkin.studies.finding.answers import Findings, Interval, Position
 from graphkin.studies.finding.conditions import Comparison, Condition, Extreme, Scaling, Slowest
 from graphkin.studies.finding.varying import VaryingTable
 
@@ -109,7 +109,15 @@ def _lines(findings: Findings, lang: Lang) -> Iterator[str]:
             searched += say("finding.turn", lang)
     yield _heading(condition, lang) + _note(searched, lang)
     if isinstance(condition, Slowest):
-        yield from (f"  {_slow(findings, entry, lang)}" for entry in findings.slow)
+        for entry in findings.slow:
+            first, second = entry.points
+            data = {"at": _at(findings, entry.position), "line": first + second, "speed": quantity(entry.speed, "m/s")}
+            if entry.along is None:
+                yield "  " + say("finding.alike", lang, **data)
+                continue
+            key = "behind" if entry.along < 0 else "beyond" if entry.along > entry.length else "between"
+            data |= {"first": first, "second": second, "along": quantity(abs(entry.along), "m")}
+            yield "  " + say(f"finding.slow {key}", lang, **data)
     elif isinstance(condition, Scaling):
         yield from (f"  {line}" for line in _scaling(findings, condition, lang))
     else:
@@ -177,16 +185,6 @@ def _stroke(findings: Findings, lang: Lang) -> Iterator[str]:
     angles = Operand(degrees(stroke.advance.angle)) / Operand(degrees(stroke.retreat.angle))
     ratio = f"{written(angles, stroke.ratio, _DIGITS)} = {number(stroke.ratio, digits=_DIGITS)}"
     yield say("finding.ratio", lang, value=ratio)
-
-
-def _slow(findings: Findings, entry: SlowPoint, lang: Lang) -> str:
-    first, second = entry.points
-    data = {"at": _at(findings, entry.position), "line": first + second, "speed": quantity(entry.speed, "m/s")}
-    if entry.along is None:
-        return say("finding.alike", lang, **data)
-    key = "behind" if entry.along < 0 else "beyond" if entry.along > entry.length else "between"
-    along = quantity(abs(entry.along), "m")
-    return say(f"finding.slow {key}", lang, first=first, second=second, along=along, **data)
 
 
 def _scaling(findings: Findings, scaling: Scaling, lang: Lang) -> Iterator[str]:

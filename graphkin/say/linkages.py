@@ -61,9 +61,10 @@ def lines(report: Report, lang: Lang) -> Iterator[str]:
     yield say(f"linkages.why {report.kind}", lang, **names, reach=reach)
     yield from _equal(report, lang)
     frame = say("linkages.frame", lang)
-    for key, full in (("linkages.full", True), ("linkages.rocks", False)):
+    for full in (True, False):
         turns = [turn for turn in report.turns if turn.full == full]
         pairs = [f"{turn.first}–{frame if turn.second == FRAME else turn.second}" for turn in turns]
+        key = "linkages.full" if full else "linkages.rocks"
         yield say(key, lang, pairs=_list(pairs, lang) or say("linkages.nothing", lang))
     yield from _limits(report, lang)
     yield from _ratio(report, lang)

@@ -41,8 +41,6 @@ class PolygonReading:
         """The sentence of an act of the pencil, with its number."""
         return Sentence(text, self.reading.act(self.plane, step))
 
-    # --- the ruler ------------------------------------------------------------------------------
-
     @cached_property
     def noise(self) -> float:
         """Arrows up to this are none [SI]."""
@@ -67,8 +65,6 @@ class PolygonReading:
 
     def angle(self, tail: str, head: str) -> str:
         return self.reading.angle(self.arrow(tail, head))
-
-    # --- names ----------------------------------------------------------------------------------
 
     @cached_property
     def _names(self) -> dict[tuple[str, str], str]:
@@ -107,8 +103,6 @@ class PolygonReading:
     @property
     def rate_unit(self) -> str:
         return "rad/s" if self.plane == "velocity" else "rad/s²"
-
-    # --- directions -----------------------------------------------------------------------------
 
     @cached_property
     def laid_off(self) -> dict[str, Term]:
@@ -165,8 +159,6 @@ class PolygonReading:
         if term.size is None:
             return self.line_direction(term.direction, relatives)
         return self.direction(term.direction, relatives)
-
-    # --- measured -------------------------------------------------------------------------------
 
     def measured(self, tail: str, head: str, name: str = "", note: str = "") -> Calculation:
         """`v_B3 = μ_v·pb3 = 0.01 × 27.12 = 0.2712 m/s`."""

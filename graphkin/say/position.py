@@ -105,8 +105,12 @@ class PositionReader(Tangents):
                     yield Sentence(self._corner(link, corners))
             case kinds.Measure("theta", of):
                 self.waiting.append(of)
-                self.ends |= dict.fromkeys((of, *self.reading.group(of)), (step.tail, step.head))
-                self.reached |= _corner_between(step)
+                ends = (step.tail, step.head)
+                self.ends |= dict.fromkeys((of, *self.reading.group(of)), ends)
+                parts = step.span.parts if step.span is not None else ()
+                if len(parts) == 2 and isinstance(parts[0], terms.Arm) and isinstance(parts[1], terms.Arm):
+                    # the point at which both arms of a reach meet
+                    self.reached |= {parts[0].head: ends} if parts[0].head == parts[1].tail else {}
             case kinds.Measure(_, of):
                 yield from self._slide(of)
             case kinds.Roll():
@@ -119,8 +123,6 @@ class PositionReader(Tangents):
                 raise AssertionError("positions are fitted")
             case _:
                 assert_never(step)
-
-    # --- laid off -------------------------------------------------------------------------------
 
     def _lay_off(self, step: kinds.LayOff) -> str:
         reading = self.reading
@@ -172,8 +174,6 @@ class PositionReader(Tangents):
         words |= {"first": lengths[0], "second": lengths[1], "way": reading.way_round(corners, ccw)}
         return reading.say("derivation.shape corner", **words)
 
-    # --- where lines cross ----------------------------------------------------------------------
-
     def _meet(self, step: kinds.Meet) -> str:
         reading = self.reading
         words = {"first": capitalized(self._locus(step.first)), "second": self._locus(step.second)}
@@ -202,8 +202,6 @@ class PositionReader(Tangents):
         angle = degrees(complex(reading.plot.direction(locus.direction)))
         at = reading.say("derivation.at direction", angle=angle)
         return reading.say("derivation.line parallel", through=reading.place(locus.through), direction=at)
-
-    # --- measured -------------------------------------------------------------------------------
 
     def _open(self) -> Iterator[tuple[int, Driver]]:
         """The driven angles that the file leaves to a pose."""
@@ -250,14 +248,6 @@ class PositionReader(Tangents):
         else:
             return  # where it has come to lie is all there is of it
         yield Sentence(reading.say("derivation.measured slide", length=text))
-
-
-def _corner_between(step: kinds.Measure) -> dict[str, tuple[str, str]]:
-    """The point at which both arms of a reach meet, with the ends of these."""
-    parts = step.span.parts if step.span is not None else ()
-    if len(parts) != 2 or not (isinstance(parts[0], terms.Arm) and isinstance(parts[1], terms.Arm)):
-        return {}
-    return {parts[0].head: (step.tail, step.head)} if parts[0].head == parts[1].tail else {}
 
 
 def _crossing(reading: Reading, step: kinds.Meet, circle: kinds.Arc) -> str:

@@ -9,7 +9,7 @@ from itertools import combinations
 from math import degrees, remainder
 
 from graphkin.base.geometry import dot
-from graphkin.model.mechanism import FRAME, Driver, Pose
+from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
 from graphkin.say.dimensions import Size, beside, circle, driven, guide_angle, millimetres, radius, sides
@@ -32,7 +32,19 @@ def problem_data(reading: Reading) -> Iterator[Entry]:
     drivers = [_driver(reading, k, driver) for k, driver in enumerate(reading.mechanism.drivers)]
     yield Sentence(reading.say("derivation.given", drivers=between.join(drivers)))
     if reading.mechanism.poses:
-        poses = [_pose(reading, pose) for pose in reading.mechanism.poses]
+        poses = []  # conditions that held when the mechanism was drawn
+        for pose in reading.mechanism.poses:
+            if pose.vector is None:
+                place = f"{names.of_slide('s', pose.link)} = {given_figure(pose.value * 1000)} mm"
+                words = {"slide": reading.slide_name(pose.link), "place": place}
+                key = f"derivation.driven {_kind(reading, pose.link)}"
+            else:
+                angle = f"{given_figure(degrees(pose.value))}°"
+                words = {"line": _points(pose.vector), "link": reading.link(pose.link), "angle": angle}
+                key = "derivation.pose line" if pose.from_vector is None else "derivation.pose joint"
+            if pose.vector is not None and pose.from_vector is not None:
+                words |= {"other": _points(pose.from_vector), "seen_from": reading.link(pose.from_link)}
+            poses.append(reading.say(key, **words))
         yield Sentence(reading.say("derivation.posed", poses=between.join(poses)))
 
 
@@ -56,20 +68,6 @@ def solution_head(reading: Reading, leaves_out: bool) -> Iterator[Entry]:
 def _points(line: tuple[str, str]) -> str:
     """Two points of a link in the order of their direction."""
     return "".join(map(names.point, line))
-
-
-def _pose(reading: Reading, pose: Pose) -> str:
-    """A condition that held when the mechanism was drawn."""
-    if pose.vector is None:
-        place = f"{names.of_slide('s', pose.link)} = {given_figure(pose.value * 1000)} mm"
-        slide = reading.slide_name(pose.link)
-        return reading.say(f"derivation.driven {_kind(reading, pose.link)}", slide=slide, place=place)
-    words = {"line": _points(pose.vector), "link": reading.link(pose.link)}
-    words["angle"] = f"{given_figure(degrees(pose.value))}°"
-    if pose.from_vector is None:
-        return reading.say("derivation.pose line", **words)
-    other, seen_from = _points(pose.from_vector), reading.link(pose.from_link)
-    return reading.say("derivation.pose joint", other=other, seen_from=seen_from, **words)
 
 
 def _kind(reading: Reading, slide: str) -> str:
@@ -179,23 +177,21 @@ def _rolling(reading: Reading, pair: RollingContact) -> str:
 
 
 def _cam(reading: Reading, pair: Cam) -> str:
-    one, other = (_profile(reading, pair, k) for k in (0, 1))
+    texts = []
+    for profile, member, facing in zip(pair.profiles, pair.links, reversed(pair.profiles), strict=True):
+        link, centre = reading.link(member), names.point(profile.centre or "")
+        if profile.line is not None:
+            other = names.point(facing.centre or "")
+            side = reading.say("solution.wheel left" if profile.left else "solution.wheel right", centre=other)
+            texts.append(reading.say("solution.flat face", link=link, line=_track(reading, profile.line), side=side))
+        elif not profile.radius:
+            texts.append(reading.say("solution.knife edge", link=link, point=centre))
+        else:
+            size = circle(reading, profile.centre or "", profile.radius).text
+            texts.append(reading.say("solution.circle", link=link, centre=centre, radius=size))
     where = reading.say("solution.inside" if pair.internal else "solution.outside")
     touch = reading.note(where) if all(profile.radius for profile in pair.profiles) else ""
-    return reading.say("solution.cam", first=capitalized(one), second=other, where=touch)
-
-
-def _profile(reading: Reading, pair: Cam, k: int) -> str:
-    profile, link = pair.profiles[k], reading.link(pair.links[k])
-    if profile.line is not None:
-        centre = names.point(pair.profiles[1 - k].centre or "")
-        side = reading.say("solution.wheel left" if profile.left else "solution.wheel right", centre=centre)
-        return reading.say("solution.flat face", link=link, line=_track(reading, profile.line), side=side)
-    centre = names.point(profile.centre or "")
-    if not profile.radius:
-        return reading.say("solution.knife edge", link=link, point=centre)
-    size = circle(reading, profile.centre or "", profile.radius).text
-    return reading.say("solution.circle", link=link, centre=centre, radius=size)
+    return reading.say("solution.cam", first=capitalized(texts[0]), second=texts[1], where=touch)
 
 
 PAIR_SENTENCES: Mapping[type[Pair], Callable[..., str]] = {

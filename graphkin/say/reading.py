@@ -72,8 +72,6 @@ class Reading:
         """Facts of both polygons that drivers at rest hold still."""
         return frozenset() if self.apart else at_rest(self.method, self.plot.facts)
 
-    # --- words --------------------------------------------------------------------------------
-
     def say(self, key: str, /, **words: object) -> str:
         return say_close(key, self.lang, **words)
 
@@ -104,8 +102,6 @@ class Reading:
     def way_round(self, points: Iterable[str], ccw: bool) -> str:
         """`B→C→E counter-clockwise`: the sense in which corners follow one another."""
         return self.say("common.way round", way="→".join(map(names.point, points)), sense=self.sense(1 if ccw else -1))
-
-    # --- links --------------------------------------------------------------------------------
 
     def body(self, link: str) -> str:
         """The link that turns as this body does: a pin turns with its slot."""
@@ -191,8 +187,6 @@ class Reading:
         """The point of a link as written where several links have one there: `B3`."""
         return Labels(self.method.structure, {}).numbered(point, self.body(link))
 
-    # --- numbers of the mechanism --------------------------------------------------------------
-
     @property
     def usual(self) -> Usual:
         """Usual sizes of this mechanism; what is far below is nothing."""
@@ -250,8 +244,6 @@ class Reading:
     def place_on_paper(self, place: complex) -> str:
         """Coordinates on paper, in mm."""
         return f"({self.on_paper(place.real)}, {self.on_paper(place.imag)})"
-
-    # --- slides ---------------------------------------------------------------------------------
 
     def slide_name(self, slide: str) -> str:
         """The name by which people call a named slide or roll."""

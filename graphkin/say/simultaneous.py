@@ -44,7 +44,17 @@ def _trial(reading: Reading, step: kinds.Fit, members: list[str], turning: set[s
         return reading.say("contacts.fit train", links=links, relations=reading.listed(relations))
     if all(closure.floats for closure in step.closures):
         return reading.say("contacts.fit floating", links=links, lengths=reading.listed(_arms(reading, step, "")))
-    template, drivers = _template(reading, step), reading.relative_drivers(turning)
+    structure, ends = reading.method.structure, dict[str, set[str]]()
+    for part in (part for closure in step.closures for part in closure.parts):
+        if isinstance(part, terms.Arm):
+            ends.setdefault(part.link, set()).update((part.tail, part.head))
+        else:
+            pair = structure.slides[part.slide]
+            ends.setdefault(pair.guide, set()).add(part.slide)
+            ends.setdefault(structure.block(pair), set()).add(part.slide)
+    joints = Counter({reading.body(link): len(held) for link, held in ends.items() if reading.body(link) != FRAME})
+    template = joints.most_common(1)[0][0]  # the link that most of the group's joints hold
+    drivers = reading.relative_drivers(turning)
     angles = [driven(reading, k, reading.method.drivers[k])[0].text for k in drivers]
     words = {"links": links, "template": reading.link(template)}
     words["lengths"] = reading.listed(_arms(reading, step, template))
@@ -63,20 +73,6 @@ def _trial(reading: Reading, step: kinds.Fit, members: list[str], turning: set[s
 def _members(reading: Reading, base: str) -> list[str]:
     """The links that turn with a base link, itself first."""
     return list(dict.fromkeys([reading.body(base), *reading.group(base)]))
-
-
-def _template(reading: Reading, step: kinds.Fit) -> str:
-    """The link that most of the group's joints hold."""
-    structure, ends = reading.method.structure, dict[str, set[str]]()
-    for part in (part for closure in step.closures for part in closure.parts):
-        if isinstance(part, terms.Arm):
-            ends.setdefault(part.link, set()).update((part.tail, part.head))
-        else:
-            pair = structure.slides[part.slide]
-            ends.setdefault(pair.guide, set()).add(part.slide)
-            ends.setdefault(structure.block(pair), set()).add(part.slide)
-    joints = Counter({reading.body(link): len(held) for link, held in ends.items() if reading.body(link) != FRAME})
-    return joints.most_common(1)[0][0]
 
 
 def _arms(reading: Reading, step: kinds.Fit, template: str) -> list[str]:

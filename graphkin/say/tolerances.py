@@ -33,25 +33,24 @@ def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
     yield say(allowed, lang, sigmas=f"{marking.sigmas:g}", part=f"{marking.relative:.3g}")
     heads = ("marks.column quantity", "marks.column right value", "tolerances.column scatter", "verdicts.tolerance",
              "tolerances.column part", "marks.column unit", "tolerances.column worst step")  # fmt: skip
-    yield from marks_table([[say(name, lang) for name in heads], *_rows(tolerances, lang)])
-    yield say("tolerances.asked", lang)
-    yield ""
-    yield say("tolerances.costs", lang)
-    yield from (f"  {cost.over_all:6.1%}  {_step(cost, lang)}" for cost in tolerances.costs[:_MOST_STEPS])
-
-
-def _rows(tolerances: Tolerances, lang: Lang) -> Iterator[list[str]]:
+    rows = [[say(name, lang) for name in heads]]
     for entry in sorted(tolerances.entries, key=lambda entry: entry.points == 0):
         name = f"{in_signs(entry.text, lang)}{' *' if entry.points else ''}"
         right, scatter = edge_value(entry.right, entry.unit), edge_value(entry.scatter, entry.unit)
         unit = EDGE[entry.unit].sign
         if entry.doubt in ("dead point", "too small"):
-            yield [name, right, scatter, "", "", unit, say(f"verdicts.verdict {entry.doubt}", lang)]
+            rows.append([name, right, scatter, "", "", unit, say(f"verdicts.verdict {entry.doubt}", lang)])
             continue
         part, worst = f"{entry.tolerance / abs(entry.right):.1%}" if entry.right else "", tolerances.worst(entry.text)
         cost = "" if worst is None else f"{_step(worst, lang)} ({worst.parts[entry.text]:.0%})"
         steep = say("tolerances.steep", lang) if entry.doubt else ""
-        yield [name, right, scatter, f"±{edge_value(entry.tolerance, entry.unit)}", part, unit, f"{cost}{steep}"]
+        tolerance = f"±{edge_value(entry.tolerance, entry.unit)}"
+        rows.append([name, right, scatter, tolerance, part, unit, f"{cost}{steep}"])
+    yield from marks_table(rows)
+    yield say("tolerances.asked", lang)
+    yield ""
+    yield say("tolerances.costs", lang)
+    yield from (f"  {cost.over_all:6.1%}  {_step(cost, lang)}" for cost in tolerances.costs[:_MOST_STEPS])
 
 
 def _step(cost: Cost, lang: Lang) -> str:

@@ -4,7 +4,6 @@ from graphkin.say.catalogue import Phrases
 
 # fmt: off
 PHRASES: Phrases = {
-    # --- frame of the text
     "derivation.direction row": ("direction:", "方向："),
     "derivation.size row": ("magnitude:", "大小："),
     "derivation.given": ("Drivers: {drivers}.", "原动件：{drivers}。"),
@@ -22,16 +21,13 @@ PHRASES: Phrases = {
     "derivation.plane position": ("(1) The mechanism, drawn to scale", "(1) 作机构运动简图"),
     "derivation.plane velocity": ("({number}) Velocities", "({number}) 作速度分析"),
     "derivation.plane acceleration": ("({number}) Accelerations", "({number}) 作加速度分析"),
-    # --- drivers
     "derivation.driven link": ("{line} of link {link} makes {angle} with +x", "构件 {link} 的 {line} 与 x 轴正向成 {angle}"),
     "derivation.driven joint": ("{line} of link {link} is turned by {angle} from {other} of link {seen_from}",
                                 "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}"),
     "derivation.driven slide": ("slide {slide} is at {place}", "移动副 {slide} 的位移 {place}"),
-    # --- places and lines
     "derivation.guide of": ("guide {name}", "{name} 导路"),
     "derivation.guide of link": ("the guide of link {link}", "构件 {link} 的导路"),
     "derivation.origin of": ("the start of guide {name}", "{name} 导路的起点"),
-    # --- position
     "derivation.fixed points": ("Fixed points, in mm on paper: {points}.", "定出固定点（图上 mm）：{points}。"),
     "derivation.fixed guide": ("The line of {guide}: through {place} at {angle} to +x.",
                                "{guide}：过 {place}、与 x 轴正向成 {angle} 的直线。"),
@@ -100,7 +96,6 @@ PHRASES: Phrases = {
     "derivation.measured used": ("Measured, as needed below: {lengths}.", "由图量得下文所用长度：{lengths}。"),
     "derivation.ruled": ("{paper}, so {real}", "{paper}，故 {real}"),
     "derivation.angle of": ("{name} = {angle} ({arrow})", "{name} = {angle}（{arrow}）"),
-    # --- polygons: the start
     "derivation.pole last": ("Both sides start with an unknown vector, so the pole {pole} is found last; the fixed "
                              "points lie on it.",
                              "方程两边都以未知矢量开始，故极点 {pole} 最后确定；固定点与 {pole} 重合。"),
@@ -131,7 +126,6 @@ PHRASES: Phrases = {
     "derivation.never turn, several": ("Links {links} can only translate: {rates}, and all points of such a link move "
                                        "alike.",
                                        "构件 {links} 只能移动：{rates}，同一构件上各点的速度、加速度均相同。"),
-    # --- polygons: equations
     "derivation.points of link": ("{of} and {seen_from} are points of link {link}",
                                   "构件 {link} 上 {of}、{seen_from} 两点之间"),
     "derivation.coincident": ("{of} and {seen_from} are coincident points", "重合点 {of}、{seen_from} 之间"),
@@ -146,7 +140,6 @@ PHRASES: Phrases = {
                                "因 {alpha} = 0，{of} 相对 {seen_from} 只有法向加速度。"),
     "derivation.translates": ("Link {link} only translates: {of} = {seen_from}, so {node} falls on {base}.",
                               "构件 {link} 只作移动：{of} = {seen_from}，{node} 与 {base} 重合。"),
-    # --- polygons: known sizes
     "derivation.sense of": ("{direction} in the sense of {rate}", "{direction}，指向与 {rate} 的转向一致"),
     "derivation.no turning": ("as {rate} = 0", "因 {rate} = 0"),
     "derivation.no sliding": ("as {relative} = 0", "因 {relative} = 0"),
@@ -160,7 +153,6 @@ PHRASES: Phrases = {
     "derivation.slide grows": ("{direction}, in the direction of increasing {s}", "{direction}，指向 {s} 增大的方向"),
     "derivation.slide shrinks": ("{direction}, in the direction of decreasing {s}", "{direction}，指向 {s} 减小的方向"),
     "derivation.at angle": ("{direction}, at {angle} to +x", "{direction}，与 x 轴正向成 {angle}"),
-    # --- polygons: the pencil
     "derivation.lay off": ("From {start} lay off {length}.", "由 {start} 作矢量 {length}。"),
     "derivation.lay off backwards": ("{name} has to end at {start}: lay it off backwards from there, {length}.",
                                      "{name} 的末端须在 {start}：由 {start} 逆向作 {length}。"),
@@ -175,7 +167,6 @@ PHRASES: Phrases = {
                                        "{first_direction} 与 {second_direction} 两方向线均过 {first}，故 {point} 与 {first} 重合。"),
     "derivation.measured": ("Measured: {lengths}; hence", "由图量得 {lengths}，于是得"),
     "derivation.at direction": ("at {angle} to +x", "与 x 轴正向成 {angle}"),
-    # --- polygons: rotation
     "derivation.sense rule": ("{sense}: {stretch}, carried to {head} in the mechanism, turns {head} about {tail} in "
                               "the sense of {rate}",
                               "{sense}：将 {stretch} 平移至机构图上的 {head} 点，其绕 {tail} 点的转向即为 {rate} 的方向"),
@@ -188,7 +179,6 @@ PHRASES: Phrases = {
     "derivation.negative": ("negative: clockwise", "负值，为顺时针"),
     "derivation.tangential part": ("Resolve {ends} along and across {line}. The part across it is {tangential}.",
                                    "将 {ends} 沿 {line} 及其垂直方向分解，垂直分量为 {tangential}。"),
-    # --- polygons: images
     "derivation.image velocity": ("Velocity image", "速度影像"),
     "derivation.image acceleration": ("Acceleration image", "加速度影像"),
     "derivation.image triangle": ("{image} of link {link}: {small} is similar to {large}, both lettered {sense}; this "
@@ -199,10 +189,8 @@ PHRASES: Phrases = {
                               "利用{image}：{corner} 在 {large} 线上（构件 {link}），故 {point} 在 {small} 线上：{ratio}。"),
     "derivation.image point": ("{image} of link {link}: {small} is a single point, so {point} falls on it too.",
                                "利用{image}：构件 {link} 的影像 {small} 缩为一点，故 {point} 也在该点。"),
-    # --- polygons: slides
     "derivation.grows": ("So {stretch} increases at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率增大。"),
     "derivation.shrinks": ("So {stretch} decreases at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率减小。"),
-    # --- given
     "derivation.driven wheel": ("wheel {link} turns", "轮 {link} 转动"),
     "derivation.driven roll": ("the rolling contact {slide} is at {place}", "滚动副 {slide} 的位移 {place}"),
     "derivation.driven slide free": ("slide {slide} is driven", "移动副 {slide} 为主动"),

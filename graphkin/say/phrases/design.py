@@ -112,7 +112,6 @@ PHRASES: Phrases = {
     "design.stage inverted lengths": ("Measure l_BC = B1C1 = {b:mm}, l_CD = C1D = {c:mm}; DC1 makes an angle of "
                                       "{psi01:deg} with AD.",
                                       "量得 l_BC = B1C1 = {b:mm}，l_CD = C1D = {c:mm}；DC1 与 AD 成 {psi01:deg}。"),
-    # --- why something is no solution, or a poor one
     "design.reason minor": ("A lies on the minor arc C1C2: there the chord is seen under 180° − θ, not θ.",
                             "A 在劣弧 C1C2 上：该处圆周角为 180° − θ，而不是 θ。"),
     "design.reason FG": ("A lies on the arc FG: C1 and C2 belong to different assemblies, and the linkage cannot move "
@@ -167,7 +166,6 @@ PHRASES: Phrases = {
     "design.reason inverted in line": ("B1, B2', B3' lie in one line: C1 is at infinity. Change the crank's length, "
                                        "or a pair.",
                                        "B1、B2'、B3' 共线：C1 在无穷远处。请改变曲柄长度或其中一组角度。"),
-    # --- what was found
     "design.heading rocker": ("Crank-rocker from swing and K", "按行程速度变化系数 K 设计曲柄摇杆机构"),
     "design.heading slider": ("Slider-crank from stroke and K", "按行程速度变化系数 K 设计曲柄滑块机构"),
     "design.heading guide-bar": ("Oscillating guide bar from K", "按行程速度变化系数 K 设计摆动导杆机构"),
@@ -193,7 +191,6 @@ PHRASES: Phrases = {
     "design.arcs": ("from {start:deg} to {end:deg}", "{start:deg} 至 {end:deg}"),
     "design.slow ccw": ("slow stroke C1 to C2 with the crank counter-clockwise", "曲柄逆时针转动时 C1 至 C2 为慢行程"),
     "design.slow cw": ("slow stroke C1 to C2 with the crank clockwise", "曲柄顺时针转动时 C1 至 C2 为慢行程"),
-    # --- files
     "design.title rocker": ("Crank-rocker from K", "曲柄摇杆机构设计"),
     "design.title slider": ("Slider-crank from K", "曲柄滑块机构设计"),
     "design.title guide-bar": ("Oscillating guide bar from K", "摆动导杆机构设计"),

@@ -4,7 +4,6 @@ from graphkin.say.catalogue import Phrases
 
 # fmt: off
 PHRASES: Phrases = {
-    # headings
     "equations.method complex": ("Method of complex vectors", "复数矢量法"),
     "equations.method matrix": ("Matrix method", "矩阵法"),
     "equations.polygon": ("Vector polygon {number}: {names}", "矢量多边形 {number}：{names}"),
@@ -15,13 +14,10 @@ PHRASES: Phrases = {
     "equations.acceleration": ("Acceleration", "加速度分析"),
     "equations.point": ("Point {name}", "{name} 点的运动"),
     "equations.legend": ("Symbols", "符号说明"),
-    # tables
     "equations.symbol": ("symbol", "符号"),
     "equations.meaning": ("meaning", "含义"),
     "equations.value": ("value", "数值"),
-    # figure
     "equations.figure": ("The mechanism with its link vectors", "机构的杆矢量图"),
-    # polygons
     "equations.every vector": ("Every link is a vector with a length l and a direction θ, counted counter-clockwise "
                                "from the x axis; a displacement s is the length of a vector that changes. i is the "
                                "imaginary unit; {euler}.",
@@ -45,7 +41,6 @@ PHRASES: Phrases = {
     "equations.derived again": ("Differentiated with respect to time once more:", "再对时间求导，可得"),
     "equations.derived again steady": ("Differentiated with respect to time once more, with {zero}:",
                                        "再对时间求导（{zero}），可得"),
-    # positions
     "equations.eliminate angle": ("To eliminate {other}, its vectors are left alone on one side, both sides are "
                                   "squared and added. This gives an equation for {angle}:",
                                   "将含 {other} 的项单独留在等式一端，两端平方后相加，消去 {other}，得关于 {angle} 的方程"),
@@ -72,7 +67,6 @@ PHRASES: Phrases = {
     "equations.linear": ("These {count} rolling relations are linear: eliminating one unknown after the other gives "
                          "them in closed form.",
                          "上列 {count} 个滚动关系均为线性方程，逐一消元即得封闭解。"),
-    # rates
     "equations.rates": ("Each unknown is found from the scalar product of both sides with the unit vector at right "
                         "angles to the other unknown's vector, which eliminates that one:",
                         "为逐一求出各未知量，将等式两端点乘与另一未知矢量垂直的单位矢量以消去之，得"),
@@ -80,9 +74,7 @@ PHRASES: Phrases = {
                                    "the drawn position:",
                                    "由无滑动滚动条件（相对于系杆）得转角关系，常数由给定位置确定："),
     "equations.hence": ("Hence", "故"),
-    # points
     "equations.point from": ("The vector from {start} to {name} runs over the links:", "由 {start} 至 {name} 的位置矢量为"),
-    # matrix
     "equations.all unknowns": ("All polygons together, terms with unknowns on the left:",
                                "将各封闭矢量方程在两坐标轴上投影，方程左边仅含未知量项："),
     "equations.as matrices": ("As a matrix equation:", "写成矩阵形式："),
@@ -97,7 +89,6 @@ PHRASES: Phrases = {
     "equations.solution": ("Solved:", "解得"),
     "equations.more rows": ("There are more rows than unknowns: some constraints repeat others, and hold all the same.",
                             "方程数多于未知量数：其中有重复约束，但彼此协调。"),
-    # --- the legend
     "equations.length": ("length {ends} of link {link}", "构件 {link} 的长度 {ends}"),
     "equations.frame direction": ("direction of the frame's {vector}", "机架矢量 {vector} 的方位角"),
     "equations.offset": ("angle from the direction of link {link} to {vector}", "构件 {link} 的方向到 {vector} 的夹角"),

@@ -4,7 +4,6 @@ from graphkin.say.catalogue import Phrases
 
 # fmt: off
 PHRASES: Phrases = {
-    # --- kinds
     "linkages.kind crank-rocker": ("crank-rocker", "曲柄摇杆机构"),
     "linkages.kind rocker-crank": ("rocker-crank (a crank-rocker driven at the rocker)", "曲柄摇杆机构（摇杆主动）"),
     "linkages.kind double-crank": ("double-crank (drag link)", "双曲柄机构"),
@@ -32,7 +31,6 @@ PHRASES: Phrases = {
     "linkages.kind turning rod": ("the rod turns fully", "连杆可整周转动"),
     "linkages.kind no full turn": ("no link turns fully", "各构件均不能整周转动"),
     "linkages.kind block": ("oscillating block", "摇块"),
-    # --- why it is of its kind
     "linkages.why crank-rocker": ("The shortest link {driver} lies next to the frame and drives: it turns fully, "
                                   "{output} rocks.",
                                   "最短杆 {driver} 是连架杆且为原动件，能整周转动，为曲柄；{output} 只能摆动，为摇杆。"),
@@ -63,7 +61,6 @@ PHRASES: Phrases = {
     "linkages.why rocking guide bar": ("{crank} and {frame} differ by less than |e|: the bar stops the crank, and "
                                        "neither turns fully.",
                                        "{crank} 与 {frame} 之差小于 |e|：曲柄与导杆都不能整周转动。"),
-    # --- what is in line, or at right angles
     "linkages.how stretched": ("{driver} and {middle} in line, stretched", "{driver} 与 {middle} 拉直共线"),
     "linkages.how folded": ("{driver} and {middle} in line, folded", "{driver} 与 {middle} 重叠共线"),
     "linkages.how inner": ("{driver} on the frame line, towards the other pivot", "{driver} 与机架共线（重叠）"),
@@ -73,7 +70,6 @@ PHRASES: Phrases = {
     "linkages.how across": ("crank at right angles to the bar", "曲柄与导杆垂直"),
     "linkages.how square": ("bar at right angles to the frame", "导杆与机架垂直"),
     "linkages.how end": ("end of the driver's own range", "原动件活动范围的端点"),
-    # --- what it does
     "linkages.drives": ("{driver} drives {output}", "{driver} 为原动件，{output} 为从动件"),
     "linkages.grashof": ("Grashof: shortest + longest = {ends} = {first} {sign} {middle} = {second}",
                          "杆长条件：最短杆 + 最长杆 = {ends} = {first} {sign} {middle} = {second}"),
@@ -131,7 +127,6 @@ PHRASES: Phrases = {
     "linkages.links": ("links {links}", "构件 {links}"),
     "linkages.pin": ("pin {point}", "销 {point}"),
     "linkages.frame": ("frame", "机架"),
-    # --- files
     "linkages.title fourbar": ("Four-bar linkage", "铰链四杆机构"),
     "linkages.title slider": ("Slider-crank linkage", "曲柄滑块机构"),
     "linkages.title guide": ("Guide-bar linkage", "导杆机构"),

@@ -1,4 +1,4 @@
-"""Tables of results, and a drawing measured: its table, its faults, and what was not judged."""
+"""Tables of results, a drawing measured, and the structure of a mechanism."""
 
 from graphkin.say.catalogue import Phrases
 
@@ -30,7 +30,6 @@ PHRASES: Phrases = {
     "checks.plane centres": ("instant centres", "瞬心"),
     "checks.plane velocity": ("velocity", "速度图"),
     "checks.plane acceleration": ("acceleration", "加速度图"),
-    # --- faults
     "checks.fault changed": ("the mechanism, the drivers or the scales in the file were changed after drawing",
                              "图中的机构、原动件或比例尺数据在作图后被改动"),
     "checks.fault scale": ("the printed scale {what} is not the one drawn with", "图上标注的比例尺 {what} 与作图所用的不符"),
@@ -48,7 +47,6 @@ PHRASES: Phrases = {
     "checks.fault name": ("the point {what} is not called as what it shows", "点 {what} 的名称与其所指不符"),
     "checks.fault loose": ("the end of {what} has no point", "{what} 的端点不存在"),
     "checks.fault end": ("a vector does not end at its point: {what}", "矢量端点与点不重合：{what}"),
-    # --- not judged
     "checks.note signs": ("{what} lines and signs that show no length, which are as they were drawn, and where "
                           "letters stand",
                           "{what} 个不表示长度的线条和符号（与作图时相同），以及文字的位置"),
@@ -58,4 +56,65 @@ PHRASES: Phrases = {
     "checks.note nothing": ("lengths of links: there is no point to measure from; their lines are as they were drawn",
                             "构件的长度：没有可供测量的点；其图线与作图时相同"),
     "checks.note unknown": ("the point {what}, which graphkin does not know", "点 {what}：不是 graphkin 所知的点"),
+    # === the structure of a mechanism
+    "structure.none listed": ("The library has no such mechanism.", "机构库中没有这样的机构。"),
+    "structure.links": ("Links", "构件"),
+    "structure.frame": ("{name} (frame)", "{name}（机架）"),
+    "structure.pairs": ("Pairs", "运动副"),
+    "structure.pair hinge": ("hinge {point}: links {links}", "转动副 {point}：构件 {links}"),
+    "structure.pair multiple": ("multiple hinge {point}: links {links}", "复合铰链 {point}：构件 {links}"),
+    "structure.pair slide": ("sliding pair: link {block} on {guide}", "移动副：构件 {block} 与 {guide}"),
+    "structure.pair pin": ("pin {point} in a slot of link {guide}", "销 {point} 在构件 {guide} 的滑槽中（高副）"),
+    "structure.pair circular slot": ("pin {point} in a circular slot of link {guide}",
+                                     "销 {point} 在构件 {guide} 的圆弧槽中（高副）"),
+    "structure.pair gear": ("gear pair: links {links}", "齿轮副：构件 {links}"),
+    "structure.pair roll": ("rolling without slip: links {links}", "纯滚动副：构件 {links}"),
+    "structure.pair cam": ("cam pair: links {links}", "凸轮副：构件 {links}"),
+    "structure.formula": ("Degrees of freedom by the formula: F = 3n − 2p_l − p_h = 3 × {n} − 2 × {low} − "
+                          "{high}{rolled} = {f}",
+                          "自由度公式：F = 3n − 2p_l − p_h = 3 × {n} − 2 × {low} − {high}{rolled} = {f}"),
+    "structure.rolled": ("The last {count}: rolling without slip takes one freedom, and one more where only it keeps "
+                         "the distance ({taken})",
+                         "末项 {count} 为纯滚动副的约束：无滑动计一个，法向距离未由其他运动副保证者再计一个（{taken}）"),
+    "structure.added block": (" and the block that replaces {pair}", " 及代替 {pair} 的滑块"),
+    "structure.added rod": (" and the link that replaces {pair}", " 及代替 {pair} 的构件"),
+    "structure.merged": (" (+: one link, as its driver is given)", "（+：其间的原动运动已给定，视为一个构件）"),
+    "structure.rank": ("Degrees of freedom by rank: {f}", "由方程的秩得自由度：{f}"),
+    "structure.idle": ("idle freedom (turning of): {links}", "局部自由度：构件 {links} 的转动"),
+    "structure.redundant": ("redundant constraints: {count}", "虚约束：{count} 个"),
+    "structure.left out": (" (the formula leaves out {count}, the distance of a wheel from its track that other pairs "
+                           "keep)",
+                           "（其中 {count} 个为已由其他运动副保证的轮心到轨道的距离，自由度公式中未计入）"),
+    "structure.repeats": ("repeats a constraint: {what}", "虚约束：{what}"),
+    "structure.drivers": ("Drivers", "原动件"),
+    "structure.groups": ("Groups, in the order they are solved", "杆组（按求解顺序）"),
+    "structure.group dyad": ("Class II, {kind}: links {links}", "Ⅱ级组 {kind}：构件 {links}"),
+    "structure.group triad": ("Class III: links {links}; special point {point} on link {link}",
+                              "Ⅲ级组：构件 {links}；特殊点 {point} 取在构件 {link} 上"),
+    "structure.group higher": ("Class {cls}: links {links}; solved simultaneously", "{cls}级组：构件 {links}；联立求解"),
+    "structure.group train": ("gear train: links {links}", "轮系：构件 {links}"),
+    "structure.group wheel": ("rolling contact: links {links}", "纯滚动：构件 {links}"),
+    "structure.none": ("none", "无"),
+    "structure.class": ("Mechanism of Class {cls}", "机构级别：{cls}级机构"),
+    "structure.methods": ("Methods it needs", "所需方法"),
+    "structure.method two points": ("two points of one link", "同一构件两点法"),
+    "structure.method coincident": ("coincident points, with Coriolis", "重合点法（含科氏加速度）"),
+    "structure.method special": ("special point of the ternary link", "特殊点法"),
+    "structure.method together": ("simultaneous solution", "联立求解"),
+    "structure.method rolling": ("rolling contact", "纯滚动接触点法"),
+    "structure.method lower": ("lower-pair equivalent", "高副低代"),
+    # classes of groups
+    "structure.class 1": ("I", "Ⅰ"),
+    "structure.class 2": ("II", "Ⅱ"),
+    "structure.class 3": ("III", "Ⅲ"),
+    "structure.class 4": ("IV", "Ⅳ"),
+    "structure.class 5": ("V", "Ⅴ"),
+    "structure.part whole": ("{pair}", "{pair}"),
+    "structure.part link": ("{pair}", "{pair}"),
+    "structure.part line": ("the distance from the track in {pair}", "{pair} 中轮心到轨道的距离"),
+    "structure.part angle": ("the angle kept by {pair}", "{pair} 所保持的角度"),
+    "structure.part slip": ("no slip in {pair}", "{pair} 的无滑动条件"),
+    "structure.held": ("{what} ({held} hold the same already)", "{what}（其约束已由 {held} 给出）"),
+    "structure.held by one": ("{what} ({held} holds the same already)", "{what}（其约束已由 {held} 给出）"),
+    "structure.distance": ("{what} (the points it joins keep their distance without it)", "{what}（它所连接的两点间的距离本来就保持不变）"),
 }

@@ -4,12 +4,10 @@ from graphkin.say.catalogue import Phrases
 
 # fmt: off
 PHRASES: Phrases = {
-    # --- its parts
     "solution.given": ("Given", "已知"),
     "solution.find": ("Find", "求"),
     "solution.solution": ("Solution", "解"),
     "solution.answer": ("Answer", "答"),
-    # --- given
     "solution.lengths": ("Lengths: {lengths}.", "各构件尺寸：{lengths}。"),
     "solution.lettered": ("Corners in order: {shapes}.", "各构件上点的绕行方向：{shapes}。"),
     "solution.frame points": ("Link {link} is the frame; fixed points, in mm: {points}.",
@@ -57,7 +55,6 @@ PHRASES: Phrases = {
     "solution.knife edge": ("the knife edge {point} of link {link}", "构件 {link} 的尖顶 {point}"),
     "solution.circle": ("the circle of link {link} about {centre} with radius {radius}",
                         "构件 {link} 以 {centre} 为圆心、半径为 {radius} 的圆弧"),
-    # --- asked
     "solution.find these": ("{wanted}.", "{wanted}。"),
     "solution.find all": ("the velocities and accelerations of all points, ω and α of all links.",
                           "各点的速度和加速度，各构件的角速度和角加速度。"),
@@ -66,7 +63,6 @@ PHRASES: Phrases = {
     "solution.place at": ("{point} is at {place} mm.", "{point} 位于 {place} mm。"),
     "solution.centre": ("instant centre {name}", "瞬心 {name}"),
     "solution.centre at": ("{name}: {place}.", "{name}：{place}。"),
-    # --- read by hand
     "solution.exactly": ("Beside the exact values", "与精确值比较"),
     "solution.beside": ("{name}: as drawn {read}, exactly {exact}{off}.", "{name}：作图值 {read}，精确值 {exact}{off}。"),
     "solution.off": ("; off by {part} %", "，误差 {part} %"),

@@ -84,13 +84,11 @@ PHRASES: Phrases = {
     "finding.together": ("all drivers' speeds are changed in proportion", "各原动件的速度按同一比例改变"),
     "finding.square": ("the drivers' accelerations are changed by the square of the factor: {accelerations}",
                        "各原动件的加速度按倍数的平方改变：{accelerations}"),
-    # --- why there is no more
     "finding.note no turn": ("no time ratio: the driver does not go through a full turn here",
                              "无行程速比系数：原动件在此范围内不作整周转动"),
     "finding.note several strokes": ("no time ratio: the output reaches its ends more than once a turn",
                                      "无行程速比系数：输出件每转中多次到达极限位置"),
     "finding.note goes round": ("no stroke: the link turns all the way round", "无摆程：该构件作整周转动"),
-    # --- columns
     "finding.column at": ("at {driver}", "{driver} 的位置"),
     "finding.column min": ("least", "最小"),
     "finding.column max": ("greatest", "最大"),
