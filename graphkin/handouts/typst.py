@@ -144,11 +144,7 @@ def _fonts(named: Path | None, chinese: bool) -> tuple[tuple[str, ...], list[str
 
 
 def _head(handout: Handout, families: tuple[str, ...], page: Paper, scan: int | None) -> str:
-    """The settings of all pages.
-
-    Of pages to be photographed also the macro that draws a marker, a page's number in its foot, and the background
-    that tells it to a camera.
-    """
+    """The settings of all pages; of those that are photographed also their markers, and each one's number."""
     foot, before, number, background = handout.foot, "", "", "none"
     if scan is not None:
         left, right = edges(page.width, page.height)

@@ -20,12 +20,13 @@ Phrases = Mapping[str, tuple[str, str]]  # by full name: English, Chinese
 
 SHARED_FILES: Mapping[str, tuple[str, ...]] = {
     "centres": ("about",),
+    "derivation": ("solution",),
     "file_help": ("file_page", "file_keys"),
     "homework": ("problems", "assembly", "platforms", "feedback", "class_report"),
+    "linkages": ("design",),
     "marking": ("marks", "verdicts", "tolerances", "discriminability"),
-    "results": ("checks", "structure"),
-    "sheets": ("sheet", "diagrams", "pictures", "handouts"),
-    "sweeps": ("finding",),
+    "results": ("checks", "structure", "sweeps", "finding"),
+    "sheets": ("sheet", "diagrams", "pictures", "handouts", "equations"),
 }
 """The subjects in a file of `phrases` beside that after which it is called."""
 _FILE_OF = {subject: file for file, subjects in SHARED_FILES.items() for subject in subjects}

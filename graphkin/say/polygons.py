@@ -25,33 +25,31 @@ def polygon_entries(reading: Reading, plane: Plane, parts: tuple[Step | Equation
     polygon = PolygonReading(reading, plane, moving_parts(reading.method, plane, parts, reading.rested))
     yield Heading(reading.say(f"derivation.plane {plane}", number=number), plane)
     for part in polygon.parts:
-        yield from equation(polygon, part) if isinstance(part, Equation) else _step(polygon, part)
-
-
-def _step(polygon: PolygonReading, step: Step) -> Iterator[Entry]:
-    match step:
-        case kinds.Given():
-            yield from _renamed(polygon)
-            yield from _pole(polygon, step)
-            yield from _driven_groups(polygon)
-        case kinds.LayOff():
-            yield from known_arrow(polygon, step)
-        case kinds.Image():
-            yield from _image(polygon, step)
-        case kinds.Measure("omega" | "alpha"):
-            yield from _rotation(polygon, step)
-        case kinds.Measure():
-            yield from _sliding(polygon, step)
-        case kinds.Roll():
-            yield from rolling(polygon, step)
-        case kinds.Simultaneous():
-            yield from solved_together(polygon, step)
-        case kinds.Fit() | kinds.Touch():
-            raise AssertionError("the mechanism itself is drawn before")
-        case kinds.Ray() | kinds.Arc() | kinds.Meet() | kinds.Swing():
-            raise AssertionError("lines cross inside an equation")
-        case _:
-            assert_never(step)
+        match part:
+            case Equation():
+                yield from equation(polygon, part)
+            case kinds.Given():
+                yield from _renamed(polygon)
+                yield from _pole(polygon, part)
+                yield from _driven_groups(polygon)
+            case kinds.LayOff():
+                yield from known_arrow(polygon, part)
+            case kinds.Image():
+                yield from _image(polygon, part)
+            case kinds.Measure("omega" | "alpha"):
+                yield from _rotation(polygon, part)
+            case kinds.Measure():
+                yield from _sliding(polygon, part)
+            case kinds.Roll():
+                yield from rolling(polygon, part)
+            case kinds.Simultaneous():
+                yield from solved_together(polygon, part)
+            case kinds.Fit() | kinds.Touch():
+                raise AssertionError("the mechanism itself is drawn before")
+            case kinds.Ray() | kinds.Arc() | kinds.Meet() | kinds.Swing():
+                raise AssertionError("lines cross inside an equation")
+            case _:
+                assert_never(part)
 
 
 def _renamed(polygon: PolygonReading) -> Iterator[Entry]:

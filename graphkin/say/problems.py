@@ -58,21 +58,9 @@ def statement(mechanism: Mechanism, lang: Lang, drawn: DrawnSides | None = None)
     yield from (f"  {line}" for line in _data(mechanism, lang))
     if drawn is not None and (sentence := assembly_sentence(drawn, lang)):
         yield f"  {sentence}"
-    yield from _driver_values(mechanism, lang)
-
-
-def positions(mechanism: Mechanism) -> int:
-    """The number of further positions that are asked for."""
-    return max((len(driver.also) for driver in mechanism.drivers), default=0)
-
-
-def _driver_values(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
-    """The values of the drivers at each position, by its number."""
-    if not positions(mechanism):
-        return
-    yield ""
-    yield say("problems.positions", lang)
-    for at in range(positions(mechanism) + 1):
+    further = positions(mechanism)
+    yield from ("", say("problems.positions", lang)) if further else ()
+    for at in range(further + 1) if further else ():
         shown = []  # `AB = 120°`, `ram = 25 mm`
         for driver in mechanism.drivers:
             value = driver.also[at - 1] if 0 < at <= len(driver.also) else driver.value
@@ -81,6 +69,11 @@ def _driver_values(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
                 shown.append(f"{names.point(driver.name)} = {size}")
         shown = shown or [say("problems.as given", lang)]
         yield f"  #{at + 1}{say('common.colon', lang)}{say('common.list', lang).join(shown)}"
+
+
+def positions(mechanism: Mechanism) -> int:
+    """The number of further positions that are asked for."""
+    return max((len(driver.also) for driver in mechanism.drivers), default=0)
 
 
 def remark(shared: Sequence[str], lang: Lang) -> str:

@@ -21,18 +21,20 @@ from graphkin.say.reading import Reading, aside
 
 
 @dataclass
-class PaperLengths:
-    """Turns lengths into millimetres on paper, and back.
+class Tangents:
+    """Words of lengths on paper, of swings, and of what is laid off beside the line a swing has found.
 
     moving   the reading by which the mechanism moves: with its drivers, where poses give the drawn position
     used     pairs of points whose distance the polygons need; those that nothing gives are measured at the end
     measured pairs of points whose distance has been told
+    swung    the last swing of each link
     """
 
     reading: Reading
     moving: Reading
     used: tuple[tuple[str, str], ...] = ()
     measured: set[frozenset[str]] = field(default_factory=set)
+    swung: dict[str, Swing] = field(default_factory=dict)
 
     def _length(self, name: str, symbol: str, metres: float) -> str:
         """`AB = l_AB/μ_l = 0.024/0.001 = 24 mm`."""
@@ -98,16 +100,6 @@ class PaperLengths:
         if lengths:
             said = reading.say("common.semicolon").join(lengths)
             yield Sentence(reading.say("derivation.measured used", lengths=said))
-
-
-@dataclass
-class Tangents(PaperLengths):
-    """Words of swings, and of what is laid off beside the line a swing has found.
-
-    swung  the last swing of each link
-    """
-
-    swung: dict[str, Swing] = field(default_factory=dict)
 
     def _swing(self, step: Swing) -> str:
         reading, along = self.reading, self.reading.guide(step.slide)
