@@ -24,7 +24,7 @@ SHARED_FILES: Mapping[str, tuple[str, ...]] = {
     "file_help": ("file_page", "file_keys"),
     "homework": ("problems", "assembly", "platforms", "feedback", "class_report"),
     "linkages": ("design",),
-    "marking": ("marks", "verdicts", "tolerances", "discriminability"),
+    "marking": ("marks", "mistakes", "verdicts", "tolerances", "discriminability"),
     "results": ("checks", "structure", "sweeps", "finding"),
     "sheets": ("sheet", "diagrams", "pictures", "handouts", "equations"),
 }
