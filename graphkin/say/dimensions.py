@@ -138,10 +138,7 @@ def dimensions(reading: Reading) -> list[str]:
 
 
 def _lengths(reading: Reading) -> Iterator[str]:
-    """`AD = 78 mm` of fixed points in one level or upright line, else `x_D`, `y_D`; then each link by its distances.
-
-    Those of its points that fix it; of points in one line each from the one before.
-    """
+    """`AD = 78 mm` of fixed points, `x_D` and `y_D` of oblique ones; then the distances that fix each link's points."""
     shape = reading.plot.facts.shapes[FRAME]
     first, *others = _drawn_points(reading, FRAME) or [""]
     for other in others:
@@ -164,10 +161,7 @@ def _drawn_points(reading: Reading, link: str) -> list[str]:
 
 
 def _offsets(reading: Reading) -> Iterator[str]:
-    """`e_A = 20 mm`, `β_C = 30°`, `h_A = 20 mm`: how guides, then flat faces, lie beside the first point of their link.
-
-    A guide of the frame that is neither level nor upright has an angle against +x.
-    """
+    """`e_A = 20 mm`, `β_C = 30°`, `h_A = 20 mm`: how guides and flat faces lie beside the first point of their link."""
     for slide in reading.mechanism.of(Slide):
         points = _drawn_points(reading, slide.guide)
         if points and slide.stands_for is None:

@@ -212,10 +212,7 @@ class PositionReader(Tangents):
         return Sentence(self.reading.say("derivation.measured angles", angles=self.reading.joined(angles)))
 
     def _angles(self, last: bool = False) -> Iterator[Entry]:
-        """Directions of links, and of those that keep their angles to them, once their first two points are there.
-
-        last  nothing more is drawn
-        """
+        """Directions of links, and of those that turn with them, once their two points are there; `last`: of all."""
         reading, angles, waiting = self.reading, list[str](), list[str]()
         members = (member for link in self.waiting for member in (reading.body(link), *reading.group(link)))
         for member in dict.fromkeys(members):

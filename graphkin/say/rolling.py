@@ -230,10 +230,7 @@ def rolling(polygon: PolygonReading, step: Roll) -> Iterator[Entry]:
 
 
 def checked(polygon: PolygonReading, contact: Contact) -> str:
-    """The rolling relation of two wheels with the figures found.
-
-    "" of a wheel on a line, where it says nothing new, and where some rotation in it is not told.
-    """
+    """The relation of two wheels with its figures; "" on a line, where it says nothing new, or with one not told."""
     turns, bases = polygon.reading.plot.facts.turns, {FRAME}
     for part in polygon.parts:
         if isinstance(part, Measure) and part.quantity in ("omega", "alpha"):

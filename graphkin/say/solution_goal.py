@@ -111,10 +111,7 @@ class SolutionGoal:
 
 
 def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acceleration") -> SolutionGoal:
-    """As far as the file asks; all there is with `everything`, or where it asks for nothing that moves.
-
-    only  the last plane that is drawn
-    """
+    """As far as the file asks, to the plane `only`; all there is with `everything`, or where it asks for no motion."""
     mechanism, planes = reading.mechanism, PLANES[1 : PLANES.index(only) + 1]
     questions = {text: read(mechanism, text) for text in mechanism.ask}
     questions = {text: one for text, one in questions.items() if one is None or _plane(one) in ("position", *planes)}
