@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import hashlib
 import math
-from collections.abc import Iterator
 
 from graphkin.base.geometry import place
 from graphkin.construction import LayOff, Plane
@@ -21,7 +20,7 @@ _MORE = 1.2
 _EDGE, _GRID = 4.0, 5.0
 """Distance of the polygon from the edge; the pole stands on a line of the grid [mm]."""
 _STEP = 10.0  # rooms are so many millimetres, or a multiple of it
-_EQUATIONS, _TERMS = 3, {"velocity": 3, "acceleration": 5}
+MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
 
 
 def room(problem: HandoutProblem, plane: Plane) -> GridRoom:
@@ -52,12 +51,6 @@ def _placed(low: float, high: float, room: float, lot: float) -> float:
 
 def _whole(length: float, usual: float) -> float:
     return max(usual, _STEP * math.ceil(_MORE * length / _STEP))
-
-
-def equations(problem: HandoutProblem, plane: Plane) -> Iterator[TermRows]:
-    """Lines for as many equations as a polygon takes, three at most, each with as many terms as its plane may have."""
-    for _ in problem.construction(plane).equations[:_EQUATIONS]:
-        yield empty_rows(problem, terms=_TERMS[plane])
 
 
 def empty_rows(problem: HandoutProblem, equation: VectorEquation | None = None, terms: int = 3) -> TermRows:

@@ -39,11 +39,7 @@ class FormulaLine:
 
 @frozen
 class TermRows:
-    """A vector equation with its rows of directions and sizes; a blank is a column of three lines to write on.
-
-    heads    what stands before the rows
-    columns  terms and signs, each with what stands under it; None for a blank
-    """
+    """A vector equation: what stands before its rows, its terms and signs with what is under them; None is a blank."""
 
     heads: tuple[Label, Label]
     columns: tuple[tuple[Label, Label, Label] | None, ...]
@@ -73,10 +69,7 @@ class HandoutTable:
 
 @frozen
 class GridRoom:
-    """Gridded paper [mm] with the pole printed on it, and one direction through it [rad].
-
-    pole  from the left upper corner, y down
-    """
+    """Gridded paper [mm] with the pole, from the left upper corner, y down, and one direction through it [rad]."""
 
     width: float
     height: float
@@ -98,11 +91,7 @@ Block = HandoutHeading | Paragraph | FormulaLine | TermRows | HandoutPicture | H
 
 @frozen
 class Foot:
-    """The foot of every page.
-
-    stage   in words; digest: the beginning of the mechanism file's SHA-256, where that is one for all pages
-    seed    of the set it belongs to
-    """
+    """The foot of every page; digest: the beginning of the file's SHA-256, where that is one; seed: of the set."""
 
     stage: str
     version: str
@@ -126,9 +115,6 @@ class Handout:
     contents: str = ""
 
 
-# --- letters with their scripts ----------------------------------------------------------------
-
-
 @frozen
 class Sign:
     """A run of letters, and the runs of its subscript and of what is raised."""
@@ -138,10 +124,14 @@ class Sign:
     high: tuple[Run, ...] = ()
 
     @property
+    def runs(self) -> tuple[tuple[Run, ...], ...]:
+        """The letters themselves, the subscript, what is raised."""
+        return () if self.base is None else (self.base,), self.low, self.high
+
+    @property
     def plain(self) -> str:
         """To be read aloud, or where nothing can be lowered: `a^k_B3B2`."""
-        low, high = ("".join(run.text for run in runs) for runs in (self.low, self.high))
-        base = self.base.text if self.base is not None else ""
+        base, low, high = ("".join(run.text for run in runs) for runs in self.runs)
         return base + (f"^{high}" if high else "") + (f"_{low}" if low else "")
 
 

@@ -45,9 +45,6 @@ DIGITS = len(MARKERS) - _CORNERS  # the count of markers that are digits of numb
 MOST = DIGITS**2 - 1  # the largest number of a sheet
 
 
-# --- gridded paper ----------------------------------------------------------------------------
-
-
 def room_svg(room: GridRoom) -> str:
     """The grid, the pole, and one direction through it with its mark."""
     drawing = _empty(room.width, room.height)
@@ -109,9 +106,6 @@ def _letters(drawing: Any, label: Label, at: complex) -> None:
         if run.italic:
             element["font-style"] = "italic"
         drawing.add(element)
-
-
-# --- pages that are photographed --------------------------------------------------------------
 
 
 def digits(number: int) -> tuple[int, int]:

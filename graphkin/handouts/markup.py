@@ -11,21 +11,8 @@ import graphkin
 from graphkin.api import Drawing
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.handouts.document import (
-    Block,
-    Foot,
-    FormulaLine,
-    GridRoom,
-    Handout,
-    HandoutHeading,
-    HandoutPicture,
-    HandoutTable,
-    NewPage,
-    Paragraph,
-    Sign,
-    TermRows,
-    signs,
-)  # fmt: skip
+from graphkin.handouts import document
+from graphkin.handouts.document import Block, Foot, Handout, Sign, signs
 from graphkin.handouts.grid import room_svg
 from graphkin.handouts.stages import blocks_of
 from graphkin.outputs.svg import inline
@@ -75,7 +62,7 @@ def html(handout: Handout, paper: str = "A4") -> str:
     style = _STYLE.format(width=size.width, height=size.height, room=size.width - 40)
     contents = ""
     if handout.contents:
-        heads = (block for block in handout.blocks if isinstance(block, HandoutHeading) and block.level == 1)
+        heads = (block for block in handout.blocks if isinstance(block, document.HandoutHeading) and block.level == 1)
         items = "".join(f"<li>{_html_words(head.words)}</li>" for head in heads)
         contents = f"<h1>{escape(handout.contents)}</h1>\n<ol>{items}</ol>\n"
     bar = f'<div><div class="bar"></div>{escape(handout.foot.bar)}</div>'
@@ -90,26 +77,26 @@ def html(handout: Handout, paper: str = "A4") -> str:
 
 def _html(block: Block) -> str:
     match block:
-        case HandoutHeading(words, level, said):
+        case document.HandoutHeading(words, level, said):
             small = f" <small>{escape(said)}</small>" if said else ""
             return f"<h{level}>{_html_words(words)}{small}</h{level}>"
-        case Paragraph(words, act):
+        case document.Paragraph(words, act):
             number = f'<span class="act">{escape(act)}</span> ' if act else ""
             return f"<p>{number}{_html_words(words)}</p>"
-        case FormulaLine(words):
+        case document.FormulaLine(words):
             return f'<p class="formula">{_html_words(words)}</p>'
-        case TermRows():
+        case document.TermRows():
             rule = '<span class="rule"></span>'
             lines = ([rule if cell is None else _html_words(cell) for cell in line] for line in block.lines)
             return '<table class="rows">' + "".join(_row("td", line) for line in lines) + "</table>"
-        case HandoutPicture(sheet, words):
+        case document.HandoutPicture(sheet, words):
             return f'<figure role="img" aria-label="{escape(words)}">{inline(sheet)}</figure>'
-        case GridRoom():
+        case document.GridRoom():
             return f"<figure>{room_svg(block)}</figure>"
-        case HandoutTable(heads, rows):
+        case document.HandoutTable(heads, rows):
             body = "".join(_row("td", map(_html_words, row)) for row in rows)
             return f'<table class="filled">{_row("th", map(_html_words, heads))}{body}</table>'
-        case NewPage(front):
+        case document.NewPage(front):
             return f'<div class="{"front" if front else "new"}"></div>'
         case _:
             assert_never(block)
@@ -161,18 +148,18 @@ def tex(handout: Handout) -> str:
 
 def _latex(block: Block) -> str:
     match block:
-        case HandoutHeading(words):
+        case document.HandoutHeading(words):
             return rf"\subsection*{{{tex_words(words)}}}"
-        case Paragraph(words, act):
+        case document.Paragraph(words, act):
             number = rf"\textcircled{{\scriptsize {act}}} " if act else ""
             return rf"\noindent {number}{tex_words(words)}"
-        case FormulaLine(words):
+        case document.FormulaLine(words):
             return rf"\quad {tex_words(words)}"
-        case TermRows():
+        case document.TermRows():
             lines = (" & ".join(tex_words(cell or ()) for cell in line) for line in block.lines)
             table = rf"\begin{{tabular}}{{{'c' * len(block.lines[0])}}}" + r" \\ ".join(lines) + r"\end{tabular}"
             return rf"\quad\fit{{{table}}}"
-        case HandoutPicture() | HandoutTable() | GridRoom() | NewPage():
+        case document.HandoutPicture() | document.HandoutTable() | document.GridRoom() | document.NewPage():
             raise TypeError(f"{type(block).__name__} has no place in a solution of words alone")
         case _:
             assert_never(block)
@@ -188,29 +175,27 @@ def markdown(handout: Handout) -> str:
 
 def _markdown(block: Block) -> str:
     match block:
-        case HandoutHeading(words):
+        case document.HandoutHeading(words):
             return f"## {_markdown_words(words)}"
-        case Paragraph(words, act):
+        case document.Paragraph(words, act):
             return (f"({act}) " if act else "") + _markdown_words(words)
-        case FormulaLine(words):
+        case document.FormulaLine(words):
             return f"> {_markdown_words(words)}"
-        case TermRows():
+        case document.TermRows():
             lines = ["| " + " | ".join(_markdown_words(cell or ()) for cell in line) + " |" for line in block.lines]
             return "\n".join([lines[0], "|" + ":-:|" * len(block.lines[0]), *lines[1:]])
-        case HandoutPicture() | HandoutTable() | GridRoom() | NewPage():
+        case document.HandoutPicture() | document.HandoutTable() | document.GridRoom() | document.NewPage():
             raise TypeError(f"{type(block).__name__} has no place in a solution of words alone")
         case _:
             assert_never(block)
 
 
 def _markdown_words(label: Label) -> str:
-    return "".join(map(_markdown_sign, signs(label)))
-
-
-def _markdown_sign(sign: Sign) -> str:
-    base = _markdown_run(sign.base) if sign.base is not None else ""
-    low, high = ("".join(map(_markdown_run, runs)) for runs in (sign.low, sign.high))
-    return base + (f"<sup>{high}</sup>" if high else "") + (f"<sub>{low}</sub>" if low else "")
+    text = ""
+    for sign in signs(label):
+        base, low, high = ("".join(map(_markdown_run, runs)) for runs in sign.runs)
+        text += base + (f"<sup>{high}</sup>" if high else "") + (f"<sub>{low}</sub>" if low else "")
+    return text
 
 
 def _markdown_run(run: Run) -> str:

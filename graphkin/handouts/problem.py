@@ -70,17 +70,9 @@ class HandoutProblem:
         return " · ".join(filter(None, (self._sections[0].heading, self.whose)))
 
     @property
-    def given(self) -> Section:
-        return self._sections[1]
-
-    @property
-    def question(self) -> Section:
-        return self._sections[2]
-
-    @property
-    def solution(self) -> Section:
-        """The section before the first plane: the scales."""
-        return self._sections[3]
+    def head(self) -> tuple[Section, ...]:
+        """The sections before the first plane: given, asked, the scales."""
+        return self._sections[1:4]
 
     @property
     def parts(self) -> tuple[Section, ...]:
@@ -96,10 +88,7 @@ class HandoutProblem:
         return self._sections[-1]
 
     def upto(self, equations: int) -> Iterator[tuple[Section, entry.VectorEquation | None]]:
-        """The parts as far as whole equations go, the last with the equation that comes next, if one does.
-
-        Sentences on its known arrows, between it and the one before, are part of them.
-        """
+        """The parts as far as whole equations and what is said of their arrows go, the last with the next equation."""
         seen = 0
         for section in self.parts:
             for k, each in enumerate(section.entries):

@@ -9,11 +9,11 @@ import numpy as np
 
 from graphkin.analytic import motion
 from graphkin.base import geometry
-from graphkin.errors import GraphkinError, Lang
+from graphkin.errors import GraphkinError
 from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Paragraph
 from graphkin.handouts.problem import HandoutProblem
 from graphkin.homework.grading.keys import key_drawn
-from graphkin.marking.key import Key, KeyEntry, columns, upright
+from graphkin.marking.key import Key, columns, upright
 from graphkin.marking.weights import shifts
 from graphkin.model.quantities import EDGE, Centre
 from graphkin.model.quantities.reading import respelled
@@ -39,20 +39,17 @@ def beside(problem: HandoutProblem) -> Iterator[Block]:
         unit = EDGE[quantity.unit]
         values = (quantity.shown(road) for road in roads)
         sizes = (geometry.number(v.value) if v.vector is None else abs(geometry.place(v.vector)) for v in values)
-        off = plain(_off(entries[text], unit.factor, problem.lang) if text in entries else "")
+        entry, off = entries.get(text), ""
+        if entry is not None and entry.doubt in ("dead point", "too small"):
+            off = say(f"verdicts.verdict {entry.doubt}", problem.lang)
+        elif entry is not None:
+            off = f"± {entry.tolerance * unit.factor:.2g}"
         shown = [plain(number(size * unit.factor)) for size in sizes]
-        rows.append((formula(problem.goal.symbol(quantity)), *shown, off, plain(unit.sign)))
+        rows.append((formula(problem.goal.symbol(quantity)), *shown, plain(off), plain(unit.sign)))
     if rows:
         heads = ("quantity", "drawn", "analysed", "allowed", "unit")
         yield HandoutHeading(plain(say("handouts.beside", problem.lang)))
         yield HandoutTable(tuple(plain(say(f"handouts.{head}", problem.lang)) for head in heads), tuple(rows))
-
-
-def _off(entry: KeyEntry, factor: float, lang: Lang) -> str:
-    """`± 0.012`, or that paper cannot tell the value."""
-    if entry.doubt in ("dead point", "too small"):
-        return say(f"verdicts.verdict {entry.doubt}", lang)
-    return f"± {entry.tolerance * factor:.2g}"
 
 
 def mistakes(problem: HandoutProblem) -> Iterator[Block]:
@@ -60,7 +57,8 @@ def mistakes(problem: HandoutProblem) -> Iterator[Block]:
     key = _key(problem)
     if key is None:
         return
-    moved = _moved(key)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        moved: np.ndarray = shifts(columns(key.entries), key.singles.values) > 3  # by more than a pencil may
     asked = [k for k, entry in enumerate(key.entries) if entry.points]
     first: dict[str, int] = {}
     for row, made in enumerate(key.singles.names):
@@ -71,13 +69,6 @@ def mistakes(problem: HandoutProblem) -> Iterator[Block]:
         yield HandoutHeading(plain(say("handouts.common", problem.lang)))
     for row in common:
         yield Paragraph(_given_by(problem, key, row, [k for k in asked if moved[row][k]]))
-
-
-def _moved(key: Key) -> np.ndarray:
-    """True where a mistake moves a quantity by more than a pencil may: (mistakes, quantities)."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        moved: np.ndarray = shifts(columns(key.entries), key.singles.values) > 3
-    return moved
 
 
 def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> Label:

@@ -11,25 +11,14 @@ from typing import assert_never
 import graphkin
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.handouts import blank, proofs
-from graphkin.handouts.document import (
-    Block,
-    Foot,
-    FormulaLine,
-    Handout,
-    HandoutHeading,
-    HandoutPicture,
-    NewPage,
-    Paragraph,
-    Stage,
-    TermRows,
-)  # fmt: skip
+from graphkin.handouts import blank, document, proofs
+from graphkin.handouts.document import Block, Foot, Handout, Stage
 from graphkin.handouts.problem import HandoutProblem, Section, drawn_problem
 from graphkin.model.mechanism import Mechanism
 from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.sheet.composition import Style
-from graphkin.sheet.lettering import Label, formula, plain
+from graphkin.sheet.lettering import Label, formula, joined, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import written
@@ -54,15 +43,15 @@ def handout(
     contents = say("handouts.contents", lang) if len(problems) > 1 else ""
     blocks: list[Block] = []
     for k, problem in enumerate(problems):
-        blocks += [NewPage(duplex)] if k or contents else []
+        blocks += [document.NewPage(duplex)] if k or contents else []
         own = _digest([problem.drawing.mechanism]) if len(problems) > 1 else ""
         said = " · ".join(filter(None, (problem.whose, own)))
-        blocks += (replace(b, said=said) if isinstance(b, HandoutHeading) and b.level == 1 else b
+        blocks += (replace(b, said=said) if isinstance(b, document.HandoutHeading) and b.level == 1 else b
                    for b in _staged(problem, stage, upto))  # fmt: skip
     if answers:
-        blocks += [NewPage(duplex), HandoutHeading(plain(say("handouts.answers", lang)), 1)]
+        blocks += [document.NewPage(duplex), document.HandoutHeading(plain(say("handouts.answers", lang)), 1)]
         for problem in problems:
-            blocks.append(HandoutHeading(plain(problem.title)))
+            blocks.append(document.HandoutHeading(plain(problem.title)))
             blocks += blocks_of(problem.answers.entries, lang)
     title = " / ".join(problem.title for problem in problems)
     digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
@@ -81,15 +70,12 @@ def in_languages(
     first, *others = (made(lang=lang) for lang in langs)
     blocks = list(first.blocks)
     for other in others:
-        blocks += [*([] if other.contents else [NewPage(duplex)]), *other.blocks]
+        blocks += [*([] if other.contents else [document.NewPage(duplex)]), *other.blocks]
     return replace(first, blocks=tuple(blocks))
 
 
 def _digest(mechanisms: Sequence[Mechanism]) -> str:
     return hashlib.sha256("\0".join(mechanism.text for mechanism in mechanisms).encode()).hexdigest()[:12]
-
-
-# --- stages -----------------------------------------------------------------------------------
 
 
 def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]:
@@ -110,34 +96,35 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
 
 def _problem(problem: HandoutProblem) -> Iterator[Block]:
     """The data and the question, the mechanism to scale, the scales to use, boxes for the answers."""
-    yield HandoutHeading(plain(problem.title), 1)
-    yield from _section(problem.given, problem.lang)
-    yield from _section(problem.question, problem.lang)
+    yield document.HandoutHeading(plain(problem.title), 1)
+    for section in problem.head[:2]:
+        yield from _section(section, problem.lang)
     yield _figure(problem, "position", "given")
-    yield HandoutHeading(plain(say("handouts.scales", problem.lang)))
+    yield document.HandoutHeading(plain(say("handouts.scales", problem.lang)))
     planes: tuple[Plane, ...] = ("position", *problem.polygons)
     scales = [written(plane, problem.scales[plane]) for plane in planes]
-    yield Paragraph(tuple(run for k, scale in enumerate(scales) for run in (*(plain(";  ") if k else ()), *scale)))
+    yield document.Paragraph(joined(scales, ";  "))
     if problem.goal.wanted:
-        yield HandoutHeading(plain(say("handouts.your answers", problem.lang)))
+        yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang)))
         yield blank.boxes(problem)
 
 
 def _blank(problem: HandoutProblem) -> Iterator[Block]:
     """For each polygon an empty equation, gridded paper with the pole, and a table to measure into."""
     for plane in problem.polygons:
-        yield NewPage()
-        yield HandoutHeading(plain(HEADINGS[problem.lang][plane]))
-        yield from blank.equations(problem, plane)
+        yield document.NewPage()
+        yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
+        for _ in problem.construction(plane).equations[: blank.MOST_EQUATIONS]:
+            yield blank.empty_rows(problem, terms=blank.TERMS[plane])
         before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
-        yield Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
+        yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
         yield blank.room(problem, plane)
         yield blank.measured(problem)
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
     """The solution as far as whole equations go, drawn so far; then the next equation, empty."""
-    yield NewPage()
+    yield document.NewPage()
     last, waiting = 0, None
     for section, following in problem.upto(upto):
         yield from _section(section, problem.lang)
@@ -146,15 +133,15 @@ def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
         if section.plane is not None:
             yield _figure(problem, section.plane, "construction", last)
     if waiting is not None:
-        yield Paragraph(plain(say("handouts.go on", problem.lang)))
+        yield document.Paragraph(plain(say("handouts.go on", problem.lang)))
         yield blank.empty_rows(problem, waiting)
         yield blank.measured(problem, 2)
 
 
 def _solution(problem: HandoutProblem) -> Iterator[Block]:
     """Reasons, equations, steps in words and drawing, results beside the analysis, tolerance, common mistakes."""
-    yield HandoutHeading(plain(problem.title), 1)
-    for section in (problem.given, problem.question, problem.solution):
+    yield document.HandoutHeading(plain(problem.title), 1)
+    for section in problem.head:
         yield from _section(section, problem.lang)
     for section in problem.parts:
         yield from _section(section, problem.lang)
@@ -165,11 +152,8 @@ def _solution(problem: HandoutProblem) -> Iterator[Block]:
     yield from proofs.mistakes(problem)
 
 
-# --- what the solution says, as blocks ----------------------------------------------------------
-
-
 def _section(section: Section, lang: Lang) -> Iterator[Block]:
-    yield HandoutHeading(plain(section.heading))
+    yield document.HandoutHeading(plain(section.heading))
     yield from blocks_of(section.entries, lang)
 
 
@@ -178,38 +162,33 @@ def blocks_of(entries: Sequence[entry.Entry], lang: Lang) -> Iterator[Block]:
     for each in entries:
         match each:
             case entry.Heading(text):
-                yield HandoutHeading(plain(text))
+                yield document.HandoutHeading(plain(text))
             case entry.Sentence(text, act):
-                yield Paragraph(formula(text), str(act.number) if act is not None and act.numbered else "")
+                yield document.Paragraph(formula(text), str(act.number) if act is not None and act.numbered else "")
             case entry.Calculation():
                 note = f"  ({each.note})" if each.note else ""
-                yield FormulaLine(formula(each.text + note))
+                yield document.FormulaLine(formula(each.text + note))
             case entry.VectorEquation():
                 yield rows(each, lang)
             case _:
                 assert_never(each)
 
 
-def rows(equation: entry.VectorEquation, lang: Lang) -> TermRows:
+def rows(equation: entry.VectorEquation, lang: Lang) -> document.TermRows:
     """A vector equation as it is printed."""
     heads = [plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row")]
     columns: list[tuple[Label, Label, Label]] = []
-    if equation.front:
-        columns.append((formula(equation.front), (), ()))
-    for k, side in enumerate(equation.sides):
-        columns += [(plain("="), (), ())] if k or equation.front else []
-        for n, arrow in enumerate(side):
-            columns += [(plain("+"), (), ())] if n else []
-            columns.append((formula(arrow.name), formula(arrow.direction), formula(arrow.size)))
-    return TermRows((heads[0], heads[1]), tuple(columns))
+    for term, direction, size in equation.columns:
+        sign = plain(term) if term in ("=", "+") else formula(term)
+        columns.append((sign, formula(direction), formula(size)))
+    return document.TermRows((heads[0], heads[1]), tuple(columns))
 
 
-def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | None = None) -> HandoutPicture:
+def _figure(problem: HandoutProblem, plane: Plane, style: Style, last: int | None = None) -> document.HandoutPicture:
     """One figure of the sheet at its scale, cut to its size; `last`: the act after which nothing is drawn."""
     method, plot, lang = problem.drawing.method, problem.drawing.plot, problem.lang
     drawn = mechanism_sheet(method, plot, lang=lang, only=plane, style=style, tight=True)
     if last is not None:
         drawn = drawn.redrawn(lambda mark: mark if mark.step is None or mark.step <= last else None)
-    if style == "given":
-        return HandoutPicture(drawn, say("handouts.figure given", lang, title=problem.title))
-    return HandoutPicture(drawn, say("handouts.figure drawn", lang, what=HEADINGS[lang][plane], title=problem.title))
+    key = "handouts.figure given" if style == "given" else "handouts.figure drawn"
+    return document.HandoutPicture(drawn, say(key, lang, what=HEADINGS[lang][plane], title=problem.title))

@@ -7,22 +7,9 @@ import re
 from pathlib import Path
 from typing import assert_never
 
-from graphkin.base.value import frozen
 from graphkin.errors import NoChineseLetters, NoFont, NoLetter
-from graphkin.handouts.document import (
-    Block,
-    FormulaLine,
-    GridRoom,
-    Handout,
-    HandoutHeading,
-    HandoutPicture,
-    HandoutTable,
-    NewPage,
-    Paragraph,
-    Sign,
-    TermRows,
-    signs,
-)  # fmt: skip
+from graphkin.handouts import document
+from graphkin.handouts.document import Block, Handout, signs
 from graphkin.handouts.grid import DIGITS, MARKERS, SIZE, digits, edges, markers_svg, room_svg
 from graphkin.outputs.files import needed
 from graphkin.outputs.paged import unscaled
@@ -106,17 +93,17 @@ def pdf(handout: Handout, paper: str = "A4", font: Path | None = None, scan: int
     typst = needed("typst", "pdf")
     pictures: dict[str, str] = {}
     page, body = PAPERS[paper], "\n".join(_markup(block, pictures) for block in handout.blocks)
-    fonts = _fonts(font, bool(_WIDE.search(handout.title + body + handout.foot.bar)))
+    families, folders = _fonts(font, bool(_WIDE.search(handout.title + body + handout.foot.bar)))
     if scan is not None:
         pictures["markers"] = markers_svg(page.width, page.height)
     contents = ""
     if handout.contents:
         title = f"heading(level: 1, outlined: false)[#{_string(handout.contents)}]"
         contents = f"#{title}\n#outline(title: none, depth: 1)\n"
-    text = _head(handout, fonts.families, page, scan) + contents + body
+    text = _head(handout, families, page, scan) + contents + body
     try:
         made: bytes = typst.compile(
-            text.encode(), format="pdf", sys_inputs=pictures, font_paths=list(fonts.folders), timestamp=0,
+            text.encode(), format="pdf", sys_inputs=pictures, font_paths=folders, timestamp=0,
             pdf_standards=["ua-1"],
         )  # fmt: skip
     except typst.TypstError as problem:
@@ -131,39 +118,46 @@ def pages(content: bytes) -> int:
     return len(re.findall(rb"/Type\s*/Page\b", content))
 
 
-@frozen
-class _Fonts:
-    """Families in the order in which they are tried, and folders to look in beside the system's."""
+def _fonts(named: Path | None, chinese: bool) -> tuple[tuple[str, ...], list[str]]:
+    """Families in the order in which they are tried, and folders to look in beside the system's.
 
-    families: tuple[str, ...]
-    folders: tuple[str, ...] = ()
-
-
-def _fonts(named: Path | None, chinese: bool) -> _Fonts:
-    """From a file that is named, from the environment's, or from the system. Raises NoFont, NoChineseLetters."""
+    From a file that is named, from the environment's, or from the system. Raises NoFont, NoChineseLetters.
+    """
     from matplotlib.ft2font import FT2Font
 
     from graphkin.outputs.diagram.fonts import chinese_font
 
     path = named or (Path(os.environ[VARIABLE]) if os.environ.get(VARIABLE) else None)
     own: tuple[str, ...] = ()
-    folders: tuple[str, ...] = ()
+    folders: list[str] = []
     if path is not None:
         try:
-            own, folders = (FT2Font(str(path)).family_name,), (str(path.parent),)
+            own, folders = (FT2Font(str(path)).family_name,), [str(path.parent)]
         except (OSError, RuntimeError):
             raise NoFont(str(path)) from None
     if not chinese:
-        return _Fonts((*own, *_LATIN), folders)
+        return (*own, *_LATIN), folders
     letters = own or tuple(filter(None, [chinese_font()]))
     if not letters:
         raise NoChineseLetters()
-    return _Fonts((*_LATIN, *letters), folders)
+    return (*_LATIN, *letters), folders
 
 
 def _head(handout: Handout, families: tuple[str, ...], page: Paper, scan: int | None) -> str:
-    foot = handout.foot
-    before, number, background = _numbered(page, scan) if scan is not None else ("", "", "none")
+    """The settings of all pages; of those that are photographed also their markers, and each one's number."""
+    foot, before, number, background = handout.foot, "", "", "none"
+    if scan is not None:
+        left, right = edges(page.width, page.height)
+        page_number = f"{scan - 1} + counter(page).get().first()"
+        parts = ((left, f"calc.quo({page_number}, {DIGITS})"), (right, f"calc.rem({page_number}, {DIGITS})"))
+        placed = "; ".join(
+            f"place(top + left, dx: {mm(at.real)}mm, dy: {mm(at.imag)}mm, marker({digits(0)[0]} + {part}))"
+            for at, part in parts
+        )
+        shared = f'image(bytes(sys.inputs.markers), format: "svg", width: {mm(page.width)}mm)'
+        background = f"context pdf.artifact({{ place(top + left, {shared}); {placed} }})"
+        before = _MARKER.format(bits=", ".join(map(str, MARKERS)), size=mm(SIZE), cell=mm(SIZE / 6))
+        number = f' + " · #" + str({page_number})'
     return before + _HEAD.format(
         title=_string(handout.title), families=", ".join(map(_string, families)), lang=_string(handout.lang),
         width=mm(page.width), height=mm(page.height), margin=mm(_MARGIN + (8 if scan is not None else 0)),
@@ -172,50 +166,35 @@ def _head(handout: Handout, families: tuple[str, ...], page: Paper, scan: int | 
     )  # fmt: skip
 
 
-def _numbered(page: Paper, first: int) -> tuple[str, str, str]:
-    """The macro that draws a marker, a page's number in its foot, and the background that tells it to a camera."""
-    left, right = edges(page.width, page.height)
-    number = f"{first - 1} + counter(page).get().first()"
-    parts = ((left, f"calc.quo({number}, {DIGITS})"), (right, f"calc.rem({number}, {DIGITS})"))
-    placed = (
-        f"place(top + left, dx: {mm(at.real)}mm, dy: {mm(at.imag)}mm, marker({digits(0)[0]} + {part}))"
-        for at, part in parts
-    )
-    shared = f'image(bytes(sys.inputs.markers), format: "svg", width: {mm(page.width)}mm)'
-    background = f"context pdf.artifact({{ place(top + left, {shared}); {'; '.join(placed)} }})"
-    before = _MARKER.format(bits=", ".join(map(str, MARKERS)), size=mm(SIZE), cell=mm(SIZE / 6))
-    return before, f' + " · #" + str({number})', background
-
-
 def _markup(block: Block, pictures: dict[str, str]) -> str:
     """A block in typst's markup; drawings are kept under the names by which it asks for them."""
     match block:
-        case HandoutHeading(words, level, said):  # with what the feet say from here on
+        case document.HandoutHeading(words, level, said):  # with what the feet say from here on
             foot = f"#state(\"said\", \"\").update({_string(' · ' + said)})\n" if said else ""
             return f"{foot}#heading(level: {level})[{_words(words)}]\n"
-        case Paragraph(words, act):
+        case document.Paragraph(words, act):
             number = f"#act({_string(act)}) " if act else ""
             return f"#par[{number}{_words(words)}]\n"
-        case FormulaLine(words):
+        case document.FormulaLine(words):
             return f"#pad(left: 8mm, par[{_words(words)}])\n"
-        case TermRows():  # terms, directions, sizes; a blank is a line to write on
+        case document.TermRows():  # terms, directions, sizes; a blank is a line to write on
             rule = "#box(width: 20mm, height: 6mm, stroke: (bottom: 0.18mm))"
             cells = [f"[{_words(cell) if cell is not None else rule}]" for line in block.lines for cell in line]
             shape = f"columns: {len(block.lines[0])}, align: center + horizon, column-gutter: 2mm, row-gutter: 2mm"
             return f"#block(breakable: false, pad(left: 8mm, grid({shape}, {', '.join(cells)})))\n"
-        case HandoutPicture(sheet, words):
+        case document.HandoutPicture(sheet, words):
             name, image = _image(pictures, svg(sheet), sheet.paper.width, words)
             return f"#drawn({_string(name)}, {image})\n"
-        case GridRoom():
+        case document.GridRoom():
             _, image = _image(pictures, room_svg(block), block.width, "".join(run.text for run in block.name))
             return f"#align(center, {image})\n"
-        case HandoutTable(heads, rows):
+        case document.HandoutTable(heads, rows):
             cells = [f"[{_words(cell)}]" for row in rows for cell in row]
             first = ", ".join(f"[{_words(head)}]" for head in heads)
             wide = mm(min(30, 152 / len(heads)))
             shape = f"columns: ({wide}mm,) * {len(heads)}, rows: 8mm, align: center + horizon, stroke: 0.18mm"
             return f"#block(breakable: false, table({shape}, table.header({first}), {', '.join(cells)}))\n"
-        case NewPage(front):
+        case document.NewPage(front):
             return "#pagebreak(weak: true" + (', to: "odd"' if front else "") + ")\n"
         case _:
             assert_never(block)
@@ -229,17 +208,16 @@ def _image(pictures: dict[str, str], text: str, width: float, words: str) -> tup
 
 
 def _words(label: Label) -> str:
-    return "".join(map(_sign, signs(label)))
-
-
-def _sign(sign: Sign) -> str:
-    """A letter with its scripts; where both stand over one another it is a formula, and read aloud as its name."""
-    base = _run(sign.base) if sign.base is not None else ""
-    low, high = ("".join(map(_run, runs)) for runs in (sign.low, sign.high))
-    if low and high:
-        whole = f"$attach(#lettered[{base}], t: #lettered[{high}], b: #lettered[{low}])$"
-        return f"#math.equation(alt: {_string(sign.plain)}, {whole})"
-    return base + (f"#sub[{low}]" if low else "") + (f"#super[{high}]" if high else "")
+    """Letters with their scripts; where both stand over one another it is a formula, and read aloud as its name."""
+    text = ""
+    for sign in signs(label):
+        base, low, high = ("".join(map(_run, runs)) for runs in sign.runs)
+        if low and high:
+            whole = f"$attach(#lettered[{base}], t: #lettered[{high}], b: #lettered[{low}])$"
+            text += f"#math.equation(alt: {_string(sign.plain)}, {whole})"
+        else:
+            text += base + (f"#sub[{low}]" if low else "") + (f"#super[{high}]" if high else "")
+    return text
 
 
 def _run(run: Run) -> str:

@@ -26,10 +26,7 @@ _NO_DEVIATION = 1e-6  # parts below this are none [%]
 
 @frozen
 class AnswerLines:
-    """The answers to what is asked for, about to be worded.
-
-    calculated  the sizes of the vectors that the solution has calculated [SI], by their names
-    """
+    """The answers, about to be worded; `calculated`: sizes of vectors that the solution has worked out [SI]."""
 
     goal: SolutionGoal
     calculated: Mapping[str, float]
@@ -69,7 +66,12 @@ class AnswerLines:
             case Component():
                 return self._component(name, quantity)
             case Quotient():
-                return self._quotient(name, quantity)
+                top, bottom = self.value(quantity.top), self.value(quantity.bottom)
+                if not (top and bottom):
+                    return Calculation(name, (), "", float(quantity.answer(self._motions).value.real), "")
+                turning = all(isinstance(half, Rotation) and half.word != "theta" for half in quantity.halves)
+                note = say("centres.same" if top * bottom > 0 else "centres.opposite") if turning else ""
+                return Calculation(name, (), Operand(top) / Operand(bottom), top / bottom, "", note)
             case Rotation() if quantity.word != "theta":
                 value = self.value(quantity)
                 return Calculation(name, (), "", abs(value), unit.sign, self.reading.sense(value))
@@ -102,7 +104,18 @@ class AnswerLines:
             return 0.0
         match quantity:
             case Moving():
-                return self._size(quantity, exactly)
+                # as it was calculated, of the point or of that of one link (`v_C`, `v_C4`); else as it is read off
+                site, method = quantity.site, self.reading.method
+                holding = method.mechanism.owners.get(site.point, ())
+                links = {site.link, *(holding if site.link in holding else ())}
+                labels = [self.goal.symbol(quantity)]
+                for node in method.velocity.nodes.values() if quantity.seen_from is None else ():
+                    if node.site is not None and node.site.point == site.point and node.site.link in links:
+                        labels.append(names.vector(f"{quantity.letter}_{node.of}"))
+                if (known := next((label for label in labels if label in self.calculated), None)) is not None:
+                    return self.calculated[known]
+                plane: Plane = "velocity" if quantity.letter == "v" else "acceleration"
+                return exactly if ruler is None else float(ruler.read(exactly, plane).real)
             case Component():
                 return self._component("", quantity).value
             case Displacement() | Place() | Track() | Centre():
@@ -114,20 +127,6 @@ class AnswerLines:
             case _:
                 assert_never(quantity)
 
-    def _size(self, quantity: Moving, exactly: float) -> float:
-        """The size of a vector as it was calculated; else as it is read off the polygon."""
-        site, method, ruler = quantity.site, self.reading.method, self.reading.ruler
-        owners = method.mechanism.owners.get(site.point, ())
-        links = {site.link, *(owners if site.link in owners else ())}
-        labels = [self.goal.symbol(quantity)]  # `v_C`, and `v_C4` of the point of one link
-        for node in method.velocity.nodes.values() if quantity.seen_from is None else ():
-            if node.site is not None and node.site.point == site.point and node.site.link in links:
-                labels.append(names.vector(f"{quantity.letter}_{node.of}"))
-        if (known := next((label for label in labels if label in self.calculated), None)) is not None:
-            return self.calculated[known]
-        plane: Plane = "velocity" if quantity.letter == "v" else "acceleration"
-        return exactly if ruler is None else float(ruler.read(exactly, plane).real)
-
     def _component(self, name: str, quantity: Component) -> Calculation:
         """`v_E,x = 0.3201 × cos 36.87° = 0.2561 m/s`."""
         whole, vector = self.value(quantity.whole), complex(quantity.whole.vector(self._motions))
@@ -136,15 +135,6 @@ class AnswerLines:
         if not self.reading.usual.cut(value, quantity.unit):
             return Calculation(name, (), "", 0.0, unit)
         return Calculation(name, (), Operand(whole) * turned, value, unit)
-
-    def _quotient(self, name: str, quantity: Quotient) -> Calculation:
-        """`ω1/ω3 = 10/18.69 = 0.5350 (same sense)`."""
-        top, bottom = self.value(quantity.top), self.value(quantity.bottom)
-        if not (top and bottom):
-            return Calculation(name, (), "", float(quantity.answer(self._motions).value.real), "")
-        turning = all(isinstance(half, Rotation) and half.word != "theta" for half in quantity.halves)
-        note = self.reading.say("centres.same" if top * bottom > 0 else "centres.opposite") if turning else ""
-        return Calculation(name, (), Operand(top) / Operand(bottom), top / bottom, "", note)
 
     def _centre(self, quantity: Centre) -> str:
         """The place of an instant centre."""
@@ -160,24 +150,15 @@ class AnswerLines:
 
 
 def deviations(drawn: AnswerLines, exactly: SolutionGoal) -> Iterator[Entry]:
-    """Each answer read off a drawing beside its exact value.
-
-    exactly  the same questions of the drawing that was read
-    """
-    right = AnswerLines(exactly, {})
+    """Each answer read off a drawing beside its exact value; `exactly`: the same questions of the drawing itself."""
+    right, say = AnswerLines(exactly, {}), drawn.reading.say
     if drawn.answerable:
-        yield Heading(drawn.reading.say("solution.exactly"))
+        yield Heading(say("solution.exactly"))
     for quantity in drawn.answerable:
-        yield Sentence("  " + _beside(drawn, right, quantity))
-
-
-def _beside(drawn: AnswerLines, right: AnswerLines, quantity: Quantity) -> str:
-    """`v_C: as drawn 1.225 m/s (at 180° to +x), exactly 1.220 m/s (at 180° to +x), off by 0.44 %.`"""
-    shown = {"read": drawn.result(quantity), "exact": right.result(quantity)}
-    name, off = right.goal.symbol(quantity), ""
-    if quantity.is_place:
-        name = names.point(quantity.text.split()[-1])
-    elif exactly := right.signed(quantity):
-        part = abs(drawn.signed(quantity) / exactly - 1) * 100
-        off = drawn.reading.say("solution.off", part=number(part, _NO_DEVIATION, 2))
-    return drawn.reading.say("solution.beside", name=name, off=off, **shown)
+        name, off = exactly.symbol(quantity), ""
+        if quantity.is_place:
+            name = names.point(quantity.text.split()[-1])
+        elif value := right.signed(quantity):
+            off = say("solution.off", part=number(abs(drawn.signed(quantity) / value - 1) * 100, _NO_DEVIATION, 2))
+        shown = {"read": drawn.result(quantity), "exact": right.result(quantity)}
+        yield Sentence("  " + say("solution.beside", name=name, off=off, **shown))

@@ -20,12 +20,13 @@ Phrases = Mapping[str, tuple[str, str]]  # by full name: English, Chinese
 
 SHARED_FILES: Mapping[str, tuple[str, ...]] = {
     "centres": ("about",),
+    "derivation": ("solution",),
     "file_help": ("file_page", "file_keys"),
     "homework": ("problems", "assembly", "platforms", "feedback", "class_report"),
-    "marking": ("marks", "verdicts", "tolerances", "discriminability"),
-    "results": ("checks",),
-    "sheets": ("sheet", "diagrams", "pictures", "handouts"),
-    "sweeps": ("finding",),
+    "linkages": ("design",),
+    "marking": ("marks", "mistakes", "verdicts", "tolerances", "discriminability"),
+    "results": ("checks", "structure", "sweeps", "finding"),
+    "sheets": ("sheet", "diagrams", "pictures", "handouts", "equations"),
 }
 """The subjects in a file of `phrases` beside that after which it is called."""
 _FILE_OF = {subject: file for file, subjects in SHARED_FILES.items() for subject in subjects}
@@ -40,25 +41,20 @@ _ROOM = f"(?<={_WORD}) +(?={_WORD})|(?<={_SIGN}) +(?=\\S)|(?<=\\S) +(?={_SIGN})"
 
 
 @cache
-def _phrases(file: str) -> Phrases:
-    phrases: Phrases = import_module(f"{__package__}.phrases.{file}").PHRASES
+def _subject(subject: str) -> Phrases:
+    phrases: Phrases = import_module(f"{__package__}.phrases.{_FILE_OF.get(subject, subject)}").PHRASES
     return phrases
-
-
-def _file(name: str) -> Phrases:
-    subject = name.partition(".")[0]
-    return _phrases(_FILE_OF.get(subject, subject))
 
 
 def phrase(name: str, lang: Lang) -> str:
     """A phrase as it stands in the catalogue. name: `subject.key`."""
-    en, zh = _file(name)[name]
+    en, zh = _subject(name.partition(".")[0])[name]
     return zh if lang == "zh" else en
 
 
 def is_phrase(name: str) -> bool:
     """True of the name of a phrase; for names made of what comes from outside."""
-    return name in _file(name)
+    return name in _subject(name.partition(".")[0])
 
 
 def say(name: str, lang: Lang, /, **words: object) -> str:

@@ -27,7 +27,17 @@ def say(key: str, lang: Lang, /, **words: object) -> str:
 
 def about_words(seen: About, lang: Lang) -> list[str]:
     """The link and its points at this instant, a sentence each."""
-    return [*link_words(seen, lang), *(_point(seen, name, lang) for name in seen.points)]
+    sentences = [*link_words(seen, lang)]
+    for name, carried in seen.points.items():
+        data = {"name": name, "v": abs(carried.velocity), "a": abs(carried.acceleration)}
+        if cmath.isnan(carried.centre) or cmath.isinf(carried.centre):
+            sentences.append(say("about.still" if cmath.isnan(carried.centre) else "about.straight", lang, **data))
+        elif carried.radius == 0:
+            sentences.append(say("about.cusp", lang, **data))
+        else:
+            place = _place(seen, carried.centre)
+            sentences.append(say("about.curved", lang, **data, radius=1e3 * carried.radius, place=place))
+    return sentences
 
 
 def link_words(seen: About, lang: Lang) -> Iterator[str]:
@@ -46,10 +56,6 @@ def link_words(seen: About, lang: Lang) -> Iterator[str]:
         yield say("about.acceleration", lang, place=_place(seen, seen.acceleration_pole))
     elif seen.moves:
         yield say("about.no acceleration", lang)
-    yield from _circles(seen, lang)
-
-
-def _circles(seen: About, lang: Lang) -> Iterator[str]:
     inflection, returning = seen.inflection, seen.returning
     if inflection is None:
         return
@@ -65,18 +71,6 @@ def _circles(seen: About, lang: Lang) -> Iterator[str]:
     yield say("about.return", lang, place=_place(seen, returning.centre))
 
 
-def _point(seen: About, name: str, lang: Lang) -> str:
-    carried = seen.points[name]
-    data = {"name": name, "v": abs(carried.velocity), "a": abs(carried.acceleration)}
-    if cmath.isnan(carried.centre):
-        return say("about.still", lang, **data)
-    if cmath.isinf(carried.centre):
-        return say("about.straight", lang, **data)
-    if carried.radius == 0:
-        return say("about.cusp", lang, **data)
-    return say("about.curved", lang, **data, radius=1e3 * carried.radius, place=_place(seen, carried.centre))
-
-
 def _place(seen: About, place: complex) -> str:
     """`(66.4, 182.4) mm`."""
     shown = 1e3 * complex(seen.found.method.mechanism.usual.cut(place, "m"))
@@ -89,14 +83,10 @@ def _degrees(direction: complex) -> float:
     return angle - 180 if angle > 90 else angle + 180 if angle <= -90 else angle
 
 
-# --- Bobillier's construction -----------------------------------------------------------------
-
-
 def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
     """The source of both points, and one sentence each stage."""
-    first, second = drawn.guides
+    (first, second), (q, qc) = drawn.guides, drawn.crossings
     data = {"a": first.point, "b": second.point, "a0": first.written, "b0": second.written, "c": drawn.point}
-    q, qc = drawn.crossings
     data |= {"p": drawn.pole, "q": q, "qc": qc, "k": drawn.answer}
     stages, pivots = [], any(entry.centre[2] for entry in drawn.guides)
     for stage in drawn.construction.stages:  # whose lines may be parallel
@@ -106,15 +96,11 @@ def bobillier_words(drawn: Bobillier, lang: Lang) -> list[str]:
             far = stage.say in ("Q", "K") and cmath.isinf(drawn.board.at(stage.last.name))
             key = f"about.bobillier {stage.say} far" if far else f"about.bobillier {stage.say}"
             stages.append(say(key, lang, **data))
-    kinds = ["measured" if entry.measured else "pivoted" if entry.pivoted else "guided" for entry in drawn.guides]
-    sources = [
-        say(f"about.bobillier {kind}", lang, point=entry.point, centre=entry.written)
-        for kind, entry in zip(kinds, drawn.guides, strict=True)
-    ]
+    sources = []
+    for entry in drawn.guides:
+        kind = "measured" if entry.measured else "pivoted" if entry.pivoted else "guided"
+        sources.append(say(f"about.bobillier {kind}", lang, point=entry.point, centre=entry.written))
     return [*sources, *stages]
-
-
-# --- two velocities ---------------------------------------------------------------------------
 
 
 def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
@@ -137,9 +123,6 @@ def pole_words(found: TwoVelocities, lang: Lang) -> list[str]:
         omega = Calculation("ω", (f"v_{point}/l_{point}P",), numbers, abs(found.omega), "rad/s").text
         words.append(say("about.two omega", lang, omega=omega, sense=sense(found.omega, lang)))
     return words
-
-
-# --- centrodes and paths of centres -----------------------------------------------------------
 
 
 def curves_met(curves: Centrodes, centre: complex | None, lang: Lang) -> Iterator[str]:

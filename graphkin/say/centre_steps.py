@@ -10,19 +10,8 @@ from typing import assert_never
 import numpy as np
 
 from graphkin.base.value import frozen
-from graphkin.construction.drafting import (
-    ChosenPoint,
-    DraftLayOff,
-    DraftMeet,
-    DraftTurn,
-    Far,
-    LineStep,
-    MarkOn,
-    PointStep,
-    Pricked,
-    Stage,
-    drawn_through,
-)  # fmt: skip
+from graphkin.construction import drafting
+from graphkin.construction.drafting import DraftMeet, Far, LineStep, Pricked, Stage, drawn_through
 from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.pairs import Cam, CircularSlot, Pair, Slide
@@ -77,13 +66,8 @@ class CentreReader:
         x, y = (number(1000 * read(v), 1000 * noise) for v in (at.real, at.imag))
         return self.say("centres.mm", x=x, y=y)
 
-    # --- sentences ------------------------------------------------------------------------------
-
     def entries(self, stages: Sequence[Stage], together: Sequence[tuple[str, str]], number: int = 1) -> Iterator[Entry]:
-        """The number of centres, those by definition, then the others in the order in which they are found.
-
-        stages, together   the centres that are told, and the pairs of links that have none
-        """
+        """The number of centres, those by definition, the others in order; `together`: pairs of links without one."""
         count = len(self.mechanism.links)
         yield Heading(self.say("centres.finding", number=number))
         yield Sentence(self.say("centres.count", n=count, less=count - 1, count=len(self.found.pairs)))
@@ -98,28 +82,29 @@ class CentreReader:
             yield Sentence("  " + self.say("centres.together", name=name, **self._links(pair)))
 
     def sentence(self, stage: Stage) -> str:
-        """The sentence of one centre."""
-        name = stage.last.name
-        words = {"name": names.point(name), "place": self.place(name), "angle": self.angle(name)}
-        return self.say(f"centres.found {stage.say}", **words, **self._made(stage))
-
-    def _made(self, stage: Stage) -> dict[str, str]:
-        """The names of its links, its point or its lines, by the step that makes a centre."""
+        """The sentence of one centre, with its links, its point or its lines by the step that makes it."""
         step = stage.last
-        assert isinstance(step, PointStep), step
+        assert isinstance(step, drafting.PointStep), step
+        words = {"name": names.point(step.name), "place": self.place(step.name), "angle": self.angle(step.name)}
         match step:
             case Pricked():
                 count = len(self.mechanism.drivers)  # why the lines do not suffice
                 reason = self.say("centres.several freedoms", count=count) if count > 1 else ""
-                words = {"point": names.point(step.point), "reason": reason or self.say("centres.lines coincide")}
-                return words | self._links(self.found.centring.links[step.name])
+                words |= {"point": names.point(step.point), "reason": reason or self.say("centres.lines coincide")}
+                words |= self._links(self.found.centring.links[step.name])
             case DraftMeet():
                 first, second = (self._line(step, line) for line in stage.lines)
-                return {"first": first, "second": second, "met": self._met(stage)}
-            case Far() | ChosenPoint() | DraftLayOff() | MarkOn() | DraftTurn():
-                return self._links(self.found.centring.links[step.name])
+                words |= {"first": first, "second": second, "met": self.say("centres.met", place=words["place"])}
+                if self.is_far(step.name):
+                    joins = [line for line in stage.lines if line.name not in self.found.centring.normals]
+                    at_infinity = any(all(self.is_far(end) for end in drawn_through(line)) for line in joins)
+                    key = "centres.met infinity" if at_infinity else "centres.met far"
+                    words["met"] = self.say(key, name=words["name"], angle=words["angle"])
+            case Far() | drafting.ChosenPoint() | drafting.DraftLayOff() | drafting.MarkOn() | drafting.DraftTurn():
+                words |= self._links(self.found.centring.links[step.name])
             case _:
                 assert_never(step)
+        return self.say(f"centres.found {stage.say}", **words)
 
     def _links(self, pair: tuple[str, str]) -> dict[str, str]:
         return {"first": self.link(pair[0]), "second": self.link(pair[1])}
@@ -148,25 +133,10 @@ class CentreReader:
         key = "centres.across guide" if by_definition else "centres.parallel"
         return self.say(key, angle=self.angle(far[0]), **words)
 
-    def _met(self, stage: Stage) -> str:
-        centre = stage.last.name
-        if not self.is_far(centre):
-            return self.say("centres.met", place=self.place(centre))
-        joins = [line for line in stage.lines if line.name not in self.found.centring.normals]
-        at_infinity = any(all(self.is_far(end) for end in drawn_through(line)) for line in joins)
-        key = "centres.met infinity" if at_infinity else "centres.met far"
-        return self.say(key, name=names.point(centre), angle=self.angle(centre))
-
-
-# --- a part of a solution -----------------------------------------------------------------------
-
 
 @frozen
 class CentrePart:
-    """The instant centres that are asked for, as a part of a solution, with those they hang on.
-
-    stages: those that lead to the centres asked for; together: the pairs of links asked for that have none.
-    """
+    """The instant centres asked for, with those they hang on; `together`: pairs of links asked for that have none."""
 
     reader: CentreReader
     stages: tuple[Stage, ...]
@@ -196,9 +166,6 @@ def centre_part(reading: Reading, asked: Sequence[Centre]) -> CentrePart:
     together = tuple(pair for pair in found.centring.together if found.name(*pair) in labels)
     found = replace(found, centring=shortest(found, labels))
     return CentrePart(CentreReader(found, reading.lang, reading.measured), found.centring.stages, together)
-
-
-# --- a table ------------------------------------------------------------------------------------
 
 
 def centre_rows(found: Centres, lang: Lang) -> Iterator[list[str]]:

@@ -9,7 +9,7 @@ from typing import assert_never
 from graphkin.base.value import frozen
 from graphkin.construction.drafting import Reckon
 from graphkin.errors import Lang, listed
-from graphkin.model.mechanism import FRAME, Driver
+from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import Seen, common_link
 from graphkin.model.quantities import Moving, Quantity, Rotation, parts
 from graphkin.say import names
@@ -32,13 +32,9 @@ _FORMS: Mapping[str, tuple[str, Callable[..., Formula | str]]] = {
 _RATES = ("alpha", "a", "a_n", "a_t", "a_k", "a_r")
 
 
-# --- all centres --------------------------------------------------------------------------------
-
-
 def explain_centres(found: Centres, lang: Lang, scale: float | None = None) -> list[str]:
-    """All centres with the lines that give them, and the velocities asked for with their figures, line by line.
+    """All centres at one position with the lines that give them, and the velocities asked for with their figures.
 
-    found  at one position
     scale  of the drawing from which lengths are taken [m/mm]; the file's own, or 0.001, where left out
     """
     return list(text_lines(centre_entries(found, lang, scale), lang))
@@ -64,9 +60,6 @@ def advantage_lines(found: Centres, lang: Lang) -> Iterator[str]:
         yield "  " + say("centres.advantage", lang, value=number(abs(value)), ratio=ratio, **words)
 
 
-# --- levers -------------------------------------------------------------------------------------
-
-
 @frozen
 class LeverReader:
     """Motions worked out from centres, about to be worded."""
@@ -81,7 +74,7 @@ class LeverReader:
     def entry(self, lever: Lever, name: str = "") -> Entry:
         """A calculation, or why there is none. name: of a point's velocity, as it was asked for."""
         if (result := lever.sum) is not None:
-            value, meant = self._number(result.name), self.levers.meant[result.name]
+            value, meant = float(self.levers.board.numbers[result.name].real), self.levers.meant[result.name]
             formulas, numbers = self._formulas(lever, result)
             unit = "rad/s" if meant.kind in ("omega", "against") else "m/s"
             note = self._note(lever, meant) if value else ""
@@ -90,11 +83,6 @@ class LeverReader:
             words = {"first": self.reader.link(lever.base), "second": self.reader.link(lever.link)}
             return Sentence(self.reader.say("centres.together", name=self._shared(lever), **words))
         return Sentence(self.reader.say("centres.not told", name=self.rate(lever.link)))
-
-    def _number(self, name: str) -> float:
-        return float(self.levers.board.numbers[name].real)
-
-    # --- names ----------------------------------------------------------------------------------
 
     def rate(self, link: str) -> str:
         """`ω3`."""
@@ -136,7 +124,7 @@ class LeverReader:
             return (), ""
         pattern, figured = _FORMS[result.rule]
         formula = pattern.format(*map(self._symbol, result.of))
-        numbers = figured(*figures(*map(self._number, result.of)))
+        numbers = figured(*figures(*(float(self.levers.board.numbers[name].real) for name in result.of)))
         match lever.stage.say:
             case "pushed":
                 return (f"v_{self._shared(lever)}", formula), numbers
@@ -145,30 +133,23 @@ class LeverReader:
             case _:
                 return (formula,), numbers
 
-    # --- notes ----------------------------------------------------------------------------------
-
-    def sense(self, omega: float) -> str:
-        return sense(omega, self.reader.lang)
-
     def _shared(self, lever: Lever) -> str:
         return names.point(self.levers.found.name(lever.base, lever.link))
 
     def _note(self, lever: Lever, meant: BoardNumber) -> str:
         """The sense of a rotation, or the direction of a motion."""
-        levers, say, link = self.levers, self.reader.say, lever.link
+        levers, say, lang, link = self.levers, self.reader.say, self.reader.lang, lever.link
         match lever.stage.say:
             case "levered":
                 outside = levers.omega(lever.base) * levers.omega(link) > 0
                 ends = self._stretch(*(levers.found.name(FRAME, one) for one in (lever.base, link)))
                 key = "centres.sense outside" if outside else "centres.sense between"
-                return say(key, sense=self.sense(levers.omega(link)), centre=self._shared(lever), ends=ends)
+                return say(key, sense=sense(levers.omega(link), lang), centre=self._shared(lever), ends=ends)
             case "alike":
-                return say("centres.sense alike", sense=self.sense(levers.omega(link)), centre=self._shared(lever))
-            case "pushed":
-                return say("centres.along", angle=degrees(levers.way(link)))
-            case "triangle":
-                along = say("centres.along", angle=degrees(levers.way(link)))
-                return say("centres.triangle") + say("common.and") + along
+                return say("centres.sense alike", sense=sense(levers.omega(link), lang), centre=self._shared(lever))
+            case "pushed" | "triangle":
+                triangle = say("centres.triangle") + say("common.and") if lever.stage.say == "triangle" else ""
+                return triangle + say("centres.along", angle=degrees(levers.way(link)))
             case "glides":
                 return ""
             case "point" | "pair":
@@ -178,17 +159,11 @@ class LeverReader:
                     return say("centres.across", arm=arm, angle=angle)
                 return say("centres.at", angle=angle)
             case _:
-                return self.sense(levers.turned(meant))
-
-
-# --- what is asked for --------------------------------------------------------------------------
+                return sense(levers.turned(meant), lang)
 
 
 def _velocities(reader: CentreReader, scale: float) -> Iterator[Entry]:
-    """The velocities that the file asks for, or all rotations where it asks for none.
-
-    scale  of the drawing from which lengths are taken [m/mm]
-    """
+    """The velocities that the file asks for, or all rotations where it asks for none; scale of the drawing [m/mm]."""
     yield Heading(reader.say("centres.using"))
     driver = next((driver for driver in reader.mechanism.drivers if driver.rate), None)
     if driver is None:
@@ -196,27 +171,19 @@ def _velocities(reader: CentreReader, scale: float) -> Iterator[Entry]:
         return
     yield Sentence(reader.say("centres.scale", scale=names.SCALE["position"], value=number(scale)))
     levers = LeverReader(reader, Levers(reader.found, scale))
-    yield Sentence(reader.say("centres.given", what=_driver_rate(levers, driver)))
-    yield from levers.entries(levers.levers.start(driver))
-    yield from _answers(levers, driver)
-
-
-def _driver_rate(levers: LeverReader, driver: Driver) -> str:
-    """`ω1 = 10 rad/s (counter-clockwise)`, `v_C = 0.2 m/s`: the given speed of one driver."""
-    reader, called = levers.reader, levers.reader.mechanism.called
-    if driver.kind == "slide":
+    if driver.kind == "slide":  # `v_C = 0.2 m/s`
         point, _, guide = driven_point(reader.mechanism, driver)
-        if guide == FRAME:
-            return f"v_{names.point(point)} = {number(abs(driver.rate))} m/s"
-        return f"{names.of_slide('ṡ', driver.link)} = {number(driver.rate)} m/s"
-    name = levers.rate(driver.link)
-    if driver.from_link != FRAME:
-        name = names.relative("ω", called(driver.link), called(driver.from_link))
-    return f"{name} = {number(abs(driver.rate))} rad/s{reader.say('common.note', note=levers.sense(driver.rate))}"
-
-
-def _answers(levers: LeverReader, driver: Driver) -> Iterator[Entry]:
-    reader, lines = levers.reader, set[str]()
+        name = f"v_{names.point(point)}" if guide == FRAME else names.of_slide("ṡ", driver.link)
+        rate = f"{name} = {number(abs(driver.rate) if guide == FRAME else driver.rate)} m/s"
+    else:  # `ω1 = 10 rad/s (counter-clockwise)`
+        called, note = reader.mechanism.called, reader.say("common.note", note=sense(driver.rate, reader.lang))
+        name = levers.rate(driver.link)
+        if driver.from_link != FRAME:
+            name = names.relative("ω", called(driver.link), called(driver.from_link))
+        rate = f"{name} = {number(abs(driver.rate))} rad/s{note}"
+    yield Sentence(reader.say("centres.given", what=rate))
+    yield from levers.entries(levers.levers.start(driver))
+    lines = set[str]()
     asked = {text.strip(): parts(reader.mechanism, text) for text in reader.mechanism.ask}
     if not any(halves and halves[0].word in ("omega", "v") for halves in asked.values()):
         links = [link for link in reader.mechanism.moving if link != driver.link]
@@ -235,7 +202,12 @@ def _answers(levers: LeverReader, driver: Driver) -> Iterator[Entry]:
 def _answer(levers: LeverReader, *quantities: Quantity) -> Iterator[Entry]:
     for quantity in quantities:
         if isinstance(quantity, Rotation) and quantity.word == "omega":
-            yield from _rotation(levers, quantity.link)
+            if (path := levers.levers.path(quantity.link)) is None:
+                yield _missing(levers, levers.rate(quantity.link))
+                continue
+            yield from levers.entries(levers.levers.along(path))
+            if not levers.levers.turning[quantity.link]:
+                yield Calculation(levers.rate(quantity.link), (), "", 0.0, "rad/s")
         elif isinstance(quantity, Moving) and quantity.word == "v" and quantity.seen_from is None:
             yield from _of_site(levers, quantity.of, quantity.site)
         elif isinstance(quantity, Moving) and quantity.word == "v" and quantity.seen_from is not None:
@@ -244,16 +216,6 @@ def _answer(levers: LeverReader, *quantities: Quantity) -> Iterator[Entry]:
 
 def _missing(levers: LeverReader, name: str) -> Entry:
     return Sentence(levers.reader.say("centres.not told", name=name))
-
-
-def _rotation(levers: LeverReader, link: str) -> Iterator[Entry]:
-    path = levers.levers.path(link)
-    if path is None:
-        yield _missing(levers, levers.rate(link))
-        return
-    yield from levers.entries(levers.levers.along(path))
-    if not levers.levers.turning[link]:
-        yield Calculation(levers.rate(link), (), "", 0.0, "rad/s")
 
 
 def _of_site(levers: LeverReader, text: str, site: Seen) -> Iterator[Entry]:
@@ -281,40 +243,30 @@ def _relative(levers: LeverReader, text: str, of: Seen, seen_from: Seen) -> Iter
         yield from levers.entries(levers.levers.along(path))
     if link is not None:
         yield levers.entry(levers.levers.of_pair(of.point, seen_from.point, link), name)
-    else:
-        yield from _difference(levers, name, of, seen_from)
-
-
-def _difference(levers: LeverReader, name: str, of: Seen, seen_from: Seen) -> Iterator[Entry]:
-    """The third side of the triangle of two velocities."""
+        return
     for site in (of, seen_from):
         label = f"v_{names.point(site.point)}{levers.reader.link(site.link)}"
         yield levers.entry(levers.levers.of_point(site.point, site.link), label)
     first, second = (complex(levers.levers.velocity(site.point, site.link)) for site in (of, seen_from))
-    difference = abs(first - second)
+    difference = abs(first - second)  # the third side of the triangle of both
     difference = difference if difference > 1e-6 * hypot(abs(first), abs(second)) else 0.0
-    note = levers.reader.say("centres.triangle")
-    yield Calculation(name, (), "", difference, "m/s", note if difference else "")
+    yield Calculation(name, (), "", difference, "m/s", levers.reader.say("centres.triangle") if difference else "")
 
 
 def _quotient(levers: LeverReader, top: Quantity, bottom: Quantity) -> Iterator[Entry]:
     """omega_i / omega_j = P1jPij / P1iPij, or of what has been worked out."""
-    entries = [list(_answer(levers, half)) for half in (top, bottom)]
-    for answer in entries:
+    values: list[tuple[str, float]] = []  # the names and the values of both, of a rotation with its sign
+    for half in (top, bottom):
+        answer = list(_answer(levers, half))
         yield from answer
-    values = [_value(levers, half, answer) for half, answer in zip((top, bottom), entries, strict=True)]
-    if values[0] is None or values[1] is None or values[1][1] == 0:
+        if isinstance(half, Rotation) and half.word == "omega" and half.link in levers.levers.turning:
+            values.append((levers.rate(half.link), levers.levers.omega(half.link)))
+        elif answer and isinstance(answer[-1], Calculation):
+            values.append((answer[-1].name, answer[-1].value))
+    if len(values) < 2 or values[1][1] == 0:
         return
-    (one, first), (other, second) = values[0], values[1]
+    (one, first), (other, second) = values
     numbers = Operand(abs(first)) / Operand(abs(second))
     turning = top.word == "omega"
     note = levers.reader.say("centres.same" if first * second > 0 else "centres.opposite") if turning and first else ""
     yield Calculation(f"{one}/{other}", (), numbers, abs(first / second), "", note)
-
-
-def _value(levers: LeverReader, half: Quantity, answer: list[Entry]) -> tuple[str, float] | None:
-    """The name and the value of an answer; of a rotation with its sign."""
-    if isinstance(half, Rotation) and half.word == "omega" and half.link in levers.levers.turning:
-        return levers.rate(half.link), levers.levers.omega(half.link)
-    last = answer[-1] if answer else None
-    return (last.name, last.value) if isinstance(last, Calculation) else None

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from graphkin.check import RulerReading, RulerReport
+from graphkin.check import RulerReport
 from graphkin.errors import Lang
 from graphkin.say import names
 from graphkin.say.catalogue import say
@@ -19,7 +19,16 @@ def check_lines(report: RulerReport, tolerance_mm: float, lang: Lang) -> Iterato
     rows = [[say(f"checks.{head}", lang) for head in heads]]
     for entry in report.measured:
         mark = "" if entry.off_mm <= tolerance_mm else "  <--"
-        rows.append([*_cells(entry, lang), entry.unit.replace("^2", "²") + mark])
+        in_polygon = entry.kind == "vector" and entry.plane != "centres"
+        name = names.vector(entry.name) if in_polygon else names.point(entry.name)
+        if entry.kind == "vector":
+            drawn, exact = f"{abs(entry.drawn):.4f}", f"{abs(entry.exact):.4f}"
+        else:
+            name += say("common.note", lang, note=say(f"checks.plane {entry.plane}", lang))
+            places = (f"({place.real + 0.0:.3f}, {place.imag + 0.0:.3f})" for place in (entry.drawn, entry.exact))
+            drawn, exact = (place.replace("-", "−") for place in places)
+        sizes = [drawn, exact, f"{entry.off_mm:.4f}", f"{entry.off_mm * entry.unit_per_mm:.2e}"]
+        rows.append([name, *sizes, entry.unit.replace("^2", "²") + mark])
     yield from table(rows)
     colon, (faults, notes) = say("common.colon", lang), _remarks(report, lang)
     yield from (f"{say('checks.fault', lang)}{colon}{fault}" for fault in faults)
@@ -30,10 +39,15 @@ def check_lines(report: RulerReport, tolerance_mm: float, lang: Lang) -> Iterato
 
 def check_json(report: RulerReport, tolerance_mm: float, lang: Lang) -> dict[str, object]:
     """The same for programs: drawn and exact in mm on paper, [x, y]; faults and notes in words."""
-    faults, notes = _remarks(report, lang)
+    measured, (faults, notes) = [], _remarks(report, lang)
+    for entry in report.measured:
+        drawn, exact = ([place.real, place.imag] for place in (entry.drawn, entry.exact))
+        off = entry.off_mm if math.isfinite(entry.off_mm) else None
+        row = {"plane": entry.plane, "kind": entry.kind, "name": entry.name, "drawn": drawn, "exact": exact}
+        measured.append(row | {"off": off, "unit_per_mm": entry.unit_per_mm, "unit": entry.unit})
     return {
         "format": 1, "file": report.file, "passed": report.passed(tolerance_mm), "tolerance": tolerance_mm,
-        "measured": [_entry(entry) for entry in report.measured], "faults": faults, "notes": notes,
+        "measured": measured, "faults": faults, "notes": notes,
     }  # fmt: skip
 
 
@@ -41,22 +55,3 @@ def _remarks(report: RulerReport, lang: Lang) -> tuple[list[str], list[str]]:
     """The faults and the notes in words."""
     faults = [say(f"checks.fault {fault.kind}", lang, what=fault.what) for fault in report.faults]
     return faults, [say(f"checks.note {note.kind}", lang, what=note.what) for note in report.notes]
-
-
-def _entry(entry: RulerReading) -> dict[str, object]:
-    drawn, exact = ([place.real, place.imag] for place in (entry.drawn, entry.exact))
-    off = entry.off_mm if math.isfinite(entry.off_mm) else None
-    said = {"plane": entry.plane, "kind": entry.kind, "name": entry.name, "drawn": drawn, "exact": exact}
-    return said | {"off": off, "unit_per_mm": entry.unit_per_mm, "unit": entry.unit}
-
-
-def _cells(entry: RulerReading, lang: Lang) -> list[str]:
-    in_polygon = entry.kind == "vector" and entry.plane != "centres"
-    name = names.vector(entry.name) if in_polygon else names.point(entry.name)
-    if entry.kind == "vector":
-        drawn, exact = f"{abs(entry.drawn):.4f}", f"{abs(entry.exact):.4f}"
-    else:
-        name += say("common.note", lang, note=say(f"checks.plane {entry.plane}", lang))
-        places = (f"({place.real + 0.0:.3f}, {place.imag + 0.0:.3f})" for place in (entry.drawn, entry.exact))
-        drawn, exact = (place.replace("-", "−") for place in places)
-    return [name, drawn, exact, f"{entry.off_mm:.4f}", f"{entry.off_mm * entry.unit_per_mm:.2e}"]

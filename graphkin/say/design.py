@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import replace
 from math import degrees
 
@@ -14,7 +14,7 @@ from graphkin.say.catalogue import LANGUAGES, in_both, say
 from graphkin.say.figures import figures, written
 from graphkin.say.linkages import kind_name
 from graphkin.say.numbers import SentenceNumber
-from graphkin.studies.design import Design, Family, Reason, Solution, linkage_of, proof
+from graphkin.studies.design import Design, Reason, Solution, linkage_of, proof
 from graphkin.studies.linkages import filed
 
 _DIGITS = 5  # as `Figure` has them
@@ -26,25 +26,21 @@ def sentences(construction: Drafting, board: Board, lang: Lang) -> list[str]:
     words: dict[str, object] = {name: SentenceNumber(value) for name, value in numbers.items()}
     for name, place in board.places.items():
         words |= {f"{name}_x": SentenceNumber(place.real * 1e3), f"{name}_y": SentenceNumber(place.imag * 1e3)}
-    words |= _figures(numbers)
-    return [say(f"design.stage {stage.say}", lang, **words) for stage in construction.stages]
-
-
-def _figures(known: Mapping[str, float]) -> Iterator[tuple[str, str]]:
-    """The formulas of the sentences with their figures put in, of what there is on a board."""
-    if "K" in known and "theta" in known:
-        less, more, half_turn = figures(known["K"] - 1, known["K"] + 1, 180)
-        shown = written(half_turn * less / more, degrees(known["theta"]), _DIGITS)
-        yield "of_K", shown.replace("180", "180°", 1)
-    if {"AC1", "AC2", "a", "b"} <= known.keys():
-        short, long = sorted((known["AC1"] * 1e3, known["AC2"] * 1e3))
-        (one, other), (two,) = figures(short, long), figures(2)
-        yield "half_less", written((other - one) / two, known["a"] * 1e3, _DIGITS)
-        yield "half_more", written((one + other) / two, known["b"] * 1e3, _DIGITS)
+    # the formulas of the sentences with their figures put in, of what there is on the board
+    if "K" in numbers and "theta" in numbers:
+        less, more, half_turn = figures(numbers["K"] - 1, numbers["K"] + 1, 180)
+        ratio = written(half_turn * less / more, degrees(numbers["theta"]), _DIGITS)
+        words["of_K"] = ratio.replace("180", "180°", 1)
+    if {"AC1", "AC2", "a", "b"} <= numbers.keys():
+        short, long = sorted((numbers["AC1"] * 1e3, numbers["AC2"] * 1e3))
+        one, other, two = figures(short, long, 2)
+        words["half_less"] = written((other - one) / two, numbers["a"] * 1e3, _DIGITS)
+        words["half_more"] = written((one + other) / two, numbers["b"] * 1e3, _DIGITS)
     for link, divisor in (("a", "R1"), ("c", "R2")):
-        if {link, divisor, "d"} <= known.keys():
-            frame, by = figures(known["d"] * 1e3, known[divisor])
-            yield f"of_{divisor}", written(frame / by, known[link] * 1e3, _DIGITS)
+        if {link, divisor, "d"} <= numbers.keys():
+            frame, by = figures(numbers["d"] * 1e3, numbers[divisor])
+            words[f"of_{divisor}"] = written(frame / by, numbers[link] * 1e3, _DIGITS)
+    return [say(f"design.stage {stage.say}", lang, **words) for stage in construction.stages]
 
 
 def phrased(reason: Reason, lang: Lang) -> str:
@@ -64,30 +60,29 @@ def error(design: Design) -> NoDesign | None:
     return NoDesign(" ".join(in_english), " ".join(in_chinese))
 
 
-# --- lines -------------------------------------------------------------------------------------------
-
-
 def lines(design: Design, lang: Lang = "en") -> list[str]:
     """The solution as a book writes it, then all solutions, what is none, and the family."""
-    return list(_lines(design, lang))
-
-
-def _lines(design: Design, lang: Lang) -> Iterator[str]:
-    yield say(f"design.heading {design.kind}", lang)
-    best = design.best
+    shown, best = [say(f"design.heading {design.kind}", lang)], design.best
     if best is not None:
-        numbered = enumerate(sentences(best.construction, best.board(), lang), start=1)
-        yield from (f"({number}) {text}" for number, text in numbered)
+        stages = enumerate(sentences(best.construction, best.board(), lang), start=1)
+        shown += (f"({number}) {text}" for number, text in stages)
     for number, one in enumerate(design.solutions, start=1):
-        yield say("design.solution" if one.valid else "design.useless", lang, number=number) + _lengths(one, lang)
-        yield from _judged(one, lang)
+        key = "design.solution" if one.valid else "design.useless"
+        shown += [say(key, lang, number=number) + _lengths(one, lang), *_judged(one, lang)]
     for one in design.rejected:
-        yield say("design.refused", lang) + _lengths(one, lang)
-        yield from (f"  {phrased(reason, lang)}" for reason in one.why)
+        shown.append(say("design.refused", lang) + _lengths(one, lang))
+        shown += (f"  {phrased(reason, lang)}" for reason in one.why)
     if not design.solutions:
-        yield say("design.none", lang)
-    yield from (phrased(reason, lang) for reason in design.why)
-    yield from (_family(one, lang) for one in design.families if len(one.angle))
+        shown.append(say("design.none", lang))
+    shown += (phrased(reason, lang) for reason in design.why)
+    for family in (family for family in design.families if len(family.angle)):
+        open_arcs = [arc for arc in family.arcs if arc.name == "admissible"]
+        ends = (map(SentenceNumber, (arc.start % math.tau, arc.end % math.tau)) for arc in open_arcs)
+        arcs = say("common.list", lang).join(say("design.arcs", lang, start=start, end=end) for start, end in ends)
+        sizes = (family.centre.real * 1e3, family.centre.imag * 1e3, family.radius, family.best[1])
+        words = dict(zip(("x", "y", "radius", "best"), map(SentenceNumber, sizes), strict=True))
+        shown.append(say("design.family", lang, arcs=arcs, **words))
+    return shown
 
 
 def _lengths(one: Solution, lang: Lang) -> str:
@@ -114,17 +109,6 @@ def _judged(one: Solution, lang: Lang) -> Iterator[str]:
         facts.append(say("design.slow ccw" if one.pace > 0 else "design.slow cw", lang))
     yield f"  {say('design.proof', lang)}{say('common.and', lang).join(facts)}"
     yield from (f"  {phrased(reason, lang)}" for reason in one.notes if reason.key != "kind")
-
-
-def _family(one: Family, lang: Lang) -> str:
-    open_arcs = [arc for arc in one.arcs if arc.name == "admissible"]
-    ends = (map(SentenceNumber, (arc.start % math.tau, arc.end % math.tau)) for arc in open_arcs)
-    arcs = say("common.list", lang).join(say("design.arcs", lang, start=start, end=end) for start, end in ends)
-    x, y, radius, best = map(SentenceNumber, (one.centre.real * 1e3, one.centre.imag * 1e3, one.radius, one.best[1]))
-    return say("design.family", lang, arcs=arcs, x=x, y=y, radius=radius, best=best)
-
-
-# --- its linkage as a file --------------------------------------------------------------------
 
 
 def mechanism_of(solution: Solution, kind: str) -> Mechanism:

@@ -13,7 +13,7 @@ from math import degrees, pi
 
 from graphkin.base.geometry import cross
 from graphkin.base.value import frozen
-from graphkin.construction import LayOff, Measure, Normal, Step, Swing, Tangential, Term, Turning
+from graphkin.construction import LayOff, Measure, Normal, Swing, Tangential, Term, Turning
 from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Cam, Gear, RollingContact, Slide
 from graphkin.say import names
@@ -46,9 +46,6 @@ class Side:
     @property
     def name(self) -> str:
         return names.pair(self.first, self.second)
-
-
-# --- of links -----------------------------------------------------------------------------------
 
 
 def sides(reading: Reading, link: str) -> list[Side]:
@@ -93,9 +90,6 @@ def driven(reading: Reading, k: int, driver: Driver) -> tuple[Size, Size, Size]:
     return Size(at, degrees(place), "°"), Size(first, rate, "rad/s"), Size(second, more, "rad/s²")
 
 
-# --- of guides ----------------------------------------------------------------------------------
-
-
 @frozen
 class GuideAngle:
     """The line through `through` makes `angle` [rad] with corner -> through, counter-clockwise where positive.
@@ -137,20 +131,14 @@ def _corner(reading: Reading, slide: Slide) -> str:
     return next((point for point in (*stated, *pivots, *points) if point in points), "")
 
 
-# --- the figures of a sheet ---------------------------------------------------------------------
-
-
 def dimensions(reading: Reading) -> list[str]:
     """`AD = 78 mm`, `AB = 24 mm`, .. link by link; then offsets of guides, radii of wheels, driven rates."""
-    tables = (_fixed_points, _lengths, _guide_offsets, _guide_tilts, _face_offsets, _radii, _drivers)
+    tables = (_lengths, _offsets, _radii_and_rates)
     return [*dict.fromkeys(text for table in tables for text in table(reading))]
 
 
-def _fixed_points(reading: Reading) -> Iterator[str]:
-    """`AD = 78 mm` of a point level with the first, or under it; of others how far they are along x and y.
-
-    `x_D` where the first stands at the origin, else `x_AD`.
-    """
+def _lengths(reading: Reading) -> Iterator[str]:
+    """`AD = 78 mm` of fixed points, `x_D` and `y_D` of oblique ones; then the distances that fix each link's points."""
     shape = reading.plot.facts.shapes[FRAME]
     first, *others = _drawn_points(reading, FRAME) or [""]
     for other in others:
@@ -161,42 +149,30 @@ def _fixed_points(reading: Reading) -> Iterator[str]:
             called = names.pair(first, other) if shape[first] else names.point(other)
             parts = (("x", away.real), ("y", away.imag))
             yield from (f"{sign}_{called} = {given_figure(part * 1000)} mm" for sign, part in parts)
+    for link in reading.mechanism.moving:
+        body, row = reading.mechanism.links[link], pairwise(reading.mechanism.named(link))
+        in_line = not [*beside(reading, link)]
+        for side in [Side(*ends, abs(body.arm(*ends))) for ends in row] if in_line else sides(reading, link):
+            yield Size(side.name, millimetres(reading, side.length), "mm").text
 
 
 def _drawn_points(reading: Reading, link: str) -> list[str]:
     return [point for point in reading.mechanism.named(link) if point in reading.plot.position]
 
 
-def _lengths(reading: Reading) -> Iterator[str]:
-    """Each link by the distances of its points that fix it; of points in one line each from the one before."""
-    for link in reading.mechanism.moving:
-        shape, row = reading.mechanism.links[link], pairwise(reading.mechanism.named(link))
-        in_line = not [*beside(reading, link)]
-        for side in [Side(*ends, abs(shape.arm(*ends))) for ends in row] if in_line else sides(reading, link):
-            yield Size(side.name, millimetres(reading, side.length), "mm").text
-
-
-def _guide_offsets(reading: Reading) -> Iterator[str]:
-    """`e_A = 20 mm`: the distance at which a guide's line passes a point of its link."""
+def _offsets(reading: Reading) -> Iterator[str]:
+    """`e_A = 20 mm`, `β_C = 30°`, `h_A = 20 mm`: how guides and flat faces lie beside the first point of their link."""
     for slide in reading.mechanism.of(Slide):
         points = _drawn_points(reading, slide.guide)
         if points and slide.stands_for is None:
             off = aside(reading.guide(slide.name), reading.arm(points[0], slide.point))
             if off > reading.noise:
                 yield f"{'e' if slide.guide == FRAME else 'h'}_{names.point(points[0])} = {given_figure(off * 1000)} mm"
-
-
-def _guide_tilts(reading: Reading) -> Iterator[str]:
-    """`β_C = 30°` of guides of the frame that are neither level nor upright, against +x."""
     for slide in reading.mechanism.slides:
         if slide.guide == FRAME and slide.stands_for is None:
             angle = round(degrees(phase(slide.line.direction)), 9) % 180
             if angle % 90:
                 yield f"β_{names.point(slide.point)} = {given_figure(angle)}°"
-
-
-def _face_offsets(reading: Reading) -> Iterator[str]:
-    """`h_A = 20 mm`: the distance at which the flat face of a cam or a follower passes the first point of its link."""
     for line in (line for cam in reading.mechanism.of(Cam) for line in cam.lines):
         points = _drawn_points(reading, line.link)
         if points and line.origin in reading.plot.position:
@@ -206,51 +182,40 @@ def _face_offsets(reading: Reading) -> Iterator[str]:
                 yield f"h_{names.point(points[0])} = {given_figure(off * 1000)} mm"
 
 
-def _radii(reading: Reading) -> Iterator[str]:
-    for gear in reading.mechanism.of(Gear):
-        for link, _, size in gear.circles:
-            yield radius(reading, link, size).text
+def _radii_and_rates(reading: Reading) -> Iterator[str]:
+    """`r2 = 20 mm` of wheels and profiles; `s_ram = 90 mm` of driven slides, then `φ1 = 30°` and the rates of all."""
+    for link, _, size in (rim for gear in reading.mechanism.of(Gear) for rim in gear.circles):
+        yield radius(reading, link, size).text
     for roll in reading.mechanism.of(RollingContact):
         yield radius(reading, roll.wheel, roll.radius).text
     for centre, size in reading.circles:
         yield circle(reading, centre, size).text
-
-
-def _drivers(reading: Reading) -> Iterator[str]:
-    """`s_ram = 90 mm` of driven slides, then `φ1 = 30°` and the rates of all."""
     drivers = [(driver, driven(reading, k, driver)) for k, driver in enumerate(reading.mechanism.drivers)]
     yield from (place.text for driver, (place, *_) in drivers if driver.kind == "slide")
     for driver, (place, *rates) in drivers:
         if driver.kind == "angle" and driver.value is not None:
             yield place.text
-        for size in rates:
-            if size.value:
-                yield replace(size, value=size.value if driver.kind == "slide" else abs(size.value)).text
-
-
-# --- measured lengths ---------------------------------------------------------------------------
+        for rate in rates:
+            if rate.value:
+                yield replace(rate, value=rate.value if driver.kind == "slide" else abs(rate.value)).text
 
 
 def measured_lengths(reading: Reading) -> list[tuple[str, str]]:
     """The distances by which rotations are found or sizes made that no link gives: they are measured in the drawing."""
     method, owners, levers = reading.method, reading.mechanism.owners, dict[tuple[str, str], None]()
     for step in (step for construction in (method.velocity, method.acceleration) for step in construction.steps):
-        if lever := _lever(step):
+        match step:
+            case Measure(lever=lever):
+                pass
+            case LayOff(term=Term(size=Turning(_, tail, head) | Normal(_, tail, head) | Tangential(_, tail, head))):
+                lever = (tail, head)
+            case _:
+                continue
+        if lever[0]:
             first, second = sorted(lever)
             if reading.named(first) and reading.named(second) and reading.distance(first, second):
                 levers[first, second] = None
     return [ends for ends in levers if not {*owners.get(ends[0], ())} & {*owners.get(ends[1], ())}]
-
-
-def _lever(step: Step) -> tuple[str, str] | None:
-    """The points whose distance a step uses."""
-    match step:
-        case Measure(lever=(tail, head)) if tail:
-            return tail, head
-        case LayOff(term=Term(size=Turning(_, tail, head) | Normal(_, tail, head) | Tangential(_, tail, head))):
-            return tail, head
-        case _:
-            return None
 
 
 def length_text(reading: Reading, one: str, other: str) -> str:

@@ -99,11 +99,19 @@ class VectorEquation:
     def arrows(self) -> tuple[TermRow, ...]:
         return tuple(arrow for side in self.sides for arrow in side)
 
+    @property
+    def columns(self) -> list[tuple[str, str, str]]:
+        """Terms and signs, each with its direction and its size under it."""
+        columns = [(self.front, "", "")] if self.front else []
+        for k, side in enumerate(self.sides):
+            columns += [("=", "", "")] if k or self.front else []
+            for n, arrow in enumerate(side):
+                columns += [("+", "", "")] if n else []
+                columns.append((arrow.name, arrow.direction, arrow.size))
+        return columns
+
 
 Entry = Heading | Sentence | Calculation | VectorEquation
-
-
-# --- lines of plain text ------------------------------------------------------------------------
 
 
 def text_lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
@@ -120,21 +128,10 @@ def text_lines(entries: Iterable[Entry], lang: Lang) -> Iterator[str]:
                 note = say("common.note", lang, note=entry.note) if entry.note else ""
                 yield f"    {entry.text}{close(note) if lang == 'zh' else note}"
             case VectorEquation():
-                yield from _equation_lines(entry, lang)
+                rows = aligned([*zip(*entry.columns, strict=True)], "^", " ")
+                labels = ["", say("derivation.direction row", lang), say("derivation.size row", lang)]
+                room = max(map(width, labels))
+                for label, row in zip(labels, rows, strict=True):
+                    yield f"    {padded(label, room)}  {row}".rstrip()
             case _:
                 assert_never(entry)
-
-
-def _equation_lines(equation: VectorEquation, lang: Lang) -> Iterator[str]:
-    """The terms, and the rows of direction and size under them, each column centred."""
-    columns = [(equation.front, "", "")] if equation.front else []
-    for k, side in enumerate(equation.sides):
-        columns += [("=", "", "")] if k or equation.front else []
-        for n, arrow in enumerate(side):
-            columns += [("+", "", "")] if n else []
-            columns.append((arrow.name, arrow.direction, arrow.size))
-    rows = aligned([*zip(*columns, strict=True)], "^", " ")
-    labels = ["", say("derivation.direction row", lang), say("derivation.size row", lang)]
-    room = max(map(width, labels))
-    for label, row in zip(labels, rows, strict=True):
-        yield f"    {padded(label, room)}  {row}".rstrip()

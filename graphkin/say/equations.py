@@ -8,7 +8,7 @@ from typing import assert_never
 
 from graphkin.construction import Equation, Step, Term, kinds, terms
 from graphkin.say import names
-from graphkin.say.entry import Calculation, Entry, Sentence, TermRow, VectorEquation
+from graphkin.say.entry import Entry, Sentence, TermRow, VectorEquation
 from graphkin.say.numbers import number
 from graphkin.say.plane import PolygonReading, size_calculation, size_row
 from graphkin.say.rolling import same_velocities
@@ -20,12 +20,20 @@ def equation(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     if sentence := _translation(polygon, part):
         yield polygon.sentence(next(step for step in part.steps if isinstance(step, kinds.LayOff)), sentence)
         return
-    yield from _choice(polygon, part)
+    both_sides, reading = part.left + part.right, polygon.reading
+    # why the coincident points lie there: said with the velocities, where there is a choice
+    known = {term.sites[0].point: term for term in both_sides if isinstance(term.size, terms.Drawn) and term.sites}
+    slips = (term.sites[0].point for term in both_sides if _coincident(term) and term.size is None and term.sites)
+    met = next((point for point in slips if point in known), "")
+    if polygon.plane == "velocity" and met and polygon.size(known[met].tail, known[met].head):
+        yield Sentence(reading.say("derivation.chosen", point=names.point(met), known=polygon.vector(known[met])))
     yield from same_velocities(polygon, part)
     yield Sentence(_introduction(polygon, part))
     yield worded(polygon, part)
-    yield from _path_of_pin(polygon, part)
-    both_sides = part.left + part.right
+    for term in both_sides:  # of the Coriolis term of a pin, the link whose rotation it has
+        if isinstance(term.size, terms.Coriolis) and any(reading.method.structure.is_pin(s.link) for s in term.sites):
+            words = {"point": names.point(term.sites[0].point), "link": reading.link(term.size.link)}
+            yield Sentence(reading.say("derivation.path of the slot", rate=reading.rate("ω", term.size.link), **words))
     laid = (step.term for step in part.steps if isinstance(step, kinds.LayOff))
     for term in dict.fromkeys(term for term in laid if not isinstance(term.size, terms.Drawn)):
         yield size_calculation(polygon, term, both_sides)
@@ -47,9 +55,6 @@ def known_arrow(polygon: PolygonReading, step: kinds.LayOff) -> Iterator[Entry]:
     yield polygon.sentence(step, _lay_off(polygon, step))
 
 
-# --- the equation itself ------------------------------------------------------------------------
-
-
 def worded(polygon: PolygonReading, part: Equation) -> VectorEquation:
     """The equation as it is printed: a side that is the motion sought itself stands first."""
     sides = (part.left, part.right)
@@ -57,20 +62,22 @@ def worded(polygon: PolygonReading, part: Equation) -> VectorEquation:
         sides = (part.right, part.left)
     front = "" if _alone(part, sides[0]) else polygon.seen(part.of, "")
     both_sides = part.left + part.right
-    left, right = (tuple(_term_row(polygon, term, both_sides) for term in side) for side in sides)
-    return VectorEquation(front, (left, right))
+    rows: list[tuple[TermRow, ...]] = []
+    for side in sides:
+        row = []
+        for term in side:
+            ends, size = (term.tail, term.head), size_row(polygon, term)
+            resting = size == "0" and isinstance(term.size, terms.Drawn)
+            direction = "—" if resting else polygon.direction_row(term, both_sides)
+            lengths = (polygon.size(*ends), polygon.length_mm(*ends))
+            row.append(TermRow(polygon.vector(term), direction, size, *lengths, ends))
+        rows.append(tuple(row))
+    return VectorEquation(front, tuple(rows))
 
 
 def _alone(part: Equation, side: tuple[Term, ...]) -> bool:
     """True of a side that is nothing but the motion sought."""
     return len(side) == 1 and side[0].of == part.of and not side[0].seen_from
-
-
-def _term_row(polygon: PolygonReading, term: Term, equation: tuple[Term, ...]) -> TermRow:
-    ends, size = (term.tail, term.head), size_row(polygon, term)
-    resting = size == "0" and isinstance(term.size, terms.Drawn)
-    direction = "—" if resting else polygon.direction_row(term, equation)
-    return TermRow(polygon.vector(term), direction, size, polygon.size(*ends), polygon.length_mm(*ends), ends)
 
 
 def _introduction(polygon: PolygonReading, part: Equation) -> str:
@@ -86,26 +93,6 @@ def _introduction(polygon: PolygonReading, part: Equation) -> str:
         return say(f"derivation.from relations, {polygon.plane}", relations=joined)
     motion = say(f"derivation.motion {polygon.plane}")
     return say("derivation.plain equation", of=names.point(part.of), motion=motion)
-
-
-def _choice(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
-    """The reason for the place of the coincident points: said with the velocities, where there is a choice."""
-    both_sides = part.left + part.right
-    known = {term.sites[0].point: term for term in both_sides if isinstance(term.size, terms.Drawn) and term.sites}
-    slips = (term.sites[0].point for term in both_sides if _coincident(term) and term.size is None and term.sites)
-    met = next((point for point in slips if point in known), "")
-    if polygon.plane == "velocity" and met and polygon.size(known[met].tail, known[met].head):
-        words = {"point": names.point(met), "known": polygon.vector(known[met])}
-        yield Sentence(polygon.reading.say("derivation.chosen", **words))
-
-
-def _path_of_pin(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
-    """The link whose rotation the Coriolis term of a pin has: the one in which its path is straight."""
-    reading, structure = polygon.reading, polygon.reading.method.structure
-    for term in part.left + part.right:
-        if isinstance(term.size, terms.Coriolis) and any(structure.is_pin(site.link) for site in term.sites):
-            words = {"point": names.point(term.sites[0].point), "link": reading.link(term.size.link)}
-            yield Sentence(reading.say("derivation.path of the slot", rate=reading.rate("ω", term.size.link), **words))
 
 
 def _relation(polygon: PolygonReading, term: Term) -> str:
@@ -131,9 +118,8 @@ def _coincident(term: Term) -> bool:
 def _translation(polygon: PolygonReading, part: Equation) -> str:
     """A link that cannot turn: all its points move alike, and there is nothing to draw."""
     first, last = part.right[0], part.right[-1]
-    if len(part.right) != 2 or not isinstance(first.size, terms.Drawn):
-        return ""
-    if not isinstance(last.size, terms.Turning | terms.Normal):
+    carried = len(part.right) == 2 and isinstance(first.size, terms.Drawn)
+    if not carried or not isinstance(last.size, terms.Turning | terms.Normal):
         return ""
     if not polygon.reading.translates(last.size.link):
         return ""
@@ -142,24 +128,26 @@ def _translation(polygon: PolygonReading, part: Equation) -> str:
     return polygon.reading.say("derivation.translates", **words)
 
 
-# --- the pencil ---------------------------------------------------------------------------------
-
-
 def _drawing(polygon: PolygonReading, steps: tuple[Step, ...], both_sides: tuple[Term, ...]) -> Iterator[Entry]:
     for step in steps:
         match step:
             case kinds.LayOff():
                 yield polygon.sentence(step, _lay_off(polygon, step))
             case kinds.Meet():
-                yield polygon.sentence(step, _meet(polygon, step, both_sides))
+                one, other = (locus for locus in (step.first, step.second) if isinstance(locus, kinds.Ray))
+                words = {"first": names.point(one.through), "second": names.point(other.through)}
+                words["first_direction"] = polygon.line_direction(one.direction, both_sides)
+                words["second_direction"] = polygon.line_direction(other.direction, both_sides)
+                key = "derivation.meet rays one point" if one.through == other.through else "derivation.meet rays"
+                yield polygon.sentence(step, polygon.reading.say(key, point=names.point(step.point), **words))
             case kinds.Ray():
                 pass  # told where it crosses another
             case kinds.Given(point):
                 yield Sentence(polygon.reading.say("derivation.from anywhere", point=names.point(point)))
-            case kinds.Image() | kinds.Measure() | kinds.Roll() | kinds.Simultaneous():
+            case kinds.Image() | kinds.Measure() | kinds.Roll() | kinds.Simultaneous() | kinds.Arc() | kinds.Swing():
                 raise AssertionError("an equation of a polygon is drawn with arrows and lines")
-            case kinds.Arc() | kinds.Swing() | kinds.Fit() | kinds.Touch():
-                raise AssertionError("an equation of a polygon is drawn with arrows and lines")
+            case kinds.Fit() | kinds.Touch():
+                raise AssertionError("positions are drawn before")
             case _:
                 assert_never(step)
 
@@ -178,18 +166,6 @@ def _lay_off(polygon: PolygonReading, step: kinds.LayOff) -> str:
     return say(key, name=name, start=start, length=length)
 
 
-def _meet(polygon: PolygonReading, step: kinds.Meet, both_sides: tuple[Term, ...]) -> str:
-    one, other = (locus for locus in (step.first, step.second) if isinstance(locus, kinds.Ray))
-    words = {"first": names.point(one.through), "second": names.point(other.through)}
-    words["first_direction"] = polygon.line_direction(one.direction, both_sides)
-    words["second_direction"] = polygon.line_direction(other.direction, both_sides)
-    key = "derivation.meet rays one point" if one.through == other.through else "derivation.meet rays"
-    return polygon.reading.say(key, point=names.point(step.point), **words)
-
-
-# --- what it gives ------------------------------------------------------------------------------
-
-
 def _measured(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
     """The unknown arrows, then the motion sought where it is none of them; first in mm, then in SI units."""
     reading, pole, node = polygon.reading, polygon.construction.pole, part.left[-1].head
@@ -203,17 +179,11 @@ def _measured(polygon: PolygonReading, part: Equation) -> Iterator[Entry]:
         lengths.append(f"{names.stretch(*pair)} = {shown}")
     yield Sentence(reading.say("derivation.measured", lengths=reading.joined(lengths)))
     for term in unknown:
-        yield _result(polygon, term)
+        arrow, of = (term.tail, term.head), polygon.of(term.head) if term.tail == pole else ""
+        if not term.over and of and polygon.name(*arrow) == polygon.seen(of, ""):
+            yield polygon.measured_absolute(term.head)
+        else:
+            yield polygon.measured(*arrow, polygon.vector(term) if term.over else "")
     if sought:  # where it starts from a point at rest, a relative motion is all there is of it
         absolute, name = polygon.measured_absolute(node), polygon.name(pole, node)
         yield absolute if name == absolute.name else replace(absolute, formulas=(name,), numbers="")
-
-
-def _result(polygon: PolygonReading, term: Term) -> Calculation:
-    tail, head = term.tail, term.head
-    if term.over:
-        return polygon.measured(tail, head, polygon.vector(term))
-    absolute = tail == polygon.construction.pole and polygon.of(head)
-    if absolute and polygon.name(tail, head) == polygon.seen(polygon.of(head), ""):
-        return polygon.measured_absolute(head)
-    return polygon.measured(tail, head)

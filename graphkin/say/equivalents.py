@@ -27,7 +27,12 @@ def equivalents(reading: Reading) -> Iterator[Entry]:
 def _cam(reading: Reading, cam: Cam) -> Iterator[Entry]:
     match cam.equivalent:
         case Rod() as rod:
-            yield Sentence(_circles_touch(reading, cam, rod))
+            (one, other), ((_, _, radius), (_, _, more)) = map(names.point, rod.points), cam.circles
+            length = f"{names.pair(*rod.points)} = {number(1000 * rod.length)} mm"
+            length = _distance(rod.points, (radius, more), cam.internal) if radius and more else length
+            key = "contacts.circles touch" if radius and more else "contacts.edge on circle"
+            one, other = (one, other) if radius else (other, one)
+            yield Sentence(reading.say(key, first=one, second=other, length=length, link=names.point(rod_name(cam))))
         case Slot() as slot:
             words = {"centre": names.point(slot.point), "face": _face(reading, slot.line)}
             words["link"] = reading.link(slot.line.link)
@@ -39,19 +44,6 @@ def _cam(reading: Reading, cam: Cam) -> Iterator[Entry]:
                 yield Sentence(reading.say("contacts.edge touches", **words))
             if cam.name in reading.contact_slides:
                 yield from _path(reading, cam.name)
-
-
-def _circles_touch(reading: Reading, cam: Cam, rod: Rod) -> str:
-    one, other = (names.point(centre) for centre in rod.points)
-    (_, _, radius), (_, _, more) = cam.circles
-    link = names.point(rod_name(cam))
-    if radius and more:
-        length = _distance(rod.points, (radius, more), cam.internal)
-        return reading.say("contacts.circles touch", first=one, second=other, length=length, link=link)
-    if not radius:
-        one, other = other, one
-    length = f"{names.pair(*rod.points)} = {number(1000 * rod.length)} mm"
-    return reading.say("contacts.edge on circle", first=one, second=other, length=length, link=link)
 
 
 def _circular_slot(reading: Reading, slot: CircularSlot) -> Iterator[Entry]:
@@ -108,8 +100,9 @@ def _face(reading: Reading, line: Line) -> str:
 
 def points_of(reading: Reading, line: Line) -> tuple[str, str] | None:
     """Two named points of a moving line, in its direction."""
-    link = reading.mechanism.links[line.link]
-    points = reading.mechanism.named(line.link) if line.link != FRAME else ()
+    link, points = reading.mechanism.links[line.link], reading.mechanism.named(line.link)
+    if line.link == FRAME:
+        return None
     on_it = [p for p in points if aside(line.direction, link.arm(line.origin, p)) <= reading.noise]
     for first, second in combinations(sorted(on_it, key=lambda p: p != line.origin), 2):
         ahead = float(dot(line.direction, link.arm(first, second)))

@@ -19,7 +19,7 @@ from graphkin.say.polygons import polygon_entries
 from graphkin.say.position import PositionReader
 from graphkin.say.problem_data import problem_data, solution_head
 from graphkin.say.reading import Reading
-from graphkin.say.solution_goal import SolutionGoal, solution_goal
+from graphkin.say.solution_goal import solution_goal
 
 if TYPE_CHECKING:
     from graphkin.marking.ruler import Ruler
@@ -43,13 +43,19 @@ def derivation(
     method: Method, plot: Plot, scales: Mapping[str, float], lang: Lang, everything: bool = True,
     only: Plane = "acceleration", ruler: Ruler | None = None, as_planned: bool = False,
 ) -> Iterator[Entry]:  # fmt: skip
-    """The solution as data: what is given and asked, the planes in the order of their constructions, the answers.
-
-    as_planned  every act of the polygons, though a driver at rest may make them easier
-    """
+    """The solution as data; `as_planned`: every act of the polygons, though a driver at rest may make them easier."""
     reading = Reading(*shown(method, plot), scales, lang, ruler, apart=as_planned)
     goal = solution_goal(reading, everything, only)
-    body = list(_drawing(goal, as_planned))
+    posed = by_pose(reading.method, reading.plot)
+    drawn = reading if posed is None else Reading(*posed, scales, lang, ruler)
+    body = list(PositionReader(drawn, reading, goal.levers, angles=goal.angles).entries())
+    # then its instant centres where they are asked for, and the polygons that are needed
+    parts: list[Callable[..., Iterator[Entry]]]
+    parts = [partial(polygon_entries, reading, plane, steps) for plane, steps in goal.parts.items()]
+    if not as_planned and (centres := goal.centred) is not None:
+        parts.insert(1 if centres.from_velocities and parts else 0, centres.entries)
+    for number, part in enumerate(parts, start=2):
+        body += part(number=number)
     acts = [entry.act for entry in body if isinstance(entry, Sentence) and entry.act is not None]
     steps = {act.number for act in acts if act.numbered}
     yield from problem_data(reading)
@@ -61,20 +67,6 @@ def derivation(
     if ruler is not None:
         exactly = replace(reading, plot=ruler.right, ruler=None)
         yield from deviations(answers, solution_goal(exactly, everything, only))
-
-
-def _drawing(goal: SolutionGoal, as_planned: bool) -> Iterator[Entry]:
-    """The mechanism, its instant centres where they are asked for, and the polygons that are needed."""
-    reading = goal.reading
-    posed = by_pose(reading.method, reading.plot)
-    drawn = reading if posed is None else Reading(*posed, reading.scales, reading.lang, reading.ruler)
-    yield from PositionReader(drawn, reading, goal.levers, angles=goal.angles).entries()
-    parts: list[Callable[..., Iterator[Entry]]]
-    parts = [partial(polygon_entries, reading, plane, steps) for plane, steps in goal.parts.items()]
-    if not as_planned and (centres := goal.centred) is not None:
-        parts.insert(1 if centres.from_velocities and parts else 0, centres.entries)
-    for number, part in enumerate(parts, start=2):
-        yield from part(number=number)
 
 
 def vector_equations(

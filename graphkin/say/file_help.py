@@ -48,24 +48,21 @@ def file_lines(lang: Lang) -> Iterator[str]:
     for dimension, units in UNITS.items():
         yield f"    {phrase(f'file_page.of {dimension}', lang)}: {', '.join(units)}"
     for table in TABLES:
-        yield from ("", *_table_lines(table, lang))
+        yield ""
+        yield from _wrapped(f"{_SIGNS[table]}  {head(table, lang)}", "")
+        if table in _LINED:  # the keys of a line, which three tables share, once
+            yield "  " + say("file_page.as in slide", lang, keys=", ".join(LINE))
+        for key, example in EXAMPLES[table].items():
+            if table not in _LINED or key not in LINE:
+                yield f"  {example}"
+                unit = ", ".join(next(iter(UNITS[each])) for each in _dimensions(table, key))
+                sentence = _key_sentence(table, key, lang) + (f" [{unit}]" if unit else "")
+                yield from _wrapped(sentence, " " * (_INDENT + 2))
     yield from ("", phrase("file_page.asked", lang))
     for word in ("rotation", "motion", "relative", "coincident", "place", "displacement", "centre", "quotient"):
         yield from _wrapped(phrase(f"file_page.ask {word}", lang), " " * _INDENT)
     yield ""
     yield from _wrapped(phrase("file_page.whole", lang), "")
-
-
-def _table_lines(table: str, lang: Lang) -> Iterator[str]:
-    """Its sentence, then its keys; those of a line, which three tables share, once."""
-    yield from _wrapped(f"{_SIGNS[table]}  {head(table, lang)}", "")
-    if table in _LINED:
-        yield "  " + say("file_page.as in slide", lang, keys=", ".join(LINE))
-    for key, example in EXAMPLES[table].items():
-        if table not in _LINED or key not in LINE:
-            yield f"  {example}"
-            units = ", ".join(next(iter(UNITS[each])) for each in _dimensions(table, key))
-            yield from _wrapped(_key_sentence(table, key, lang) + (f" [{units}]" if units else ""), " " * (_INDENT + 2))
 
 
 def _key_sentence(table: str, key: str, lang: Lang) -> str:
@@ -84,21 +81,14 @@ def _dimensions(table: str, key: str) -> tuple[Dimension, ...]:
 
 def _wrapped(text: str, indent: str) -> Iterator[str]:
     """Lines that fit a terminal; Chinese may be broken anywhere."""
-    line = indent
-    for word in _words(text):
-        if width(line + word.rstrip()) > _WIDE and line.strip():
-            yield line.rstrip()
-            line = indent
-        line += word
-    yield line.rstrip()
-
-
-def _words(text: str) -> Iterator[str]:
-    """Words with the blank behind them; each Chinese character is one, together with a sign that follows it."""
-    word = ""
-    for letter in text:
-        if word and (word[-1] == " " or (2 in (width(word[-1]), width(letter)) and letter not in _FOLLOWING)):
-            yield word
-            word = ""
+    line, word = indent, ""
+    for letter in (*text, ""):
+        # a word keeps the blank behind it; each Chinese character is one, together with a sign that follows it
+        chinese = word and letter and 2 in (width(word[-1]), width(letter)) and letter not in _FOLLOWING
+        if word and (not letter or word[-1] == " " or chinese):
+            if width(line + word.rstrip()) > _WIDE and line.strip():
+                yield line.rstrip()
+                line = indent
+            line, word = line + word, ""
         word += letter
-    yield word
+    yield line.rstrip()

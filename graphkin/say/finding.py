@@ -16,20 +16,13 @@ from graphkin.say.catalogue import say
 from graphkin.say.figures import Operand, written
 from graphkin.say.numbers import exact, in_print, number, quantity
 from graphkin.say.text_table import table
-from graphkin.studies.finding.answers import Findings, Interval, Phase, Position, SlowPoint
+from graphkin.studies.finding.answers import Findings, Interval, Position
 from graphkin.studies.finding.conditions import Comparison, Condition, Extreme, Scaling, Slowest
 from graphkin.studies.finding.varying import VaryingTable
 
 _SIGNS = "φ", "s"  # of what a driver turns, and of what it slides
 _DIGITS = 6  # of what is computed
 _MARKED = re.compile("\0([^\0]+)\0")  # a driver's name where it stands for its value
-
-
-# --- values -----------------------------------------------------------------------------------
-
-
-def _marked(driver: Driver) -> str:
-    return f"\0{driver.name}\0"
 
 
 def _driver_value(driver: Driver, value: float) -> str:
@@ -54,7 +47,7 @@ def _at(findings: Findings, position: Position) -> str:
     """`AB = 26.38 deg, ram = 90 mm`: the driver by which positions are named first."""
     order = sorted(range(len(findings.drivers)), key=lambda k: k != findings.swept)
     drivers = [(findings.drivers[k], position.drivers[k]) for k in order]
-    return ", ".join(f"{_marked(driver)} = {_driver_value(driver, value)}" for driver, value in drivers)
+    return ", ".join(f"\0{driver.name}\0 = {_driver_value(driver, value)}" for driver, value in drivers)
 
 
 def _values(findings: Findings, position: Position, called: Callable[[str], str] = str) -> str:
@@ -65,9 +58,6 @@ def _values(findings: Findings, position: Position, called: Callable[[str], str]
     values = map(abs, position.values) if size else position.values
     entries = zip(findings.quantities, findings.units, values)
     return ", ".join(f"{called(name)} = {quantity(value, unit, gravity=gravity)}" for name, unit, value in entries)
-
-
-# --- lines ------------------------------------------------------------------------------------
 
 
 def lines(findings: Findings, lang: Lang = "en") -> Iterator[str]:
@@ -107,10 +97,27 @@ def _heading(condition: Condition, lang: Lang) -> str:
 
 
 def _lines(findings: Findings, lang: Lang) -> Iterator[str]:
-    condition = findings.condition
-    yield _heading(condition, lang) + (_note(_range(findings, lang), lang) if findings.looked else "")
+    condition, searched = findings.condition, ""
+    if findings.looked is not None:  # the driver's range that was searched, and why it ends there
+        driver = findings.drivers[findings.swept]
+        low, high = (_driver_value(driver, end) for end in findings.looked)
+        searched = say("finding.looked", lang, driver=f"\0{driver.name}\0", low=low, high=high)
+        ends = [say("finding.low end", lang, value=end) for end, stop in zip((low, high), findings.stopped) if stop]
+        if ends:
+            searched += say("finding.stopped", lang, ends=say("common.list", lang).join(ends))
+        elif findings.turn:
+            searched += say("finding.turn", lang)
+    yield _heading(condition, lang) + _note(searched, lang)
     if isinstance(condition, Slowest):
-        yield from (f"  {_slow(findings, entry, lang)}" for entry in findings.slow)
+        for entry in findings.slow:
+            first, second = entry.points
+            data = {"at": _at(findings, entry.position), "line": first + second, "speed": quantity(entry.speed, "m/s")}
+            if entry.along is None:
+                yield "  " + say("finding.alike", lang, **data)
+                continue
+            key = "behind" if entry.along < 0 else "beyond" if entry.along > entry.length else "between"
+            data |= {"first": first, "second": second, "along": quantity(abs(entry.along), "m")}
+            yield "  " + say(f"finding.slow {key}", lang, **data)
     elif isinstance(condition, Scaling):
         yield from (f"  {line}" for line in _scaling(findings, condition, lang))
     else:
@@ -119,18 +126,6 @@ def _lines(findings: Findings, lang: Lang) -> Iterator[str]:
 
 def _note(text: str, lang: Lang) -> str:
     return say("common.note", lang, note=text) if text else ""
-
-
-def _range(findings: Findings, lang: Lang) -> str:
-    """The driver's range that was searched, and why it ends there."""
-    assert findings.looked is not None
-    driver = findings.drivers[findings.swept]
-    low, high = (_driver_value(driver, end) for end in findings.looked)
-    text = say("finding.looked", lang, driver=_marked(driver), low=low, high=high)
-    ends = [say("finding.low end", lang, value=end) for end, stop in zip((low, high), findings.stopped) if stop]
-    if ends:
-        return text + say("finding.stopped", lang, ends=say("common.list", lang).join(ends))
-    return text + (say("finding.turn", lang) if findings.turn else "")
 
 
 def _results(findings: Findings, lang: Lang) -> Iterator[str]:
@@ -158,12 +153,15 @@ def _results(findings: Findings, lang: Lang) -> Iterator[str]:
         yield missed + say("finding.nearest", lang, at=at, values=values)
     elif not findings.positions and not findings.intervals:
         yield say("finding.none", lang)
-    yield from _swing(findings, lang)
+    if findings.swing is not None and "goes round" not in findings.notes:
+        key = "finding.stroke" if findings.condition.text.startswith("stroke") else "finding.swing"
+        yield say(key, lang, value=quantity(findings.swing, findings.units[0]))
+        yield from _stroke(findings, lang)
     yield from (say(f"finding.note {note}", lang) for note in findings.notes)
 
 
 def _interval(findings: Findings, part: Interval, lang: Lang) -> str:
-    driver, ends = _marked(findings.drivers[findings.swept]), []
+    driver, ends = f"\0{findings.drivers[findings.swept].name}\0", []
     for position in (part.begin, part.end):
         kind = say("finding.kind end", lang) if position.kind == "end" else ""
         ends.append(_swept(findings, position) + _note(kind, lang))
@@ -173,36 +171,20 @@ def _interval(findings: Findings, part: Interval, lang: Lang) -> str:
     return f"{span}{say('common.colon', lang)}" + say("finding.peak", lang, **peak)
 
 
-def _swing(findings: Findings, lang: Lang) -> Iterator[str]:
-    if findings.swing is None or "goes round" in findings.notes:
+def _stroke(findings: Findings, lang: Lang) -> Iterator[str]:
+    """The stroke there, the stroke back, and the ratio of both."""
+    if (stroke := findings.stroke) is None:
         return
-    key = "finding.stroke" if findings.condition.text.startswith("stroke") else "finding.swing"
-    yield say(key, lang, value=quantity(findings.swing, findings.units[0]))
-    if (stroke := findings.stroke) is not None:
-        yield _phase(findings, "advance", stroke.advance, lang)
-        yield _phase(findings, "retreat", stroke.retreat, lang)
-        angles = Operand(degrees(stroke.advance.angle)) / Operand(degrees(stroke.retreat.angle))
-        ratio = f"{written(angles, stroke.ratio, _DIGITS)} = {number(stroke.ratio, digits=_DIGITS)}"
-        yield say("finding.ratio", lang, value=ratio)
-
-
-def _phase(findings: Findings, name: str, phase: Phase, lang: Lang) -> str:
-    called = say(f"finding.phase {name}", lang, way=say("finding.up" if phase.up else "finding.down", lang))
-    driver, angle = findings.drivers[findings.swept].name, quantity(phase.angle, "rad")
-    text = say("finding.phase", lang, name=called, driver=driver, angle=angle)
-    if phase.time is None or phase.mean is None:
-        return text
-    return text + say("finding.time", lang, time=exact(phase.time), mean=quantity(phase.mean, f"{findings.units[0]}/s"))
-
-
-def _slow(findings: Findings, entry: SlowPoint, lang: Lang) -> str:
-    first, second = entry.points
-    data = {"at": _at(findings, entry.position), "line": first + second, "speed": quantity(entry.speed, "m/s")}
-    if entry.along is None:
-        return say("finding.alike", lang, **data)
-    key = "behind" if entry.along < 0 else "beyond" if entry.along > entry.length else "between"
-    along = quantity(abs(entry.along), "m")
-    return say(f"finding.slow {key}", lang, first=first, second=second, along=along, **data)
+    driver, unit = findings.drivers[findings.swept].name, f"{findings.units[0]}/s"
+    for name, phase in (("advance", stroke.advance), ("retreat", stroke.retreat)):
+        called = say(f"finding.phase {name}", lang, way=say("finding.up" if phase.up else "finding.down", lang))
+        text = say("finding.phase", lang, name=called, driver=driver, angle=quantity(phase.angle, "rad"))
+        if phase.time is not None and phase.mean is not None:
+            text += say("finding.time", lang, time=exact(phase.time), mean=quantity(phase.mean, unit))
+        yield text
+    angles = Operand(degrees(stroke.advance.angle)) / Operand(degrees(stroke.retreat.angle))
+    ratio = f"{written(angles, stroke.ratio, _DIGITS)} = {number(stroke.ratio, digits=_DIGITS)}"
+    yield say("finding.ratio", lang, value=ratio)
 
 
 def _scaling(findings: Findings, scaling: Scaling, lang: Lang) -> Iterator[str]:
@@ -222,9 +204,6 @@ def _scaling(findings: Findings, scaling: Scaling, lang: Lang) -> Iterator[str]:
             sizes = [quantity(d.acceleration * entry.factor**2, unit) for d, unit in zip(accelerated, units)]
             accelerations = ", ".join(f"{driver.name}: {size}" for driver, size in zip(accelerated, sizes))
             yield say("finding.square", lang, accelerations=accelerations)
-
-
-# --- a table: how many columns depends on the condition alone -----------------------------------
 
 
 def finding_table(varying: VaryingTable, lang: Lang = "en") -> Iterator[str]:

@@ -52,10 +52,20 @@ def lines(report: Report, lang: Lang) -> Iterator[str]:
     yield f"{kind_name(report, lang)}{say('common.colon', lang)}{say('common.and', lang).join(lengths)}"
     yield say("linkages.drives", lang, driver=report.driver, output=report.output)
     yield _sums(report, lang)
-    links = {"driver": report.driver, "output": report.output, **report.linkage.called}
-    yield say(f"linkages.why {report.kind}", lang, **links, reach=_reach(report))
+    links, sizes, reach = report.linkage.called, report.linkage.sizes, ""
+    if report.kind == "rocker-slider":  # `CD + |e| = 600 + 575 = 1175 mm > DE = 150 mm`: a crank does not turn fully
+        crank, rod, both = links["crank"], links["coupler"], (sizes[links["crank"]], abs(sizes["e"]))
+        added = f"{' + '.join(exact(size * 1e3) for size in both)} = {millimetres(sum(both))}"
+        reach = f"{crank} + |e| = {added} > {rod} = {millimetres(sizes[rod])}"
+    names = {"driver": report.driver, "output": report.output, **links}
+    yield say(f"linkages.why {report.kind}", lang, **names, reach=reach)
     yield from _equal(report, lang)
-    yield from _turns(report, lang)
+    frame = say("linkages.frame", lang)
+    for full in (True, False):
+        turns = [turn for turn in report.turns if turn.full == full]
+        pairs = [f"{turn.first}–{frame if turn.second == FRAME else turn.second}" for turn in turns]
+        key = "linkages.full" if full else "linkages.rocks"
+        yield say(key, lang, pairs=_list(pairs, lang) or say("linkages.nothing", lang))
     yield from _limits(report, lang)
     yield from _ratio(report, lang)
     yield from _gamma(report, lang)
@@ -74,20 +84,6 @@ def amount(report: Report, value: float) -> str:
 
 def _list(parts: Iterable[str], lang: Lang) -> str:
     return say("common.list", lang).join(parts)
-
-
-# --- lengths ------------------------------------------------------------------------------------
-
-
-def _reach(report: Report) -> str:
-    """`CD + |e| = 600 + 575 = 1175 mm > DE = 150 mm`: why a crank does not turn fully; "" of what has no rod."""
-    names, sizes = report.linkage.called, report.linkage.sizes
-    if report.kind != "rocker-slider":
-        return ""
-    crank, rod = names["crank"], names["coupler"]
-    parts = (sizes[crank], abs(sizes["e"]))
-    added = " + ".join(exact(part * 1e3) for part in parts)
-    return f"{crank} + |e| = {added} = {millimetres(sum(parts))} > {rod} = {millimetres(sizes[rod])}"
 
 
 def _sums(report: Report, lang: Lang) -> str:
@@ -118,18 +114,6 @@ def _equal(report: Report, lang: Lang) -> Iterator[str]:
         alike.append([name]) if group is None else group.append(name)
     if equal := [" = ".join(group) for group in alike if len(group) > 1]:
         yield say("linkages.equal", lang, pairs=_list(equal, lang))
-
-
-# --- motion -------------------------------------------------------------------------------------
-
-
-def _turns(report: Report, lang: Lang) -> Iterator[str]:
-    frame = say("linkages.frame", lang)
-    for full in (True, False):
-        turns = [turn for turn in report.turns if turn.full == full]
-        pairs = [f"{turn.first}–{frame if turn.second == FRAME else turn.second}" for turn in turns]
-        joined = _list(pairs, lang) or say("linkages.nothing", lang)
-        yield say("linkages.full" if full else "linkages.rocks", lang, pairs=joined)
 
 
 def _how(report: Report, end: LinkagePosition, lang: Lang) -> str:
@@ -186,9 +170,6 @@ def _dead(report: Report, lang: Lang) -> Iterator[str]:
             yield say("linkages.no dead", lang, driver=driver)
 
 
-# --- transmission angles ------------------------------------------------------------------------
-
-
 def _gamma(report: Report, lang: Lang) -> Iterator[str]:
     least, alpha = report.gamma_min, report.alpha_max
     if least is None or alpha is None:
@@ -198,32 +179,24 @@ def _gamma(report: Report, lang: Lang) -> Iterator[str]:
     else:
         for end in report.critical:
             words = {"gamma": angle(end.gamma or 0.0), "how": _how(report, end, lang)}
-            cosine = _cosine(report, end)
-            words["cosine"] = say("linkages.cosine", lang, cosine=cosine) if cosine else ""
+            words["cosine"], called = "", report.linkage.called
+            formula: tuple[str, Formula, float] | None = None
+            if "rocker" in called and end.how in ("inner", "outer"):
+                formula = _on_the_frame(report, end.how == "inner")
+            elif "slider" in called and end.how in ("near", "far"):
+                formula = _across_the_guide(report, end.how == "far")
+            if formula is not None:
+                name, numbers, value = formula
+                shown = f"{written(numbers, value, _COSINE_DIGITS)} = {number(value, digits=_COSINE_DIGITS)}"
+                words["cosine"] = say("linkages.cosine", lang, cosine=f"cos γ = {name} = {shown}")
             yield say("linkages.gamma", lang, **words, driver=report.driver, value=amount(report, end.driver))
         values = _list((amount(report, end.driver) for end in report.least), lang)
         words = {"gamma": angle(least), "alpha": angle(alpha)}
         yield say("linkages.least", lang, **words, driver=report.driver, values=values)
 
 
-def _cosine(report: Report, end: LinkagePosition) -> str:
-    """`cos γ = (BC² + CD² − (AD − AB)²)/(2 × BC × CD) = (48² + 55² − 30²)/(2 × 48 × 55) = 0.838826`.
-
-    Of the two positions with the driver on the frame's line, and of the two with the crank across the guide; "" of
-    others.
-    """
-    names = report.linkage.called
-    if "rocker" in names and end.how in ("inner", "outer"):
-        name, numbers, value = _on_the_frame(report, end.how == "inner")
-    elif "slider" in names and end.how in ("near", "far"):
-        name, numbers, value = _across_the_guide(report, end.how == "far")
-    else:
-        return ""
-    return f"cos γ = {name} = {written(numbers, value, _COSINE_DIGITS)} = {number(value, digits=_COSINE_DIGITS)}"
-
-
 def _on_the_frame(report: Report, inner: bool) -> tuple[str, Formula, float]:
-    """In the triangle of coupler, output and the line between their outer hinges."""
+    """`(BC² + CD² − (AD − AB)²)/(2 × BC × CD)` with its figures: the driver is on the frame's line."""
     names = report.linkage.called
     output = names["rocker" if report.driver == names["crank"] else "crank"]
     b, c, d, a = links = (names["coupler"], output, names["frame"], report.driver)
@@ -240,7 +213,7 @@ def _on_the_frame(report: Report, inner: bool) -> tuple[str, Formula, float]:
 
 
 def _across_the_guide(report: Report, far: bool) -> tuple[str, Formula, float]:
-    """From how far the crank's end is from the guide."""
+    """`(AB + |e|)/BC` with its figures: the crank is across the guide."""
     names = report.linkage.called
     crank, rod, offset = (abs(report.linkage.sizes[link] * 1e3) for link in (names["crank"], names["coupler"], "e"))
     (a, one), (e, aside), (long,) = (names["crank"], crank), ("|e|", offset), figures(rod)
@@ -251,9 +224,6 @@ def _across_the_guide(report: Report, far: bool) -> tuple[str, Formula, float]:
     first, second = figures(one, aside)
     above, sign = (first + second, "+") if far else (first - second, "−")
     return f"({a} {sign} {e})/{names['coupler']}", above / long, abs(one + aside if far else one - aside) / rod
-
-
-# --- kinds and files -----------------------------------------------------------------------------
 
 
 def family_lines(lang: Lang) -> Iterator[str]:

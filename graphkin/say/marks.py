@@ -8,16 +8,13 @@ from typing import Literal, Protocol
 
 from graphkin.errors import Lang
 from graphkin.marking.key import Name
-from graphkin.marking.records import Graded, Judged, Marked, Verdict
+from graphkin.marking.records import Graded, Marked, Verdict
 from graphkin.model.quantities import EDGE
 from graphkin.say.catalogue import is_phrase, say
 from graphkin.say.numbers import number
 from graphkin.say.text_table import aligned
 
 _SETS = 4  # mistakes of one set that are written out; of more the number is said
-
-
-# --- one submission -----------------------------------------------------------------------------
 
 
 def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
@@ -31,7 +28,13 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
     yield say("marks.student", lang, student=graded.student, file=graded.file, score=score)
     heads = ("marks.column quantity", "marks.column given", "marks.column right value", "verdicts.tolerance",
              "marks.column unit", "marks.column verdict")  # fmt: skip
-    rows = [[say(name, lang) for name in heads], *(_row(one, lang) for one in marked.judged)]
+    rows = [[say(name, lang) for name in heads]]
+    for one in marked.judged:
+        given = "" if one.given is None else edge_value(one.given, one.unit)
+        tolerance = f"±{edge_value(one.tolerance, one.unit)}"
+        tolerance = "–" if one.verdict in ("dead point", "too small") else tolerance
+        sizes = [given, edge_value(one.right, one.unit), tolerance, EDGE[one.unit].sign]
+        rows.append([one.text, *sizes, verdict(one, lang)])
     yield from (f"  {row}" for row in marks_table(rows))
     yield from (f"  {line}" for line in _arithmetic(marked, lang))
     yield from (f"  {line}" for line in _explanations(marked, lang))
@@ -51,13 +54,6 @@ def marks_table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
 def edge_value(value: float, unit: str) -> str:
     """A value in its unit at the edge, in four digits."""
     return number(value * EDGE[unit].factor)
-
-
-def _row(one: Judged, lang: Lang) -> list[str]:
-    given = "" if one.given is None else edge_value(one.given, one.unit)
-    no_tolerance = one.verdict in ("dead point", "too small")
-    tolerance = "–" if no_tolerance else f"±{edge_value(one.tolerance, one.unit)}"
-    return [one.text, given, edge_value(one.right, one.unit), tolerance, EDGE[one.unit].sign, verdict(one, lang)]
 
 
 def _arithmetic(marked: Marked, lang: Lang) -> Iterator[str]:
@@ -89,9 +85,6 @@ def _explanations(marked: Marked, lang: Lang) -> Iterator[str]:
         yield say(key, lang, what=what, probability=f"{explanation.probability:.0%}", explains=explains)
 
 
-# --- verdicts -----------------------------------------------------------------------------------
-
-
 class VerdictData(Protocol):
     """The data that a verdict is worded by."""
 
@@ -116,9 +109,6 @@ def verdict(one: VerdictData, lang: Lang) -> str:
     if not (one.credit > 0 and one.sense == "wrong"):
         return say("verdicts.verdict wrong", lang)
     return say(f"verdicts.verdict wrong {'direction' if one.unit in ('m/s', 'm/s^2') else 'sense'}", lang)
-
-
-# --- mistakes -----------------------------------------------------------------------------------
 
 
 def mistake(name: Name, lang: Lang) -> str:

@@ -86,9 +86,6 @@ def circled(count: int) -> str:
     return f"({count})"
 
 
-# --- computed -----------------------------------------------------------------------------------
-
-
 def exact(value: float | None) -> str:
     """Six significant digits, zero without a sign; `-` where there is none."""
     if value is None:
@@ -118,9 +115,6 @@ def at_edge(value: float, unit: str) -> str:
     name = "°" if unit == "rad" else f" {EDGE[unit].name}".rstrip()
     size = value * EDGE[unit].factor
     return f"{significant(size, _COMPUTED)}{name}" if abs(size) > 1e-9 else f"0{name}"
-
-
-# --- linkages -----------------------------------------------------------------------------------
 
 
 def millimetres(length: float) -> str:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import cached_property
 from typing import assert_never
 
+from graphkin.base.geometry import Real
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Direction, Equation, Plane, Size, Step, Term, kinds, terms
 from graphkin.say import names
@@ -16,10 +16,7 @@ from graphkin.say.reading import Reading
 
 @frozen
 class PolygonReading:
-    """The velocity or the acceleration polygon of a reading.
-
-    shown  those of its parts that are told, where not all are
-    """
+    """The velocity or the acceleration polygon of a reading; `shown`: those of its parts that are told, if not all."""
 
     reading: Reading
     plane: Plane
@@ -43,8 +40,6 @@ class PolygonReading:
     def sentence(self, step: Step, text: str) -> Sentence:
         """The sentence of an act of the pencil, with its number."""
         return Sentence(text, self.reading.act(self.plane, step))
-
-    # --- the ruler ------------------------------------------------------------------------------
 
     @cached_property
     def noise(self) -> float:
@@ -70,8 +65,6 @@ class PolygonReading:
 
     def angle(self, tail: str, head: str) -> str:
         return self.reading.angle(self.arrow(tail, head))
-
-    # --- names ----------------------------------------------------------------------------------
 
     @cached_property
     def _names(self) -> dict[tuple[str, str], str]:
@@ -111,8 +104,6 @@ class PolygonReading:
     def rate_unit(self) -> str:
         return "rad/s" if self.plane == "velocity" else "rad/s²"
 
-    # --- directions -----------------------------------------------------------------------------
-
     @cached_property
     def laid_off(self) -> dict[str, Term]:
         """Known absolute motions that are laid off by themselves, by the point at their tip."""
@@ -141,7 +132,13 @@ class PolygonReading:
             case terms.AcrossGuide(slide):
                 return "⊥" + self.reading.line(slide)
             case terms.Quarter():
-                return self._across_relative(direction, among)
+                # across the line of the slide; for a driven rotation along its lever
+                for term in among:
+                    if term.part == "r" and isinstance(term.direction, terms.AlongGuide):
+                        return "⊥" + self.reading.line(term.direction.slide)
+                    if term.part == "rt" and isinstance(term.direction, terms.Across):
+                        return "∥" + names.pair(term.direction.tail, term.direction.head)
+                return "⊥" + PolygonReading(self.reading, "velocity").name(direction.tail, direction.head)
             case _:
                 assert_never(direction)
 
@@ -150,16 +147,6 @@ class PolygonReading:
         if isinstance(direction, terms.Along):
             return "∥" + names.pair(direction.tail, direction.head)
         return self.direction(direction, among)
-
-    def _across_relative(self, quarter: terms.Quarter, among: tuple[Term, ...]) -> str:
-        """Across the line of the slide; for a driven rotation along its lever."""
-        for term in among:
-            if term.part == "r" and isinstance(term.direction, terms.AlongGuide):
-                return "⊥" + self.reading.line(term.direction.slide)
-            if term.part == "rt" and isinstance(term.direction, terms.Across):
-                return "∥" + names.pair(term.direction.tail, term.direction.head)
-        velocity = PolygonReading(self.reading, "velocity")
-        return "⊥" + velocity.name(quarter.tail, quarter.head)
 
     def direction_row(self, term: Term, equation: tuple[Term, ...]) -> str:
         """The entry of a term in the row of directions."""
@@ -172,8 +159,6 @@ class PolygonReading:
         if term.size is None:
             return self.line_direction(term.direction, relatives)
         return self.direction(term.direction, relatives)
-
-    # --- measured -------------------------------------------------------------------------------
 
     def measured(self, tail: str, head: str, name: str = "", note: str = "") -> Calculation:
         """`v_B3 = μ_v·pb3 = 0.01 × 27.12 = 0.2712 m/s`."""
@@ -195,9 +180,6 @@ class PolygonReading:
         pole = self.construction.pole
         note = self.reading.say("derivation.at direction", angle=self.angle(pole, node))
         return self.measured(pole, node, self.seen(self.of(node), ""), note)
-
-
-# --- known sizes --------------------------------------------------------------------------------
 
 
 @frozen
@@ -225,39 +207,30 @@ def size_calculation(polygon: PolygonReading, term: Term, equation: tuple[Term, 
     value, angle = polygon.size(term.tail, term.head), polygon.angle(term.tail, term.head)
     note = polygon.reading.say("derivation.at angle", direction=known.direction, angle=angle) if value else ""
     if not value and isinstance(term.size, terms.Coriolis):
-        note = _why_none(polygon.reading, term, term.size)
-    formulas = (*_other_names(polygon, term), known.formula)
-    return Calculation(polygon.vector(term), formulas, known.numbers, value, names.UNIT[polygon.plane], note)
-
-
-def _why_none(reading: Reading, term: Term, size: terms.Coriolis) -> str:
-    """The reason why there is no Coriolis acceleration."""
-    velocity = PolygonReading(reading, "velocity")
-    if not velocity.size(size.tail, size.head):
-        return reading.say("derivation.no sliding", relative=velocity.seen(term.of, term.seen_from))
-    return reading.say("derivation.no turning", rate=reading.rate("ω", size.link))
-
-
-def _other_names(polygon: PolygonReading, term: Term) -> Iterator[str]:
-    """`v_B2 = v_B1`: the hinge is a point of the driven link too; `a_B = aⁿ_BA`: without a tangential part."""
-    size = term.size
-    if not isinstance(size, terms.Turning | terms.Normal) or term.seen_from:
-        return
-    if term.of != size.head and (other := polygon.reading.numbered(size.head, size.link)) != term.of:
-        yield polygon.seen(other, "")
-    if isinstance(size, terms.Normal) and not term.part:
-        yield polygon.seen(term.of, size.tail, "n")
+        velocity, rate = PolygonReading(polygon.reading, "velocity"), polygon.reading.rate("ω", term.size.link)
+        if velocity.size(term.size.tail, term.size.head):
+            note = polygon.reading.say("derivation.no turning", rate=rate)
+        else:
+            note = polygon.reading.say("derivation.no sliding", relative=velocity.seen(term.of, term.seen_from))
+    size, formulas = term.size, list[str]()
+    if isinstance(size, terms.Turning | terms.Normal) and not term.seen_from:
+        # `v_B2 = v_B1`: the hinge is a point of the driven link too; `a_B = aⁿ_BA`: without a tangential part
+        if term.of != size.head and (other := polygon.reading.numbered(size.head, size.link)) != term.of:
+            formulas.append(polygon.seen(other, ""))
+        if isinstance(size, terms.Normal) and not term.part:
+            formulas.append(polygon.seen(term.of, size.tail, "n"))
+    formulas.append(known.formula)
+    return Calculation(polygon.vector(term), tuple(formulas), known.numbers, value, names.UNIT[polygon.plane], note)
 
 
 def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str) -> KnownSize:
     reading, plot = polygon.reading, polygon.reading.plot
     match size:
-        case terms.Turning(link, tail, head):
-            return _times(polygon, reading.rate("ω", link), float(plot.omega[link]), (tail, head), direction)
+        case terms.Turning(link, tail, head) | terms.Normal(link, tail, head):
+            power = 2 if isinstance(size, terms.Normal) else 1
+            return _at_arm(polygon, reading.rate("ω", link), plot.omega[link], power, (tail, head), direction)
         case terms.Tangential(link, tail, head):
-            return _times(polygon, reading.rate("α", link), float(plot.alpha[link]), (tail, head), direction)
-        case terms.Normal(link, tail, head):
-            return _squared(polygon, reading.rate("ω", link), float(plot.omega[link]), (tail, head), direction)
+            return _at_arm(polygon, reading.rate("α", link), plot.alpha[link], 1, (tail, head), direction)
         case terms.Coriolis(link, tail, head):
             rate, velocity = reading.rate("ω", link), PolygonReading(reading, "velocity")
             relative = velocity.seen(term.of, term.seen_from)
@@ -270,30 +243,23 @@ def _known_size(polygon: PolygonReading, term: Term, size: Size, direction: str)
             along = reading.say(key, direction=direction, s=names.of_slide("s", slide))
             return KnownSize(f"|{names.of_slide(names.SLIDING[polygon.plane], slide)}|", "", along)
         case terms.Relative():
-            return _relative(polygon, size, direction)
+            facts, called = plot.facts, reading.mechanism.called  # of one link against another: ω21 l, ω21² l, α21 l
+            order, symbol = (2, "α") if size.part == "t" else (1, "ω")
+            value = facts.relative_rate(size.link, order) - facts.relative_rate(size.seen_from, order)
+            rate = names.relative(symbol, called(reading.body(size.link)), called(reading.body(size.seen_from)))
+            return _at_arm(polygon, rate, value, 2 if size.part == "n" else 1, (size.tail, size.head), direction)
         case terms.Drawn() | terms.Span():
             raise AssertionError("drawn arrows and lengths have no formula in a polygon")
         case _:
             assert_never(size)
 
 
-def _times(polygon: PolygonReading, rate: str, value: float, ends: tuple[str, str], direction: str) -> KnownSize:
-    numbers = Operand(abs(value)) * Operand(polygon.reading.distance(*ends))
-    way = polygon.reading.say("derivation.sense of", direction=direction, rate=rate)
-    return KnownSize(f"{rate} l_{names.pair(*ends)}", numbers, way)
-
-
-def _squared(polygon: PolygonReading, rate: str, value: float, ends: tuple[str, str], direction: str) -> KnownSize:
-    numbers = squared(abs(value)) * Operand(polygon.reading.distance(*ends))
-    return KnownSize(f"{rate}² l_{names.pair(*ends)}", numbers, direction)
-
-
-def _relative(polygon: PolygonReading, size: terms.Relative, direction: str) -> KnownSize:
-    """A driven rotation of one link against another: ω21 l, ω21² l, α21 l."""
-    reading, facts = polygon.reading, polygon.reading.plot.facts
-    order, symbol = (2, "α") if size.part == "t" else (1, "ω")
-    value = float(facts.relative_rate(size.link, order) - facts.relative_rate(size.seen_from, order))
-    called = reading.mechanism.called
-    rate = names.relative(symbol, called(reading.body(size.link)), called(reading.body(size.seen_from)))
-    known = _squared if size.part == "n" else _times
-    return known(polygon, rate, value, (size.tail, size.head), direction)
+def _at_arm(
+    polygon: PolygonReading, rate: str, value: Real, power: int, ends: tuple[str, str], direction: str
+) -> KnownSize:
+    """`ω3 l_BD` in the sense of the rotation, `ω3² l_BD` of power 2."""
+    arm = Operand(polygon.reading.distance(*ends))
+    if power == 2:
+        return KnownSize(f"{rate}² l_{names.pair(*ends)}", squared(abs(float(value))) * arm, direction)
+    direction = polygon.reading.say("derivation.sense of", direction=direction, rate=rate)
+    return KnownSize(f"{rate} l_{names.pair(*ends)}", Operand(abs(float(value))) * arm, direction)

@@ -25,37 +25,31 @@ def polygon_entries(reading: Reading, plane: Plane, parts: tuple[Step | Equation
     polygon = PolygonReading(reading, plane, moving_parts(reading.method, plane, parts, reading.rested))
     yield Heading(reading.say(f"derivation.plane {plane}", number=number), plane)
     for part in polygon.parts:
-        yield from equation(polygon, part) if isinstance(part, Equation) else _step(polygon, part)
-
-
-def _step(polygon: PolygonReading, step: Step) -> Iterator[Entry]:
-    match step:
-        case kinds.Given():
-            yield from _renamed(polygon)
-            yield Sentence(_pole(polygon, step))
-            yield from _held_still(polygon)
-            yield from _driven_groups(polygon)
-        case kinds.LayOff():
-            yield from known_arrow(polygon, step)
-        case kinds.Image():
-            yield from _image(polygon, step)
-        case kinds.Measure("omega" | "alpha"):
-            yield from _rotation(polygon, step)
-        case kinds.Measure():
-            yield from _sliding(polygon, step)
-        case kinds.Roll():
-            yield from rolling(polygon, step)
-        case kinds.Simultaneous():
-            yield from solved_together(polygon, step)
-        case kinds.Fit() | kinds.Touch():
-            raise AssertionError("the mechanism itself is drawn before")
-        case kinds.Ray() | kinds.Arc() | kinds.Meet() | kinds.Swing():
-            raise AssertionError("lines cross inside an equation")
-        case _:
-            assert_never(step)
-
-
-# --- the start ----------------------------------------------------------------------------------
+        match part:
+            case Equation():
+                yield from equation(polygon, part)
+            case kinds.Given():
+                yield from _renamed(polygon)
+                yield from _pole(polygon, part)
+                yield from _driven_groups(polygon)
+            case kinds.LayOff():
+                yield from known_arrow(polygon, part)
+            case kinds.Image():
+                yield from _image(polygon, part)
+            case kinds.Measure("omega" | "alpha"):
+                yield from _rotation(polygon, part)
+            case kinds.Measure():
+                yield from _sliding(polygon, part)
+            case kinds.Roll():
+                yield from rolling(polygon, part)
+            case kinds.Simultaneous():
+                yield from solved_together(polygon, part)
+            case kinds.Fit() | kinds.Touch():
+                raise AssertionError("the mechanism itself is drawn before")
+            case kinds.Ray() | kinds.Arc() | kinds.Meet() | kinds.Swing():
+                raise AssertionError("lines cross inside an equation")
+            case _:
+                assert_never(part)
 
 
 def _renamed(polygon: PolygonReading) -> Iterator[Entry]:
@@ -75,9 +69,19 @@ def _renamed(polygon: PolygonReading) -> Iterator[Entry]:
             yield Sentence(reading.say("derivation.renamed tips", **words))
 
 
-def _held_still(polygon: PolygonReading) -> Iterator[Entry]:
-    """The links that drivers at rest hold still: their points are fixed points."""
-    reading, owners = polygon.reading, polygon.reading.mechanism.owners
+def _pole(polygon: PolygonReading, step: kinds.Given) -> Iterator[Entry]:
+    """The pole with the fixed points; then the links that drivers at rest hold still: their points are fixed, too."""
+    reading, pole, owners = polygon.reading, names.point(step.point), polygon.reading.mechanism.owners
+    first = next((part for part in polygon.parts if isinstance(part, Equation)), None)
+    if first is not None and any(isinstance(other, kinds.Given) for other in first.steps):
+        yield Sentence(reading.say("derivation.pole last", pole=pole))
+    elif not step.also:
+        yield Sentence(reading.say("derivation.pole", pole=pole))
+    else:
+        nodes = reading.listed([names.point(node) for node in step.also])
+        fixed = reading.listed([names.point(polygon.of(node)) for node in step.also])
+        key = "derivation.pole fixed" if len(step.also) == 1 else "derivation.pole fixed, several"
+        yield Sentence(reading.say(key, pole=pole, points=fixed, nodes=nodes))
     links = [link for link in reading.mechanism.moving if reading.stands(link)]
     if links:
         held = held_points(reading.method, polygon.plane, reading.rested)
@@ -88,27 +92,20 @@ def _held_still(polygon: PolygonReading) -> Iterator[Entry]:
         yield Sentence(reading.say(key, links=reading.links(links), fixed=fixed))
 
 
-def _pole(polygon: PolygonReading, step: kinds.Given) -> str:
-    reading, pole = polygon.reading, names.point(step.point)
-    first = next((part for part in polygon.parts if isinstance(part, Equation)), None)
-    if first is not None and any(isinstance(other, kinds.Given) for other in first.steps):
-        return reading.say("derivation.pole last", pole=pole)
-    if not step.also:
-        return reading.say("derivation.pole", pole=pole)
-    nodes = reading.listed([names.point(node) for node in step.also])
-    points = reading.listed([names.point(polygon.of(node)) for node in step.also])
-    key = "derivation.pole fixed" if len(step.also) == 1 else "derivation.pole fixed, several"
-    return reading.say(key, pole=pole, points=points, nodes=nodes)
-
-
-# --- rotations ----------------------------------------------------------------------------------
-
-
 def _rotation(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
     """omega or alpha of a link, then of those that keep their angle to it."""
-    reading, ends = polygon.reading, (step.tail, step.head)
+    reading, plane, ends = polygon.reading, polygon.plane, (step.tail, step.head)
     if polygon.plane == "acceleration" and not polygon.written(*ends):
-        yield from _resolved(polygon, step)
+        # both ends are known from elsewhere: only the part across the lever turns the link
+        across = float(reading.usual.motion(abs(_across_lever(polygon, step)), plane).real)
+        across = float(reading.ruler.read(across, plane).real) if reading.ruler else across
+        length_mm, tail = across / polygon.scale, _own_node(polygon, step.tail, step.lever[0])
+        name = polygon.seen(polygon.of(step.head), polygon.of(tail), "t")
+        numbers = Operand(polygon.scale) * Operand(length_mm)
+        words = {"tangential": Calculation(name, (), numbers, across, names.UNIT[plane]).text}
+        words |= {"ends": names.stretch(*ends), "line": names.pair(*step.lever)}
+        yield Sentence(reading.say("derivation.tangential part", **words))
+        yield _rate(polygon, step, name, length_mm)
     else:
         name, contacts = contacted(polygon, step)
         name = name or polygon.name(*ends)
@@ -135,42 +132,20 @@ def _rate(polygon: PolygonReading, step: kinds.Measure, name: str, length: float
     measured = f"{names.SCALE[polygon.plane]}·{names.stretch(step.tail, step.head)}/(μ_l·{line})"
     formulas = (f"{name}/l_{line}", measured) if direct else (f"{name}/l_{line}",)
     numbers = Operand(polygon.scale) * Operand(length) / (Operand(scale) * Operand(lever / scale))
-    value, note = length * polygon.scale / lever, _sense_note(polygon, step) if length else ""
+    value, note = length * polygon.scale / lever, ""
+    if length:
+        note = reading.say("common.ccw" if _across_lever(polygon, step) > 0 else "common.cw")
+    if length and step == polygon.first_lever:  # also how it is found
+        tail, head = (names.point(p) for p in step.lever)
+        words = {"stretch": names.stretch(step.tail, step.head), "rate": polygon.rate(step.of)}
+        note = reading.say("derivation.sense rule", sense=note, head=head, tail=tail, **words)
     return Calculation(polygon.rate(step.of), formulas, numbers, value, polygon.rate_unit, note)
-
-
-def _sense_note(polygon: PolygonReading, step: kinds.Measure) -> str:
-    """The sense; the first time also how it is found."""
-    reading = polygon.reading
-    sense = reading.say("common.ccw" if _across_lever(polygon, step) > 0 else "common.cw")
-    if step != polygon.first_lever:
-        return sense
-    tail, head = (names.point(p) for p in step.lever)
-    words = {"stretch": names.stretch(step.tail, step.head), "rate": polygon.rate(step.of)}
-    return reading.say("derivation.sense rule", sense=sense, head=head, tail=tail, **words)
 
 
 def _across_lever(polygon: PolygonReading, step: kinds.Measure) -> float:
     """Speed across the lever, positive where it turns it counter-clockwise."""
     arm = polygon.reading.arm(*step.lever)
     return float(cross(arm, polygon.arrow(step.tail, step.head))) / abs(arm)
-
-
-def _resolved(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
-    """Both ends are known from elsewhere: only the part across the lever turns the link."""
-    reading, plane = polygon.reading, polygon.plane
-    across = float(reading.usual.motion(abs(_across_lever(polygon, step)), plane).real)
-    across = float(reading.ruler.read(across, plane).real) if reading.ruler else across
-    length_mm, tail = across / polygon.scale, _own_node(polygon, step.tail, step.lever[0])
-    name = polygon.seen(polygon.of(step.head), polygon.of(tail), "t")
-    numbers = Operand(polygon.scale) * Operand(length_mm)
-    tangential = Calculation(name, (), numbers, across, names.UNIT[plane]).text
-    ends, line = names.stretch(step.tail, step.head), names.pair(*step.lever)
-    yield Sentence(reading.say("derivation.tangential part", ends=ends, line=line, tangential=tangential))
-    yield _rate(polygon, step, name, length_mm)
-
-
-# --- links that keep their angles ---------------------------------------------------------------
 
 
 def _driven_groups(polygon: PolygonReading) -> Iterator[Entry]:
@@ -217,9 +192,6 @@ def _driven_between(polygon: PolygonReading, link: str, other: str) -> list[tupl
     return [(k, sign, float(rates[k])) for k, sign in count.items() if sign]
 
 
-# --- slides -------------------------------------------------------------------------------------
-
-
 def _sliding(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
     """The speed at which a named displacement grows; of others, which distance grows or shrinks."""
     reading, plane = polygon.reading, polygon.plane
@@ -237,9 +209,6 @@ def _sliding(polygon: PolygonReading, step: kinds.Measure) -> Iterator[Entry]:
         yield Sentence(reading.say(key, stretch=stretch, size=number(size)))
 
 
-# --- images -------------------------------------------------------------------------------------
-
-
 def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
     """A further point of a link by the figure similar to it, then its motion."""
     reading = polygon.reading
@@ -252,7 +221,12 @@ def _image(polygon: PolygonReading, step: kinds.Image) -> Iterator[Entry]:
     if not polygon.arrow(*step.base):
         sentence = reading.say("derivation.image point", **words)
     elif aside(one, other) <= reading.noise * max(abs(one), abs(other)):
-        sentence = reading.say("derivation.image line", ratio=_ratio(polygon, step, corners), **words)
+        lengths = [reading.distance(first, p) for p in (third, second)]  # `dc = db3 · CD/BD = .. = 18.81 mm`
+        small, figured = polygon.length_mm(*step.base), figures(*(each / reading.scales["length"] for each in lengths))
+        formula = f"{words['small']} × {names.pair(first, third)}/{names.pair(first, second)}"
+        name, numbers = names.stretch(corners[0], step.point), Operand(small) * figured[0] / figured[1]
+        ratio = Calculation(name, (formula,), numbers, small * lengths[0] / lengths[1], "mm").text
+        sentence = reading.say("derivation.image line", ratio=ratio, **words)
     else:
         words |= {"small": names.triangle(*corners, step.point), "large": names.triangle(*step.corners)}
         ccw = float(cross(reading.arm(first, second), one)) > 0
@@ -268,14 +242,3 @@ def _own_node(polygon: PolygonReading, node: str, corner: str) -> str:
     nodes = polygon.construction.nodes.values()
     fixed = (n.name for n in nodes if n.site is not None and (n.site.point, n.site.link) == (corner, FRAME))
     return next(fixed, node)
-
-
-def _ratio(polygon: PolygonReading, step: kinds.Image, corners: list[str]) -> str:
-    """`dc = db3 · CD/BD = 27.12 × 48/69.2 = 18.81 mm`."""
-    first, second, third = step.corners
-    lengths = [polygon.reading.distance(first, p) for p in (third, second)]
-    small, scale = polygon.length_mm(*step.base), polygon.reading.scales["length"]
-    one, other = figures(*(length / scale for length in lengths))
-    formula = f"{names.stretch(*corners)} × {names.pair(first, third)}/{names.pair(first, second)}"
-    name, value = names.stretch(corners[0], step.point), small * lengths[0] / lengths[1]
-    return Calculation(name, (formula,), Operand(small) * one / other, value, "mm").text

@@ -11,6 +11,7 @@ from typing import assert_never
 from graphkin.base.geometry import cross, dot
 from graphkin.construction import Equation, Step, kinds, terms
 from graphkin.model.mechanism import FRAME, Driver
+from graphkin.planning.method import made
 from graphkin.say import names
 from graphkin.say.entry import Entry, Heading, Sentence
 from graphkin.say.equivalents import equivalents
@@ -59,21 +60,29 @@ class PositionReader(Tangents):
 
     def _entries(self) -> Iterator[Entry]:
         yield Heading(self.reading.say("derivation.plane position"), "position")
-        yield from self._fixed()
-        yield from equivalents(self.reading)
-        for part in self.reading.method.position.parts:
+        reading, shape = self.reading, self.reading.plot.facts.shapes[FRAME]
+        fixed = [f"{names.point(p)}{reading.place_on_paper(shape[p])}" for p in shape if reading.named(p)]
+        if fixed:
+            yield Sentence(reading.say("derivation.fixed points", points=reading.joined(fixed)))
+        for slide in (slide for slide in reading.mechanism.slides if slide.guide == FRAME):
+            origin = slide.line.origin
+            place = names.point(origin) if slide.line.named else reading.place_on_paper(shape[origin])
+            words = {"guide": reading.path(slide.name), "angle": degrees(slide.line.direction)}
+            yield Sentence(reading.say("derivation.fixed guide", place=place, **words))
+        yield from equivalents(reading)
+        for part in reading.method.position.parts:
             for step in part.steps if isinstance(part, Equation) else (part,):
                 entries = list(self._step(step))
                 if entries and isinstance(entries[0], Sentence):  # the first tells what is drawn
-                    entries[0] = Sentence(entries[0].text, self.reading.act("position", step))
+                    entries[0] = Sentence(entries[0].text, reading.act("position", step))
                 yield from entries
-                self.placed |= _made(step)
+                self.placed |= {*made(step)}
                 yield from self._angles()
         yield from self._angles(last=True)
         values = self.moving.plot.facts.values
-        arrows = {self.reading.against(d, "φ"): rect(1.0, float(values[k])) for k, d in self._open()}
+        arrows = {reading.against(d, "φ"): rect(1.0, float(values[k])) for k, d in self._open()}
         if arrows:  # drivers' values, measured where poses stand for them
-            yield self._measured_angles(f"{name} = {self.reading.angle(arrow)}" for name, arrow in arrows.items())
+            yield self._measured_angles(f"{name} = {reading.angle(arrow)}" for name, arrow in arrows.items())
         yield from self._used()
 
     def _step(self, step: Step) -> Iterator[Entry]:
@@ -96,8 +105,12 @@ class PositionReader(Tangents):
                     yield Sentence(self._corner(link, corners))
             case kinds.Measure("theta", of):
                 self.waiting.append(of)
-                self.ends |= dict.fromkeys((of, *self.reading.group(of)), (step.tail, step.head))
-                self.reached |= _corner_between(step)
+                ends = (step.tail, step.head)
+                self.ends |= dict.fromkeys((of, *self.reading.group(of)), ends)
+                parts = step.span.parts if step.span is not None else ()
+                if len(parts) == 2 and isinstance(parts[0], terms.Arm) and isinstance(parts[1], terms.Arm):
+                    # the point at which both arms of a reach meet
+                    self.reached |= {parts[0].head: ends} if parts[0].head == parts[1].tail else {}
             case kinds.Measure(_, of):
                 yield from self._slide(of)
             case kinds.Roll():
@@ -110,22 +123,6 @@ class PositionReader(Tangents):
                 raise AssertionError("positions are fitted")
             case _:
                 assert_never(step)
-
-    def _fixed(self) -> Iterator[Entry]:
-        """Fixed points and guides."""
-        reading = self.reading
-        shape = reading.plot.facts.shapes[FRAME]
-        fixed = [f"{names.point(p)}{reading.place_on_paper(shape[p])}" for p in shape if reading.named(p)]
-        if fixed:
-            yield Sentence(reading.say("derivation.fixed points", points=reading.joined(fixed)))
-        for slide in reading.mechanism.slides:
-            if slide.guide == FRAME:
-                origin = slide.line.origin
-                place = names.point(origin) if slide.line.named else reading.place_on_paper(shape[origin])
-                words = {"guide": reading.path(slide.name), "angle": degrees(slide.line.direction)}
-                yield Sentence(reading.say("derivation.fixed guide", place=place, **words))
-
-    # --- laid off -------------------------------------------------------------------------------
 
     def _lay_off(self, step: kinds.LayOff) -> str:
         reading = self.reading
@@ -142,18 +139,14 @@ class PositionReader(Tangents):
         words["angle"] = degrees(arrow)
         if isinstance(direction, terms.AlongGuide):
             return reading.say("derivation.lay off slide", guide=reading.path(direction.slide), **words)
-        if line := self._drawn_line(step):
+        part, line = step.term.size.parts[0], ""  # two points that are drawn, on whose line an arm of their link lies
+        tail, head = self.ends.get(part.link, ("", "")) if isinstance(part, terms.Arm) else ("", "")
+        if tail and reading.named(tail) and reading.named(head) and {tail, head} <= self.placed:
+            off = aside(reading.arm(tail, head), reading.arm(step.start, step.tip))
+            line = names.pair(tail, head) if off <= reading.noise * abs(reading.arm(step.start, step.tip)) else ""
+        if line:
             return reading.say("derivation.lay off on line", line=line, **words)
         return reading.say("derivation.lay off link", **words)
-
-    def _drawn_line(self, step: kinds.LayOff) -> str:
-        """Two points that are drawn, on whose line an arm of their link lies; "" of others."""
-        reading, part = self.reading, step.term.size.parts[0] if isinstance(step.term.size, terms.Span) else None
-        tail, head = self.ends.get(part.link, ("", "")) if isinstance(part, terms.Arm) else ("", "")
-        if not tail or not reading.named(tail) or not reading.named(head) or not {tail, head} <= self.placed:
-            return ""
-        line, arm = reading.arm(tail, head), reading.arm(step.start, step.tip)
-        return names.pair(tail, head) if aside(line, arm) <= reading.noise * abs(arm) else ""
 
     def _over_reach(self, step: kinds.LayOff) -> str:
         """A point between the ends of a reach made of several arms: by arcs about both ends; "" of others."""
@@ -181,16 +174,14 @@ class PositionReader(Tangents):
         words |= {"first": lengths[0], "second": lengths[1], "way": reading.way_round(corners, ccw)}
         return reading.say("derivation.shape corner", **words)
 
-    # --- where lines cross ----------------------------------------------------------------------
-
     def _meet(self, step: kinds.Meet) -> str:
         reading = self.reading
         words = {"first": capitalized(self._locus(step.first)), "second": self._locus(step.second)}
         words["point"] = names.point(step.point)
         if not isinstance(step.second, kinds.Arc):
             return reading.say("derivation.meet lines", **words)
-        where = reading.note(_crossing(reading, step, step.second))
-        return reading.say("derivation.meet circles", where=where, **words)
+        words["where"] = reading.note(_crossing(reading, step, step.second))
+        return reading.say("derivation.meet circles", **words)
 
     def _circle(self, about: str, length: str) -> str:
         return self.reading.say("derivation.circle", about=self.reading.place(about), length=length)
@@ -212,8 +203,6 @@ class PositionReader(Tangents):
         at = reading.say("derivation.at direction", angle=angle)
         return reading.say("derivation.line parallel", through=reading.place(locus.through), direction=at)
 
-    # --- measured -------------------------------------------------------------------------------
-
     def _open(self) -> Iterator[tuple[int, Driver]]:
         """The driven angles that the file leaves to a pose."""
         drivers = enumerate(self.reading.mechanism.drivers)
@@ -223,10 +212,7 @@ class PositionReader(Tangents):
         return Sentence(self.reading.say("derivation.measured angles", angles=self.reading.joined(angles)))
 
     def _angles(self, last: bool = False) -> Iterator[Entry]:
-        """Directions of links, and of those that keep their angles to them, once their first two points are there.
-
-        last  nothing more is drawn
-        """
+        """Directions of links, and of those that turn with them, once their two points are there; `last`: of all."""
         reading, angles, waiting = self.reading, list[str](), list[str]()
         members = (member for link in self.waiting for member in (reading.body(link), *reading.group(link)))
         for member in dict.fromkeys(members):
@@ -259,32 +245,6 @@ class PositionReader(Tangents):
         else:
             return  # where it has come to lie is all there is of it
         yield Sentence(reading.say("derivation.measured slide", length=text))
-
-
-def _corner_between(step: kinds.Measure) -> dict[str, tuple[str, str]]:
-    """The point at which both arms of a reach meet, with the ends of these."""
-    parts = step.span.parts if step.span is not None else ()
-    if len(parts) != 2 or not (isinstance(parts[0], terms.Arm) and isinstance(parts[1], terms.Arm)):
-        return {}
-    return {parts[0].head: (step.tail, step.head)} if parts[0].head == parts[1].tail else {}
-
-
-def _made(step: Step) -> set[str]:
-    """The points a step draws."""
-    match step:
-        case kinds.Given(point) | kinds.Touch(point=point) | kinds.Image(point=point):
-            return {point}
-        case kinds.Meet(point=point) | kinds.LayOff(tip=point):
-            return {point}
-        case kinds.Ray() | kinds.Arc() | kinds.Swing() | kinds.Measure():
-            return set()
-        case kinds.Roll() | kinds.Fit() | kinds.Simultaneous():
-            return set()
-        case _:
-            assert_never(step)
-
-
-# --- which of two crossings ---------------------------------------------------------------------
 
 
 def _crossing(reading: Reading, step: kinds.Meet, circle: kinds.Arc) -> str:

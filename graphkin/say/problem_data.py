@@ -9,7 +9,7 @@ from itertools import combinations
 from math import degrees, remainder
 
 from graphkin.base.geometry import dot
-from graphkin.model.mechanism import FRAME, Driver, Pose
+from graphkin.model.mechanism import FRAME, Driver
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
 from graphkin.say.dimensions import Size, beside, circle, driven, guide_angle, millimetres, radius, sides
@@ -28,12 +28,23 @@ def problem_data(reading: Reading) -> Iterator[Entry]:
     between = reading.say("common.semicolon")
     yield Heading(reading.mechanism.headline(reading.lang))
     yield Heading(reading.say("solution.given"))
-    for sentence in _dimensions(reading):
-        yield Sentence(sentence)
+    yield from map(Sentence, _dimensions(reading))
     drivers = [_driver(reading, k, driver) for k, driver in enumerate(reading.mechanism.drivers)]
     yield Sentence(reading.say("derivation.given", drivers=between.join(drivers)))
     if reading.mechanism.poses:
-        poses = [_pose(reading, pose) for pose in reading.mechanism.poses]
+        poses = []  # conditions that held when the mechanism was drawn
+        for pose in reading.mechanism.poses:
+            if pose.vector is None:
+                place = f"{names.of_slide('s', pose.link)} = {given_figure(pose.value * 1000)} mm"
+                words = {"slide": reading.slide_name(pose.link), "place": place}
+                key = f"derivation.driven {_kind(reading, pose.link)}"
+            else:
+                angle = f"{given_figure(degrees(pose.value))}°"
+                words = {"line": _points(pose.vector), "link": reading.link(pose.link), "angle": angle}
+                key = "derivation.pose line" if pose.from_vector is None else "derivation.pose joint"
+            if pose.vector is not None and pose.from_vector is not None:
+                words |= {"other": _points(pose.from_vector), "seen_from": reading.link(pose.from_link)}
+            poses.append(reading.say(key, **words))
         yield Sentence(reading.say("derivation.posed", poses=between.join(poses)))
 
 
@@ -54,26 +65,9 @@ def solution_head(reading: Reading, leaves_out: bool) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.numbers left out"))
 
 
-# --- drivers ------------------------------------------------------------------------------------
-
-
 def _points(line: tuple[str, str]) -> str:
     """Two points of a link in the order of their direction."""
     return "".join(map(names.point, line))
-
-
-def _pose(reading: Reading, pose: Pose) -> str:
-    """A condition that held when the mechanism was drawn."""
-    if pose.vector is None:
-        place = f"{names.of_slide('s', pose.link)} = {given_figure(pose.value * 1000)} mm"
-        slide = reading.slide_name(pose.link)
-        return reading.say(f"derivation.driven {_kind(reading, pose.link)}", slide=slide, place=place)
-    words = {"line": _points(pose.vector), "link": reading.link(pose.link)}
-    words["angle"] = f"{given_figure(degrees(pose.value))}°"
-    if pose.from_vector is None:
-        return reading.say("derivation.pose line", **words)
-    other, seen_from = _points(pose.from_vector), reading.link(pose.from_link)
-    return reading.say("derivation.pose joint", other=other, seen_from=seen_from, **words)
 
 
 def _kind(reading: Reading, slide: str) -> str:
@@ -82,6 +76,7 @@ def _kind(reading: Reading, slide: str) -> str:
 
 
 def _driver(reading: Reading, k: int, driver: Driver) -> str:
+    """A driven line or slide, its value, and its rates; no angle of a wheel, or of a line that a pose has fixed."""
     place, *rates = driven(reading, k, driver)
     now, drawn = (float(facts.values[k]) for facts in (reading.plot.facts, reading.method.facts()))
     shown = None if driver.value is None and abs(now - drawn) < 1e-12 else place
@@ -94,24 +89,15 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
             start = reading.say(f"derivation.driven {kind}", slide=slide, place=shown.text)
         return reading.joined([start, *texts])
     texts = [sensed(size.symbol, size.value, size.unit, reading.lang) for size in rates]
-    return reading.joined([_driven_line(reading, driver, shown), *texts])
-
-
-def _driven_line(reading: Reading, driver: Driver, place: Size | None) -> str:
-    """The driven line and its angle; no angle of a wheel, or of a line that a pose has fixed."""
-    link = reading.link(driver.link)
-    if driver.vector is None:
-        return reading.say("derivation.driven wheel", link=link)
-    line = _points(driver.vector)
-    if place is None:
-        return reading.say("derivation.driven line free", line=line, link=link)
-    if driver.from_vector is None:
-        return reading.say("derivation.driven link", line=line, link=link, angle=place.text)
-    words = {"other": _points(driver.from_vector), "seen_from": reading.link(driver.from_link)}
-    return reading.say("derivation.driven joint", line=line, link=link, angle=place.text, **words)
-
-
-# --- links --------------------------------------------------------------------------------------
+    words, key = {"link": reading.link(driver.link)}, "derivation.driven wheel"
+    if driver.vector is not None:
+        words["line"], key = _points(driver.vector), "derivation.driven line free"
+        if shown is not None:
+            words["angle"], key = shown.text, "derivation.driven link"
+        if shown is not None and driver.from_vector is not None:
+            words |= {"other": _points(driver.from_vector), "seen_from": reading.link(driver.from_link)}
+            key = "derivation.driven joint"
+    return reading.joined([reading.say(key, **words), *texts])
 
 
 def _dimensions(reading: Reading) -> Iterator[str]:
@@ -138,26 +124,23 @@ def _place(reading: Reading, place: complex) -> str:
     return f"({x}, {y})"
 
 
-# --- pairs --------------------------------------------------------------------------------------
-
-
 def _slide(reading: Reading, pair: Slide) -> str:
     """The block and the guide on which it slides, by what the file says of the line."""
     words = {"block": reading.link(pair.block) if pair.block is not None else "", "point": names.point(pair.point)}
-    words |= {"guide": _guide(reading, pair), "tilt": _tilt(reading, pair)}
+    words |= {"guide": "", "tilt": ""}
+    if pair.named:  # ` (ram, displacement s_ram)`: the file's name of the pair, where its block is not called so
+        title = reading.slide_name(pair.name)
+        own = pair.block is not None and reading.link(pair.block) == title
+        displacement = reading.say("solution.displacement", s=names.of_slide("s", pair.name))
+        words["guide"] = reading.note(displacement if own else reading.joined([title, displacement]))
+    if axis := _axis(reading, pair):  # `; the direction of A→B is the guide's turned by 30° ..`
+        turned = remainder(round(degrees(pair.tilt), 9), 360)
+        angle = {"angle": f"{given_figure(abs(turned))}°", "sense": reading.sense(turned)}
+        words["tilt"] = reading.say("solution.tilt" if turned else "solution.tilt none", line=axis, **angle)
     kind, where = "pin" if pair.block is None else "block", _lying(reading, pair.line, pair)
     if pair.guide == FRAME:
         return reading.say(f"solution.{kind} on frame", line=where, **words)
     return reading.say(f"solution.{kind} on link", link=reading.link(pair.guide), where=where, **words)
-
-
-def _tilt(reading: Reading, pair: Slide) -> str:
-    """`; the direction of A→B is the guide's turned by 30° ..`, of a block with a direction of its own."""
-    if not (line := _axis(reading, pair)):
-        return ""
-    turned = remainder(round(degrees(pair.tilt), 9), 360)
-    words = {"line": line, "angle": f"{given_figure(abs(turned))}°", "sense": reading.sense(turned)}
-    return reading.say("solution.tilt" if turned else "solution.tilt none", **words)
 
 
 def _axis(reading: Reading, pair: Slide) -> str:
@@ -168,15 +151,6 @@ def _axis(reading: Reading, pair: Slide) -> str:
         return names.arrow(*axis)
     first = next(slide for slide in reading.mechanism.slides if slide.block == pair.block)
     return "" if first.name == pair.name else reading.say("solution.line of", link=reading.link(first.guide))
-
-
-def _guide(reading: Reading, pair: Slide) -> str:
-    """` (ram, displacement s_ram)`: the file's name of the pair, where its block is not called so."""
-    if not pair.named:
-        return ""
-    own = pair.block is not None and reading.link(pair.block) == reading.slide_name(pair.name)
-    displacement = reading.say("solution.displacement", s=names.of_slide("s", pair.name))
-    return reading.note(reading.joined([*([] if own else [reading.slide_name(pair.name)]), displacement]))
 
 
 def _circular_slot(reading: Reading, pair: CircularSlot) -> str:
@@ -203,32 +177,27 @@ def _rolling(reading: Reading, pair: RollingContact) -> str:
 
 
 def _cam(reading: Reading, pair: Cam) -> str:
-    one, other = (_profile(reading, pair, k) for k in (0, 1))
+    texts = []
+    for profile, member, facing in zip(pair.profiles, pair.links, reversed(pair.profiles), strict=True):
+        link, centre = reading.link(member), names.point(profile.centre or "")
+        if profile.line is not None:
+            other = names.point(facing.centre or "")
+            side = reading.say("solution.wheel left" if profile.left else "solution.wheel right", centre=other)
+            texts.append(reading.say("solution.flat face", link=link, line=_track(reading, profile.line), side=side))
+        elif not profile.radius:
+            texts.append(reading.say("solution.knife edge", link=link, point=centre))
+        else:
+            size = circle(reading, profile.centre or "", profile.radius).text
+            texts.append(reading.say("solution.circle", link=link, centre=centre, radius=size))
     where = reading.say("solution.inside" if pair.internal else "solution.outside")
     touch = reading.note(where) if all(profile.radius for profile in pair.profiles) else ""
-    return reading.say("solution.cam", first=capitalized(one), second=other, where=touch)
-
-
-def _profile(reading: Reading, pair: Cam, k: int) -> str:
-    profile, link = pair.profiles[k], reading.link(pair.links[k])
-    if profile.line is not None:
-        centre = names.point(pair.profiles[1 - k].centre or "")
-        side = reading.say("solution.wheel left" if profile.left else "solution.wheel right", centre=centre)
-        return reading.say("solution.flat face", link=link, line=_track(reading, profile.line), side=side)
-    centre = names.point(profile.centre or "")
-    if not profile.radius:
-        return reading.say("solution.knife edge", link=link, point=centre)
-    size = circle(reading, profile.centre or "", profile.radius).text
-    return reading.say("solution.circle", link=link, centre=centre, radius=size)
+    return reading.say("solution.cam", first=capitalized(texts[0]), second=texts[1], where=touch)
 
 
 PAIR_SENTENCES: Mapping[type[Pair], Callable[..., str]] = {
     Slide: _slide, CircularSlot: _circular_slot, Gear: _gears, RollingContact: _rolling, Cam: _cam,
 }  # fmt: skip
 """The sentence of each kind that is no hinge, in this order."""
-
-
-# --- lines --------------------------------------------------------------------------------------
 
 
 def _track(reading: Reading, line: Line) -> str:
@@ -241,7 +210,12 @@ def _lying(reading: Reading, line: Line, slide: Slide | None = None) -> str:
     """`along DE`, `through C that makes γ = 100° with D→C (..)`, `through (0, 10) at 0° to +x`."""
     angle = guide_angle(reading, slide) if slide is not None else None
     either = slide is not None and not slide.named and not _axis(reading, slide)
-    place, line = reading.mechanism.links[line.link].points.get(line.origin), _carried(reading, line)
+    place = reading.mechanism.links[line.link].points.get(line.origin)
+    for _ in reading.mechanism.links:  # of one point: in the guide on which it slides without turning
+        held = next((slide for slide in reading.mechanism.slides if slide.block == line.link), None)
+        if line.link == FRAME or len(reading.mechanism.links[line.link].points) > 1 or held is None:
+            break
+        line = replace(line, link=held.guide, direction=line.direction * held.line.direction)
     through = names.point(line.origin) if line.named or place is None else _place(reading, place)
     if ends := _points_along(reading, line):
         return reading.say("solution.along", line=(names.pair if either else names.arrow)(*ends))
@@ -267,13 +241,3 @@ def _points_along(reading: Reading, line: Line) -> tuple[str, str] | None:
         return points_of(reading, line) if line.origin in link.points else None
     on_it = all(aside(line.direction, link.arm(line.origin, end)) <= reading.noise for end in line.base)
     return line.base if on_it and dot(line.direction, link.arm(*line.base)) > 0 else None
-
-
-def _carried(reading: Reading, line: Line) -> Line:
-    """The line of a link of one point in the guide along which it slides, against which it does not turn."""
-    for _ in reading.mechanism.links:
-        held = next((slide for slide in reading.mechanism.slides if slide.block == line.link), None)
-        if line.link == FRAME or len(reading.mechanism.links[line.link].points) > 1 or held is None:
-            break
-        line = replace(line, link=held.guide, direction=line.direction * held.line.direction)
-    return line

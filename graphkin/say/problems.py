@@ -9,12 +9,12 @@ from typing import assert_never
 from graphkin.errors import Lang
 from graphkin.files.values import split_points
 from graphkin.marking.answers import asked_of
-from graphkin.model.mechanism import Driver, Mechanism
+from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import Quantity
 from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
 from graphkin.model.quantities.reading import at_position, read
 from graphkin.model.units import EDGE
-from graphkin.running.drawn_sides import DrawnSides, PointSide
+from graphkin.running.drawn_sides import DrawnSides
 from graphkin.say import names
 from graphkin.say.catalogue import is_phrase, say
 
@@ -42,7 +42,9 @@ def problem(
         halves = () if quantity is None else quantity.halves
         thetas = [half for half in halves if isinstance(half, Rotation) and half.word == "theta"]
         angles = "".join(dict.fromkeys(_angle_line(mechanism, theta, lang) for theta in thetas))
-        lines.append(f"  {question if quantity is None else _symbol_and_unit(quantity)}{worth}{angles}")
+        sign = "" if quantity is None else EDGE[quantity.unit].sign
+        name = question if quantity is None else _symbol(quantity) + (f" [{sign}]" if sign else "")
+        lines.append(f"  {name}{worth}{angles}")
     lines += ["", say("problems.hand in", lang), "", f"  student = {_quoted(student)}", "  [answers]"]
     count = 1 + positions(mechanism)
     lines += [f"  {_quoted(at_position(question, at))} = " for at in range(1, count + 1) for question in marked]
@@ -56,33 +58,22 @@ def statement(mechanism: Mechanism, lang: Lang, drawn: DrawnSides | None = None)
     yield from (f"  {line}" for line in _data(mechanism, lang))
     if drawn is not None and (sentence := assembly_sentence(drawn, lang)):
         yield f"  {sentence}"
-    yield from _driver_values(mechanism, lang)
+    further = positions(mechanism)
+    yield from ("", say("problems.positions", lang)) if further else ()
+    for at in range(further + 1) if further else ():
+        shown = []  # `AB = 120°`, `ram = 25 mm`
+        for driver in mechanism.drivers:
+            value = driver.also[at - 1] if 0 < at <= len(driver.also) else driver.value
+            if value is not None:
+                size = f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{math.degrees(value):.6g}°"
+                shown.append(f"{names.point(driver.name)} = {size}")
+        shown = shown or [say("problems.as given", lang)]
+        yield f"  #{at + 1}{say('common.colon', lang)}{say('common.list', lang).join(shown)}"
 
 
 def positions(mechanism: Mechanism) -> int:
     """The number of further positions that are asked for."""
     return max((len(driver.also) for driver in mechanism.drivers), default=0)
-
-
-def _driver_values(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
-    """The values of the drivers at each position, by its number."""
-    if not positions(mechanism):
-        return
-    yield ""
-    yield say("problems.positions", lang)
-    for at in range(positions(mechanism) + 1):
-        texts = [_driver_value(driver, at) for driver in mechanism.drivers]
-        shown = [text for text in texts if text] or [say("problems.as given", lang)]
-        yield f"  #{at + 1}{say('common.colon', lang)}{say('common.list', lang).join(shown)}"
-
-
-def _driver_value(driver: Driver, at: int) -> str:
-    """`AB = 120°`, `ram = 25 mm`; "" where the file gives none."""
-    value = driver.also[at - 1] if 0 < at <= len(driver.also) else driver.value
-    if value is None:
-        return ""
-    size = f"{value * 1000:.6g} mm" if driver.kind == "slide" else f"{math.degrees(value):.6g}°"
-    return f"{names.point(driver.name)} = {size}"
 
 
 def remark(shared: Sequence[str], lang: Lang) -> str:
@@ -93,15 +84,6 @@ def remark(shared: Sequence[str], lang: Lang) -> str:
 
 def _quoted(text: str) -> str:
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
-
-
-# --- what is asked ----------------------------------------------------------------------------
-
-
-def _symbol_and_unit(quantity: Quantity) -> str:
-    """`ω3 [rad/s]`, `aᵏ_B3B2 [m/s²]`."""
-    sign = EDGE[quantity.unit].sign
-    return _symbol(quantity) + (f" [{sign}]" if sign else "")
 
 
 def _symbol(quantity: Quantity) -> str:
@@ -134,9 +116,6 @@ def _angle_line(mechanism: Mechanism, angle: Rotation, lang: Lang) -> str:
     return say("problems.angle of guide", lang, angle=symbol, guide=mechanism.called(slide.guide))
 
 
-# --- data of the file -------------------------------------------------------------------------
-
-
 def _data(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
     """A line a link, pair and driver, in the file's order."""
     for (table, *inner), stated in mechanism.given.items():
@@ -149,17 +128,14 @@ def _data(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
             rows = [("", row) for row in (content if isinstance(content, list) else [content])]
         for name, row in rows:
             head = say(f"problems.table {table}", lang) + (f" {name}" if name else "")
-            entries = (_entry(key, value, lang) for key, value in _with_title(row, lang).items())
+            # with what a sliding pair is called behind its name, in this language
+            title, rest = row.get("title"), {key: value for key, value in row.items() if key != "title"}
+            called = title.get(lang) or next(iter(title.values()), "") if isinstance(title, dict) else title
+            if called and called != row.get("name"):
+                named = "name" in row
+                rest = {**rest, "name": f"{row['name']} ({called})"} if named else {"name": called, **rest}
+            entries = (_entry(key, value, lang) for key, value in rest.items())
             yield f"{head}{say('common.colon', lang)}{say('common.and', lang).join(entries)}"
-
-
-def _with_title(row: dict[str, object], lang: Lang) -> dict[str, object]:
-    """With what a sliding pair is called behind its name, in this language."""
-    title, rest = row.get("title"), {key: value for key, value in row.items() if key != "title"}
-    called = title.get(lang) or next(iter(title.values()), "") if isinstance(title, dict) else title
-    if not called or called == row.get("name"):
-        return rest
-    return {**rest, "name": f"{row['name']} ({called})"} if "name" in row else {"name": called, **rest}
 
 
 def _entry(key: str, value: object, lang: Lang) -> str:
@@ -183,25 +159,20 @@ def _value(value: object, lang: Lang) -> str:
             return str(value)
 
 
-# --- assembly ---------------------------------------------------------------------------------
-
-
 def assembly_sentence(sides: DrawnSides, lang: Lang) -> str:
     """`Assembly: C above BD.`, one side after another; nothing where there is no choice."""
     choices = []
     for lies in sides.lies:
         line = "".join(map(names.point, lies.line))
-        choices.append(say(f"assembly.side {_side(lies)}", lang, point=names.point(lies.point), line=line))
+        if lies.by_distance:
+            side = "far" if lies.to.real > 0 else "near"
+        elif abs(lies.to.imag) >= abs(lies.to.real):
+            side = "above" if lies.to.imag > 0 else "below"
+        else:
+            side = "right" if lies.to.real > 0 else "left"
+        choices.append(say(f"assembly.side {side}", lang, point=names.point(lies.point), line=line))
     for point, place in sides.near:
         x, y = (f"{1000 * part + 0.0:.4g}" for part in (place.real, place.imag))
         choices.append(say("assembly.near", lang, point=names.point(point), x=x, y=y))
     joined = say("common.and", lang).join(dict.fromkeys(choices))
     return joined and say("assembly.drawn", lang, told=joined)
-
-
-def _side(lies: PointSide) -> str:
-    if lies.by_distance:
-        return "far" if lies.to.real > 0 else "near"
-    if abs(lies.to.imag) >= abs(lies.to.real):
-        return "above" if lies.to.imag > 0 else "below"
-    return "right" if lies.to.real > 0 else "left"

@@ -72,8 +72,6 @@ class Reading:
         """Facts of both polygons that drivers at rest hold still."""
         return frozenset() if self.apart else at_rest(self.method, self.plot.facts)
 
-    # --- words --------------------------------------------------------------------------------
-
     def say(self, key: str, /, **words: object) -> str:
         return say_close(key, self.lang, **words)
 
@@ -104,8 +102,6 @@ class Reading:
     def way_round(self, points: Iterable[str], ccw: bool) -> str:
         """`B→C→E counter-clockwise`: the sense in which corners follow one another."""
         return self.say("common.way round", way="→".join(map(names.point, points)), sense=self.sense(1 if ccw else -1))
-
-    # --- links --------------------------------------------------------------------------------
 
     def body(self, link: str) -> str:
         """The link that turns as this body does: a pin turns with its slot."""
@@ -191,8 +187,6 @@ class Reading:
         """The point of a link as written where several links have one there: `B3`."""
         return Labels(self.method.structure, {}).numbered(point, self.body(link))
 
-    # --- numbers of the mechanism --------------------------------------------------------------
-
     @property
     def usual(self) -> Usual:
         """Usual sizes of this mechanism; what is far below is nothing."""
@@ -251,8 +245,6 @@ class Reading:
         """Coordinates on paper, in mm."""
         return f"({self.on_paper(place.real)}, {self.on_paper(place.imag)})"
 
-    # --- slides ---------------------------------------------------------------------------------
-
     def slide_name(self, slide: str) -> str:
         """The name by which people call a named slide or roll."""
         return self.mechanism.slide_title(slide, self.lang)
@@ -273,7 +265,12 @@ class Reading:
         pair = self.method.structure.slides[slide]
         if pair.named and pair.guide == FRAME and slide not in self.contact_slides:
             return self.say("derivation.guide of", name=self.slide_name(slide))
-        on_it = self._points_on(slide) or (None if pair.guide == FRAME else self.points_along(slide))
+        along = self.guide(slide)  # two points that lie apart on it, of those that the guide or the pair itself names
+        points = dict.fromkeys((pair.line.origin, pair.point, *self.method.structure.bodies[pair.guide]))
+        there = [p for p in points if self.named(p) and aside(along, self.arm(pair.point, p)) <= self.noise]
+        pairs = ((first, second) for first in there for second in there)
+        apart = (ends for ends in pairs if abs(float(dot(along, self.arm(*ends)))) > self.noise)
+        on_it = next(apart, None) or (None if pair.guide == FRAME else self.points_along(slide))
         if on_it is None and slide in self.contact_slides:
             rolling = pair.stands_for.rolling if pair.stands_for is not None else None
             if len(self.contact_slides) == 1:
@@ -301,15 +298,6 @@ class Reading:
             if aside(along, arm) <= self.noise < abs(arm):
                 return first, second
         return None
-
-    def _points_on(self, slide: str) -> tuple[str, str] | None:
-        """Two points that lie apart on the line, of those that the guide or the pair itself names."""
-        pair, along = self.method.structure.slides[slide], self.guide(slide)
-        points = dict.fromkeys((pair.line.origin, pair.point, *self.method.structure.bodies[pair.guide]))
-        on_it = [p for p in points if self.named(p) and aside(along, self.arm(pair.point, p)) <= self.noise]
-        pairs = ((first, second) for first in on_it for second in on_it)
-        apart = (ends for ends in pairs if abs(float(dot(along, self.arm(*ends)))) > self.noise)
-        return next(apart, None)
 
     def place(self, point: str) -> str:
         """A point of the drawing; the start of a line that has no name of its own is told by its guide."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from graphkin.base.geometry import dot
@@ -28,23 +28,28 @@ def solve_lines(mechanism: Mechanism, results: Json, lang: Lang) -> Iterator[str
     yield "  ".join(dict.fromkeys((results["name"], results["title"])))
     for position in results["positions"]:
         yield ""
-        yield f"{say('results.position', lang)}{colon}{_driver_values(mechanism, position['drivers'], lang)}"
+        drivers = []  # `AB = 60 deg, ram = 90 mm`
+        for driver, value in zip(mechanism.drivers, position["drivers"], strict=True):
+            unit = EDGE[driven(driver.kind == "slide")]
+            drivers.append(f"{driver.name} = {exact(value * unit.factor)} {unit.name}")
+        yield f"{say('results.position', lang)}{colon}{in_signs(say('common.and', lang).join(drivers), lang)}"
         heads = ("quantity", "graphical", "analytic", "difference", "unit")
         rows = [[say(f"results.{head}", lang) for head in heads], *_rows(mechanism, position)]
         yield from table([[in_signs(cell, lang) for cell in row] for row in rows])
         if position["ask"]:
             yield f"{say('results.asked', lang)}{colon}".rstrip()
-        yield from (f"  {_answer(question, entry, lang)}" for question, entry in position["ask"].items())
+        for question, entry in position["ask"].items():
+            name = in_signs(question, lang)
+            if "at" in entry or "direction" in entry:
+                yield f"  {name} = {centre_place(entry, lang)}" + (" mm" if "at" in entry else "")
+            elif entry["value"] is None:
+                yield f"  {name}{colon}{say('results.not answered', lang)}"
+            else:
+                unit = EDGE[entry["unit"]]
+                value = f"{exact(entry['value'] * unit.factor)} {in_signs(unit.name, lang)}".rstrip()
+                vector = f"  ({', '.join(map(exact, entry['vector']))})" if "vector" in entry else ""
+                yield f"  {name} = {value}{vector}"
         yield f"{say('results.worst', lang)}{colon}{position['worst']:.1e}"
-
-
-def _driver_values(mechanism: Mechanism, values: Sequence[float], lang: Lang) -> str:
-    """`AB = 60 deg, ram = 90 mm`."""
-    shown = []
-    for driver, value in zip(mechanism.drivers, values, strict=True):
-        unit = EDGE[driven(driver.kind == "slide")]
-        shown.append(f"{driver.name} = {exact(value * unit.factor)} {unit.name}")
-    return in_signs(say("common.and", lang).join(shown), lang)
 
 
 def _rows(mechanism: Mechanism, position: Json) -> Iterator[list[str]]:
@@ -74,15 +79,3 @@ def _rows(mechanism: Mechanism, position: Json) -> Iterator[list[str]]:
 def _row(name: str, drawn: float, right: float, unit: Unit, off: float | None = None) -> list[str]:
     off = drawn - right if off is None else off
     return [name, exact(drawn), exact(right), f"{off:.1e}", unit.name]
-
-
-def _answer(question: str, entry: Json, lang: Lang) -> str:
-    name = in_signs(question, lang)
-    if "at" in entry or "direction" in entry:
-        return f"{name} = {centre_place(entry, lang)}" + (" mm" if "at" in entry else "")
-    if entry["value"] is None:
-        return f"{name}{say('common.colon', lang)}{say('results.not answered', lang)}"
-    unit = EDGE[entry["unit"]]
-    value = f"{exact(entry['value'] * unit.factor)} {in_signs(unit.name, lang)}".rstrip()
-    components = f"  ({', '.join(map(exact, entry['vector']))})" if "vector" in entry else ""
-    return f"{name} = {value}{components}"

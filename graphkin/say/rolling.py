@@ -16,8 +16,6 @@ from graphkin.say.figures import Formula, Operand, joined_sum
 from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading
 
-# --- the relation of two wheels -----------------------------------------------------------------
-
 
 @frozen
 class RollingRelation:
@@ -83,30 +81,23 @@ class RollingRelation:
         return Calculation(self.symbol(unknown), formulas, numbers, value, unit, note)
 
     def _solution(self, unknown: str) -> tuple[str, Formula | str]:
-        """`ω4 − r1(ω1 − ω4)/r2`, and the same in figures; nothing where more than one turning is unknown."""
+        """`ω4 − r1(ω1 − ω4)/r2`, `ω1 − ṡ_C/r3` on a line, and in figures; nothing where more turnings are unknown."""
         contact = self.contact
         if unknown not in contact.wheels:
             return "", ""
         k = contact.wheels.index(unknown)
         if contact.slide:
-            return self._along(contact.wheels[1 - k]) if k else ("", "")
-        text, turned = self._half(1 - k)
+            if not k:
+                return "", ""
+            base, minus, text, moved = contact.wheels[0], contact.on_slide > 0, self.slid, Operand(self.slid_value)
+            turned = Operand(self.radian) * moved if self.radian != 1.0 else moved
+        else:
+            base, minus, (text, turned) = contact.arm, self._sign == "+", self._half(1 - k)
         formula, turned = f"{text}/{self.radius(k)}", turned / Operand(abs(contact.radii[k]))
-        minus = self._sign == "+"
-        if contact.arm == FRAME:
+        if base == FRAME:
             return (f"−{formula}", -turned) if minus else (formula, turned)
-        arm, start = self.symbol(contact.arm), self._figure(contact.arm)
-        return f"{arm} {'−' if minus else '+'} {formula}", start - turned if minus else start + turned
-
-    def _along(self, track: str) -> tuple[str, Formula]:
-        """`ω1 − ṡ_C/r3`, `ṡ_C/r3` of a wheel on a line."""
-        minus, moved = self.contact.on_slide > 0, Operand(self.slid_value)
-        way = Operand(self.radian) * moved if self.radian != 1.0 else moved
-        formula, turned = f"{self.slid}/{self.radius(1)}", way / Operand(abs(self.contact.radii[1]))
-        if track == FRAME:
-            return (f"−{formula}", -turned) if minus else (formula, turned)
-        start = self._figure(track)
-        return f"{self.symbol(track)} {'−' if minus else '+'} {formula}", start - turned if minus else start + turned
+        start = self._figure(base)
+        return f"{self.symbol(base)} {'−' if minus else '+'} {formula}", start - turned if minus else start + turned
 
     def slid_by(self, slide: str, plane: Plane) -> tuple[tuple[str, ...], Formula | str]:
         """`ṡ_A − r2(ω2 − ω1)`: one of the displacements that make up a wheel's way, by the others; r ω alone of one."""
@@ -174,9 +165,6 @@ def _slid(reading: Reading, symbol: str, contact: InStep) -> str:
     return f"({text})" if len(shares) > 1 or text.startswith("−") else text
 
 
-# --- position -----------------------------------------------------------------------------------
-
-
 def rolled(reading: Reading, step: Roll) -> Iterator[Entry]:
     """The turn of a wheel since the drawn position."""
     relation = turning_relation(reading, step.contact)
@@ -224,9 +212,6 @@ def touched(reading: Reading, step: Touch) -> str:
     return reading.say("contacts.touch wheels", first=first, second=second, line=line, **words)
 
 
-# --- polygons -----------------------------------------------------------------------------------
-
-
 def rolling(polygon: PolygonReading, step: Roll) -> Iterator[Entry]:
     """The last unknown of a contact from the relation of its wheels."""
     reading, plane = polygon.reading, polygon.plane
@@ -245,18 +230,7 @@ def rolling(polygon: PolygonReading, step: Roll) -> Iterator[Entry]:
 
 
 def checked(polygon: PolygonReading, contact: Contact) -> str:
-    """The rolling relation of two wheels with the figures found.
-
-    "" of a wheel on a line, where it says nothing new, and where some rotation in it is not told.
-    """
-    if contact.slide or not all(_rate_is_said(polygon, link) for link, _ in contact.angles):
-        return ""
-    relation = rate_relation(polygon, InStep(contact.name, contact.angles))
-    return polygon.reading.say("contacts.check relation", relation=relation.text, figures=relation.figures)
-
-
-def _rate_is_said(polygon: PolygonReading, link: str) -> bool:
-    """True where a link's rotation is told, or given."""
+    """The relation of two wheels with its figures; "" on a line, where it says nothing new, or with one not told."""
     turns, bases = polygon.reading.plot.facts.turns, {FRAME}
     for part in polygon.parts:
         if isinstance(part, Measure) and part.quantity in ("omega", "alpha"):
@@ -265,10 +239,10 @@ def _rate_is_said(polygon: PolygonReading, link: str) -> bool:
             bases.add(part.angle)
         elif isinstance(part, Simultaneous):
             bases.update(part.angles)
-    return turns[link].base in bases
-
-
-# --- contacts as points of a polygon ------------------------------------------------------------
+    if contact.slide or not all(turns[link].base in bases for link, _ in contact.angles):
+        return ""
+    relation = rate_relation(polygon, InStep(contact.name, contact.angles))
+    return polygon.reading.say("contacts.check relation", relation=relation.text, figures=relation.figures)
 
 
 def contacted(polygon: PolygonReading, step: Measure) -> tuple[str, list[Contact]]:

@@ -17,8 +17,6 @@ from graphkin.say.plane import PolygonReading
 from graphkin.say.reading import Reading, capitalized
 from graphkin.say.rolling import rate_relation, turning_relation
 
-# --- position -----------------------------------------------------------------------------------
-
 
 def fitted(reading: Reading, step: kinds.Fit) -> Iterator[Entry]:
     """A group's position by trial (样板法), or a train's by its relations; then what it comes to."""
@@ -28,7 +26,14 @@ def fitted(reading: Reading, step: kinds.Fit) -> Iterator[Entry]:
     members = [link for link in reading.mechanism.moving if link in turning | blocks]
     yield Sentence(_trial(reading, step, members, turning))
     values = [link_angle(reading, link, degrees) for link in members if link in turning]
-    values += [_slide(reading, slide) for slide in step.slides]
+    for slide, pair in ((slide, structure.slides[slide]) for slide in step.slides):
+        if pair.named:
+            name, length = names.of_slide("s", slide), float(reading.plot.s[slide])
+        else:
+            ends = (pair.line.origin, pair.point)
+            name, length = f"l_{names.pair(*ends)}", abs(reading.arm(*ends))
+        if pair.named or pair.line.named:
+            values.append(f"{name} = {number(length * 1000, reading.noise * 1000)} mm")
     yield Sentence(reading.say("contacts.fitted", values=reading.joined(value for value in values if value)))
 
 
@@ -39,7 +44,17 @@ def _trial(reading: Reading, step: kinds.Fit, members: list[str], turning: set[s
         return reading.say("contacts.fit train", links=links, relations=reading.listed(relations))
     if all(closure.floats for closure in step.closures):
         return reading.say("contacts.fit floating", links=links, lengths=reading.listed(_arms(reading, step, "")))
-    template, drivers = _template(reading, step), reading.relative_drivers(turning)
+    structure, ends = reading.method.structure, dict[str, set[str]]()
+    for part in (part for closure in step.closures for part in closure.parts):
+        if isinstance(part, terms.Arm):
+            ends.setdefault(part.link, set()).update((part.tail, part.head))
+        else:
+            pair = structure.slides[part.slide]
+            ends.setdefault(pair.guide, set()).add(part.slide)
+            ends.setdefault(structure.block(pair), set()).add(part.slide)
+    joints = Counter({reading.body(link): len(held) for link, held in ends.items() if reading.body(link) != FRAME})
+    template = joints.most_common(1)[0][0]  # the link that most of the group's joints hold
+    drivers = reading.relative_drivers(turning)
     angles = [driven(reading, k, reading.method.drivers[k])[0].text for k in drivers]
     words = {"links": links, "template": reading.link(template)}
     words["lengths"] = reading.listed(_arms(reading, step, template))
@@ -60,38 +75,24 @@ def _members(reading: Reading, base: str) -> list[str]:
     return list(dict.fromkeys([reading.body(base), *reading.group(base)]))
 
 
-def _template(reading: Reading, step: kinds.Fit) -> str:
-    """The link that most of the group's joints hold."""
-    structure, ends = reading.method.structure, dict[str, set[str]]()
-    for part in (part for closure in step.closures for part in closure.parts):
-        if isinstance(part, terms.Arm):
-            ends.setdefault(part.link, set()).update((part.tail, part.head))
-        else:
-            pair = structure.slides[part.slide]
-            ends.setdefault(pair.guide, set()).add(part.slide)
-            ends.setdefault(structure.block(pair), set()).add(part.slide)
-    joints = Counter({reading.body(link): len(held) for link, held in ends.items() if reading.body(link) != FRAME})
-    return joints.most_common(1)[0][0]
-
-
 def _arms(reading: Reading, step: kinds.Fit, template: str) -> list[str]:
     """The other links' lengths, and the lines on which sliding points must lie."""
     parts = [part for closure in step.closures for part in closure.parts]
-    texts = (_part(reading, part) for part in parts if not isinstance(part, terms.Arm) or part.link != template)
+    texts = []
+    for part in (part for part in parts if not isinstance(part, terms.Arm) or part.link != template):
+        if isinstance(part, terms.Arm):
+            length = reading.on_paper(reading.distance(part.tail, part.head))
+            texts.append(f"{names.pair(part.tail, part.head)} = {length} mm")
+        elif reading.method.structure.slides_driven.get(part.slide) is not None:
+            length = reading.on_paper(abs(float(reading.plot.s[part.slide])))
+            texts.append(f"{names.of_slide('s', part.slide)} = {length} mm")
+        else:
+            slide = reading.method.structure.slides[part.slide]
+            fixed = slide.guide == FRAME or part.slide in reading.contact_slides
+            along = None if fixed else reading.points_along(part.slide)
+            guide = names.pair(*along) if along else reading.path(part.slide)
+            texts.append(reading.say("contacts.lies on", point=names.point(slide.point), guide=guide))
     return list(dict.fromkeys(texts))
-
-
-def _part(reading: Reading, part: terms.Arm | terms.Slid) -> str:
-    if isinstance(part, terms.Arm):
-        length = reading.on_paper(reading.distance(part.tail, part.head))
-        return f"{names.pair(part.tail, part.head)} = {length} mm"
-    slide, symbol = reading.method.structure.slides[part.slide], names.of_slide("s", part.slide)
-    if reading.method.structure.slides_driven.get(part.slide) is not None:
-        return f"{symbol} = {reading.on_paper(abs(float(reading.plot.s[part.slide])))} mm"
-    fixed = slide.guide == FRAME or part.slide in reading.contact_slides
-    along = None if fixed else reading.points_along(part.slide)
-    guide = names.pair(*along) if along else reading.path(part.slide)
-    return reading.say("contacts.lies on", point=names.point(slide.point), guide=guide)
 
 
 def link_angle(reading: Reading, link: str, printed: Callable[[complex], str]) -> str:
@@ -103,40 +104,24 @@ def link_angle(reading: Reading, link: str, printed: Callable[[complex], str]) -
     return reading.say("derivation.angle of", name=name, angle=angle, arrow=names.arrow(*points))
 
 
-def _slide(reading: Reading, slide: str) -> str:
-    pair = reading.method.structure.slides[slide]
-    if pair.named:
-        name, length = names.of_slide("s", slide), float(reading.plot.s[slide])
-    elif pair.line.named:
-        ends = (pair.line.origin, pair.point)
-        name, length = f"l_{names.pair(*ends)}", abs(reading.arm(*ends))
-    else:
-        return ""
-    return f"{name} = {number(length * 1000, reading.noise * 1000)} mm"
-
-
 def special_point(reading: Reading, step: kinds.Meet) -> str:
     """The point in which the lines of two legs meet."""
     site = reading.method.position.nodes[step.point].site
     assert site is not None
-    first, second = (_leg_line(reading, locus) for locus in (step.first, step.second) if isinstance(locus, kinds.Ray))
-    words = {"first": first, "second": second, "point": step.point}
+    lines = []
+    for ray in (locus for locus in (step.first, step.second) if isinstance(locus, kinds.Ray)):
+        match ray.direction:
+            case terms.Along(tail, head):
+                lines.append(reading.say("contacts.leg line", line=names.pair(tail, head)))
+            case terms.AcrossGuide(slide):
+                words = {"through": names.point(ray.through), "guide": reading.path(slide)}
+                lines.append(reading.say("contacts.leg normal", **words))
+            case terms.Across() | terms.AlongGuide() | terms.Quarter():
+                raise AssertionError("a leg's line runs along a bar or across a guide")
+            case _:
+                assert_never(ray.direction)
+    words = {"first": lines[0], "second": lines[1], "point": step.point}
     return reading.say("contacts.special point", link=reading.link(site.link), **words)
-
-
-def _leg_line(reading: Reading, ray: kinds.Ray) -> str:
-    match ray.direction:
-        case terms.Along(tail, head):
-            return reading.say("contacts.leg line", line=names.pair(tail, head))
-        case terms.AcrossGuide(slide):
-            return reading.say("contacts.leg normal", through=names.point(ray.through), guide=reading.path(slide))
-        case terms.Across() | terms.AlongGuide() | terms.Quarter():
-            raise AssertionError("a leg's line runs along a bar or across a guide")
-        case _:
-            assert_never(ray.direction)
-
-
-# --- polygons: special points -------------------------------------------------------------------
 
 
 def special_introduction(polygon: PolygonReading, part: Equation) -> str:
@@ -171,9 +156,6 @@ def instant_centre(polygon: PolygonReading, part: Equation) -> str:
         return ""
     words = {"point": names.point(site.point), "link": polygon.reading.link(site.link)}
     return polygon.reading.say("contacts.instant centre", name=polygon.seen(part.of, ""), **words)
-
-
-# --- polygons: solved together ------------------------------------------------------------------
 
 
 def solved_together(polygon: PolygonReading, step: kinds.Simultaneous) -> Iterator[Entry]:

@@ -111,10 +111,7 @@ class SolutionGoal:
 
 
 def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acceleration") -> SolutionGoal:
-    """As far as the file asks; all there is with `everything`, or where it asks for nothing that moves.
-
-    only  the last plane that is drawn
-    """
+    """As far as the file asks, to the plane `only`; all there is with `everything`, or where it asks for no motion."""
     mechanism, planes = reading.mechanism, PLANES[1 : PLANES.index(only) + 1]
     questions = {text: read(mechanism, text) for text in mechanism.ask}
     questions = {text: one for text, one in questions.items() if one is None or _plane(one) in ("position", *planes)}
@@ -165,8 +162,17 @@ def _facts(reading: Reading, quantity: Quantity) -> Iterator[Fact]:
         case Rotation(word=word, link=link):
             yield from (turning(reading.method, word, link),) if word != "theta" else ()
         case Moving() | Component():
-            for site in quantity.sites:
-                yield from _point(reading, _plane(quantity), site.point, site.link)
+            method, owners, plane = reading.method, reading.mechanism.owners, _plane(quantity)
+            construction = method.velocity if plane == "velocity" else method.acceleration
+            nodes = {node.name: node.site for node in construction.nodes.values() if node.site is not None}
+            for point, link in ((site.point, site.link) for site in quantity.sites):
+                holding = [link, *(owners.get(point, ()) if link in owners.get(point, ()) else ())]
+                there = [name for name, site in nodes.items() if site.point == point and site.link in holding]
+                if not there and link != FRAME:  # the polygon does not show it: what moves its link
+                    yield turning(method, "omega", link)
+                    yield from (turning(method, "alpha", link),) if plane == "acceleration" else ()
+                    there = [name for name, site in nodes.items() if link in (site.link, *owners.get(site.point, ()))]
+                yield from ((plane, name) for name in there[:1])
         case Quotient():
             for half in quantity.halves:
                 yield from _facts(reading, half)
@@ -174,20 +180,3 @@ def _facts(reading: Reading, quantity: Quantity) -> Iterator[Fact]:
             pass
         case _:
             assert_never(quantity)
-
-
-def _point(reading: Reading, plane: Plane, point: str, link: str) -> Iterator[Fact]:
-    """The polygon's point, or what moves its link where the polygon does not show it."""
-    method, owners = reading.method, reading.method.mechanism.owners
-    construction = method.velocity if plane == "velocity" else method.acceleration
-    holding = [link, *(owners.get(point, ()) if link in owners.get(point, ()) else ())]
-    nodes = {node.name: node.site for node in construction.nodes.values() if node.site is not None}
-    there = [name for name, site in nodes.items() if site.point == point and site.link in holding]
-    if there or link == FRAME:
-        yield from ((plane, name) for name in there[:1])
-        return
-    yield turning(method, "omega", link)
-    if plane == "acceleration":
-        yield turning(method, "alpha", link)
-    on_link = (name for name, site in nodes.items() if link in (site.link, *owners.get(site.point, ())))
-    yield from ((plane, name) for name in [*on_link][:1])

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING
 
 from graphkin.errors import Lang, called_pair, listed
-from graphkin.model.mechanism import Mechanism
 from graphkin.model.naming import named
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Pair, Revolute, RollingContact, Slide
 from graphkin.planning import Method
@@ -14,7 +13,7 @@ from graphkin.planning.stages import Bridge
 from graphkin.say.catalogue import say, say_close
 
 if TYPE_CHECKING:
-    from graphkin.studies.assur import Structure, Together
+    from graphkin.studies.assur import Structure
 
 KINDS: Mapping[type[Pair], Callable[..., tuple[str, str]]] = {
     Revolute: lambda hinge: ("multiple" if len(hinge.links) > 2 else "hinge", hinge.point),
@@ -39,11 +38,24 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
     yield mechanism.headline(lang)
     yield head("structure.links", [say("structure.frame", lang, name=mechanism.frame), *mechanism.moving])
     yield head("structure.pairs")
-    yield from (f"  {pair}" for pair in _pairs(mechanism, lang))
+    for pair in (*mechanism.hinges, *mechanism.pairs):
+        key, point = KINDS[type(pair)](pair)
+        guide, *block = pair.joins
+        groups = {"links": pair.joins, "guide": (guide,), "block": block}
+        names = {word: _list(map(mechanism.called, links), lang) for word, links in groups.items()}
+        yield "  " + say(f"structure.pair {key}", lang, point=point, **names)
     yield from _freedoms(method, parts, lang)
     yield head("structure.drivers", [driver.name for driver in mechanism.drivers])
     yield head("structure.groups")
-    yield from (f"  {k}. {text}" for k, text in enumerate(_groups(mechanism, parts, lang), 1))
+    for k, group in enumerate(parts.groups, 1):  # `4, 3, 5, 1+2`, `2 and the block that replaces cam pair 1–2`
+        held = {link: "+".join(pair) for pair in group.merged for link in pair}
+        links = _list(dict.fromkeys(held.get(link, link) for link in group.links), lang)
+        for each in group.added:
+            replaced = called_pair(*named(mechanism, each.pair), lang)
+            links += say_close(f"structure.added {each.kind}", lang, pair=replaced)
+        links += say("structure.merged", lang) if group.merged else ""
+        words = {"cls": say(f"structure.class {group.cls}", lang), "links": links, "kind": group.letters}
+        yield f"  {k}. " + say(f"structure.group {group.kind}", lang, **words, point=group.point, link=group.ternary)
     if not parts.groups:
         yield f"  {say('structure.none', lang)}"
     yield say("structure.class", lang, cls=say(f"structure.class {parts.cls}", lang))
@@ -53,15 +65,6 @@ def structure_lines(method: Method, lang: Lang) -> Iterator[str]:
 
 def _list(entries: Iterable[str], lang: Lang) -> str:
     return say("common.list", lang).join(entries)
-
-
-def _pairs(mechanism: Mechanism, lang: Lang) -> Iterator[str]:
-    for pair in (*mechanism.hinges, *mechanism.pairs):
-        key, point = KINDS[type(pair)](pair)
-        guide, *block = pair.joins
-        groups = {"links": pair.joins, "guide": (guide,), "block": block}
-        names = {word: _list(map(mechanism.called, links), lang) for word, links in groups.items()}
-        yield say(f"structure.pair {key}", lang, point=point, **names)
 
 
 def _freedoms(method: Method, parts: Structure, lang: Lang) -> Iterator[str]:
@@ -80,26 +83,6 @@ def _freedoms(method: Method, parts: Structure, lang: Lang) -> Iterator[str]:
         left_out = say("structure.left out", lang, count=parts.uncounted) if parts.uncounted else ""
         yield "  " + say("structure.redundant", lang, count=parts.repeated) + left_out
         yield from ("  " + say("structure.repeats", lang, what=what) for what in redundant_constraints(method, lang))
-
-
-def _groups(mechanism: Mechanism, parts: Structure, lang: Lang) -> Iterator[str]:
-    for group in parts.groups:
-        words = {"cls": say(f"structure.class {group.cls}", lang), "links": _members(mechanism, group, lang)}
-        words |= {"kind": group.letters, "point": group.point, "link": group.ternary}
-        yield say(f"structure.group {group.kind}", lang, **words)
-
-
-def _members(mechanism: Mechanism, group: Together, lang: Lang) -> str:
-    """`4, 3, 5, 1+2`, `2 and the block that replaces cam pair 1–2`: as many as the group has."""
-    held = {link: "+".join(pair) for pair in group.merged for link in pair}
-    links = _list(dict.fromkeys(held.get(link, link) for link in group.links), lang)
-    for each in group.added:
-        pair = called_pair(*named(mechanism, each.pair), lang)
-        links += say_close(f"structure.added {each.kind}", lang, pair=pair)
-    return links + (say("structure.merged", lang) if group.merged else "")
-
-
-# --- redundant constraints ----------------------------------------------------------------------
 
 
 def redundant_constraints(method: Method, lang: Lang) -> Iterator[str]:

@@ -87,9 +87,6 @@ def _value(entry: Series, value: float) -> str:
     return text + (f" ({number(value * IN_GRAVITY.factor, 1e-9)} {IN_GRAVITY.name})" if entry.unit == "m/s^2" else "")
 
 
-# --- tables -------------------------------------------------------------------------------------
-
-
 def sweep_lines(sweep: Sweep, lang: Lang) -> Iterator[str]:
     """A row for each position, in mm and deg; of an instant centre x and y."""
     first = EDGE[sweep.course.unit]
@@ -118,12 +115,16 @@ def book_lines(sweep: Sweep) -> Iterator[str]:
     first = np.degrees(sweep.driven) if sweep.course.unit == "rad" else sweep.driven
     shown = [[f"{v + 0.0:.5f}" if abs(v) >= 5e-6 else "0.00000" for v in column] for column in values]
     rows = [[exact(round(float(first[k]), 9)), *(column[k] for column in shown)] for k in range(sweep.t.size)]
-    yield from table([[_driver_symbol(sweep), *heads], [*map(_book_unit, (sweep.course.unit, *units))], *rows])
-
-
-def _book_unit(unit: str) -> str:
-    sign = unit if unit == "m" else EDGE[unit].sign
-    return f"/({sign})" if any(mark in sign for mark in "°/") else f"/{sign}" if sign else ""
+    driver, called = sweep.course.driver, sweep.mechanism.called
+    link = called(driver.link)
+    symbol = f"θ{link}" if link.isdigit() else f"θ_{link}"
+    if driver.kind == "slide":
+        symbol = f"s_{driver.link}"
+    elif driver.from_link != FRAME:
+        symbol = relative("φ", link, called(driver.from_link))
+    signs = [unit if unit == "m" else EDGE[unit].sign for unit in (sweep.course.unit, *units)]
+    shown_units = [f"/({sign})" if "°" in sign or "/" in sign else f"/{sign}" if sign else "" for sign in signs]
+    yield from table([[symbol, *heads], shown_units, *rows])
 
 
 def _symbol(entry: Series) -> str:
@@ -137,13 +138,3 @@ def _symbol(entry: Series) -> str:
             return f"{quantity.word}_{quantity.of}"
         case _:
             assert_never(quantity)
-
-
-def _driver_symbol(sweep: Sweep) -> str:
-    driver, called = sweep.course.driver, sweep.mechanism.called
-    link = called(driver.link)
-    if driver.kind == "slide":
-        return f"s_{driver.link}"
-    if driver.from_link != FRAME:
-        return relative("φ", link, called(driver.from_link))
-    return f"θ{link}" if link.isdigit() else f"θ_{link}"

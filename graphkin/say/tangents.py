@@ -21,18 +21,20 @@ from graphkin.say.reading import Reading, aside
 
 
 @dataclass
-class PaperLengths:
-    """Turns lengths into millimetres on paper, and back.
+class Tangents:
+    """Words of lengths on paper, of swings, and of what is laid off beside the line a swing has found.
 
     moving   the reading by which the mechanism moves: with its drivers, where poses give the drawn position
     used     pairs of points whose distance the polygons need; those that nothing gives are measured at the end
     measured pairs of points whose distance has been told
+    swung    the last swing of each link
     """
 
     reading: Reading
     moving: Reading
     used: tuple[tuple[str, str], ...] = ()
     measured: set[frozenset[str]] = field(default_factory=set)
+    swung: dict[str, Swing] = field(default_factory=dict)
 
     def _length(self, name: str, symbol: str, metres: float) -> str:
         """`AB = l_AB/μ_l = 0.024/0.001 = 24 mm`."""
@@ -85,33 +87,19 @@ class PaperLengths:
     def _used(self) -> Iterator[Entry]:
         """The distances that the polygons divide by and that no link gives."""
         reading, lengths = self.reading, list[str]()
+        structure = reading.method.structure
+        given = [{letter, c} for letter, wheels in touching(structure) for c in wheels.centres]
+        given += [{*link.points} for link in reading.mechanism.links.values()]
+        given += [{*points} for points in structure.bodies.values()]
         for first, second in self.used:
             pair = frozenset((first, second))
-            if pair not in self.measured and not self._given(first, second):
+            if pair not in self.measured and not any(pair <= points for points in given):
                 self.measured.add(pair)
                 line = names.pair(first, second)
                 lengths.append(self._ruler(f"l_{line}", line, reading.distance(first, second)))
         if lengths:
             said = reading.say("common.semicolon").join(lengths)
             yield Sentence(reading.say("derivation.measured used", lengths=said))
-
-    def _given(self, first: str, second: str) -> bool:
-        """True where one link, or a contact, holds two points apart."""
-        structure = self.reading.method.structure
-        contact = {(letter, c) for letter, wheels in touching(structure) for c in wheels.centres}
-        links = (*(link.points for link in self.reading.mechanism.links.values()), *structure.bodies.values())
-        beside = (first, second) in contact or (second, first) in contact
-        return beside or any(first in points and second in points for points in links)
-
-
-@dataclass
-class Tangents(PaperLengths):
-    """Words of swings, and of what is laid off beside the line a swing has found.
-
-    swung  the last swing of each link
-    """
-
-    swung: dict[str, Swing] = field(default_factory=dict)
 
     def _swing(self, step: Swing) -> str:
         reading, along = self.reading, self.reading.guide(step.slide)
@@ -177,15 +165,12 @@ class Tangents(PaperLengths):
             return reading.say("derivation.lay off parallel", angle=degrees_of(arm), **words)
         ahead = along * copysign(1.0, float(dot(along, arm)) or 1.0)
         turned = degrees(phase(arm / ahead))
-        corner = f"{self._corner_of_link(part.link, step, ahead)}{number(abs(turned))}°"
+        # `∠CDE = ` where another point of the link lies on the guide line from D, at less than 90 deg to DC
+        arms = ((p, reading.arm(step.start, p)) for p in reading.mechanism.named(part.link))
+        on_it = (p for p, arm in arms if aside(ahead, arm) <= reading.noise < float(dot(ahead, arm)))
+        corner = next((f"∠{''.join(map(names.point, (step.tip, step.start, p)))} = " for p in on_it), "")
+        corner += f"{number(abs(turned))}°"
         return reading.say("derivation.lay off turned", sense=reading.sense(turned), turned=corner, **words)
-
-    def _corner_of_link(self, link: str, step: LayOff, ahead: complex) -> str:
-        """`∠CDE = ` where another point of the link lies on the guide line from D, at less than 90 deg to DC."""
-        noise = self.reading.noise
-        arms = ((p, self.reading.arm(step.start, p)) for p in self.reading.mechanism.named(link))
-        on_it = (p for p, arm in arms if aside(ahead, arm) <= noise < float(dot(ahead, arm)))
-        return next((f"∠{''.join(map(names.point, (step.tip, step.start, p)))} = " for p in on_it), "")
 
     def _on_tangent(self, step: LayOff, swing: Swing) -> str:
         """A point of the guide line itself: how far from the foot, and which way."""

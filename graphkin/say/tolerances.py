@@ -21,9 +21,6 @@ _MOST_PAIRS = 10  # pairs of mistakes that are printed
 _SCALES = {"length": "μ_l = {} m/mm", "velocity": "μ_v = {} (m/s)/mm", "acceleration": "μ_a = {} (m/s²)/mm"}
 
 
-# --- tolerances -------------------------------------------------------------------------------
-
-
 def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
     """The pencil, a row a quantity, and the steps that cost most."""
     key, marking = tolerances.key, tolerances.key.marking
@@ -36,25 +33,24 @@ def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
     yield say(allowed, lang, sigmas=f"{marking.sigmas:g}", part=f"{marking.relative:.3g}")
     heads = ("marks.column quantity", "marks.column right value", "tolerances.column scatter", "verdicts.tolerance",
              "tolerances.column part", "marks.column unit", "tolerances.column worst step")  # fmt: skip
-    yield from marks_table([[say(name, lang) for name in heads], *_rows(tolerances, lang)])
-    yield say("tolerances.asked", lang)
-    yield ""
-    yield say("tolerances.costs", lang)
-    yield from (f"  {cost.over_all:6.1%}  {_step(cost, lang)}" for cost in tolerances.costs[:_MOST_STEPS])
-
-
-def _rows(tolerances: Tolerances, lang: Lang) -> Iterator[list[str]]:
+    rows = [[say(name, lang) for name in heads]]
     for entry in sorted(tolerances.entries, key=lambda entry: entry.points == 0):
         name = f"{in_signs(entry.text, lang)}{' *' if entry.points else ''}"
         right, scatter = edge_value(entry.right, entry.unit), edge_value(entry.scatter, entry.unit)
         unit = EDGE[entry.unit].sign
         if entry.doubt in ("dead point", "too small"):
-            yield [name, right, scatter, "", "", unit, say(f"verdicts.verdict {entry.doubt}", lang)]
+            rows.append([name, right, scatter, "", "", unit, say(f"verdicts.verdict {entry.doubt}", lang)])
             continue
         part, worst = f"{entry.tolerance / abs(entry.right):.1%}" if entry.right else "", tolerances.worst(entry.text)
         cost = "" if worst is None else f"{_step(worst, lang)} ({worst.parts[entry.text]:.0%})"
         steep = say("tolerances.steep", lang) if entry.doubt else ""
-        yield [name, right, scatter, f"±{edge_value(entry.tolerance, entry.unit)}", part, unit, f"{cost}{steep}"]
+        tolerance = f"±{edge_value(entry.tolerance, entry.unit)}"
+        rows.append([name, right, scatter, tolerance, part, unit, f"{cost}{steep}"])
+    yield from marks_table(rows)
+    yield say("tolerances.asked", lang)
+    yield ""
+    yield say("tolerances.costs", lang)
+    yield from (f"  {cost.over_all:6.1%}  {_step(cost, lang)}" for cost in tolerances.costs[:_MOST_STEPS])
 
 
 def _step(cost: Cost, lang: Lang) -> str:
@@ -67,9 +63,6 @@ def _step(cost: Cost, lang: Lang) -> str:
     return say(step if is_phrase(step) else f"tolerances.step {mark.plane} reading", lang, **words)
 
 
-# --- power ------------------------------------------------------------------------------------
-
-
 def power_lines(power: Power, lang: Lang) -> Iterator[str]:
     """A row a mistake: at how many places it can be made, and what came of those who make it."""
     yield say("tolerances.power", lang, trials=power.trials)
@@ -78,19 +71,7 @@ def power_lines(power: Power, lang: Lang) -> Iterator[str]:
     rows = [_power_row(id, [one for one in power.found if one.name[0] == id]) for id in ids]
     head = [*(say(f"tolerances.column {key}", lang) for key in heads), ""]
     yield from marks_table([head, *rows, _power_row(say("tolerances.all", lang), power.found)])
-    yield from _shares_named(power, lang)
-    out = [one for one in power.found if not one.applicable]
-    names = dict.fromkeys(one.name[0] for one in out)
-    share = f"{len(out) / max(len(power.found), 1):.0%}"
-    if out:
-        yield say("tolerances.not applicable", lang, share=share, what=say("common.list", lang).join(names))
-    wrong, named = (f"{part:.2%}" for part in power.alarms)
-    yield say("tolerances.false alarms", lang, wrong=wrong, named=named)
-    yield say("tolerances.random", lang, named=f"{power.random:.2%}")
-
-
-def _shares_named(power: Power, lang: Lang) -> Iterator[str]:
-    """The number of mistakes that are named as they should be; and of those that paper cannot tell."""
+    # the number of mistakes that are named as they should be; and of those that paper cannot tell
     some = [one for one in power.found if one.applicable]
     tellable, rest = ([one for one in some if one.tellable is expected] for expected in (True, False))
     part, missed = f"{WELL:.0%}", f"{1 - WELL:.0%}"
@@ -101,6 +82,14 @@ def _shares_named(power: Power, lang: Lang) -> Iterator[str]:
         hidden = sum(one.observed is not None and one.observed.beyond < WELL for one in rest)
         yield say("tolerances.not tellable", lang, count=len(rest), all=len(some), missed=missed, hidden=hidden,
                   share=f"{len(rest) / len(some):.0%}", named=well_of_rest, part=part)  # fmt: skip
+    out = [one for one in power.found if not one.applicable]
+    names = dict.fromkeys(one.name[0] for one in out)
+    share = f"{len(out) / max(len(power.found), 1):.0%}"
+    if out:
+        yield say("tolerances.not applicable", lang, share=share, what=say("common.list", lang).join(names))
+    wrong, named = (f"{part:.2%}" for part in power.alarms)
+    yield say("tolerances.false alarms", lang, wrong=wrong, named=named)
+    yield say("tolerances.random", lang, named=f"{power.random:.2%}")
 
 
 def _power_row(name: str, powers: Sequence[MistakePower]) -> list[str]:
@@ -111,9 +100,6 @@ def _power_row(name: str, powers: Sequence[MistakePower]) -> list[str]:
         return [name, *counts, "", "", "", "", ""]
     parts = [float(np.mean([getattr(one, what) for one in tellable])) for what in ("wrong", "named", "alone")]
     return [name, *counts, *(f"{part:.1%}" for part in parts), number(min(one.named for one in tellable)), ""]
-
-
-# --- the answers to a set of problems ---------------------------------------------------------
 
 
 def discriminability_lines(told: SetDiscriminability, lang: Lang) -> Iterator[str]:

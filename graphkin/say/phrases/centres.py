@@ -11,7 +11,6 @@ PHRASES: Phrases = {
                       "机构共有 N = {n} 个构件（含机架），瞬心总数 K = N(N−1)/2 = {n}×{less}/2 = {count}。"),
     "centres.definition": ("By definition, of links that are joined directly:", "由瞬心定义直接确定的瞬心："),
     "centres.kennedy": ("By the theorem of three centres (Kennedy and Aronhold):", "不直接相连的构件，由三心定理确定其瞬心："),
-    # --- by definition
     "centres.found hinge": ("{name}: in hinge {point}, which joins links {first} and {second}; {place}.",
                             "{name}：构件 {first}、{second} 以转动副 {point} 相连，瞬心在 {point}，{place}。"),
     "centres.found contact": ("{name}: links {first} and {second} roll on each other without sliding: where they "
@@ -20,7 +19,6 @@ PHRASES: Phrases = {
     "centres.found slide": ("{name}: links {first} and {second} slide on each other: at infinity, at right angles to "
                             "the guide ({angle}).",
                             "{name}：构件 {first}、{second} 组成移动副，瞬心在垂直于导路方向（{angle}）的无穷远处。"),
-    # --- Kennedy's lines
     "centres.found two lines": ("{name} lies on {first} and on {second}: {met}.",
                                 "{name} 在{first}上，又在{second}上：{met}。"),
     "centres.join": ("{line} (links {links})", " {line} 连线（构件 {links}）"),
@@ -40,7 +38,6 @@ PHRASES: Phrases = {
     "centres.met": ("where the two lines meet, {place}", "两线交点，{place}"),
     "centres.met far": ("the lines are parallel, so {name} → ∞ at {angle}", "两线平行，故 {name} → ∞，方向 {angle}"),
     "centres.met infinity": ("so {name} → ∞ at {angle}", "故 {name} → ∞，方向 {angle}"),
-    # --- from velocities
     "centres.found velocities": ("{name} cannot be found by three-centre lines alone: {reason}. From velocities: "
                                  "where links {first} and {second} have one velocity, {place}.",
                                  "{name} 仅用三心定理不能确定：{reason}。由速度求得：构件 {first}、{second} 在该点速度相同，{place}。"),
@@ -52,7 +49,6 @@ PHRASES: Phrases = {
                          "{name}：构件 {first}、{second} 此瞬时无相对运动，不存在瞬心。"),
     "centres.mm": ("at ({x}, {y}) mm", "坐标（{x}，{y}）mm"),
     "centres.infinite": ("at infinity, in the direction {angle}", "在方向 {angle} 的无穷远处"),
-    # --- what they are used for
     "centres.using": ("(2) Velocities from the centres", "(2) 用瞬心作速度分析"),
     "centres.scale": ("Lengths are measured on paper in mm; {scale} = {value} m/mm.",
                       "长度在图上量取（mm），取 {scale} = {value} m/mm。"),
@@ -71,7 +67,6 @@ PHRASES: Phrases = {
     "centres.same": ("same sense", "转向相同"),
     "centres.opposite": ("opposite sense", "转向相反"),
     "centres.triangle": ("from both velocities and their angle", "由两速度及其夹角"),
-    # --- the table
     "centres.by hinge": ("hinge", "转动副"),
     "centres.by contact": ("rolling contact", "纯滚动接触点"),
     "centres.by slide": ("sliding pair", "移动副"),
@@ -131,7 +126,6 @@ PHRASES: Phrases = {
     "about.cusp": ("{name} lies at the pole: v = 0, a = {a:read} m/s²; its path has a cusp.",
                    "{name} 位于瞬心：v = 0，a = {a:read} m/s²；轨迹在此为尖点。"),
     "about.still": ("{name} stands still.", "{name} 静止不动。"),
-    # --- Bobillier's construction
     "about.bobillier pivoted": ("{point} moves about {centre}: {centre} is the centre of curvature of its path, and "
                                 "the ray {point}{centre} passes the pole.",
                                 "点 {point} 绕 {centre} 运动：{centre} 为其轨迹的曲率中心，射线 {point}{centre} 过瞬心。"),
@@ -158,7 +152,6 @@ PHRASES: Phrases = {
     "about.bobillier K far": ("The line {a0}–{qc} is parallel to the ray {p}{c}: the path of {c} is straight at this "
                               "instant.",
                               "直线 {a0}–{qc} 与射线 {p}{c} 平行：点 {c} 的轨迹此刻曲率为零。"),
-    # --- two velocities
     "about.two rigid": ("Along {a}{b} both velocities have the component {component:read} m/s: the points can belong "
                         "to one rigid body.",
                         "两点速度在 {a}{b} 连线上的投影相等，均为 {component:read} m/s，符合速度投影定理，属同一刚体。"),

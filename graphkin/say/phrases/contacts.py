@@ -4,7 +4,6 @@ from graphkin.say.catalogue import Phrases
 
 # fmt: off
 PHRASES: Phrases = {
-    # --- lower-pair equivalents
     "contacts.circles touch": ("Higher pair replaced by lower pairs, at this instant: the circles about {first} and "
                                "{second} touch, so the distance of their centres is {length}. A link {link} with "
                                "hinges at {first} and {second} stands for the contact.",
@@ -50,7 +49,6 @@ PHRASES: Phrases = {
     "contacts.face of": ("face of {link}", "构件 {link} 的直线轮廓"),
     "contacts.fixed path": ("{path} starts at {place} and runs at {angle} to +x.",
                             "{path}：过 {place}、与 x 轴正向成 {angle} 的直线。"),
-    # --- rolling: position
     "contacts.rolled": ("Pure rolling of links {wheels} since the drawn position (Δθ: turned since then): {relation}.",
                         "自给定位置起，构件 {wheels} 作纯滚动（Δθ 为此后的转角）：{relation}。"),
     "contacts.with rotations": ("Together with {sums} this gives:", "与 {sums} 联立，得："),
@@ -61,7 +59,6 @@ PHRASES: Phrases = {
     "contacts.touch line": ("Wheel {first} touches link {second} at {point}: {length} from {centre}, at right angles "
                             "to the track.",
                             "轮 {first} 与构件 {second} 的接触点 {point}：由 {centre} 作轨道的垂线，取 {length}。"),
-    # --- rolling: polygons
     "contacts.same velocity": ("Pure rolling of links {first} and {second}: their points at the contact {point} have "
                                "one velocity, {of} = {other}. So {node} serves both.",
                                "构件 {first}、{second} 在 {point} 点作纯滚动，接触点速度相同：{of} = {other}，其速度影像点均为 {node}。"),
@@ -74,7 +71,6 @@ PHRASES: Phrases = {
     "contacts.contact points": ("{of} and {seen_from} are the contact points of pure rolling, whose accelerations "
                                 "differ along the common normal only",
                                 "纯滚动接触点 {of}、{seen_from}（两点加速度仅沿公法线方向不同）之间"),
-    # --- groups: position
     "contacts.fit": (
         "Links {links} form a group of Class {cls}. Ruler and compass do not give its position. On paper a template "
         "is tried: link {template} on tracing paper is shifted until {lengths} fit. Here the fit is found numerically:",
@@ -100,7 +96,6 @@ PHRASES: Phrases = {
                                "特殊点：{first}与{second}交于 {point}，将 {point} 视为构件 {link} 上的点。"),
     "contacts.leg line": ("the line of leg {line}", "支路 {line} 所在直线"),
     "contacts.leg normal": ("the line through {through} at right angles to {guide}", "过 {through} 所作{guide} 的垂线"),
-    # --- groups: polygons
     "contacts.special": ("Special point {of} of link {link}, by way of {first} and of {second}. The two unknown "
                          "vectors of each leg lie on one line and are drawn as one:",
                          "取构件 {link} 上的特殊点 {of}，分别由 {first} 和 {second} 列方程；每一支路的两个未知矢量在同一方向线上，合为一个矢量作出："),

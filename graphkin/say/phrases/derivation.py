@@ -1,10 +1,9 @@
-"""A derivation: what is given, the position, the two polygons."""
+"""A solution: what is given and asked, the position, the two polygons, the answers."""
 
 from graphkin.say.catalogue import Phrases
 
 # fmt: off
 PHRASES: Phrases = {
-    # --- frame of the text
     "derivation.direction row": ("direction:", "方向："),
     "derivation.size row": ("magnitude:", "大小："),
     "derivation.given": ("Drivers: {drivers}.", "原动件：{drivers}。"),
@@ -22,16 +21,13 @@ PHRASES: Phrases = {
     "derivation.plane position": ("(1) The mechanism, drawn to scale", "(1) 作机构运动简图"),
     "derivation.plane velocity": ("({number}) Velocities", "({number}) 作速度分析"),
     "derivation.plane acceleration": ("({number}) Accelerations", "({number}) 作加速度分析"),
-    # --- drivers
     "derivation.driven link": ("{line} of link {link} makes {angle} with +x", "构件 {link} 的 {line} 与 x 轴正向成 {angle}"),
     "derivation.driven joint": ("{line} of link {link} is turned by {angle} from {other} of link {seen_from}",
                                 "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}"),
     "derivation.driven slide": ("slide {slide} is at {place}", "移动副 {slide} 的位移 {place}"),
-    # --- places and lines
     "derivation.guide of": ("guide {name}", "{name} 导路"),
     "derivation.guide of link": ("the guide of link {link}", "构件 {link} 的导路"),
     "derivation.origin of": ("the start of guide {name}", "{name} 导路的起点"),
-    # --- position
     "derivation.fixed points": ("Fixed points, in mm on paper: {points}.", "定出固定点（图上 mm）：{points}。"),
     "derivation.fixed guide": ("The line of {guide}: through {place} at {angle} to +x.",
                                "{guide}：过 {place}、与 x 轴正向成 {angle} 的直线。"),
@@ -100,7 +96,6 @@ PHRASES: Phrases = {
     "derivation.measured used": ("Measured, as needed below: {lengths}.", "由图量得下文所用长度：{lengths}。"),
     "derivation.ruled": ("{paper}, so {real}", "{paper}，故 {real}"),
     "derivation.angle of": ("{name} = {angle} ({arrow})", "{name} = {angle}（{arrow}）"),
-    # --- polygons: the start
     "derivation.pole last": ("Both sides start with an unknown vector, so the pole {pole} is found last; the fixed "
                              "points lie on it.",
                              "方程两边都以未知矢量开始，故极点 {pole} 最后确定；固定点与 {pole} 重合。"),
@@ -131,7 +126,6 @@ PHRASES: Phrases = {
     "derivation.never turn, several": ("Links {links} can only translate: {rates}, and all points of such a link move "
                                        "alike.",
                                        "构件 {links} 只能移动：{rates}，同一构件上各点的速度、加速度均相同。"),
-    # --- polygons: equations
     "derivation.points of link": ("{of} and {seen_from} are points of link {link}",
                                   "构件 {link} 上 {of}、{seen_from} 两点之间"),
     "derivation.coincident": ("{of} and {seen_from} are coincident points", "重合点 {of}、{seen_from} 之间"),
@@ -146,7 +140,6 @@ PHRASES: Phrases = {
                                "因 {alpha} = 0，{of} 相对 {seen_from} 只有法向加速度。"),
     "derivation.translates": ("Link {link} only translates: {of} = {seen_from}, so {node} falls on {base}.",
                               "构件 {link} 只作移动：{of} = {seen_from}，{node} 与 {base} 重合。"),
-    # --- polygons: known sizes
     "derivation.sense of": ("{direction} in the sense of {rate}", "{direction}，指向与 {rate} 的转向一致"),
     "derivation.no turning": ("as {rate} = 0", "因 {rate} = 0"),
     "derivation.no sliding": ("as {relative} = 0", "因 {relative} = 0"),
@@ -160,7 +153,6 @@ PHRASES: Phrases = {
     "derivation.slide grows": ("{direction}, in the direction of increasing {s}", "{direction}，指向 {s} 增大的方向"),
     "derivation.slide shrinks": ("{direction}, in the direction of decreasing {s}", "{direction}，指向 {s} 减小的方向"),
     "derivation.at angle": ("{direction}, at {angle} to +x", "{direction}，与 x 轴正向成 {angle}"),
-    # --- polygons: the pencil
     "derivation.lay off": ("From {start} lay off {length}.", "由 {start} 作矢量 {length}。"),
     "derivation.lay off backwards": ("{name} has to end at {start}: lay it off backwards from there, {length}.",
                                      "{name} 的末端须在 {start}：由 {start} 逆向作 {length}。"),
@@ -175,7 +167,6 @@ PHRASES: Phrases = {
                                        "{first_direction} 与 {second_direction} 两方向线均过 {first}，故 {point} 与 {first} 重合。"),
     "derivation.measured": ("Measured: {lengths}; hence", "由图量得 {lengths}，于是得"),
     "derivation.at direction": ("at {angle} to +x", "与 x 轴正向成 {angle}"),
-    # --- polygons: rotation
     "derivation.sense rule": ("{sense}: {stretch}, carried to {head} in the mechanism, turns {head} about {tail} in "
                               "the sense of {rate}",
                               "{sense}：将 {stretch} 平移至机构图上的 {head} 点，其绕 {tail} 点的转向即为 {rate} 的方向"),
@@ -188,7 +179,6 @@ PHRASES: Phrases = {
     "derivation.negative": ("negative: clockwise", "负值，为顺时针"),
     "derivation.tangential part": ("Resolve {ends} along and across {line}. The part across it is {tangential}.",
                                    "将 {ends} 沿 {line} 及其垂直方向分解，垂直分量为 {tangential}。"),
-    # --- polygons: images
     "derivation.image velocity": ("Velocity image", "速度影像"),
     "derivation.image acceleration": ("Acceleration image", "加速度影像"),
     "derivation.image triangle": ("{image} of link {link}: {small} is similar to {large}, both lettered {sense}; this "
@@ -199,10 +189,8 @@ PHRASES: Phrases = {
                               "利用{image}：{corner} 在 {large} 线上（构件 {link}），故 {point} 在 {small} 线上：{ratio}。"),
     "derivation.image point": ("{image} of link {link}: {small} is a single point, so {point} falls on it too.",
                                "利用{image}：构件 {link} 的影像 {small} 缩为一点，故 {point} 也在该点。"),
-    # --- polygons: slides
     "derivation.grows": ("So {stretch} increases at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率增大。"),
     "derivation.shrinks": ("So {stretch} decreases at {size} m/s.", "即 {stretch} 以 {size} m/s 的速率减小。"),
-    # --- given
     "derivation.driven wheel": ("wheel {link} turns", "轮 {link} 转动"),
     "derivation.driven roll": ("the rolling contact {slide} is at {place}", "滚动副 {slide} 的位移 {place}"),
     "derivation.driven slide free": ("slide {slide} is driven", "移动副 {slide} 为主动"),
@@ -216,4 +204,67 @@ PHRASES: Phrases = {
     "derivation.pose line": ("{line} of link {link} at {angle} to +x", "构件 {link} 的 {line} 与 x 轴正向成 {angle}"),
     "derivation.pose joint": ("{line} of link {link} turned by {angle} from {other} of link {seen_from}",
                               "构件 {link} 的 {line} 相对构件 {seen_from} 的 {other} 转过 {angle}"),
+    # === the head and the end of a solution
+    "solution.given": ("Given", "已知"),
+    "solution.find": ("Find", "求"),
+    "solution.solution": ("Solution", "解"),
+    "solution.answer": ("Answer", "答"),
+    "solution.lengths": ("Lengths: {lengths}.", "各构件尺寸：{lengths}。"),
+    "solution.lettered": ("Corners in order: {shapes}.", "各构件上点的绕行方向：{shapes}。"),
+    "solution.frame points": ("Link {link} is the frame; fixed points, in mm: {points}.",
+                              "构件 {link} 为机架，固定点（mm）：{points}。"),
+    "solution.frame": ("Link {link} is the frame.", "构件 {link} 为机架。"),
+    "solution.block on frame": ("Slider {block}{guide} moves its point {point} along a fixed guide {line}{tilt}.",
+                                "滑块 {block}{guide} 上的 {point} 点沿固定导路移动，导路{line}{tilt}。"),
+    "solution.pin on frame": ("Pin {point}{guide} moves in a fixed slot {line}.", "销 {point}{guide} 在固定槽中移动，槽{line}。"),
+    "solution.block on link": ("Links {block} and {link}{guide} form a sliding pair: point {point} of link {block} "
+                               "stays on a line of link {link} {where}{tilt}.",
+                               "构件 {block} 与构件 {link}{guide} 组成移动副：构件 {block} 上的 {point} 点在构件 {link} "
+                               "的导路上，导路{where}{tilt}。"),
+    "solution.pin on link": ("Pin {point}{guide} moves in a slot of link {link} {where}.",
+                             "销 {point}{guide} 在构件 {link} 的槽中移动，槽{where}。"),
+    "solution.tilt": ("; the direction of {line} is the guide's turned by {angle} {sense}",
+                      "；将导路方向{sense}转过 {angle} 即为 {line} 的方向"),
+    "solution.line of": ("the guide of link {link}", "构件 {link} 的导路"),
+    "solution.tilt none": ("; {line} points along the guide", "；{line} 沿导路方向"),
+    "solution.at angle": ("through {through} that makes {angle} with {arrow} ({sense})",
+                          "过 {through} 点，与 {arrow} 成 {angle}（{sense}）"),
+    "solution.along": ("along {line}", "为直线 {line}"),
+    "solution.parallel": ("through {through}, parallel to {arrow}", "过 {through} 点，平行于 {arrow}"),
+    "solution.own axis": ("through {through}, the link's own axis", "过 {through} 点，即该构件的轴线"),
+    "solution.line": ("through {start} at {angle} to +x", "过 {start}，与 x 轴正向成 {angle}"),
+    "solution.circular slot": ("Pin {pin} moves in a circular slot of link {link} about {centre} with radius {radius}.",
+                               "销 {pin} 在构件 {link} 的圆弧槽中移动，圆心为 {centre}，半径为 {radius}。"),
+    "solution.gears": ("Gears {wheels} about {centres} are in external mesh: {radii}.",
+                       "齿轮 {wheels}（轮心 {centres}）外啮合：{radii}。"),
+    "solution.internal gears": ("Gears {wheels} about {centres} are in internal mesh: {radii}.",
+                                "齿轮 {wheels}（轮心 {centres}）内啮合：{radii}。"),
+    "solution.rolls on circle": ("Wheel {wheel} about {centre}, {radius}, rolls without slip on the circle of link "
+                                 "{track} about {about} with radius {other} ({where}).",
+                                 "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 上以 {about} 为圆心、半径为 {other} "
+                                 "的圆上作纯滚动（{where}）。"),
+    "solution.inside": ("one inside the other", "内切"),
+    "solution.outside": ("side by side", "外切"),
+    "solution.rolls on line": ("Wheel {wheel} about {centre}, {radius}, rolls without slip on the line{line} of link "
+                               "{track}{side}.",
+                               "轮 {wheel}（轮心 {centre}，{radius}）在构件 {track} 的直线{line} 上作纯滚动{side}。"),
+    "solution.wheel left": (" ({centre} on its left)", "（沿此方向看 {centre} 在其左侧）"),
+    "solution.wheel right": (" ({centre} on its right)", "（沿此方向看 {centre} 在其右侧）"),
+    "solution.displacement": ("displacement {s}", "位移 {s}"),
+    "solution.cam": ("{first} and {second} touch and slide on each other{where}.", "{first}与{second}相接触{where}，组成高副。"),
+    "solution.flat face": ("the flat face{line} of link {link}{side}", "构件 {link} 的平底{line}{side}"),
+    "solution.knife edge": ("the knife edge {point} of link {link}", "构件 {link} 的尖顶 {point}"),
+    "solution.circle": ("the circle of link {link} about {centre} with radius {radius}",
+                        "构件 {link} 以 {centre} 为圆心、半径为 {radius} 的圆弧"),
+    "solution.find these": ("{wanted}.", "{wanted}。"),
+    "solution.find all": ("the velocities and accelerations of all points, ω and α of all links.",
+                          "各点的速度和加速度，各构件的角速度和角加速度。"),
+    "solution.find velocities": ("the velocities of all points, ω of all links.", "各点的速度，各构件的角速度。"),
+    "solution.place": ("the place of {point}", "点 {point} 的位置"),
+    "solution.place at": ("{point} is at {place} mm.", "{point} 位于 {place} mm。"),
+    "solution.centre": ("instant centre {name}", "瞬心 {name}"),
+    "solution.centre at": ("{name}: {place}.", "{name}：{place}。"),
+    "solution.exactly": ("Beside the exact values", "与精确值比较"),
+    "solution.beside": ("{name}: as drawn {read}, exactly {exact}{off}.", "{name}：作图值 {read}，精确值 {exact}{off}。"),
+    "solution.off": ("; off by {part} %", "，误差 {part} %"),
 }
