@@ -140,7 +140,7 @@ def _read(record: Record) -> Result:
     texts: Text = {} if reason in (None, "") else {"en": _string(reason), "zh": _string(reason)}
     return Result(
         _string(record["student"]), _string(record["file"]), record["status"], texts, lines,
-        tuple(_suspicion(each) for each in record["mistakes"]),
+        tuple(map(_suspicion, record["mistakes"])),
         sum((line.most for line in lines), Decimal(0)),
         tuple(_string(note) for note in record.get("notes", ())), drawn=drawn_of(record),
     )  # fmt: skip
@@ -183,8 +183,6 @@ def _string(value: object) -> str:
     if not isinstance(value, str):
         raise ValueError(f"{value!r} is no text")
     return value
-
-
 
 
 def read_results(path: Path) -> tuple[Result, ...]:
