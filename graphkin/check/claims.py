@@ -146,11 +146,6 @@ def _signs(drawing: DrawingFile) -> list[ShownMark]:
             and max(element.style.share("stroke"), element.style.share("fill")) > 0]  # fmt: skip
 
 
-def _can_be_seen(sign: ShownMark) -> bool:
-    line = sign.style.ink("stroke") > FAINT and sign.width > HAIR and not dashed_away(sign.style, False)
-    return line or sign.style.ink("fill") > FAINT
-
-
 def _altered(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[complex], list[ShownMark]]:
     """Places of signs that are gone, and signs that are new; the sheet as a whole may have been moved."""
     stated, drawn = drawing.claims.get("signs"), list[Ends]()  # ends of those that there were when it was written
@@ -165,7 +160,12 @@ def _altered(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[comple
     then = np.array(drawn, dtype=complex).reshape(-1, 2) + shift
     first, second = (shapely.points(places[:, 0].real, places[:, 0].imag) for places in (now, then))
     pairs = shapely.STRtree(first).query(second, predicate="dwithin", distance=_NEAR).T
-    alike = [(k, n) for k, n in pairs if abs(then[k, 1] - now[n, 1]) <= _NEAR and _can_be_seen(seen[n])]
+    alike = []
+    for k, n in pairs:
+        style = seen[n].style
+        line = style.ink("stroke") > FAINT and seen[n].width > HAIR and not dashed_away(style, False)
+        if abs(then[k, 1] - now[n, 1]) <= _NEAR and (line or style.ink("fill") > FAINT):
+            alike.append((k, n))
     kept, known = {old for old, _ in alike}, {new for _, new in alike}
     gone = [complex(place) for k, (place, _) in enumerate(then) if k not in kept]
     return gone, [sign for k, sign in enumerate(seen) if k not in known]

@@ -192,9 +192,9 @@ def _part(exact: Widened, plane: Plane, part: str, of: Site, seen_from: Site | N
                   if site.link == other.link or site.link in owners.get(other.point, ()))  # fmt: skip
         if (body := next(bodies, None)) is None:
             return None
-        return -(_omega(exact, body) ** 2) * arm if part == "n" else 1j * _alpha(exact, body) * arm
+        return -(number(exact.turning(body)) ** 2) * arm if part == "n" else 1j * number(exact.swing(body)) * arm
     slip = _moving(exact, "velocity", of) - _moving(exact, "velocity", seen_from)
-    coriolis = 2j * _omega(exact, seen_from.link) * slip
+    coriolis = 2j * number(exact.turning(seen_from.link)) * slip
     if part in ("k", "r"):
         return coriolis if part == "k" else whole - coriolis
     # the turning of one link against another about their hinge
@@ -204,16 +204,8 @@ def _part(exact: Widened, plane: Plane, part: str, of: Site, seen_from: Site | N
         return None
     arm = exact.place(of.point) - exact.place(pivot)
     if part == "rn":
-        return -((_omega(exact, of.link) - _omega(exact, seen_from.link)) ** 2) * arm
-    return 1j * (_alpha(exact, of.link) - _alpha(exact, seen_from.link)) * arm
-
-
-def _omega(exact: Widened, body: str) -> float:
-    return number(exact.turning(body))
-
-
-def _alpha(exact: Widened, body: str) -> float:
-    return number(exact.swing(body))
+        return -((number(exact.turning(of.link)) - number(exact.turning(seen_from.link))) ** 2) * arm
+    return 1j * (number(exact.swing(of.link)) - number(exact.swing(seen_from.link))) * arm
 
 
 # --- names ------------------------------------------------------------------------------------

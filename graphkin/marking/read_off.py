@@ -72,7 +72,14 @@ def pointing(
     if not ends:
         return {}
     own: dict[Quantity, Value] = dict(vectors.items())
-    own.update(_turning(method, plot, drawn, written).items())
+    own.update(written.items())
+    # own rotations: as they are written, for all links that turn together; else as the drawing shows them
+    base = {link: turn.base for link, turn in plot.facts.turns.items()}
+    in_words = {(rotation.word, base.get(rotation.link)) for rotation in written}
+    for (word, link), value in _OwnPoints(method, plot, drawn).rates():
+        shown = readable(method.mechanism, f"{word} {link}")
+        if math.isfinite(value) and isinstance(shown, kinds.Rotation) and (word, base[link]) not in in_words:
+            own[shown] = value
     expected = [replay_with(method, plot, known, arrows).plot for known in ({}, own)]
     good = {}
     for quantity, (arrow, sign) in ends.items():
@@ -83,20 +90,6 @@ def pointing(
         if some and abs(vector) > _SHORT * longest:
             good[quantity.text] = any(abs(cmath.phase(vector / one)) < ASTRAY for one in some)
     return good
-
-
-def _turning(
-    method: Method, plot: Plot, drawn: Drawn, written: Mapping[kinds.Rotation, float]
-) -> dict[kinds.Rotation, float]:
-    """Own rotations: as they are written, for all links that turn together; else as the drawing shows them."""
-    base = {link: turn.base for link, turn in plot.facts.turns.items()}
-    in_words = {(rotation.word, base.get(rotation.link)) for rotation in written}
-    rotations = dict(written)
-    for (word, link), value in _OwnPoints(method, plot, drawn).rates():
-        rotation = readable(method.mechanism, f"{word} {link}")
-        if math.isfinite(value) and isinstance(rotation, kinds.Rotation) and (word, base[link]) not in in_words:
-            rotations[rotation] = value
-    return rotations
 
 
 @frozen

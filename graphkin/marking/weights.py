@@ -184,7 +184,14 @@ class _NormalRows:
         near[who, row], worst[who, row] = np.einsum("pn,pn->p", z, z), np.abs(z).max(axis=1, initial=0.0)
         weights = -0.5 * (near + self.count * np.log(2 * np.pi)) - np.log(1 + len(_COMMON))
         weights[who, row] = self._closely(z, row, near[who, row])
-        chance[who, row] = self._chance(near[who, row])
+        # how many explanations random numbers come as near to: cells of that size about them
+        close = near[who, row]
+        hits = np.zeros_like(close)
+        with np.errstate(divide="ignore"):
+            for size, cells in self._cells.items():
+                ball = 0.5 * size * np.log(np.pi * close) - lgamma(size / 2 + 1) if size else 0.0
+                hits += np.exp(np.minimum(ball + cells, 0.0))
+        chance[who, row] = hits
         if not self.judged.all():  # of the quantities that a row does not judge nothing is known
             weights = weights - self.own + np.einsum("ns,nm->sm", none.T.copy(), (~self.judged.T).astype(float))
         else:
@@ -232,12 +239,3 @@ class _NormalRows:
             along = np.sqrt(np.maximum(sizes, 0.0))
             self._axes[row] = axes, along, 1 / variances, np.log(variances).sum(axis=0)
         return self._axes[row]
-
-    def _chance(self, near: np.ndarray) -> np.ndarray:
-        """The number of explanations that random numbers come as near to: cells of that size about them."""
-        found = np.zeros_like(near)
-        with np.errstate(divide="ignore"):
-            for size, cells in self._cells.items():
-                ball = 0.5 * size * np.log(np.pi * near) - lgamma(size / 2 + 1) if size else 0.0
-                found += np.exp(np.minimum(ball + cells, 0.0))
-        return found

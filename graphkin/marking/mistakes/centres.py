@@ -94,19 +94,15 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
                     instead = (RewrittenValue(quantity.text, instead=vector),)
                     yield Rewrite("centre-acceleration-zero", quantity.text, form, asked=instead)
     for step in scene.steps("acceleration"):
-        if isinstance(step, Meet) and _stands(scene, step.point):
+        if not isinstance(step, Meet):
+            continue
+        node = scene.method.acceleration.nodes[step.point]
+        site, fastest = node.site, max(abs(place(v)) for v in scene.plot.velocity.values())
+        if site is None or site.link not in scene.motions.velocities or site.point not in scene.plot.position:
+            continue
+        if abs(place(scene.motions.velocity_at(site.point, site.link))) < REST * fastest:
             edits = (Edit(("met", "acceleration", step.point), Times(0.0)),)
-            of = f"a_{scene.method.acceleration.nodes[step.point].of}"
-            yield Rewrite("centre-acceleration-zero", of, "", edits, way="point")
-
-
-def _stands(scene: Scene, node: str) -> bool:
-    """True if a corner is a point whose velocity is nothing."""
-    site = scene.method.acceleration.nodes[node].site
-    if site is None or site.link not in scene.motions.velocities or site.point not in scene.plot.position:
-        return False
-    fastest = max(abs(place(v)) for v in scene.plot.velocity.values())
-    return abs(place(scene.motions.velocity_at(site.point, site.link))) < REST * fastest
+            yield Rewrite("centre-acceleration-zero", f"a_{node.of}", "", edits, way="point")
 
 
 # --- wheels on an arm --------------------------------------------------------------------------
