@@ -134,9 +134,10 @@ def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Override]:
         if text:
             try:
                 points = Decimal(text.replace(",", "."))
-            except InvalidOperation:
-                points = Decimal(-1)
-            if not 0 <= points <= _LARGEST:
+                allowed = 0 <= points <= _LARGEST
+            except InvalidOperation:  # no number, or NaN
+                allowed = False
+            if not allowed:
                 raise NotAnOverride(Where(str(path), number), text)
             yield Override(one_line(id), one_line(name), points.quantize(HUNDREDTH, ROUND_HALF_UP))
 
