@@ -10,6 +10,7 @@ mechanism) is not judged at all, and `read` says so.
 
 from __future__ import annotations
 
+import contextlib
 import math
 import re
 from collections import Counter
@@ -57,7 +58,13 @@ def changed(
     claimed_texts = claimed_letters(drawing)
     for text in (Counter(text for text, _ in claimed_texts) - Counter(texts)).elements():
         yield Fault("letters", text)
-    yield from (Fault("letters", text) for text in _exchanged(claimed_texts, read))
+    # texts that now stand where others stood, and not where they did; the sheet as a whole may have been moved
+    now = _places_now(claimed_texts, read)
+    shift = _shift(claimed_texts, now)
+    for (text, place), at in zip(claimed_texts, now, strict=True):
+        exchanged = any(other != text and abs(there + shift - at) < _SAME for other, there in claimed_texts)
+        if abs(at - place - shift) > _APART and exchanged:
+            yield Fault("letters", text)
     entries = drawing.claims.get("drawn")
     entries = entries if isinstance(entries, list) else []
     claimed = Counter(tuple(map(str, entry)) for entry in entries if isinstance(entry, list))
@@ -69,12 +76,12 @@ def changed(
 
 def _printed(read: Sequence[str], scales: Mapping[Plane, float]) -> Iterator[Fault]:
     """Every scale is printed, and no other."""
-    written = [found for text in read for found in WRITTEN.findall(text)]
+    written = [scale for text in read for scale in WRITTEN.findall(text)]
     for letter, plane in LETTERS.items():
-        texts = [text for found, text in written if found == letter]
-        if plane in scales and not texts:
+        printed = [text for of, text in written if of == letter]
+        if plane in scales and not printed:
             yield Fault("unscaled", f"μ_{letter}")
-        for text in dict.fromkeys(texts):
+        for text in dict.fromkeys(printed):
             if plane in scales and not _as_written(text, scales[plane]):
                 yield Fault("scale", f"μ_{letter} = {text}")
 
@@ -83,15 +90,11 @@ def _as_written(text: str, scale: float) -> bool:
     """Raised letters read like others: `104` may be ten to the fourth."""
     mantissa, *power = re.split(r"\s*[×·]\s*10", text.replace("−", "-"))
     tens = re.fullmatch(r"10(-?[0-9]+)", mantissa)
-    readings = [(mantissa, power[0] if power else "0"), *([("1", tens[1])] if tens and not power else [])]
-    return any(math.isclose(_number(*reading), scale, rel_tol=1e-3) for reading in readings)
-
-
-def _number(mantissa: str, power: str) -> float:
-    try:
-        return float(mantissa) * 10.0 ** int(power)
-    except (ValueError, OverflowError):
-        return math.nan
+    for factor, exponent in ((mantissa, power[0] if power else "0"), *([("1", tens[1])] if tens and not power else [])):
+        with contextlib.suppress(ValueError, OverflowError):
+            if math.isclose(float(factor) * 10.0 ** int(exponent), scale, rel_tol=1e-3):
+                return True
+    return False
 
 
 def claimed_letters(drawing: DrawingFile) -> list[Letters]:
@@ -102,16 +105,6 @@ def claimed_letters(drawing: DrawingFile) -> list[Letters]:
             case [str(text), int() | float() as x, int() | float() as y] if text.strip():
                 found.append((" ".join(text.split()), complex(x, -y)))
     return found
-
-
-def _exchanged(told: Sequence[Letters], read: Sequence[Letters]) -> Iterator[str]:
-    """Texts that now stand where others stood, and not where they did; the sheet as a whole may have been moved."""
-    now = _places_now(told, read)
-    shift = _shift(told, now)
-    for (text, place), at in zip(told, now, strict=True):
-        taken = any(other != text and abs(there + shift - at) < _SAME for other, there in told)
-        if abs(at - place - shift) > _APART and taken:
-            yield text
 
 
 def _places_now(told: Sequence[Letters], read: Sequence[Letters]) -> list[complex]:
@@ -153,32 +146,26 @@ def _signs(drawing: DrawingFile) -> list[ShownMark]:
             and max(element.style.share("stroke"), element.style.share("fill")) > 0]  # fmt: skip
 
 
-def _can_be_seen(sign: ShownMark) -> bool:
-    line = sign.style.ink("stroke") > FAINT and sign.width > HAIR and not dashed_away(sign.style, False)
-    return line or sign.style.ink("fill") > FAINT
-
-
-def _signs_as_drawn(drawing: DrawingFile) -> list[Ends]:
-    """Ends of the signs that were there when the file was written."""
-    stated = drawing.claims.get("signs")
-    found = []
+def _altered(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[complex], list[ShownMark]]:
+    """Places of signs that are gone, and signs that are new; the sheet as a whole may have been moved."""
+    stated, drawn = drawing.claims.get("signs"), list[Ends]()  # ends of those that there were when it was written
     for entry in stated if isinstance(stated, list) else ():
         match entry:
             case [int() | float() as x, int() | float() as y, int() | float() as x2, int() | float() as y2]:
-                found.append((complex(x, -y), complex(x2, -y2)))
+                drawn.append((complex(x, -y), complex(x2, -y2)))
             case _:
                 pass
-    return found
-
-
-def _altered(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[complex], list[ShownMark]]:
-    """Places of signs that are gone, and signs that are new; the sheet as a whole may have been moved."""
-    shift, seen, drawn = shift_of(drawing, read), _signs(drawing), _signs_as_drawn(drawing)
+    shift, seen = shift_of(drawing, read), _signs(drawing)
     now = np.array([_sign_ends(sign) for sign in seen], dtype=complex).reshape(-1, 2)
     then = np.array(drawn, dtype=complex).reshape(-1, 2) + shift
     first, second = (shapely.points(places[:, 0].real, places[:, 0].imag) for places in (now, then))
     pairs = shapely.STRtree(first).query(second, predicate="dwithin", distance=_NEAR).T
-    alike = [(k, n) for k, n in pairs if abs(then[k, 1] - now[n, 1]) <= _NEAR and _can_be_seen(seen[n])]
+    alike = []
+    for k, n in pairs:
+        style = seen[n].style
+        line = style.ink("stroke") > FAINT and seen[n].width > HAIR and not dashed_away(style, False)
+        if abs(then[k, 1] - now[n, 1]) <= _NEAR and (line or style.ink("fill") > FAINT):
+            alike.append((k, n))
     kept, known = {old for old, _ in alike}, {new for _, new in alike}
     gone = [complex(place) for k, (place, _) in enumerate(then) if k not in kept]
     return gone, [sign for k, sign in enumerate(seen) if k not in known]

@@ -113,24 +113,19 @@ def read(path: Path) -> DrawingFile:
         raise BadDrawing(Where(file), "shown", str(error)) from None
 
 
-def _content(path: Path, file: str) -> bytes:
-    """The content of the file, or of the pipe, as far as it may be long."""
-    if str(path) == "-":
-        content = sys.stdin.buffer.read(LIMIT + 1)
-    else:
-        content = path.read_bytes() if path.stat().st_size <= LIMIT else b" " * (LIMIT + 1)
-    if len(content) > LIMIT:
-        raise BadDrawing(Where(file), "large")
-    return content
-
-
 def _root(path: Path, file: str) -> Element:
     from defusedxml.common import DefusedXmlException
     from defusedxml.ElementTree import DefusedXMLParser
 
     parser = DefusedXMLParser(target=_Builder())
     try:
-        parser.feed(_content(path, file))
+        if str(path) == "-":
+            content = sys.stdin.buffer.read(LIMIT + 1)
+        else:
+            content = path.read_bytes() if path.stat().st_size <= LIMIT else b" " * (LIMIT + 1)
+        if len(content) > LIMIT:
+            raise BadDrawing(Where(file), "large")
+        parser.feed(content)
         root: Element = parser.close()
     except FileNotFoundError:
         raise NoDrawing(Where(file)) from None

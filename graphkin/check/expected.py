@@ -65,7 +65,14 @@ def widened(mechanism: Mechanism, exact: Motion, drawing: DrawingFile) -> Widene
             bodies[rod_name(pair)] = Body(same.points)
         elif isinstance(same, Slot):
             bodies[pin_name(pair)] = Body((same.point,), same.line.link)
-    added = _added(mechanism, exact, drawing)
+    # places of the points that a construction adds, by the analytic solution; what they are, the planner says
+    added: dict[str, complex] = {}
+    named = {attributes.get("data-site", "").partition("@")[0] for attributes, _ in drawing.points}
+    if not named <= {"", *mechanism.points}:
+        method = plan(mechanism)
+        for step in method.position.steps:
+            if isinstance(step, Touch) or (isinstance(step, Meet) and step.point in method.special):
+                added[step.point] = added_point(step, mechanism, exact)
     known = exact.velocities, exact.accelerations
     velocities, accelerations = (
         {**table, **{body: {(point := each.points[0]): vectors[point]} for body, each in bodies.items()}}
@@ -92,17 +99,6 @@ def _turning_of(
         return ((vectors[other] - vectors[point]) / (exact.position[other] - exact.position[point])).imag
 
     return Lazy((*links, *bodies), turning)
-
-
-def _added(mechanism: Mechanism, exact: Motion, drawing: DrawingFile) -> Mapping[str, complex]:
-    """The places of the added points of a drawing by the analytic solution. What they are, the planner says."""
-    named = {attributes.get("data-site", "").partition("@")[0] for attributes, _ in drawing.points}
-    if named <= {"", *mechanism.points}:
-        return {}
-    method = plan(mechanism)
-    steps = (step for step in method.position.steps if isinstance(step, Touch | Meet))
-    return {step.point: added_point(step, mechanism, exact) for step in steps
-            if isinstance(step, Touch) or step.point in method.special}  # fmt: skip
 
 
 def added_point(step: Touch | Meet, mechanism: Mechanism, exact: Motion) -> complex:
@@ -190,44 +186,26 @@ def _part(exact: Widened, plane: Plane, part: str, of: Site, seen_from: Site | N
     if part == "":
         return whole
     if part in ("n", "t"):
-        body = _common(exact, of, seen_from)
-        if body is None:
+        # the body on which both lie: a hinge may be written as a point of another link that has it
+        owners = exact.mechanism.owners
+        bodies = (site.link for site, other in ((of, seen_from), (seen_from, of))
+                  if site.link == other.link or site.link in owners.get(other.point, ()))  # fmt: skip
+        if (body := next(bodies, None)) is None:
             return None
-        return -(_omega(exact, body) ** 2) * arm if part == "n" else 1j * _alpha(exact, body) * arm
+        return -(number(exact.turning(body)) ** 2) * arm if part == "n" else 1j * number(exact.swing(body)) * arm
     slip = _moving(exact, "velocity", of) - _moving(exact, "velocity", seen_from)
-    coriolis = 2j * _omega(exact, seen_from.link) * slip
+    coriolis = 2j * number(exact.turning(seen_from.link)) * slip
     if part in ("k", "r"):
         return coriolis if part == "k" else whole - coriolis
-    return _against(exact, part, of, seen_from)
-
-
-def _common(exact: Widened, of: Site, seen_from: Site) -> str | None:
-    """The body on which two points lie: a hinge may be written as a point of another link that has it."""
-    owners = exact.mechanism.owners
-    for site, other in ((of, seen_from), (seen_from, of)):
-        if site.link == other.link or site.link in owners.get(other.point, ()):
-            return site.link
-    return None
-
-
-def _against(exact: Widened, part: str, of: Site, seen_from: Site) -> complex | None:
-    """The turning of one link against another about their hinge."""
+    # the turning of one link against another about their hinge
     others = exact.points_of(seen_from.link)
     pivot = next((point for point in exact.points_of(of.link) if point in others), None)
     if pivot is None or part not in ("rn", "rt"):
         return None
     arm = exact.place(of.point) - exact.place(pivot)
     if part == "rn":
-        return -((_omega(exact, of.link) - _omega(exact, seen_from.link)) ** 2) * arm
-    return 1j * (_alpha(exact, of.link) - _alpha(exact, seen_from.link)) * arm
-
-
-def _omega(exact: Widened, body: str) -> float:
-    return number(exact.turning(body))
-
-
-def _alpha(exact: Widened, body: str) -> float:
-    return number(exact.swing(body))
+        return -((number(exact.turning(of.link)) - number(exact.turning(seen_from.link))) ** 2) * arm
+    return 1j * (number(exact.swing(of.link)) - number(exact.swing(seen_from.link))) * arm
 
 
 # --- names ------------------------------------------------------------------------------------

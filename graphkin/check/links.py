@@ -120,7 +120,9 @@ def _on_line(
     sides = list(zip(corners, [*corners[1:], corners[0]], strict=True))
     if form == "block":
         yield middle, at(points[0])
-        yield from (_squared(side, along) for side in sides)
+        for start, end in sides:  # a side's end, and where it would be along or across the line
+            run = (end - start) / along
+            yield end, start + along * (run.real if abs(run.real) > abs(run.imag) else 1j * run.imag)
     else:
         longest = max(sides, key=lambda side: abs(side[1] - side[0]))
         yield longest[1], longest[0] + along * ((longest[1] - longest[0]) / along).real
@@ -128,12 +130,6 @@ def _on_line(
     for point in points:
         t = ((at(point) - foot) / along).real
         yield foot + along * min(max(t, min(stretch)), max(stretch)), foot + along * t
-
-
-def _squared(side: Pair, along: complex) -> Pair:
-    """A side's end, and where it would be along or across the line."""
-    way = (side[1] - side[0]) / along
-    return side[1], side[0] + along * (way.real if abs(way.real) > abs(way.imag) else 1j * way.imag)
 
 
 # --- curves of points --------------------------------------------------------------------------
@@ -166,9 +162,7 @@ def worst_of_path(
     names = [each.name for each in mechanism.drivers]
     if point not in mechanism.points or driver not in names or not mark.plain or len(mark.lines) != 1:
         return None
-
-    corners = np.array(mark.lines[0])
-    at = names.index(driver)
+    corners, at = np.array(mark.lines[0]), names.index(driver)
     rate = mechanism.drivers[at].rate
     paces = [other.rate / rate if rate else 0.0 for other in mechanism.drivers]
 
@@ -225,14 +219,7 @@ def _width_and_height(places: np.ndarray) -> float:
 def _reached(course: _Course, slid: float) -> tuple[float, float]:
     """Values of the driver: a turn from here on in its sense, or from end to end of what it reaches."""
     far = slid if course.driver.kind == "slide" else math.tau
-    low, high = _driver_ends(course, far)
-    if course.driver.kind != "slide" and high - low >= 2 * math.tau:
-        return course.here, course.here + math.copysign(math.tau, course.driver.rate or 1.0)
-    return low, high
-
-
-def _driver_ends(course: _Course, far: float) -> tuple[float, float]:
-    """The driver's reach in either sense: between the last value reached and the first that is not."""
+    # its reach in either sense: between the last value reached and the first that is not
     ends = [(course.here, course.here - far), (course.here, course.here + far)]
     for _ in range(_SOUGHT):
         values = np.array([np.linspace(*end, _LOOK) for end in ends])
@@ -241,7 +228,10 @@ def _driver_ends(course: _Course, far: float) -> tuple[float, float]:
         ends = [(row[min(k, _LOOK) - 1], row[min(k, _LOOK - 1)]) for row, k in zip(values, first, strict=True)]
         if not gone.any():
             break
-    return float(ends[0][0]), float(ends[1][0])
+    low, high = float(ends[0][0]), float(ends[1][0])
+    if course.driver.kind != "slide" and high - low >= 2 * math.tau:
+        return course.here, course.here + math.copysign(math.tau, course.driver.rate or 1.0)
+    return low, high
 
 
 def _curve(places: Places, low: float, high: float) -> tuple[np.ndarray, np.ndarray]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import cached_property, reduce
 from itertools import pairwise
 from xml.etree.ElementTree import Element
@@ -60,14 +60,14 @@ class Layers:
     @cached_property
     def letters(self) -> tuple[tuple[str, complex], ...]:
         """Every text that can be read, and where it begins: on the paper, and not begun under a surface."""
-        texts = ((k, element) for k, element in enumerate(self.sight.shown) if element.tag == "text")
-        found = ((" ".join(text.text.split()), text.lines[0][0]) for k, text in texts if self._can_be_read(k, text))
-        return tuple((text, place) for text, place in found if text)
-
-    def _can_be_read(self, number: int, text: ShownMark) -> bool:
-        begin = text.lines[0][0] + 0.3 + 0.3j
-        under = any(area.contains(shapely.Point(begin.real, begin.imag)) for area in self.over(number))
-        return not under and _on_paper(text, self.sight.paper)
+        letters = []
+        for k, element in enumerate(self.sight.shown):
+            if element.tag == "text" and (words := " ".join(element.text.split())):
+                begin = element.lines[0][0] + 0.3 + 0.3j
+                under = any(area.contains(shapely.Point(begin.real, begin.imag)) for area in self.over(k))
+                if not under and _on_paper(element, self.sight.paper):
+                    letters.append((words, element.lines[0][0]))
+        return tuple(letters)
 
 
 def _inked(mark: ShownMark) -> bool:
@@ -179,7 +179,14 @@ def _points_on(root: Element, element: ShownMark) -> bool:
     if marker.get("orient") not in ("auto", "auto-start-reverse"):
         return False
     shapes = [child for child in marker if child.tag.rpartition("}")[2] not in ("title", "desc")]
-    if len(shapes) != 1 or not _dark(root, shapes[0]):
+    if len(shapes) != 1:
+        return False
+    # paint comes to a marker's shape from the elements around it, not from the line that bears it
+    above = {child: parent for parent in root.iter() for child in parent}
+    nest = [shapes[0]]
+    while nest[-1] in above:
+        nest.append(above[nest[-1]])
+    if reduce(lambda style, element: styled(element.attrib, style), reversed(nest), Style({})).ink("fill") <= 0.3:
         return False
     tag = shapes[0].tag.rpartition("}")[2]
     if not is_plain(tag, shapes[0].attrib) or transform(shapes[0].get("transform", "")) != Affine():
@@ -187,15 +194,6 @@ def _points_on(root: Element, element: ShownMark) -> bool:
     unit = 1.0 if marker.get("markerUnits") == "userSpaceOnUse" else length(element.style.get("stroke-width", "1"))
     places = _in_paper_units(marker, outline(tag, shapes[0].attrib)[0], unit * element.scale)
     return places is not None and _is_tip(places)
-
-
-def _dark(root: Element, shape: Element) -> bool:
-    """Paint comes to a marker's shape from the elements around it, not from the line that bears it."""
-    above = {child: parent for parent in root.iter() for child in parent}
-    way = [shape]
-    while way[-1] in above:
-        way.append(above[way[-1]])
-    return reduce(lambda style, element: styled(element.attrib, style), reversed(way), Style({})).ink("fill") > 0.3
 
 
 def _in_paper_units(marker: Element, places: list[complex], unit: float) -> list[complex] | None:
@@ -228,8 +226,6 @@ def _is_tip(places: list[complex]) -> bool:
 ASIDE = 1.2  # vectors on one line are drawn so far apart: both ends are off their points by a whole number of it [mm]
 _MOST_STEPS = 99  # no arrow is moved by more steps
 
-_End = tuple[list[complex], complex]  # places of the points that an end names, and where it is
-
 
 def loose_ends(drawing: DrawingFile, tolerance_mm: float) -> Iterator[Fault]:
     """Vectors must start and end at the points they name; or as far beside them as they say."""
@@ -239,7 +235,12 @@ def loose_ends(drawing: DrawingFile, tolerance_mm: float) -> Iterator[Fault]:
     for attributes, tail, head in drawing.vectors:
         ends = [(places.get((attributes.get("data-plane"), attributes.get(key)), []), end)
                 for key, end in (("data-tail", tail), ("data-head", head))]  # fmt: skip
-        aside = _aside(attributes, *ends)
+        # the distance of a vector from the line of its points, at right angles to it, to the side where it lies
+        steps, along, aside = attributes.get("data-aside", ""), head - tail, 0j
+        if steps.isascii() and steps.isdigit() and int(steps) < _MOST_STEPS and along and ends[0][0]:
+            off = min((tail - place for place in ends[0][0]), key=abs)
+            across = 1j * along / abs(along) * int(steps) * ASIDE
+            aside = across if abs(off - across) <= abs(off + across) else -across
         for key, (here, end) in zip(("data-tail", "data-head"), ends, strict=True):
             name, point = attributes.get("data-name"), attributes.get(key)
             apart = [abs(place + aside - end) for place in here]
@@ -247,13 +248,3 @@ def loose_ends(drawing: DrawingFile, tolerance_mm: float) -> Iterator[Fault]:
                 yield Fault("loose", f"{name}: {point}")
             elif not min(apart) <= tolerance_mm:
                 yield Fault("end", f"{name} - {point}: {min(apart):.4f} mm")
-
-
-def _aside(attributes: Mapping[str, str], tail: _End, head: _End) -> complex:
-    """The distance of a vector from the line of its points, at right angles to it, to the side where it lies."""
-    steps, along = attributes.get("data-aside", ""), head[1] - tail[1]
-    if not (steps.isascii() and steps.isdigit() and int(steps) < _MOST_STEPS and along and tail[0]):
-        return 0j
-    off = min((tail[1] - place for place in tail[0]), key=abs)
-    across = 1j * along / abs(along) * int(steps) * ASIDE
-    return min(across, -across, key=lambda aside: abs(off - aside))

@@ -155,23 +155,19 @@ class _Ruler:
         try:
             if plane not in origins:
                 origins[plane] = _origin([(place, right) for _, place, right in self._placed(plane)])
-            origin = origins[plane]
-            worst = self._worst(mark, plane, origin)
+            origin, scale = origins[plane], self.scales[plane]
+            if mark.attributes.get("data-form") == "path":
+                worst = worst_of_path(mark, self.mechanism, self.values, scale, origin)
+            elif plane == "position":
+                worst = worst_place(mark, self.exact, lambda point: self.exact.place(point) / scale + origin, scale)
+            else:
+                right = {name: value + origin for name, _, value in self._placed(plane)}
+                worst = worst_place(mark, self.exact, right.__getitem__, scale)
         except (KeyError, ValueError):
             worst = None
         if worst is None:
             raise BadDrawing(Where(self.drawing.file), "value", f"data-link={name}")
         return self._measured(plane, name, "link", worst[0] - origin, worst[1] - origin)
-
-    def _worst(self, mark: ShownMark, plane: Plane, origin: complex) -> tuple[complex, complex] | None:
-        """The place of a link's line, or of a path, that is farthest off, and where it should be."""
-        scale = self.scales[plane]
-        if mark.attributes.get("data-form") == "path":
-            return worst_of_path(mark, self.mechanism, self.values, scale, origin)
-        if plane == "position":
-            return worst_place(mark, self.exact, lambda point: self.exact.place(point) / scale + origin, scale)
-        right = {name: value + origin for name, _, value in self._placed(plane)}
-        return worst_place(mark, self.exact, right.__getitem__, scale)
 
     def misfits(self) -> Iterator[Fault]:
         """Points whose name is not that of the site they are measured by."""
@@ -179,15 +175,13 @@ class _Ruler:
             if not is_named_so(self.exact, attributes):
                 yield Fault("name", attributes.get("data-name", ""))
         for vector in self.drawing.of_class("vector"):
-            if vector.tip and not self._is_tip(vector):
+            if not vector.tip:
+                continue
+            # its value in words is its length, to the digits that are written
+            value, plane = re.search(r"= ([0-9.e+-]+) m/s²?$", vector.tip), plane_of(self.drawing, vector.attributes)
+            size = abs(vector.lines[0][-1] - vector.lines[0][0]) * self.scales[plane]
+            if value is None or not abs(float(value[1]) - size) <= 1e-3 * size + 1e-3 * self.scales[plane]:
                 yield Fault("tip", vector.attributes.get("data-name", ""))
-
-    def _is_tip(self, vector: ShownMark) -> bool:
-        """True if its value in words is its length, to the digits that are written."""
-        told = re.search(r"= ([0-9.e+-]+) m/s²?$", vector.tip)
-        size = abs(vector.lines[0][-1] - vector.lines[0][0]) * self.scales[plane_of(self.drawing, vector.attributes)]
-        slack = 1e-3 * size + 1e-3 * self.scales[plane_of(self.drawing, vector.attributes)]
-        return told is not None and abs(float(told[1]) - size) <= slack
 
     def unknown(self) -> Iterator[Fault]:
         """Points of which nobody says what they are, and at which no arrow ends."""

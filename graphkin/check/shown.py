@@ -211,21 +211,16 @@ class Sight:
 
 def seen_in(root: Element) -> Sight:
     """Everything that a viewer shows of a drawing. Raises Unread, with what stands in the way."""
-    _still(root)
-    if transform(root.attrib.get("transform", "")) != Affine():
-        raise Unread("a transform of the sheet")
-    affine, size, doubt = paper(root.attrib)
-    return Sight(size, tuple(_walk(root, affine, Style({}))), doubt)
-
-
-def _still(root: Element) -> None:
-    """Nothing in the file acts, and no style sheet reaches a line."""
-    for element in root.iter():
+    for element in root.iter():  # nothing in the file acts, and no style sheet reaches a line
         name = _name(element)
         if name in _ALIVE or any(key.rpartition("}")[2].startswith("on") for key in element.attrib):
             raise Unread(f"<{name}>" if name in _ALIVE else f"an event of <{name}>")
         if name == "style" and not harmless_sheet("".join(element.itertext())):
             raise Unread("a style sheet")
+    if transform(root.attrib.get("transform", "")) != Affine():
+        raise Unread("a transform of the sheet")
+    affine, size, doubt = paper(root.attrib)
+    return Sight(size, tuple(_walk(root, affine, Style({}))), doubt)
 
 
 def _name(element: Element) -> str:

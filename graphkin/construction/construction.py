@@ -42,8 +42,8 @@ class Equation:
     def __post_init__(self) -> None:
         if span_of(self.left) != span_of(self.right):
             raise BrokenChain(f"{span_of(self.left)} is not {span_of(self.right)}")
-        if (found := sum(term.unknowns for term in self.left + self.right)) != 2:
-            raise NotClosable(f"{found} unknown scalars, not 2")
+        if (unknowns := sum(term.unknowns for term in self.left + self.right)) != 2:
+            raise NotClosable(f"{unknowns} unknown scalars, not 2")
 
     @property
     def double(self) -> bool:
@@ -84,13 +84,9 @@ class Construction:
 
     @cached_property
     def _vectors(self) -> dict[str, Term]:
-        found: dict[str, Term] = {}
+        vectors: dict[str, Term] = {}
         for part in self.parts:
-            terms: tuple[Term, ...] = ()
-            if isinstance(part, Equation):
-                terms = part.left + part.right
-            elif isinstance(part, LayOff):
-                terms = (part.term,)
-            for term in terms:
-                found.setdefault(term.name(self.plane), term)
-        return found
+            alone = (part.term,) if isinstance(part, LayOff) else ()
+            for term in part.left + part.right if isinstance(part, Equation) else alone:
+                vectors.setdefault(term.name(self.plane), term)
+        return vectors

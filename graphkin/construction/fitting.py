@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from graphkin.base.geometry import Real, Value
-from graphkin.construction.kinds import Closure, Fit, InStep
+from graphkin.construction.kinds import Closure, Fit
 from graphkin.construction.linear import in_step, least, sense, solved, unknowns_of
 from graphkin.construction.plot import Plot, length, slide_key
 from graphkin.construction.terms import Arm, Slid
@@ -37,7 +37,14 @@ def fit(step: Fit, plot: Plot, rounds: int = ROUNDS) -> None:
         if farthest <= FITTED or ROUNDED * before < farthest < ROUNDING:
             break
         before = farthest
-    _keep_what_fits(step, plot, x, gaps)
+    # the positions at which the group closes; NaN at the others, and by how much it misses there
+    gap, slope = gaps.at(x)
+    widest = np.abs(gap).max(axis=-1)
+    fits = widest < GAP
+    settle_all(step, plot, np.moveaxis(np.where(fits[..., None], x, np.nan), -1, 0))
+    plot.senses[step.name] = sense(slope)
+    plot.sines["position", step.name] = np.where(fits, least(slope), np.nan)[()]
+    plot.misses[step.name] = np.where(fits, 0.0, widest * gaps.size)[()]
 
 
 def _shape(plot: Plot, gaps: Gaps) -> tuple[int, ...]:
@@ -54,17 +61,6 @@ def reach(step: Fit, plot: Plot) -> float:
     arms = [shapes[arm.link][arm.head] - shapes[arm.link][arm.tail] for arm in parts]
     radii = [radius for contact in step.contacts for _, radius in contact.angles]
     return max((float(np.max(length(arm))) for arm in (*arms, *radii)), default=0.0) or 1.0
-
-
-def _keep_what_fits(step: Fit, plot: Plot, x: np.ndarray, gaps: Gaps) -> None:
-    """The positions at which the group closes; NaN at the others, and by how much it misses there."""
-    gap, slope = gaps.at(x)
-    widest = np.abs(gap).max(axis=-1)
-    fits = widest < GAP
-    settle_all(step, plot, np.moveaxis(np.where(fits[..., None], x, np.nan), -1, 0))
-    plot.senses[step.name] = sense(slope)
-    plot.sines["position", step.name] = np.where(fits, least(slope), np.nan)[()]
-    plot.misses[step.name] = np.where(fits, 0.0, widest * gaps.size)[()]
 
 
 def sense_and_sine(step: Fit, plot: Plot) -> tuple[Real, Real]:
@@ -104,7 +100,14 @@ class Gaps:
         known = [(0, k, self._closed(k, closure)) for k, closure in enumerate(step.closures)]
         self.known = _filled((1, len(known)), known)[..., 0, :] / size
         self.arms = _filled((len(self.bases), len(known)), self.turning) / size
-        self.rolled = self._rolled(step.contacts)
+        self.rolled: tuple[np.ndarray, np.ndarray] | None = None  # what is known of contacts, and what unknowns add
+        if step.contacts:
+            names = [*self.bases, *map(slide_key, self.slides)]
+            rows = [in_step(contact, plot, "position", {*self.bases}, {*self.slides}) for contact in step.contacts]
+            entries = [(k, names.index(name), value) for k, (_, of) in enumerate(rows) for name, value in of.items()]
+            by_each = _filled((len(rows), len(names)), entries).real
+            first = _filled((1, len(rows)), [(0, k, value) for k, (value, _) in enumerate(rows)]).real[..., 0, :]
+            self.rolled = first, by_each
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -168,17 +171,6 @@ class Gaps:
         angle = self.plot.theta[guide] if base is None else self.plot.facts.relative_angle(guide)
         self.sliding.append((number, slide, base, line * np.exp(1j * angle)))
         return 0.0
-
-    def _rolled(self, contacts: Sequence[InStep]) -> tuple[np.ndarray, np.ndarray] | None:
-        """The known parts of contacts, and what each unknown adds to them; None where there are none."""
-        if not contacts:
-            return None
-        names = [*self.bases, *map(slide_key, self.slides)]
-        rows = [in_step(contact, self.plot, "position", {*self.bases}, {*self.slides}) for contact in contacts]
-        entries = [(k, names.index(name), value) for k, (_, of) in enumerate(rows) for name, value in of.items()]
-        by_each = _filled((len(rows), len(names)), entries).real
-        known = _filled((1, len(rows)), [(0, k, value) for k, (value, _) in enumerate(rows)]).real[..., 0, :]
-        return known, by_each
 
 
 def _filled(size: tuple[int, int], entries: Sequence[Entry]) -> np.ndarray:

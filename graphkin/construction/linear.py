@@ -13,7 +13,7 @@ from operator import attrgetter
 import numpy as np
 
 from graphkin.base.geometry import Real, Value
-from graphkin.construction.kinds import Chain, Fit, InStep, Roll, Simultaneous, UnknownScalar
+from graphkin.construction.kinds import Chain, Fit, InStep, Roll, Simultaneous
 from graphkin.construction.plot import Plot, slide_key
 from graphkin.construction.terms import Plane
 
@@ -153,16 +153,11 @@ def _chain(chain: Chain, plot: Plot, plane: Plane) -> Row:
     known: Value = sum((sign * plot.arrow(size, plane) for size, sign in chain.known), 0j)
     arrows: dict[str, Value] = {}
     for unknown in chain.unknown:
-        name, arrow, more = _unknown(unknown, plot, plane)
-        known = known + more
+        if unknown.slide:
+            name, arrow = slide_key(unknown.slide), unknown.sign * plot.guide_direction(unknown.slide)
+        else:
+            name, arrow = plot.facts.turns[unknown.link].base, unknown.sign * 1j * plot.arm(unknown.tail, unknown.head)
+            # what the link turns against its base link
+            known = known + arrow * plot.facts.relative_rate(unknown.link, _order_of(plane))
         arrows[name] = arrows.get(name, 0.0) + arrow
     return known, arrows
-
-
-def _unknown(unknown: UnknownScalar, plot: Plot, plane: Plane) -> tuple[str, Value, Value]:
-    """The `slide_key` or base link, its arrow at 1, and what the link turns against its base link, as an arrow."""
-    if unknown.slide:
-        return slide_key(unknown.slide), unknown.sign * plot.guide_direction(unknown.slide), 0.0
-    arrow = unknown.sign * 1j * plot.arm(unknown.tail, unknown.head)
-    more = arrow * plot.facts.relative_rate(unknown.link, _order_of(plane))
-    return plot.facts.turns[unknown.link].base, arrow, more

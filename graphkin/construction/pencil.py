@@ -124,9 +124,9 @@ def draw(
             case kinds.Ray() | kinds.Arc():
                 pass  # alone it fixes no point
             case kinds.Meet(point=point):
-                points[point] = hand.met(plot, plane, point, _meet(step, plot, plane, sides, compass, hand))
-                if point == pole:
-                    _shift(points, pole)
+                place = points[point] = hand.met(plot, plane, point, _meet(step, plot, plane, sides, compass, hand))
+                if point == pole:  # found last: all is measured from it, and the fixed points come to lie on it
+                    points.update({n: 0j * place if z is FIXED or n == pole else z - place for n, z in points.items()})
             case kinds.Swing():
                 _swing(step, plot, sides, compass)
             case kinds.Image(base=(tail, head), point=point):
@@ -145,13 +145,6 @@ def draw(
                 compass.together(replace(step, contacts=laws), plot, plane)
             case _:
                 assert_never(step)
-
-
-def _shift(points: dict[str, Value], pole: str) -> None:
-    """A pole found last: everything drawn so far is measured from it, and the fixed points come to lie on it."""
-    place = points[pole]
-    for name, value in points.items():
-        points[name] = 0j * place if value is FIXED or name == pole else value - place
 
 
 def _meet(

@@ -187,16 +187,13 @@ class Plot:
                 known = self.s_rate if plane == "velocity" else self.s_acceleration
                 return sign * known[slide] * self.guide_direction(slide)
             case terms.Relative():
-                return self._relative(size)
+                arm, facts = self.arm(size.tail, size.head), self.facts
+                if size.part == "t":
+                    return 1j * (facts.relative_rate(size.link, 2) - facts.relative_rate(size.seen_from, 2)) * arm
+                rate = facts.relative_rate(size.link, 1) - facts.relative_rate(size.seen_from, 1)
+                return -(rate**2) * arm if size.part == "n" else 1j * rate * arm
             case _:
                 assert_never(size)
-
-    def _relative(self, size: terms.Relative) -> Value:
-        arm, facts = self.arm(size.tail, size.head), self.facts
-        if size.part == "t":
-            return 1j * (facts.relative_rate(size.link, 2) - facts.relative_rate(size.seen_from, 2)) * arm
-        rate = facts.relative_rate(size.link, 1) - facts.relative_rate(size.seen_from, 1)
-        return -(rate**2) * arm if size.part == "n" else 1j * rate * arm
 
     def settle(self, quantity: str, base: str, value: Real, counted: bool = False, of: str = "") -> None:
         """Give a whole group of links that hold their angles to one another its angle or its rate.
@@ -206,16 +203,15 @@ class Plot:
         """
         table: dict[str, Real] = getattr(self, quantity)
         if quantity == "theta" and base in self.near and not counted:
-            value = self._counted(value, self.near[base])
+            # with the whole turns that it has close by, or, where positions follow one another, just before
+            near = self.near[base]
+            if self.follows and np.ndim(value):
+                angles, there = np.array(value), np.isfinite(value)
+                angles[there] = np.unwrap(np.concatenate([[near], angles[there]]))[1:]
+                value = angles
+            else:
+                value = value + 2 * np.pi * np.rint((near - value) / (2 * np.pi))
         order = ("theta", "omega", "alpha").index(quantity)
         for link in self.facts.groups[base]:
             more = self.facts.relative_rate(link, order) if order else self.facts.relative_angle(link)
             table[link] = value + more
-
-    def _counted(self, angle: Real, near: Value) -> Real:
-        """An angle with the whole turns that it has close by, or, where positions follow one another, just before."""
-        if not self.follows or not np.ndim(angle):
-            return angle + 2 * np.pi * np.rint((near - angle) / (2 * np.pi))
-        angles, there = np.array(angle), np.isfinite(angle)
-        angles[there] = np.unwrap(np.concatenate([[near], angles[there]]))[1:]
-        return angles

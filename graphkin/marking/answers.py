@@ -9,7 +9,7 @@ import numpy as np
 
 from graphkin.base.geometry import Real, Value, dot
 from graphkin.base.value import frozen
-from graphkin.construction import Image, Normal, Plane, Site, Term
+from graphkin.construction import Image, Normal, Plane, Site
 from graphkin.errors import GraphkinError
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.key import Sort
@@ -41,19 +41,17 @@ def on_the_way(method: Method) -> tuple[Quantity, ...]:
     links = [link for link in mechanism.moving if link not in driven]
     quantities: dict[str, Quantity] = {}
     for construction, letter, word in ((method.velocity, "v", "omega"), (method.acceleration, "a", "alpha")):
-        texts = [_text(letter, term) for term in construction.vectors().values() if not term.over]
+        texts = []
+        for term in construction.vectors().values():
+            if not term.over:  # `a_k B3B2` of the arrow a^k_B3B2
+                comma = "," if "@" in term.of + term.seen_from and term.seen_from else ""
+                texts.append(f"{letter}{'_' if term.part else ''}{term.part} {term.of}{comma}{term.seen_from}")
         images = [step.point for step in construction.steps if isinstance(step, Image)]
         points = [f"{letter} {construction.nodes[point].of}" for point in images if point in construction.nodes]
         for text in (*texts, *points, *(f"{word} {link}" for link in links)):
             if (quantity := readable(mechanism, text)) is not None:
                 quantities.setdefault(quantity.text, quantity)
     return tuple(quantities.values())
-
-
-def _text(letter: str, term: Term) -> str:
-    """`a_k B3B2` of the arrow a^k_B3B2."""
-    comma = "," if "@" in term.of + term.seen_from and term.seen_from else ""
-    return f"{letter}{'_' if term.part else ''}{term.part} {term.of}{comma}{term.seen_from}"
 
 
 def readable(mechanism: Mechanism, text: str) -> Quantity | None:
@@ -174,10 +172,9 @@ def size_of(quantity: Quantity, vector: Value) -> Real:
     """The size of a vector; of one along a guide with its sign, the whole of it though a mistake has it beside, and
     without one where a mistake has it across."""
     size: Real = np.abs(vector)
-    if quantity.along is None:
-        return size
-    signed: Real = np.where(dot(quantity.along, vector) < -ACROSS * size, -size, size)[()]
-    return signed
+    if quantity.along is not None:
+        size = np.where(dot(quantity.along, vector) < -ACROSS * size, -size, size)[()]
+    return size
 
 
 def _vector(method: Method, plot: Redrawing, quantity: kinds.Moving, arrows: ArrowPlaces, before: bool) -> Value:

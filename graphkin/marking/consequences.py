@@ -109,12 +109,20 @@ def combined(
     hand = Mistaken(columns)
     placed = hand.placed(method, plot)
     drawn, right, still = redraw(method, placed, hand, hand.shape), redraw(method, plot), redraw(method, placed)
+    numbers = {quantity.text: k for k, quantity in enumerate(quantities)}
     with np.errstate(divide="ignore", invalid="ignore"):  # of what a mistake leaves nothing of
         answers = [drawn_answer(method, still if isinstance(q, Centre) else drawn, q, arrows) for q in quantities]
     cut = method.mechanism.usual.cut
     values = _table([cut(answer.value, answer.unit) for answer in answers], len(columns), float)
     vectors = _table([np.nan if a.vector is None else cut(a.vector, a.unit) for a in answers], len(columns), complex)
-    _write_otherwise(columns, quantities, values, vectors)
+    for row, rewrites in enumerate(columns):
+        for one in (one for rewrite in rewrites for one in rewrite.asked):  # drawn right and written otherwise
+            k = numbers[one.quantity]
+            if np.isfinite(vectors[row, k]):
+                vectors[row, k] = one.factor * (vectors[row, k] if one.instead is None else one.instead)
+                values[row, k] = size_of(quantities[k], vectors[row, k])
+            else:
+                values[row, k] = (one.factor * (values[row, k] if one.instead is None else one.instead)).real
     return Consequences(
         tuple(quantities), tuple(drawn_answer(method, right, quantity, arrows) for quantity in quantities),
         tuple(map(tuple, columns)), values, vectors,
@@ -126,21 +134,6 @@ def _table(columns: Sequence[Value], count: int, kind: type) -> np.ndarray:
     if not columns:
         return np.zeros((count, 0), dtype=kind)
     return np.stack([np.broadcast_to(np.asarray(value, dtype=kind), (count,)) for value in columns], axis=1)
-
-
-def _write_otherwise(
-    columns: Sequence[Sequence[Rewrite]], quantities: Sequence[Quantity], values: np.ndarray, vectors: np.ndarray
-) -> None:
-    """Put in handed-in values that were drawn right and written otherwise."""
-    numbers = {quantity.text: k for k, quantity in enumerate(quantities)}
-    for row, rewrites in enumerate(columns):
-        for one in (one for rewrite in rewrites for one in rewrite.asked):
-            k = numbers[one.quantity]
-            if np.isfinite(vectors[row, k]):
-                vectors[row, k] = one.factor * (vectors[row, k] if one.instead is None else one.instead)
-                values[row, k] = size_of(quantities[k], vectors[row, k])
-            else:
-                values[row, k] = (one.factor * (values[row, k] if one.instead is None else one.instead)).real
 
 
 def rewritten(method: Method, plot: Plot, rewrites: Sequence[Rewrite]) -> Redrawing:
@@ -180,26 +173,22 @@ class DrawingComparison:
 def compare_drawings(method: Method, plot: Plot, rewrites: Sequence[Rewrite]) -> DrawingComparison:
     """The parts of a drawing that mistakes made together draw otherwise, at the position of a plot."""
     right, other = rewritten(method, plot, ()), rewritten(method, plot, rewrites)
-    planes = tuple(plane for plane in get_args(Plane) if _differs(right, other, plane))
+    planes: list[Plane] = []
+    for plane in get_args(Plane):
+        nothing, there = _least(right, other, plane), other.points(plane)
+        places = ((place(value), place(there.get(name, np.nan))) for name, value in right.points(plane).items())
+        if any(not abs(one - two) <= nothing for one, two in places if np.isfinite(one)):
+            planes.append(plane)
     polygons = [] if "position" in planes else [method.velocity, method.acceleration]
-    return DrawingComparison(
-        right, other, planes,
-        {one.plane: frozenset(_arrows(one, right, other)) for one in polygons},
-        {one.plane: frozenset(_images(one, right, other)) for one in polygons},
-    )  # fmt: skip
+    arrows = {one.plane: frozenset(_arrows(one, right, other)) for one in polygons}
+    images = {one.plane: frozenset(_images(one, right, other)) for one in polygons}
+    return DrawingComparison(right, other, tuple(planes), arrows, images)
 
 
 def _least(right: Plot, other: Plot, plane: Plane) -> float:
     """The size up to which a value of a plane is nothing."""
     sizes = [abs(place(value)) for plot in (right, other) for value in plot.points(plane).values()]
     return _NOTHING * max((size for size in sizes if np.isfinite(size)), default=0.0)
-
-
-def _differs(right: Plot, other: Plot, plane: Plane) -> bool:
-    """True if a point of a plane lies elsewhere, or nowhere."""
-    nothing, there = _least(right, other, plane), other.points(plane)
-    places = ((place(value), place(there.get(name, np.nan))) for name, value in right.points(plane).items())
-    return any(not abs(one - two) <= nothing for one, two in places if np.isfinite(one))
 
 
 def _arrows(construction: Construction, right: Plot, other: Plot) -> Iterator[frozenset[str]]:

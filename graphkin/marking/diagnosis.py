@@ -96,7 +96,12 @@ class Explainer:
     def _best(self, given: np.ndarray, wrong: np.ndarray) -> Best:
         weighed = self._scale.weigh(given)
         same = self._sets(weighed)
-        together, every = _sums(weighed.weights, same)
+        # logarithms of the sums of those in the set, and of all
+        largest = weighed.weights.max(axis=1, initial=-np.inf)
+        base = np.where(np.isfinite(largest), largest, 0.0)
+        parts = np.exp(weighed.weights - base[:, None])
+        with np.errstate(divide="ignore"):
+            together, every = (base + np.log(s) for s in (np.einsum("sm,sm->s", parts, same), parts.sum(axis=1)))
         right = weighed.right
         if np.any(together > right + MARGIN):
             right = np.maximum(right, self._scale.right_by(given, self._other_methods()))
@@ -107,7 +112,8 @@ class Explainer:
             margin, probability = together - np.maximum(others, rest), np.exp(together - total)
         same[(probability < _LIKELY) | (together < right + MARGIN)] = False
         who, row = np.nonzero(same)
-        follows = self._follow(given[who], wrong[who], row)
+        reach = np.fmax(self._table.tolerance, FITS * self._scatters[row])
+        follows = wrong[who] & agrees(self._table, given[who], self._values[row], reach)
         # some of a set may say nothing of what is wrong
         explained = np.bincount(who[follows.any(axis=1)], minlength=len(given)) > 0
         same &= explained[:, None]
@@ -124,29 +130,12 @@ class Explainer:
         alike = likely[who, row] > likely[who, first] - MARGIN
         # what scatters together is known roughly: values as near one by one are not told apart by that
         alike |= weighed.near[who, row] < weighed.near[who, first] + 2 * MARGIN
-        fits[who, row] = alike | self._close(row, first)
-        return fits
-
-    def _close(self, rows: np.ndarray, others: np.ndarray) -> np.ndarray:
-        """Explanations that say nearly the same as others, and judge the same (pairs,), as booleans."""
-        one, other = self._values[rows], self._values[others]
+        # so are those that say nearly the same as the best, and judge the same
+        one, other = self._values[row], self._values[first]
         with np.errstate(invalid="ignore"):
-            apart = np.abs(differences(self._table, one, other)) <= _SAME * self._scatters[others]
-        return np.asarray(np.all(apart | np.isnan(one) & np.isnan(other), axis=1))
-
-    def _follow(self, given: np.ndarray, wrong: np.ndarray, rows: np.ndarray) -> np.ndarray:
-        """Wrong values (pairs, n) that are as explanations have them, as booleans."""
-        reach = np.fmax(self._table.tolerance, FITS * self._scatters[rows])
-        return np.asarray(wrong & agrees(self._table, given, self._values[rows], reach))
-
-
-def _sums(weights: np.ndarray, some: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Of logarithms (students, m): of some of them, and of all."""
-    largest = weights.max(axis=1, initial=-np.inf)
-    base = np.where(np.isfinite(largest), largest, 0.0)
-    parts = np.exp(weights - base[:, None])
-    with np.errstate(divide="ignore"):
-        return base + np.log(np.einsum("sm,sm->s", parts, some)), base + np.log(parts.sum(axis=1))
+            close = np.abs(differences(self._table, one, other)) <= _SAME * self._scatters[first]
+        fits[who, row] = alike | np.all(close | np.isnan(one) & np.isnan(other), axis=1)
+        return fits
 
 
 # --- diagnoses ---------------------------------------------------------------------------------
@@ -199,11 +188,15 @@ def diagnoses(
     if not len(given) or not there.any():
         return [Diagnosis() for _ in given]
     one = Explainer(key, table, there, key.singles, ONE, other_methods)
-    by_one = [
-        Diagnosis(each, evidence)
-        for best in one.best(given, wrong)
-        for each, evidence in zip(_explanations(one, best), _evidence(best, one), strict=True)
-    ]
+    by_one = []
+    first_ids = np.array([names[0][0] for names in one.names], dtype=object)
+    ids = list(dict.fromkeys(first_ids))
+    for best in one.best(given, wrong):
+        # by how much the best of each mistake's forms outweighs "none", for each student
+        evidence = [best.weights[:, first_ids == id].max(axis=1) - best.none for id in ids]
+        rows = np.stack(evidence, axis=1).tolist() if ids else [[] for _ in best.none]
+        for explanations, values in zip(_explanations(one, best), rows, strict=True):
+            by_one.append(Diagnosis(explanations, dict(zip(ids, values, strict=True))))
     rest = np.array([k for k, diagnosis in enumerate(by_one) if not diagnosis.explanations], dtype=int)
     if rest.size and independent(key, there) >= _PAIRS_FROM and (two := pairs()) is not None:
         both = Explainer(key, table, there, two, TWO, other_methods)
@@ -234,15 +227,6 @@ def _explanations(explainer: Explainer, best: Best) -> Iterator[tuple[Explanatio
             tuple(explainer.name(row) for row in rows[order]), float(best.probability[k]), float(best.margin[k]),
             tuple(explainer.texts[n] for n in np.flatnonzero(explains)),
         ),)  # fmt: skip
-
-
-def _evidence(best: Best, explainer: Explainer) -> list[dict[str, float]]:
-    """By how much the best of each mistake's forms outweighs "none", by its id, for each student."""
-    of = np.array([names[0][0] for names in explainer.names], dtype=object)
-    ids = list(dict.fromkeys(of))
-    evidence = [best.weights[:, of == id].max(axis=1) - best.none for id in ids]
-    each = np.stack(evidence, axis=1).tolist() if ids else [[] for _ in best.none]
-    return [dict(zip(ids, values, strict=True)) for values in each]
 
 
 # --- habits ------------------------------------------------------------------------------------

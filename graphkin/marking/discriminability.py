@@ -18,7 +18,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plot
 from graphkin.marking.consequences import SAME, combined, rewrites
 from graphkin.marking.diagnosis import Explainer
-from graphkin.marking.key import Columns, KeyEntry, Marking, Name, columns, columns_of, differences, upright
+from graphkin.marking.key import KeyEntry, Marking, Name, columns, columns_of, differences, upright
 from graphkin.marking.key_making import asked_alone
 from graphkin.planning import Method
 
@@ -63,29 +63,21 @@ def compared(entries: Sequence[KeyEntry], names: Sequence[Name], values: np.ndar
         off = np.abs(differences(table, values, table.right))
         seen = (off > table.tolerance).any(axis=1)
         still = ~(off > SAME * np.maximum(np.abs(table.right), table.tolerance)).any(axis=1)
-    near, same = _rivals(table, values)
-    ids = np.array([names[row][0] for row in rows])
-    others, kept = ids[:, None] != ids, tuple(names[row] for row in rows)
-    near = near & others & seen[:, None] & seen
-    return MistakeVisibility(table.right, table.tolerance, kept, seen, still, near, same & others)
-
-
-def _rivals(table: Columns, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """The pairs of rows that are within the tolerance, and that are equal; of what one does not judge it says nothing.
-
-    A value that is larger than the right one may be off by as much more.
-    """
+    # the pairs of rows that are within the tolerance, and that are equal; of what one does not judge it says nothing
     near, same = (np.ones((len(values), len(values)), dtype=bool) for _ in range(2))
     with np.errstate(divide="ignore", invalid="ignore"):
-        times = np.nan_to_num(np.abs(values) / np.abs(table.right), nan=1.0, posinf=1.0)
-        reach = np.where(table.angle, table.tolerance, table.tolerance * np.maximum(times, 1.0))
+        # a value that is larger than the right one may be off by as much more
+        larger = np.nan_to_num(np.abs(values) / np.abs(table.right), nan=1.0, posinf=1.0)
+        reach = np.where(table.angle, table.tolerance, table.tolerance * np.maximum(larger, 1.0))
         for k in range(values.shape[1]):
             one, value = columns_of(table, np.arange(len(table.right)) == k), values[:, k : k + 1]
             off = np.abs(differences(one, value[:, None], value))[..., 0]
             near &= ~(off > np.maximum(reach[:, None, k], reach[:, k]))
-            larger = np.maximum(np.abs(value), np.abs(value[:, 0]))
-            same &= ~(off > SAME * np.maximum(larger, one.tolerance))
-    return near, same
+            same &= ~(off > SAME * np.maximum(np.maximum(np.abs(value), np.abs(value[:, 0])), one.tolerance))
+    ids = np.array([names[row][0] for row in rows])
+    others, kept = ids[:, None] != ids, tuple(names[row] for row in rows)
+    near = near & others & seen[:, None] & seen
+    return MistakeVisibility(table.right, table.tolerance, kept, seen, still, near, same & others)
 
 
 # --- problems of one template -----------------------------------------------------------------

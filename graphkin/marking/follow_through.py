@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import cached_property
 
@@ -21,10 +21,7 @@ from graphkin.planning import Method
 
 @frozen
 class Followed:
-    """The polygons drawn on from own values.
-
-    plot     the drawing
-    """
+    """The polygons drawn on from own values."""
 
     method: Method
     arrows: ArrowPlaces
@@ -56,9 +53,8 @@ def replay_with(
     and what is drawn from a known arrow's end; a drawn vector moves its point.
     """
     arrows = arrows or arrows_of(method)
-    hand = Own(own, arrows)
     shape = np.broadcast_shapes(*(np.shape(value) for value in own.values()))
-    return Followed(method, arrows, redraw(method, right, hand, shape))
+    return Followed(method, arrows, redraw(method, right, Own(own, arrows), shape))
 
 
 class Own(PolygonHand):
@@ -67,9 +63,14 @@ class Own(PolygonHand):
     def __init__(self, own: Mapping[Quantity, Value], arrows: ArrowPlaces) -> None:
         self.rotations = {(q.word, q.link): value for q, value in own.items() if isinstance(q, Rotation)}
         self.vectors: dict[Ends, list[Value]] = {}
-        for quantity, value in _whole(own):
-            if isinstance(quantity, Moving) and (found := arrows.of(quantity)) is not None:
-                ends, sign = found
+        axes: dict[Moving, dict[str, Value]] = {}
+        for quantity, value in own.items():
+            if isinstance(quantity, Component):
+                axes.setdefault(quantity.whole, {})[quantity.axis] = value
+        both = [(whole, parts["x"] + 1j * parts["y"]) for whole, parts in axes.items() if len(parts) == 2]
+        for quantity, value in (*own.items(), *both):
+            if isinstance(quantity, Moving) and (arrow := arrows.of(quantity)) is not None:
+                ends, sign = arrow
                 along = 1.0 if quantity.along is None or np.iscomplexobj(value) else quantity.along
                 vector = value * along
                 each = sign * vector if np.iscomplexobj(vector) else np.abs(vector)
@@ -99,11 +100,9 @@ class Own(PolygonHand):
         return 2j * plot.omega[size.link] * self._own(("velocity", size.tail, size.head), slip)
 
     def tip(self, plot: Redrawing, plane: Plane, step: LayOff, right: Value) -> Value:
-        ends = plane, step.term.tail, step.term.head
-        points = plot.points(plane)
-        drawn = points[step.start] - right if step.backwards else right - points[step.start]
-        arrow = self._own(ends, drawn)
-        return points[step.start] - arrow if step.backwards else points[step.start] + arrow
+        start = plot.points(plane)[step.start]
+        arrow = self._own((plane, step.term.tail, step.term.head), start - right if step.backwards else right - start)
+        return start - arrow if step.backwards else start + arrow
 
     def crossing(self, plot: Redrawing, plane: Plane, point: str, right: Value) -> Value:
         """A drawn vector from the pole moves its point."""
@@ -130,34 +129,19 @@ class Own(PolygonHand):
             return
         table: dict[str, Real] = getattr(plot, quantity)
         right = {link: table[link] for link in links}
-        leads, more = self._leading(quantity, owned, right)
+        # the students of whose own values each link's is the first, and by how much that one is off
+        leads: dict[str, np.ndarray] = {}
+        led, off = np.zeros((), dtype=bool), np.zeros(())
+        for link in owned:
+            own = self.rotations[quantity, link]
+            leads[link] = np.isfinite(own) & ~led
+            off = np.where(leads[link], own - right[link], off)
+            led = led | leads[link]
+        more: Real = off[()]
         for link in links:
             plot.before[quantity, link] = right[link] + np.where(leads.get(link, False), 0.0, more)
             own = self.rotations.get((quantity, link), np.nan)
             table[link] = _where_given(own, right[link] + more).real
-
-    def _leading(
-        self, quantity: str, owned: Sequence[str], right: Mapping[str, Real]
-    ) -> tuple[dict[str, np.ndarray], Real]:
-        """The students of whose own values each link's is the first, and by how much that one is off."""
-        leads: dict[str, np.ndarray] = {}
-        taken, more = np.zeros((), dtype=bool), np.zeros(())
-        for link in owned:
-            own = self.rotations[quantity, link]
-            leads[link] = np.isfinite(own) & ~taken
-            more = np.where(leads[link], own - right[link], more)
-            taken = taken | leads[link]
-        return leads, more[()]
-
-
-def _whole(own: Mapping[Quantity, Value]) -> list[tuple[Quantity, Value]]:
-    """With both components of a vector put together."""
-    axes: dict[Moving, dict[str, Value]] = {}
-    for quantity, value in own.items():
-        if isinstance(quantity, Component):
-            axes.setdefault(quantity.whole, {})[quantity.axis] = value
-    both = [(whole, parts["x"] + 1j * parts["y"]) for whole, parts in axes.items() if len(parts) == 2]
-    return [*own.items(), *both]
 
 
 def _where_given(own: Value, right: Value) -> Value:
@@ -290,5 +274,4 @@ def usable(key: Key, table: Columns, given: np.ndarray) -> np.ndarray:
     for number in key.given:
         copied |= np.abs(size - abs(number)) <= _SAME * abs(number)
     angles = table.angle & np.isfinite(given)
-    allowed: np.ndarray = np.isfinite(given) & (angles | bounded & (right > 0)) & ~copied
-    return allowed
+    return np.asarray(np.isfinite(given) & (angles | bounded & (right > 0)) & ~copied)

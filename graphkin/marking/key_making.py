@@ -102,14 +102,6 @@ def steps_of(method: Method) -> tuple[KeyStep, ...]:
     return tuple(steps)
 
 
-def drawn_by(method: Method, key: Key, quantities: Sequence[Quantity]) -> tuple[np.ndarray, np.ndarray]:
-    """Values of a key's quantities by pencil and by a method (drawings, n), and their correlation (n, n)."""
-    drawn = drawings_of(method, key.marking, _FEW).values(quantities)[0]
-    sizes = np.array([entry.sort == "size" for entry in key.entries], dtype=bool)
-    drawn = np.where(sizes, np.abs(drawn), drawn)
-    return drawn, _together(drawn)
-
-
 # --- right values -----------------------------------------------------------------------------
 
 
@@ -249,11 +241,12 @@ def by_other_methods(method: Method, key: Key, quantities: Sequence[Quantity]) -
     least = np.array([least_of(entry.right, entry) for entry in key.entries])
     scatters, together = [], []
     for other in other_methods(method):
-        drawn, correlation = drawn_by(other, key, quantities)
+        drawn = drawings_of(other, key.marking, _FEW).values(quantities)[0]
+        drawn = np.where([sort == "size" for sort in sorts], np.abs(drawn), drawn)
         off = spread(drawn, right, sorts)
         if np.isfinite(off).all():
             scatters.append(np.hypot(off, least))
-            together.append(correlation)
+            together.append(_together(drawn))
     count, size = len(scatters), len(right)
     return Hypotheses(
         ((),) * count, np.tile(right, (count, 1)), np.reshape(scatters, (count, size)),
@@ -275,8 +268,14 @@ def pairs_of(method: Method, plot: Plot, key: Key, quantities: Sequence[Quantity
     if not both:
         return Hypotheses((), np.empty((0, len(quantities))), np.empty((0, len(quantities))))
     values = combined(method, plot, quantities, both).values
-    one, other = (_scaled(key, np.array([rows[pair[k].name] for pair in both]), values) for k in (0, 1))
-    return Hypotheses(tuple((one.name, other.name) for one, other in both), values, np.fmax(one, other))
+    scatters = []
+    for k in (0, 1):  # of either mistake, larger where the pair's values are
+        single = np.array([rows[pair[k].name] for pair in both])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            larger = np.abs(values) / np.abs(key.singles.values[single])
+        times = np.where(np.isfinite(larger), np.maximum(larger, 1.0), 1.0)
+        scatters.append(np.where(np.isfinite(values), key.singles.scatters[single] * times, np.nan))
+    return Hypotheses(tuple((one.name, other.name) for one, other in both), values, np.fmax(*scatters))
 
 
 def _pairs(single: Sequence[Rewrite]) -> Iterator[tuple[Rewrite, Rewrite]]:
@@ -287,11 +286,3 @@ def _pairs(single: Sequence[Rewrite]) -> Iterator[tuple[Rewrite, Rewrite]]:
         places = {edit.spot for edit in one.edits}
         yield from ((one, other) for other in drawn[k + 1 :] if places.isdisjoint(edit.spot for edit in other.edits))
     yield from ((one, other) for one in drawn for other in written)
-
-
-def _scaled(key: Key, rows: np.ndarray, values: np.ndarray) -> np.ndarray:
-    """The scatter of single mistakes, larger where the pair's values are."""
-    single, scatter = key.singles.values[rows], key.singles.scatters[rows]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        larger = np.abs(values) / np.abs(single)
-    return np.where(np.isfinite(values), scatter * np.where(np.isfinite(larger), np.maximum(larger, 1.0), 1.0), np.nan)

@@ -20,7 +20,7 @@ from graphkin.marking.follow_through import Carried, CarriedProblem
 from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name, agrees, columns, sense_only
 from graphkin.marking.key_making import by_other_methods, make_key, pairs_of
 from graphkin.marking.read_off import OffDrawing, as_drawn, pointing, read_off, turned_by
-from graphkin.marking.records import Drawn, HandedNumber, Judged, Marked, StudentWork, Verdict, as_one, by_position
+from graphkin.marking.records import Drawn, Judged, Marked, StudentWork, Verdict, as_one, by_position
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import called_as_asked, same_answers
 from graphkin.model.quantities import Moving, Quantity, Rotation
@@ -100,8 +100,12 @@ class Marker:
 
     def _mark_here(self, works: Sequence[StudentWork]) -> list[Marked]:
         """At the drawn position."""
-        works = [self._as_asked(work) for work in works]
-        asked = {entry.text for entry in self.key.entries}
+        renamed = []
+        for work in works:  # the key's names for what was handed in under others
+            same = sum(entry.text in work.numbers for entry in self._asked)
+            as_asked = same in (len(self._asked), len(work.numbers))
+            renamed.append(work if as_asked else called_as_asked(work, self._asked, self._same))
+        works, asked = renamed, {entry.text for entry in self.key.entries}
         further = list(dict.fromkeys(text for work in works for text in work.numbers if text not in asked))
         if len(further) > _FURTHER and len(works) > 1:
             half = len(works) // 2
@@ -117,15 +121,8 @@ class Marker:
     @cached_property
     def _same(self) -> dict[str, tuple[str, ...]]:
         """Other names of what is asked."""
-        found = ((entry.text, readable(self.method.mechanism, entry.text)) for entry in self._asked)
-        return {text: same_answers(self.method, self.plot, q) if q is not None else () for text, q in found}
-
-    def _as_asked(self, work: StudentWork) -> StudentWork:
-        """With the key's name for what was handed in under another."""
-        asked = sum(entry.text in work.numbers for entry in self._asked)
-        if asked == len(self._asked) or asked == len(work.numbers):
-            return work
-        return called_as_asked(work, self._asked, self._same)
+        quantities = ((entry.text, readable(self.method.mechanism, entry.text)) for entry in self._asked)
+        return {text: same_answers(self.method, self.plot, q) if q is not None else () for text, q in quantities}
 
     def _widened(self, texts: Sequence[str]) -> Marker:
         """A marker whose key has these quantities, too, as far as they are any, and others that it was asked before."""
@@ -142,30 +139,26 @@ class Marker:
     def _marks(self, works: Sequence[StudentWork]) -> list[Marked]:
         shape = (len(works), len(self.key.entries))
         numbers = [work.numbers.get(entry.text) for work in works for entry in self.key.entries]
-        given = np.array([_value(number) for number in numbers], dtype=float).reshape(shape)
+        # numbers beyond all sizes are only large
+        values = [np.nan if number is None else min(max(number.value, -_LARGE), _LARGE) for number in numbers]
+        given = np.array(values, dtype=float).reshape(shape)
         # a number with a unit of another kind is judged by itself, and nothing is made of it
         strange = np.array([one is not None and not one.unit_right for one in numbers], dtype=bool).reshape(shape)
         right, wrong = self.judged(given)
         untold = np.isfinite(given) & ~right & ~wrong & ~strange
-        carried = self._carried(works, given, wrong & ~strange, wrong)
+        carried = self.problem.carried(given, wrong & ~strange, wrong)
+        measured = np.array([one is not None and one.measured for one in numbers], dtype=bool).reshape(shape)
+        if measured.any():
+            # what is measured on a drawing follows from all that was drawn before it: only own values that are asked
+            # for, and so have cost something, are carried on to it
+            asked = np.array([entry.points > 0 for entry in self.key.entries])
+            of_asked = self.problem.carried(given, wrong & ~strange & (asked | ~measured), wrong)
+            carried = carried.instead(of_asked, measured)
         diagnosed = zip(works, self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange), strict=True)
         return [
             self._marked(work, k, given[k], right[k], untold[k], carried, self._as_drawn(work, diagnosis))
             for k, (work, diagnosis) in enumerate(diagnosed)
         ]
-
-    def _carried(
-        self, works: Sequence[StudentWork], given: np.ndarray, known: np.ndarray, wrong: np.ndarray
-    ) -> Carried:
-        """The outcomes of own values. What is measured on a drawing follows from all that was drawn before it: only
-        own values that are asked for, and so have cost something, are carried on to it."""
-        carried = self.problem.carried(given, known, wrong)
-        numbers = [[work.numbers.get(entry.text) for entry in self.key.entries] for work in works]
-        measured = np.array([[one is not None and one.measured for one in row] for row in numbers], dtype=bool)
-        if not any(one.measured for work in works for one in work.numbers.values()):
-            return carried
-        asked = np.array([entry.points > 0 for entry in self.key.entries])
-        return carried.instead(self.problem.carried(given, known & (asked | ~measured), wrong), measured)
 
     def judged(self, given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The values (students, n) that are right, and those that are wrong; neither where paper cannot tell."""
@@ -224,33 +217,22 @@ class Marker:
         """One quantity; the better of both verdicts counts."""
         if not np.isfinite(given):
             return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "missing", points=entry.points)
-        unit_right, points = work.numbers[entry.text].unit_right, work.numbers[entry.text].points
-        points = points if entry.sort == "size" else None
-        follows = bool(carried.agrees[k, n])
-        verdict: Verdict = "right" if right else "carried" if follows else "wrong"
+        number, judged_by = work.numbers[entry.text], carried.values[k, n]
+        unit_right, points = number.unit_right, number.points if entry.sort == "size" else None
+        verdict: Verdict = "right" if right else "carried" if carried.agrees[k, n] else "wrong"
         credit = _HALF if sense_only else 1.0 if verdict != "wrong" else 0.0
         if not unit_right or points is False:
             verdict, credit = "wrong", min(credit, _HALF)
-        by = carried.values[k, n] if verdict == "carried" else entry.right
-        wrong_way = sense_only or np.sign(given) != np.sign(by)
-        signed = entry.sort == "sense" and by != 0
-        judged_by = carried.values[k, n]
+        by = judged_by if verdict == "carried" else entry.right
+        sense: Literal["right", "wrong"] | None = None if points is None else "right" if points else "wrong"
+        if entry.sort == "sense" and by != 0:
+            sense = "wrong" if sense_only or np.sign(given) != np.sign(by) else "right"
         return Judged(
-            entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, verdict,
-            _sense(wrong_way) if signed else None if points is None else _sense(not points), unit_right,
+            entry.text, entry.unit, number.value, entry.right, entry.tolerance, verdict, sense, unit_right,
             float(judged_by) if np.isfinite(judged_by) and not right else None,
             carried.own(k, n) if not right else {}, carried.refused(k, n) if not right else (), credit, entry.points,
-            work.numbers[entry.text].measured,
+            number.measured,
         )  # fmt: skip
-
-
-def _sense(wrong: bool) -> Literal["right", "wrong"]:
-    return "wrong" if wrong else "right"
-
-
-def _value(number: HandedNumber | None) -> float:
-    """The value that is judged: numbers beyond all sizes are only large."""
-    return np.nan if number is None else min(max(number.value, -_LARGE), _LARGE)
 
 
 def _widened(key: Key, method: Method, further: Sequence[Quantity]) -> Key:

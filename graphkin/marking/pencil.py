@@ -92,8 +92,7 @@ class Slips:
 
 def seed_of(mechanism: Mechanism) -> int:
     """A number that depends on the mechanism alone."""
-    written = mechanism.text or repr((mechanism.name, mechanism.links, mechanism.drivers))
-    return crc32(written.encode())
+    return crc32((mechanism.text or repr((mechanism.name, mechanism.links, mechanism.drivers))).encode())
 
 
 # --- the mechanism on paper -------------------------------------------------------------------
@@ -127,22 +126,19 @@ def _on_paper(method: Method, pencil: Pencil, slips: Slips) -> Facts:
     for driver, value in zip(method.drivers, facts.values, strict=True):
         error = length if driver.kind == "slide" else pencil.angle
         values.append(value + error * slips.of(Mark("position", "driver", (driver.name,))))
-    shapes = {link: _shape(facts, link, length, slips) for link in facts.shapes}
+    shapes: dict[str, dict[str, Value]] = {}
+    for link in facts.shapes:  # in its axes: from its first point the second at a length, every other at two
+        shape: dict[str, Value] = dict(facts.shapes[link])
+        points = list(shape)
+        on_axis = points[1] if link != facts.frame and len(points) > 1 else ""
+        for point in points[1:]:
+            mark = Mark("position", "point", (link, point))
+            across = 0.0 if point == on_axis else slips.of(mark, 1)
+            shape[point] = shape[point] + length * (slips.of(mark) + 1j * across)
+        shapes[link] = shape
     # a replay takes arrays over drawings where facts have single numbers
     drawn = {"shapes": shapes, "lines": lines, "values": tuple(values)}
     return replace(facts, **cast(Mapping[str, Never], drawn))
-
-
-def _shape(facts: Facts, link: str, length: float, slips: Slips) -> dict[str, Value]:
-    """A link as drawn, in its axes: from its first point the second at a length, every other at two."""
-    shape: dict[str, Value] = dict(facts.shapes[link])
-    points = list(shape)
-    on_axis = points[1] if link != facts.frame and len(points) > 1 else ""
-    for point in points[1:]:
-        mark = Mark("position", "point", (link, point))
-        across = 0.0 if point == on_axis else slips.of(mark, 1)
-        shape[point] = shape[point] + length * (slips.of(mark) + 1j * across)
-    return shape
 
 
 # --- the polygons -----------------------------------------------------------------------------
@@ -164,12 +160,13 @@ class PencilHand(Mistaken):
         match size:
             case terms.Drawn():
                 return right
-            case terms.Coriolis(_, tail, head):
-                right = right * self._read(plot, (tail, head))
-            case terms.Turning(link, tail, head) | terms.Normal(link, tail, head) | terms.Tangential(link, tail, head):
-                right = right * self._given_part(plot, link, tail, head)
-            case terms.Relative(link, _, tail, head):
-                right = right * self._given_part(plot, link, tail, head)
+            case terms.Coriolis(_, tail, head):  # by a length of the velocity polygon that is read wrong
+                length, error = np.abs(plot.velocity[head] - plot.velocity[tail]), self.pencil.lengths["velocity"]
+                if np.any(length > _NO_ARROW * error):
+                    slip = self.slips.of(Mark("velocity", "reading", (tail, head)))
+                    right = right * (1 + error * slip / np.where(length > _NO_ARROW * error, length, np.inf))
+            case terms.Turning() | terms.Normal() | terms.Tangential() | terms.Relative():
+                right = right * self._given_part(plot, size.link, size.tail, size.head)
             case terms.Driven() | terms.Span():
                 pass
             case _:
@@ -204,15 +201,6 @@ class PencilHand(Mistaken):
         longer = error * self.slips.of(mark) / np.where(length > _NO_ARROW * error, length, np.inf)
         return right * (1 + longer) * np.exp(1j * self.pencil.angle * self.slips.of(mark, 1))
 
-    def _read(self, plot: Redrawing, ends: tuple[str, str]) -> Value:
-        """By what part a length of the velocity polygon is read wrong, + 1."""
-        length = np.abs(plot.velocity[ends[1]] - plot.velocity[ends[0]])
-        error = self.pencil.lengths["velocity"]
-        if not np.any(length > _NO_ARROW * error):
-            return 1.0
-        slip = self.slips.of(Mark("velocity", "reading", ends))
-        return 1 + error * slip / np.where(length > _NO_ARROW * error, length, np.inf)
-
     def _given_part(self, plot: Redrawing, link: str, tail: str, head: str) -> Real:
         """The length as the problem gives it to that on the paper; 1 where it is read off the paper."""
         shape = self.given.shapes.get(link, {})
@@ -232,10 +220,8 @@ def called(of: terms.Size | terms.Direction) -> tuple[str, ...]:
             return kind, slide
         case terms.Drawn(tail, head) | terms.Along(tail, head) | terms.Across(tail, head):
             return kind, tail, head
-        case terms.Turning(link, tail, head) | terms.Normal(link, tail, head) | terms.Tangential(link, tail, head):
-            return kind, link, tail, head
-        case terms.Coriolis(link, tail, head) | terms.Quarter(link, tail, head):
-            return kind, link, tail, head
+        case terms.Turning() | terms.Normal() | terms.Tangential() | terms.Coriolis() | terms.Quarter():
+            return kind, of.link, of.tail, of.head
         case terms.Relative(link, seen_from, tail, head, part):
             return kind, link, seen_from, tail, head, part
         case _:

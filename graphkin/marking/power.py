@@ -68,13 +68,16 @@ class Power:
 def power(marker: Marker, trials: int = 200, texts: Sequence[str] | None = None) -> Power:
     """Students of every single mistake; `texts`: what they hand in, all of the key's quantities where left out."""
     handed = _handed(marker, texts)
-    # other slips than those that the key's tolerances come from
-    drawings = Drawings.of(
-        marker.method, pencil_of(marker.key.marking), Slips(seed_of(marker.method.mechanism) ^ 0x5EED, trials)
-    )
-    outcomes = tuple(_outcomes(marker, drawings, handed))
+    slips = Slips(seed_of(marker.method.mechanism) ^ 0x5EED, trials)  # others than the key's tolerances come from
+    outcomes = tuple(_outcomes(marker, Drawings.of(marker.method, pencil_of(marker.key.marking), slips), handed))
     kept = tuple(entry.text for entry, there in zip(marker.key.entries, handed, strict=True) if there)
-    return Power(kept, trials, outcomes, alarms(marker, texts), _random(marker, handed, 2 * trials))
+    # numbers of the right sizes or up to five times larger or smaller, of any sense
+    rng = np.random.default_rng(seed_of(marker.method.mechanism) ^ 0xD1CE)
+    shape = (2 * trials, len(handed))
+    largest = np.maximum(np.abs(marker.table.right), 10 * marker.table.scatter)
+    given = largest * 5.0 ** rng.uniform(-1, 1, shape) * rng.choice((-1.0, 1.0), shape)
+    given = _printed(np.where(handed, np.where(marker.table.size, np.abs(given), given), np.nan))
+    return Power(kept, trials, outcomes, alarms(marker, texts), _wrong_and_named(marker, given)[1])
 
 
 def _outcomes(marker: Marker, drawings: Drawings, handed: np.ndarray) -> Iterator[MistakePower]:
@@ -144,20 +147,14 @@ def alarms(marker: Marker, texts: Sequence[str] | None = None) -> tuple[float, f
     slips = Slips(seed_of(marker.method.mechanism) ^ 0xA1A, _RIGHT)
     drawn = Drawings.of(marker.method, pencil_of(marker.key.marking), slips).values(marker.quantities)[0]
     given = _printed(np.where(handed, drawn, np.nan)[np.isfinite(drawn[:, handed]).all(axis=1)])
+    return _wrong_and_named(marker, given)
+
+
+def _wrong_and_named(marker: Marker, given: np.ndarray) -> tuple[float, float]:
+    """The part of some work that has a value judged wrong, and that gets a mistake."""
     _, wrong = marker.judged(given)
     named = [bool(one.explanations) for one in marker.diagnoses(given, wrong)]
     return float(wrong.any(axis=1).mean()), float(np.mean(named))
-
-
-def _random(marker: Marker, handed: np.ndarray, count: int) -> float:
-    """Numbers of the right sizes or up to five times larger or smaller, of any sense."""
-    rng = np.random.default_rng(seed_of(marker.method.mechanism) ^ 0xD1CE)
-    shape = (count, len(handed))
-    largest = np.maximum(np.abs(marker.table.right), 10 * marker.table.scatter)
-    given = largest * 5.0 ** rng.uniform(-1, 1, shape) * rng.choice((-1.0, 1.0), shape)
-    given = _printed(np.where(handed, np.where(marker.table.size, np.abs(given), given), np.nan))
-    _, wrong = marker.judged(given)
-    return float(np.mean([bool(one.explanations) for one in marker.diagnoses(given, wrong)]))
 
 
 def _printed(values: np.ndarray) -> np.ndarray:

@@ -16,7 +16,7 @@ import numpy as np
 
 from graphkin.base.geometry import Value, cross, number, place
 from graphkin.base.value import frozen
-from graphkin.construction import Given, LayOff, Measure, Plane, Plot
+from graphkin.construction import Given, LayOff, Measure, Plot
 from graphkin.marking.answers import ArrowPlaces, Ends, readable
 from graphkin.marking.consequences import combined
 from graphkin.marking.diagnosis import Diagnosis
@@ -72,37 +72,24 @@ def pointing(
     if not ends:
         return {}
     own: dict[Quantity, Value] = dict(vectors.items())
-    own.update(_turning(method, plot, drawn, written).items())
+    own.update(written.items())
+    # own rotations: as they are written, for all links that turn together; else as the drawing shows them
+    base = {link: turn.base for link, turn in plot.facts.turns.items()}
+    in_words = {(rotation.word, base.get(rotation.link)) for rotation in written}
+    for (word, link), value in _OwnPoints(method, plot, drawn).rates():
+        shown = readable(method.mechanism, f"{word} {link}")
+        if math.isfinite(value) and isinstance(shown, kinds.Rotation) and (word, base[link]) not in in_words:
+            own[shown] = value
     expected = [replay_with(method, plot, known, arrows).plot for known in ({}, own)]
     good = {}
     for quantity, (arrow, sign) in ends.items():
         longest = max((abs(place(corner)) for corner in expected[0].points(arrow[0]).values()), default=0.0)
-        points = _points(sign * vectors[quantity], [place(plot.laid[arrow]) for plot in expected], longest)
-        if points is not None:
-            good[quantity.text] = points
+        vector = sign * vectors[quantity]
+        laid_off = [place(plot.laid[arrow]) for plot in expected]
+        some = [one for one in laid_off if np.isfinite(one) and abs(one) > _SHORT * longest]
+        if some and abs(vector) > _SHORT * longest:
+            good[quantity.text] = any(abs(cmath.phase(vector / one)) < ASTRAY for one in some)
     return good
-
-
-def _turning(
-    method: Method, plot: Plot, drawn: Drawn, written: Mapping[kinds.Rotation, float]
-) -> dict[kinds.Rotation, float]:
-    """Own rotations: as they are written, for all links that turn together; else as the drawing shows them."""
-    base = {link: turn.base for link, turn in plot.facts.turns.items()}
-    in_words = {(rotation.word, base.get(rotation.link)) for rotation in written}
-    rotations = dict(written)
-    for (word, link), value in _OwnPoints(method, plot, drawn).rates():
-        rotation = readable(method.mechanism, f"{word} {link}")
-        if math.isfinite(value) and isinstance(rotation, kinds.Rotation) and (word, base[link]) not in in_words:
-            rotations[rotation] = value
-    return rotations
-
-
-def _points(vector: complex, expected: Sequence[complex], longest: float) -> bool | None:
-    """True if it points as one of these does; None where it, or all of these, are too short to tell."""
-    some = [one for one in expected if np.isfinite(one) and abs(one) > _SHORT * longest]
-    if not some or abs(vector) <= _SHORT * longest:
-        return None
-    return any(abs(cmath.phase(vector / one)) < ASTRAY for one in some)
 
 
 @frozen
@@ -121,46 +108,38 @@ class _OwnPoints:
             for step in construction.steps:
                 if not isinstance(step, Measure) or step.quantity != word:
                     continue
-                value = self._measured(step, construction.plane)
-                if value is None:
+                arrow = self.arrow((construction.plane, step.tail, step.head))
+                if arrow is None:
                     continue
+                arm = complex(self.plot.arm(*step.lever))
+                across = number(cross(arm, arrow))
+                along = abs(across) < math.sin(_ALONG) * abs(arm) * abs(arrow)
+                value = math.nan if along else math.copysign(abs(arrow) / abs(arm), across)
                 order = 1 if word == "omega" else 2
                 own = facts.relative_rate(step.of, order)
                 for link, turn in facts.turns.items():
                     if turn.base == facts.turns[step.of].base:
                         yield (word, link), number(value - own + facts.relative_rate(link, order))
 
-    def _measured(self, step: Measure, plane: Plane) -> float | None:
-        """The arrow's length over the link's."""
-        arrow = self.arrow((plane, step.tail, step.head))
-        if arrow is None:
-            return None
-        arm = complex(self.plot.arm(*step.lever))
-        across = number(cross(arm, arrow))
-        if abs(across) < math.sin(_ALONG) * abs(arm) * abs(arrow):
-            return math.nan
-        return math.copysign(abs(arrow) / abs(arm), across)
-
     def arrow(self, ends: Ends) -> complex | None:
         """Between two points that are drawn."""
         plane, *names = ends
-        tail, head = (self._corner(plane, name) for name in names)
-        return None if tail is None or head is None else head - tail
-
-    def _corner(self, plane: Plane, name: str) -> complex | None:
-        """Fixed points sit on the pole."""
         points = self.drawn.get(plane, {})
         construction = self.method.velocity if plane == "velocity" else self.method.acceleration
-        for step in construction.steps:
-            if isinstance(step, Given) and name in step.also:
-                return points.get(name, points.get(step.point))
-        return points.get(name)
+        givens = [step for step in construction.steps if isinstance(step, Given)]  # fixed points sit on the pole
+        poles = {name: points.get(step.point) for step in reversed(givens) for name in step.also}
+        tail, head = (points.get(name, poles.get(name)) for name in names)
+        return None if tail is None or head is None else head - tail
 
     def value(self, quantity: Quantity, rates: Rates, arrows: ArrowPlaces) -> float | None:
         """The value of a quantity; None of what the drawing does not determine."""
         match quantity:
             case kinds.Rotation():
-                return rates.get((quantity.word, quantity.link), self._driven(quantity))
+                facts, orders = self.plot.facts, {"omega": 1, "alpha": 2}
+                turn, driven = facts.turns.get(quantity.link), None
+                if turn is not None and turn.base == facts.frame and quantity.word in orders:
+                    driven = number(facts.relative_rate(quantity.link, orders[quantity.word]))
+                return rates.get((quantity.word, quantity.link), driven)
             case kinds.Quotient():
                 top, bottom = (self.value(half, rates, arrows) for half in quantity.halves)
                 return top / bottom if top is not None and bottom else None
@@ -174,14 +153,6 @@ class _OwnPoints:
                 return None
             case _:
                 assert_never(quantity)
-
-    def _driven(self, quantity: kinds.Rotation) -> float | None:
-        """Of a link that turns as it is driven against the frame."""
-        facts, orders = self.plot.facts, {"omega": 1, "alpha": 2}
-        turn = facts.turns.get(quantity.link)
-        if turn is None or turn.base != facts.frame or quantity.word not in orders:
-            return None
-        return number(facts.relative_rate(quantity.link, orders[quantity.word]))
 
     def _vector(self, quantity: kinds.Moving, arrows: ArrowPlaces) -> complex | None:
         of = arrows.of(quantity)

@@ -126,7 +126,13 @@ def as_one(student: str, parts: Sequence[Marked]) -> Marked:
 
     Evidence is added as over several problems, of positions where something was handed in.
     """
-    judged = tuple(_at_position(one, at) for at, part in enumerate(parts, 1) for one in part.judged)
+    judged = tuple(
+        replace(
+            one, text=at_position(one.text, at), own={at_position(text, at): x for text, x in one.own.items()},
+            refused=tuple(at_position(text, at) for text in one.refused),
+        )
+        for at, part in enumerate(parts, 1) for one in part.judged
+    )  # fmt: skip
     handed_in = [part for part in parts if any(one.given is not None for one in part.judged)]
     evidence = added(Trace((), part.diagnosis.evidence) for part in handed_in)
     explanations: list[Explanation] = []
@@ -134,13 +140,6 @@ def as_one(student: str, parts: Sequence[Marked]) -> Marked:
         for one in part.diagnosis.explanations:
             _join(explanations, replace(one, explains=tuple(at_position(text, at) for text in one.explains)))
     return Marked(student, judged, Diagnosis(tuple(explanations), evidence))
-
-
-def _at_position(one: Judged, at: int) -> Judged:
-    return replace(
-        one, text=at_position(one.text, at), own={at_position(text, at): x for text, x in one.own.items()},
-        refused=tuple(at_position(text, at) for text in one.refused),
-    )  # fmt: skip
 
 
 def _join(explanations: list[Explanation], one: Explanation) -> None:

@@ -74,7 +74,7 @@ class Rewrite:
 
 @frozen
 class Times:
-    """So many times what is right, whatever else is drawn."""
+    """So many times what is right, whatever else is drawn; 1j turns it by 90 degrees counter-clockwise."""
 
     factor: complex
 
@@ -82,9 +82,9 @@ class Times:
         return self.factor * right
 
 
-def times(factor: complex) -> Change:
-    """So many times what is right; 1j turns it by 90 degrees counter-clockwise."""
-    return Times(factor)
+def turned_back(link: str) -> Change:
+    """What is right, turned by 90 degrees against the sense of a link's rotation."""
+    return lambda plot, right: -1j * np.sign(plot.omega[link]) * right
 
 
 def each_and_all(id: str, places: Sequence[tuple[str, Edit]], but: Sequence[str] = ()) -> Iterator[Rewrite]:

@@ -78,10 +78,9 @@ class RulerHand(PolygonHand):
             case terms.Coriolis(_, tail, head):
                 exactly = np.abs(plot.velocity[head] - plot.velocity[tail])
                 return right * _part(self.ruler.arrow(plot, "velocity", tail, head), exactly)
-            case terms.Turning(_, tail, head) | terms.Normal(_, tail, head) | terms.Tangential(_, tail, head):
-                return right * self._lever(plot, tail, head)
-            case terms.Relative(_, _, tail, head):
-                return right * self._lever(plot, tail, head)
+            case terms.Turning() | terms.Normal() | terms.Tangential() | terms.Relative():
+                lever = size.tail, size.head
+                return right * _part(self.ruler.distance(plot, *lever), np.abs(plot.arm(*lever)))
 
     def corner(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
         """On a line by the lengths that are read; beside it by the similar figure."""
@@ -100,9 +99,6 @@ class RulerHand(PolygonHand):
             return self.ruler.read(right, plane)
         arm = np.abs(plot.arm(*step.lever))
         return self.ruler.read(right * arm, plane) / self.ruler.distance(plot, *step.lever)
-
-    def _lever(self, plot: Redrawing, tail: str, head: str) -> Real:
-        return _part(self.ruler.distance(plot, tail, head), np.abs(plot.arm(tail, head)))
 
 
 def _part(length: Real, exactly: Real) -> Real:

@@ -54,10 +54,15 @@ def other_ways(method: Method, plot: Plot, quantity: Quantity) -> tuple[OtherWay
         case kinds.Moving(seen_from=seen_from):
             if seen_from is None:
                 return tuple(answered("centre", centre) for centre in _centres(method.mechanism, quantity))
-            seen_reversed = _read_as(method.mechanism, quantity, seen_from, quantity.site)
-            elsewhere = _elsewhere(method.mechanism, quantity, seen_from)
-            answers = [answered("reversed", other) for other in seen_reversed]
-            return (*answers, *(answered("coincident", other) for other in elsewhere))
+            mechanism, of = method.mechanism, quantity.site
+            answers = [answered("reversed", other) for other in _read_as(mechanism, quantity, seen_from, of)]
+            # coincident points at every other named point of either link
+            named = dict.fromkeys((*mechanism.named(of.link), *mechanism.named(seen_from.link)))
+            for point in named if of.point == seen_from.point else ():
+                if point != of.point:
+                    sites = Seen(point, of.link, True), Seen(point, seen_from.link, True)
+                    answers += [answered("coincident", other) for other in _read_as(mechanism, quantity, *sites)]
+            return tuple(answers)
         case kinds.Rotation() | kinds.Displacement() | kinds.Place() | kinds.Track():
             return ()
         case kinds.Component() | kinds.Centre() | kinds.Quotient():
@@ -79,15 +84,6 @@ def other_methods(method: Method) -> Iterator[Method]:
             yield other
 
 
-def _elsewhere(mechanism: Mechanism, quantity: kinds.Moving, seen_from: Seen) -> Iterator[Quantity]:
-    """A motion of coincident points at every other named point of either link."""
-    of = quantity.site
-    named = dict.fromkeys((*mechanism.named(of.link), *mechanism.named(seen_from.link)))
-    for point in named if of.point == seen_from.point else ():
-        if point != of.point:
-            yield from _read_as(mechanism, quantity, Seen(point, of.link, True), Seen(point, seen_from.link, True))
-
-
 def _read_as(mechanism: Mechanism, quantity: Quantity, of: Seen, seen_from: Seen) -> Iterator[Quantity]:
     """The quantity of two sites as it is read from text; nothing where no text says it."""
     sites = (of, seen_from)
@@ -106,11 +102,9 @@ def _read_as(mechanism: Mechanism, quantity: Quantity, of: Seen, seen_from: Seen
 
 def _centres(mechanism: Mechanism, quantity: kinds.Moving) -> Iterator[Quantity]:
     """Of the links of a point, each against the frame; of velocities."""
-    if quantity.letter != "v":
-        return
     site = quantity.site
     for link in (site.link,) if site.explicit else mechanism.owners.get(site.point, ()):
-        if link != FRAME:
+        if link != FRAME and quantity.letter == "v":
             yield kinds.Centre("P", f"{mechanism.called(link)},{mechanism.frame}", (link, FRAME))
 
 

@@ -47,8 +47,10 @@ class Drawings:
         with np.errstate(invalid="ignore", divide="ignore"):
             positions = drawn_positions(method, pencil, slips)
             failed = float(1 - _closed(positions, slips.count).mean())
-            if 0 < failed < 1 - _HARDLY:
-                slips = _begun_again(method, pencil, slips, failed)
+            if 0 < failed < 1 - _HARDLY:  # the first drawings that close, as many as there were
+                more = slips.more(int(1.5 * slips.count / (1 - failed)) + 10)
+                kept = np.flatnonzero(_closed(drawn_positions(method, pencil, more), more.count))
+                slips = more.only(kept[: slips.count])
                 positions = drawn_positions(method, pencil, slips)
             return cls(method, pencil, slips, arrows_of(method), positions, failed)
 
@@ -104,13 +106,6 @@ def _closed(positions: Plot, count: int) -> np.ndarray:
     for place in positions.position.values():
         closed &= np.isfinite(place)
     return closed
-
-
-def _begun_again(method: Method, pencil: Pencil, slips: Slips, failed: float) -> Slips:
-    """The first drawings that close, as many as there were."""
-    more = slips.more(int(1.5 * slips.count / (1 - failed)) + 10)
-    kept = np.flatnonzero(_closed(drawn_positions(method, pencil, more), more.count))
-    return more.only(kept[: slips.count])
 
 
 def _written(quantity: Quantity, written: RewrittenValue, values: np.ndarray) -> np.ndarray:
@@ -194,27 +189,22 @@ def tolerances(key: Key, method: Method) -> Tolerances:
     every = drawings_of(method, key.marking, DRAWINGS)
     values = every.values(quantities)[0]
     right, sorts = np.array([entry.right for entry in key.entries]), [entry.sort for entry in key.entries]
-    whole = spread(values, right, sorts)
+    whole, asked = spread(values, right, sorts), np.array([entry.points != 0 for entry in key.entries], dtype=bool)
     names = _arrows(method)
     costs = []
     for mark in list(every.slips.seen):
         slips = Slips(seed_of(method.mechanism), _FEWER, lambda one, mark=mark: one == mark)  # type: ignore[misc]
         alone = spread(Drawings.of(method, pencil_of(key.marking), slips).values(quantities)[0], right, sorts)
-        costs.append(_cost(mark, names, key, alone, whole))
+        with np.errstate(invalid="ignore", divide="ignore"):
+            parts = np.nan_to_num((alone / whole) ** 2, nan=0.0, posinf=0.0)
+        parts = np.append(parts, np.mean(parts[asked]) if asked.any() else 0.0)
+        # both are sampled: of one step's scatter alone there may come out a little more
+        *of_each, over_all = map(float, np.where(parts > ROUNDING, np.minimum(parts, 1.0), 0.0))
+        by_text = {entry.text: part for entry, part in zip(key.entries, of_each, strict=True)}
+        costs.append(Cost(mark, names.get(mark.of, ""), by_text, over_all))
     costly = sorted((cost for cost in costs if max(cost.parts.values()) > _COUNTS), key=lambda cost: -cost.over_all)
     failed = every.failed + (1 - every.failed) * float(np.isnan(values).any(axis=1).mean())
     return Tolerances(key, key.entries, tuple(costly), DRAWINGS, failed)
-
-
-def _cost(mark: Mark, names: Mapping[tuple[str, ...], str], key: Key, alone: np.ndarray, whole: np.ndarray) -> Cost:
-    with np.errstate(invalid="ignore", divide="ignore"):
-        parts = np.nan_to_num((alone / whole) ** 2, nan=0.0, posinf=0.0)
-    asked = [part for part, entry in zip(parts, key.entries, strict=True) if entry.points]
-    parts = np.append(parts, np.mean(asked) if asked else 0.0)
-    # both are sampled: of one step's scatter alone there may come out a little more
-    *of_each, over_all = map(float, np.where(parts > ROUNDING, np.minimum(parts, 1.0), 0.0))
-    by_text = {entry.text: part for entry, part in zip(key.entries, of_each, strict=True)}
-    return Cost(mark, names.get(mark.of, ""), by_text, over_all)
 
 
 def _arrows(method: Method) -> dict[tuple[str, ...], str]:

@@ -7,7 +7,6 @@ right or anything. Weights are logarithms of likelihoods times how often such wo
 from __future__ import annotations
 
 from copy import copy
-from functools import cached_property
 from math import lgamma
 
 import numpy as np
@@ -154,7 +153,9 @@ class _NormalRows:
         self.count = self.judged.sum(axis=1)
         self.own = np.where(self.judged, np.log(scatters), 0.0).sum(axis=1)
         self._axes: dict[int, tuple[np.ndarray, ...]] = {}
-        self._cells = self._crowds()
+        # by how many quantities are judged: a logarithm of how many of such rows random numbers meet, for cells of 1
+        crowded = self.own + np.where(self.judged, _crowded(table, self.size), 0.0).sum(axis=1)
+        self._cells = {int(n): float(np.logaddexp.reduce(crowded[self.count == n])) for n in np.unique(self.count)}
 
     def only(self, k: int) -> _NormalRows:
         """Row k alone; chance hits it as often as all of them."""
@@ -176,38 +177,37 @@ class _NormalRows:
         near = self._near(given)
         worst, chance = np.full_like(near, np.inf), np.ones_like(near)
         row, who = np.nonzero((near < FITS**2 * self.count).T)  # row by row
-        z = self._off(given[who], row)
+        off = given[who] - self.size[row]
+        if self.table.angle.any():
+            off[:, self.table.angle] = _turned(off[:, self.table.angle])
+        z = off * self.sharp[row]
         near[who, row], worst[who, row] = np.einsum("pn,pn->p", z, z), np.abs(z).max(axis=1, initial=0.0)
         weights = -0.5 * (near + self.count * np.log(2 * np.pi)) - np.log(1 + len(_COMMON))
         weights[who, row] = self._closely(z, row, near[who, row])
-        chance[who, row] = self._chance(near[who, row])
+        # how many explanations random numbers come as near to: cells of that size about them
+        close = near[who, row]
+        hits = np.zeros_like(close)
+        with np.errstate(divide="ignore"):
+            for size, cells in self._cells.items():
+                ball = 0.5 * size * np.log(np.pi * close) - lgamma(size / 2 + 1) if size else 0.0
+                hits += np.exp(np.minimum(ball + cells, 0.0))
+        chance[who, row] = hits
         if not self.judged.all():  # of the quantities that a row does not judge nothing is known
             weights = weights - self.own + np.einsum("ns,nm->sm", none.T.copy(), (~self.judged.T).astype(float))
         else:
             weights = weights - self.own
         return weights, worst, near, chance
 
-    @cached_property
-    def _squared(self) -> tuple[np.ndarray, np.ndarray]:
-        """Factors of students' values, squared and plain, and what is added, for (a - b)^2."""
-        weight = np.where(self.table.angle, 0.0, self.sharp**2)
-        return np.concatenate([weight.T, (-2 * self.size * weight).T]), (self.size**2 * weight).sum(axis=1)
-
     def _near(self, given: np.ndarray) -> np.ndarray:
         """Sums of the squares of the deviations (students, m), multiplied out: near enough for those far off."""
-        factors, rest = self._squared
+        weight = np.where(self.table.angle, 0.0, self.sharp**2)  # (a - b)^2 = a^2 - 2 a b + b^2
+        factors = np.concatenate([weight.T, (-2 * self.size * weight).T])
+        rest = (self.size**2 * weight).sum(axis=1)
         # no matrix product: on matrices as small its threads cost more than they give
         near = np.einsum("ks,km->sm", np.concatenate([given.T**2, given.T]), factors) + rest
         for k in np.flatnonzero(self.table.angle):
             near += (_turned(given[:, k, None] - self.size[:, k]) * self.sharp[:, k]) ** 2
         return np.asarray(np.maximum(near, 0.0))
-
-    def _off(self, given: np.ndarray, row: np.ndarray) -> np.ndarray:
-        """Deviations of values (pairs, n) from rows (pairs,)."""
-        off = given - self.size[row]
-        if self.table.angle.any():
-            off[:, self.table.angle] = _turned(off[:, self.table.angle])
-        return np.asarray(off * self.sharp[row])
 
     def _closely(self, z: np.ndarray, row: np.ndarray, near: np.ndarray) -> np.ndarray:
         """Logarithm of the mean of densities of deviations (pairs, n) from rows (pairs,), in their order: with and
@@ -227,35 +227,15 @@ class _NormalRows:
         squares are multiplied, and what is added, for each part that is common (.., parts), (parts,)."""
         if row not in self._axes:
             judged = self.judged[row]
-            sizes, axes = np.linalg.eigh(self._together(row)[np.ix_(judged, judged)])
+            own = None if self.together is None else self.together[row]
+            if own is None or np.isnan(own).any():  # a larger value errs as the right one does, whichever way it points
+                turned = ~self.table.angle & (self.size[row] * upright(self.table, self.table.right) < 0)
+                outward = np.where(turned, -1.0, 1.0)
+                own = self.usual * np.outer(outward, outward)
+            sizes, axes = np.linalg.eigh(own[np.ix_(judged, judged)])
             parts = np.array(_COMMON)
             variances = np.maximum(parts * sizes[:, None] + 1 - parts, 1 - parts)  # smaller ones are rounding
             axes = np.eye(len(judged))[:, judged] @ axes
             along = np.sqrt(np.maximum(sizes, 0.0))
             self._axes[row] = axes, along, 1 / variances, np.log(variances).sum(axis=0)
         return self._axes[row]
-
-    def _together(self, row: int) -> np.ndarray:
-        """The correlation of a row's values (n, n). Without own ones, a larger value errs as the right one does,
-        whichever way it points."""
-        own = None if self.together is None else self.together[row]
-        if own is not None and not np.isnan(own).any():
-            return np.asarray(own)
-        turned = ~self.table.angle & (self.size[row] * upright(self.table, self.table.right) < 0)
-        outward = np.where(turned, -1.0, 1.0)
-        return np.asarray(self.usual * np.outer(outward, outward))
-
-    def _crowds(self) -> dict[int, float]:
-        """By how many quantities are judged: how many of such rows random numbers meet, for a cell of size 1 about each
-        (a logarithm)."""
-        crowded = self.own + np.where(self.judged, _crowded(self.table, self.size), 0.0).sum(axis=1)
-        return {int(size): float(np.logaddexp.reduce(crowded[self.count == size])) for size in np.unique(self.count)}
-
-    def _chance(self, near: np.ndarray) -> np.ndarray:
-        """The number of explanations that random numbers come as near to: cells of that size about them."""
-        found = np.zeros_like(near)
-        with np.errstate(divide="ignore"):
-            for size, cells in self._cells.items():
-                ball = 0.5 * size * np.log(np.pi * near) - lgamma(size / 2 + 1) if size else 0.0
-                found += np.exp(np.minimum(ball + cells, 0.0))
-        return found

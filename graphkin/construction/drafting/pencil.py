@@ -10,7 +10,7 @@ import numpy as np
 
 from graphkin.base.geometry import Real, Value, cross, meet_circles, meet_line_circle
 from graphkin.construction.drafting import steps
-from graphkin.construction.drafting.board import (
+from graphkin.construction.drafting.board import (  # fmt: skip
     Board,
     Homogeneous,
     along,
@@ -152,18 +152,14 @@ def _circle(step: steps.CircleThrough | steps.CircleAbout, board: Board) -> None
         radius = length(board.at(step.through) - centre) if step.through else board.numbers[step.radius]
     else:
         p, q, r = (board.at(name) for name in step.points)
-        centre = _circumcentre(p, q, r)
+        u, w = q - p, r - p
+        area = np.asarray(2 * cross(u, w))
+        middle = p + 1j * (u * length(w) ** 2 - w * length(u) ** 2) / area
+        in_line = np.abs(area) <= 1e-12 * length(u) * length(w)  # but for rounding
+        centre = scalar(np.where(in_line, complex(np.nan, np.nan), middle))
         board.points[step.centre] = board.seen(centre)
         radius = length(p - centre)
     board.circles[step.name] = centre, radius
-
-
-def _circumcentre(p: Value, q: Value, r: Value) -> Value:
-    """Equally far from three points; NaN where they lie in line (but for rounding)."""
-    u, w = q - p, r - p
-    area = np.asarray(2 * cross(u, w))
-    centre = p + 1j * (u * length(w) ** 2 - w * length(u) ** 2) / area
-    return scalar(np.where(np.abs(area) <= 1e-12 * length(u) * length(w), complex(np.nan, np.nan), centre))
 
 
 # --- where two things meet --------------------------------------------------------------------

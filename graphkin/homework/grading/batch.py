@@ -66,17 +66,16 @@ def earlier_reading(record: Record, where: Where) -> EarlierReading:
         student, file, place = (str(record[key]) for key in ("student", "file", "place"))
         reason = None if record["status"] == "marked" else SaidBefore(str(record["reason"]))
         notes = tuple(SaidBefore(str(note)) for note in record["notes"])
-        numbers = {text: _number(each) for text, each in record["quantities"].items() if each["given"] is not None}
+        handed_in = {text: each for text, each in record["quantities"].items() if each["given"] is not None}
+        numbers = {}
+        for text, each in handed_in.items():
+            points, measured = _POINTS.get(each["sense"]), bool(each.get("measured"))
+            numbers[text] = HandedNumber(float(each["given"]), bool(each["unit_right"]), points, measured)
         prints = tuple(map(str, record.get("fingerprints", ())))
         work = StudentWork(student, numbers)
         return EarlierReading(student, file, place, work, reason, notes, prints, drawn_of(record))
     except (KeyError, TypeError, ValueError, AttributeError):
         raise NoMarks(where) from None
-
-
-def _number(each: Record) -> HandedNumber:
-    points, measured = _POINTS.get(each["sense"]), bool(each.get("measured"))
-    return HandedNumber(float(each["given"]), bool(each["unit_right"]), points, measured)
 
 
 def records_of(path: Path) -> Iterator[EarlierReading]:
@@ -114,7 +113,18 @@ def marked(some: list[Item], judge: SetMarker, limits: Limits, reading: str) -> 
     """The record of each, in order. It never raises."""
     items = [one if isinstance(one, StoredRecord) else _read(one, judge, limits, reading) for one in some]
     marks = _marked(judge, [one for one in items if isinstance(one, Read) and one.reason is None], limits.seconds)
-    return [one if isinstance(one, StoredRecord) else _graded(one, one.reason or next(marks)) for one in items]
+    records: list[Graded | StoredRecord] = []
+    for one in items:
+        if isinstance(one, StoredRecord):
+            records.append(one)
+            continue
+        place, outcome = (one.work.student, one.file, one.place), one.reason or next(marks)
+        if isinstance(outcome, GraphkinError):
+            prints = () if isinstance(outcome, _ONCE_MORE) else one.prints
+            records.append(Graded(*place, None, outcome, one.notes, prints=prints))
+        else:
+            records.append(Graded(*place, outcome, None, one.notes, one.drawn, one.prints))
+    return records
 
 
 @frozen
@@ -136,10 +146,20 @@ def _read(item: Handed | EarlierReading, judge: SetMarker, limits: Limits, readi
     one = read_one(item, judge.asked if isinstance(judge, OneKey) else judge, limits)
     prints = (item.digest[:16], reading, asked_print(judge, one.student), judge.key_print(one.student))
     notes = (*one.notes, *(value.fault for value in one.values.values() if value.fault is not None))
-    work, more, reason = _work(one), list[GraphkinError](), one.reason
+    handed_in = {  # the reader has spoken of what is no number
+        text: HandedNumber(value.value, value.fault is None, measured=value.ends is not None and not value.text)
+        for text, value in one.values.items() if value.value is not None and math.isfinite(value.value)
+    }  # fmt: skip
+    work, more, reason = StudentWork(one.student, handed_in), list[GraphkinError](), one.reason
     try:
         with limited(limits.seconds, Where(one.file)):
-            work, more = _with_drawings(work, one, judge)
+            marker = judge.marker(one.student) if one.drawings else None
+            if marker is not None:
+                fuller, said = work, list[GraphkinError]()
+                for at in one.drawings:
+                    fuller, new = _with_drawing(fuller, one, at, marker)
+                    said += new
+                work, more = fuller, said
     except GraphkinError as problem:
         reason = problem
     except Exception as problem:
@@ -171,45 +191,14 @@ def asked_print(judge: SetMarker, student: str) -> str:
     return fingerprint(*(text for key in marker.key.positions for text in (key.text, *(e.text for e in key.entries))))
 
 
-def _work(submission: Submission) -> StudentWork:
-    """The numbers of a submission; the reader has spoken of what is no number."""
-    return StudentWork(
-        submission.student,
-        {
-            text: HandedNumber(value.value, value.fault is None, measured=value.ends is not None and not value.text)
-            for text, value in submission.values.items()
-            if value.value is not None and math.isfinite(value.value)
-        },
-    )
-
-
-def _graded(one: Read, marks: Marked | GraphkinError) -> Graded:
-    student, file, place = one.work.student, one.file, one.place
-    if isinstance(marks, GraphkinError):
-        prints = () if isinstance(marks, _ONCE_MORE) else one.prints
-        return Graded(student, file, place, None, marks, one.notes, prints=prints)
-    return Graded(student, file, place, marks, None, one.notes, one.drawn, one.prints)
-
-
 # --- drawings: what they determine beside the vectors that are measured on them ---------------------------------------
-
-
-def _with_drawings(work: StudentWork, one: Submission, judge: SetMarker) -> tuple[StudentWork, list[GraphkinError]]:
-    """With rotations and the like that are asked for and stand nowhere in numbers, and the senses of known arrows;
-    with notes that say so."""
-    marker = judge.marker(one.student) if one.drawings else None
-    notes: list[GraphkinError] = []
-    if marker is not None:
-        for at in one.drawings:
-            work, more = _with_drawing(work, one, at, marker)
-            notes += more
-    return work, notes
 
 
 def _with_drawing(
     work: StudentWork, one: Submission, at: int, marker: Marker
 ) -> tuple[StudentWork, list[GraphkinError]]:
-    """By the drawing of one position."""
+    """With rotations and the like that are asked for and stand nowhere in numbers, and the senses of known arrows, by
+    the drawing of one position; with notes that say so."""
     here = {text: position_of(text)[0] for text in (*one.values, *work.numbers) if position_of(text)[1] == at}
     vectors = {here[text]: v.vector for text, v in one.values.items() if text in here and v.vector is not None}
     numbers = {here[text]: number.value for text, number in work.numbers.items() if text in here}
@@ -235,17 +224,14 @@ def _marked(judge: SetMarker, batch: Sequence[Read], seconds: float) -> Iterator
     """In their order; those in a row who have one key are marked at once."""
     for marker, some in groupby(batch, lambda one: judge.marker(one.work.student)):
         assert marker is not None, "who is not of the class was refused before"
-        yield from _marks(marker, list(some), seconds)
-
-
-def _marks(marker: Marker, batch: Sequence[Read], seconds: float) -> list[Marked | GraphkinError]:
-    """All at once; one by one, each within its time, where that fails or takes long, so that an error of ours or a
-    hostile submission is one student's row."""
-    try:
-        with limited(seconds + _EACH * len(batch), Where(batch[0].file)):
-            return list(marker.mark([one.work for one in batch]))
-    except Exception:
-        return [_marks_of_one(marker, one, seconds) for one in batch]
+        alike = list(some)
+        try:
+            with limited(seconds + _EACH * len(alike), Where(alike[0].file)):
+                marks: list[Marked | GraphkinError] = [*marker.mark([one.work for one in alike])]
+        except Exception:
+            # one by one, each within its time: an error of ours or a hostile submission is one student's row
+            marks = [_marks_of_one(marker, one, seconds) for one in alike]
+        yield from marks
 
 
 def _marks_of_one(marker: Marker, one: Read, seconds: float) -> Marked | GraphkinError:

@@ -11,8 +11,6 @@ from copy import deepcopy
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-
 from graphkin import api
 from graphkin.base.geometry import number, place
 from graphkin.base.value import frozen
@@ -87,20 +85,17 @@ def key_drawn(
 
 def marking_of(method: Method, pencils: Pencils = USUAL, scales: Mapping[str, float] | None = None) -> Marking:
     """A pencil's errors at the scales of the mechanism's sheet, or at others."""
-    scales = scales or _sheet_scales(method)
+    if not scales:
+        written, plot = method.mechanism.scales, proved(method).plot
+        if all(key in written for key in KEYS.values()):
+            scales = {key: written[key] for key in KEYS.values()}
+        else:
+            from graphkin.sheet import scales_of
+
+            of_sheet = scales_of(method, plot, "en")
+            scales = {key: float(of_sheet[plane]) for plane, key in KEYS.items()}
     lengths: dict[str, float] = {plane: pencils.length_mm * scales[key] for plane, key in KEYS.items()}
     return Marking(lengths, math.radians(pencils.angle_deg), dict(scales), pencils.sigmas, pencils.relative)
-
-
-def _sheet_scales(method: Method) -> dict[str, float]:
-    """As the file gives them, else as the sheet is drawn."""
-    given, plot = method.mechanism.scales, proved(method).plot
-    if all(key in given for key in KEYS.values()):
-        return {key: given[key] for key in KEYS.values()}
-    from graphkin.sheet import scales_of
-
-    scales = scales_of(method, plot, "en")
-    return {key: float(scales[plane]) for plane, key in KEYS.items()}
 
 
 def key_file(path: Path) -> Key:
@@ -156,7 +151,13 @@ def _moved(method: Method, plot: Plot, values: tuple[float, ...]) -> Mechanism:
         if driver.value is not None:
             _set(table, driver, value)
     for table, pose in zip(_tables(document, "pose"), mechanism.poses, strict=True):
-        _set(table, pose, _pose_value(mechanism, motions, pose))
+        if pose.kind == "slide":
+            _set(table, pose, number(motions.s[pose.link]))
+            continue
+        assert pose.vector is not None, "a pose is of a direction or of a slide"
+        angle = _direction(mechanism, motions, pose.link, pose.vector)
+        seen_from = _direction(mechanism, motions, pose.from_link, pose.from_vector) if pose.from_vector else 0.0
+        _set(table, pose, angle - seen_from)
     fixed = mechanism.named(FRAME)
     places = {name: place(plot.position[name]) * 1000 for name in mechanism.points if name not in fixed}
     document["sketch"] = {name: [point.real, point.imag] for name, point in places.items()}
@@ -173,15 +174,6 @@ def _set(table: dict[str, object], one: Driver | Pose, value: float) -> None:
     table["at" if one.kind == "slide" else "angle"] = value * 1000 if one.kind == "slide" else math.degrees(value)
 
 
-def _pose_value(mechanism: Mechanism, motions: Motions, pose: Pose) -> float:
-    """The angle or the displacement of a pose at a position [rad, m]."""
-    if pose.kind == "slide":
-        return number(motions.s[pose.link])
-    assert pose.vector is not None, "a pose is of a direction or of a slide"
-    angle = _direction(mechanism, motions, pose.link, pose.vector)
-    return angle - (_direction(mechanism, motions, pose.from_link, pose.from_vector) if pose.from_vector else 0.0)
-
-
 def _direction(mechanism: Mechanism, motions: Motions, link: str, vector: tuple[str, str]) -> float:
     arm = mechanism.links[link].arm(*vector)
     turned = 0.0 if link == FRAME else number(motions.theta[link])
@@ -196,10 +188,8 @@ def _same(method: Method, plot: Plot, there: Method) -> bool:
         for motions in (readings(method, plot), readings(there, replay_all(there)))
     )
     sizes = {q.unit: max(abs(v) for v, r in zip(one, asked, strict=True) if r.unit == q.unit) for q in asked}
-    off = np.array([_off(q, a, b) / (sizes[q.unit] or 1.0) for q, a, b in zip(asked, one, other, strict=True)])
-    return bool(np.all(off[~np.isnan(off)] < _SAME))
-
-
-def _off(quantity: Quantity, one: float, other: float) -> float:
-    """The difference of two answers, of angles but for whole turns."""
-    return abs(math.remainder(one - other, math.tau)) if quantity.unit == "rad" else abs(one - other)
+    for q, a, b in zip(asked, one, other, strict=True):  # angles are the same but for whole turns
+        off = abs(math.remainder(a - b, math.tau) if q.unit == "rad" else a - b)
+        if off / (sizes[q.unit] or 1.0) >= _SAME:
+            return False
+    return True

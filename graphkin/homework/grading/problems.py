@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from graphkin.base.value import frozen
@@ -39,7 +39,11 @@ def problems_of(key: str, submissions: Sequence[str]) -> tuple[Problem, ...]:
     if not keys:
         return (Problem("", key, tuple(submissions)),)
     paths: dict[str, list[str]] = {name: [] for name in keys}
-    for path in _handed_in(submissions, keys):
+    handed_in: list[Path] = []
+    for path in map(Path, submissions):
+        folder = path.is_dir() and path.name not in keys
+        handed_in += sorted(one for one in path.iterdir() if not one.name.startswith(".")) if folder else [path]
+    for path in handed_in:
         name = next((name for name in (path.name, path.stem) if name in keys), None)
         if name is None:
             raise NoSuchProblem(Where(str(path)), path.stem, tuple(keys))
@@ -62,12 +66,3 @@ def _keys(folder: Path) -> Mapping[str, Path]:
         elif path.suffix == ".toml":
             keys.setdefault(path.stem, path)
     return keys
-
-
-def _handed_in(submissions: Sequence[str], keys: Mapping[str, Path]) -> Iterator[Path]:
-    for path in map(Path, submissions):
-        if path.is_dir() and path.name not in keys:
-            yield from sorted(one for one in path.iterdir() if not one.name.startswith("."))
-        else:
-            yield path
-

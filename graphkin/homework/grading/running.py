@@ -152,7 +152,11 @@ class Journal:
     def __enter__(self) -> Journal:
         try:
             for path in (self.path, self.beside):
-                self.records |= _by_fingerprint(path) if path.is_file() else {}
+                # the last record of each submission; a line that was cut or changed is none
+                for _, record in records_in(path, errors="replace") if path.is_file() else ():
+                    prints = None if record is None else record.get("fingerprints")
+                    if record is not None and isinstance(prints, list) and prints:
+                        self.records[str(prints[0])] = record
             self._new = self.beside.open("a", encoding="utf-8", newline="\n")
             self._write("\n" if self._new.tell() else HEAD)  # a line that was cut ends here
         except OSError as error:
@@ -177,16 +181,6 @@ class Journal:
     def _write(self, line: str) -> None:
         self._new.write(line)
         self._new.flush()
-
-
-def _by_fingerprint(path: Path) -> dict[str, Record]:
-    """The last record of each submission; a line that was cut or changed is none."""
-    records: dict[str, Record] = {}
-    for _, record in records_in(path, errors="replace"):
-        prints = None if record is None else record.get("fingerprints")
-        if record is not None and isinstance(prints, list) and prints:
-            records[str(prints[0])] = record
-    return records
 
 
 def resumed(

@@ -43,7 +43,8 @@ class Alternative:
 def alternatives(question: Question, part: Part) -> tuple[Alternative, ...]:
     """All that a number can be, in order. Raises NoRightNumber where the key has no right number."""
     refuse(question, part)
-    right = [_alternative(number, part.tolerance, 100) for number in (part.number, *part.also)]
+    tolerance = tolerated(part.tolerance)
+    right = [Alternative(rounded(number, part.tolerance), tolerance, 100) for number in (part.number, *part.also)]
     wrongs = _told_apart(right, _mistakes(part.wrongs))
     rings = [ring for one in right if (ring := _ring(one, wrongs)) is not None]
     return (*right, *rings, *wrongs)
@@ -69,10 +70,6 @@ def refuse(question: Question, part: Part) -> None:
         raise NoRightNumber(question.id, part.name)
 
 
-def _alternative(number: float, tolerance: float, percent: int) -> Alternative:
-    return Alternative(rounded(number, tolerance), tolerated(tolerance), percent)
-
-
 def _mistakes(wrongs: Iterable[Wrong]) -> list[Alternative]:
     """Mistakes as alternatives, by rising tolerance; those that give no number are not there.
 
@@ -82,8 +79,8 @@ def _mistakes(wrongs: Iterable[Wrong]) -> list[Alternative]:
     mistakes: dict[tuple[object, ...], Alternative] = {}
     for k, wrong in enumerate(wrongs):
         if math.isfinite(wrong.number) and math.isfinite(wrong.tolerance) and wrong.tolerance >= 0:
-            plain = _alternative(wrong.number, wrong.tolerance, wrong.percent)
-            one = Alternative(plain.number, plain.tolerance, wrong.percent, wrong.ids, (wrong.mistake,))
+            number, tolerance = rounded(wrong.number, wrong.tolerance), tolerated(wrong.tolerance)
+            one = Alternative(number, tolerance, wrong.percent, wrong.ids, (wrong.mistake,))
             same = (wrong.ids, wrong.form, f"{wrong.number:.9g}") if wrong.form else (k,)
             if same not in mistakes or _length(one) < _length(mistakes[same]):
                 mistakes[same] = one

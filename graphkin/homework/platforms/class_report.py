@@ -12,7 +12,7 @@ from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.feedback import habit, suspected
-from graphkin.homework.platforms.result import Result, ResultLine, Suspicion
+from graphkin.homework.platforms.result import Result, Suspicion
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import Habit
 from graphkin.marking.records import Verdict
@@ -89,20 +89,15 @@ class _Count:
         self.status["overridden"] += result.override is not None
         if result.score is not None:
             self.scores[result.score] += 1
-        if result.status == "marked":
-            self._add_lines(result.lines)
-            self._add_suspicions(result)
-            self.habits.update(replace(one, weight=0.0) for one in result.habits)
-
-    def _add_lines(self, lines: tuple[ResultLine, ...]) -> None:
-        for line in lines:
+        if result.status != "marked":
+            return
+        for line in result.lines:
             self.verdicts.setdefault(line.name, Counter())[line.verdict] += 1
             earned, most = self.points.get(line.name, (Decimal(0), Decimal(0)))
             self.points[line.name] = earned + line.points, most + line.most
-        failed = [line.name for verdict in _FAILED for line in lines if line.verdict == verdict]
+        failed = [line.name for verdict in _FAILED for line in result.lines if line.verdict == verdict]
         self.first.update(failed[:1])
-
-    def _add_suspicions(self, result: Result) -> None:
+        self.habits.update(replace(one, weight=0.0) for one in result.habits)
         if result.suspicions:
             best = result.suspicions[0]
             same = tuple(sorted(best.ids))  # a set is one, whichever of it is likelier to one student
@@ -119,20 +114,15 @@ class _Count:
         ranges = [0] * RANGES
         for score, count in self.scores.items():
             ranges[min(int(score * RANGES), RANGES - 1)] += count
-        status = self.status
+        status, spread = self.status, list[Decimal]()  # mean, median, lowest, highest; nothing of nothing
+        if self.scores:
+            order, number = sorted(self.scores.elements()), self.scores.total()
+            mean = sum((score * count for score, count in self.scores.items()), Decimal(0)) / number
+            spread = [mean, (order[(number - 1) // 2] + order[number // 2]) / 2, order[0], order[-1]]
         return ClassReport(
             status["marked"], status["not marked"], status["overridden"], steps, tuple(mistakes),
-            status["unexplained"], tuple(ranges), tuple(self.habits.most_common()), *_spread(self.scores),
+            status["unexplained"], tuple(ranges), tuple(self.habits.most_common()), *spread,
         )  # fmt: skip
-
-
-def _spread(scores: Counter[Decimal]) -> Iterator[Decimal]:
-    """Mean, median, lowest, highest; nothing of nothing."""
-    if scores:
-        order, number = sorted(scores.elements()), scores.total()
-        yield sum((score * count for score, count in scores.items()), Decimal(0)) / number
-        yield (order[(number - 1) // 2] + order[number // 2]) / 2
-        yield from (order[0], order[-1])
 
 
 # --- in words, and for programs ---------------------------------------------------------------------------------------
@@ -145,9 +135,24 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
     if report.mean is not None:
         percent = {key: exponentless((value * 100).quantize(Decimal("0.1"))) for key, value in spread.items()}
         yield say("class_report.scores", lang, **percent)
-    parts = (("steps", _steps), ("mistakes", _mistakes), ("habits", _habits), ("distribution", _distribution))
-    for title, lines in parts:
-        if texts := [*lines(report, lang)]:
+    mistakes = [
+        say("class_report.mistake", lang, mistake=suspected(one, lang), count=count) for one, count in report.mistakes
+    ]
+    if report.unexplained:
+        mistakes.append(say("class_report.unexplained", lang, count=report.unexplained))
+    habits = [
+        say("class_report.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), count=count)
+        for one, count in report.habits
+    ]
+    width = 100 // RANGES
+    distribution = [
+        say("class_report.range", lang, low=k * width, high=(k + 1) * width, count=count)
+        for k, count in enumerate(report.ranges)
+    ]
+    steps = [*_steps(report, lang)]
+    parts = {"steps": steps, "mistakes": mistakes, "habits": habits, "distribution": distribution}
+    for title, texts in parts.items():
+        if texts:
             yield from ("", say(f"class_report.part {title}", lang))
             yield from (f"  {text}" for text in texts)
 
@@ -158,24 +163,6 @@ def _steps(report: ClassReport, lang: Lang) -> Iterator[str]:
         counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
         verdicts = say("common.list", lang).join(counts)
         yield say("class_report.step", lang, name=step.name, verdicts=verdicts, first=step.first)
-
-
-def _mistakes(report: ClassReport, lang: Lang) -> Iterator[str]:
-    for one, count in report.mistakes:
-        yield say("class_report.mistake", lang, mistake=suspected(one, lang), count=count)
-    if report.unexplained:
-        yield say("class_report.unexplained", lang, count=report.unexplained)
-
-
-def _habits(report: ClassReport, lang: Lang) -> Iterator[str]:
-    for one, count in report.habits:
-        yield say("class_report.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), count=count)
-
-
-def _distribution(report: ClassReport, lang: Lang) -> Iterator[str]:
-    width = 100 // RANGES
-    for k, count in enumerate(report.ranges):
-        yield say("class_report.range", lang, low=k * width, high=(k + 1) * width, count=count)
 
 
 def report_record(report: ClassReport) -> dict[str, Plain]:

@@ -38,7 +38,11 @@ def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang, several:
     front, back = ([say(f"platforms.column {key}", lang) for key in keys] for keys in (_FRONT, _BACK))
     yield [*front, *pairs, *back, *([say("platforms.column habits", lang)] if several else [])]
     for result in results:
-        yield [*_row(result, names, lang), *([_habits(result, lang)] if several else [])]
+        habits = (  # with the evidence of all problems together
+            say("platforms.habit", lang, shown=h.shown, of=h.of, mistake=habit(h, lang), evidence=f"{h.weight:.1f}")
+            for h in result.habits
+        )
+        yield [*_row(result, names, lang), *([say("common.semicolon", lang).join(habits)] if several else [])]
 
 
 def absent(overrides: Overrides, names: tuple[str, ...]) -> Iterator[list[Cell]]:
@@ -58,15 +62,6 @@ def _row(result: Result, names: tuple[str, ...], lang: Lang) -> list[Cell]:
     middle = [cell for name in names for cell in by_name.get(name, ("", None))]
     diagnosis = suspected(result.suspicions[0], lang) if result.suspicions else ""
     return [*front, *middle, diagnosis, texts_in([result.reason], lang)[0]]
-
-
-def _habits(result: Result, lang: Lang) -> str:
-    """With the evidence of all problems together."""
-    habits = (
-        say("platforms.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), evidence=f"{one.weight:.1f}")
-        for one in result.habits
-    )
-    return say("common.semicolon", lang).join(habits)
 
 
 # --- overrides --------------------------------------------------------------------------------------------------------
@@ -132,23 +127,19 @@ def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Override]:
     if override is None or (student is None and file is None):
         return
     for number, row in enumerate(table, 2):
-        if text := _cell(row, override):
-            points = _points(text, Where(str(path), number))
-            yield Override(one_line(_cell(row, student)), one_line(_cell(row, file)), points)
-
-
-def _cell(row: list[str], column: int | None) -> str:
-    return row[column].strip() if column is not None and column < len(row) else ""
-
-
-def _points(text: str, where: Where) -> Decimal:
-    try:
-        points = Decimal(text.replace(",", "."))
-        if 0 <= points <= _LARGEST:
-            return points.quantize(HUNDREDTH, ROUND_HALF_UP)
-    except InvalidOperation:
-        pass
-    raise NotAnOverride(where, text)
+        text, id, name = (
+            row[column].strip() if column is not None and column < len(row) else ""
+            for column in (override, student, file)
+        )
+        if text:
+            try:
+                points = Decimal(text.replace(",", "."))
+                allowed = 0 <= points <= _LARGEST
+            except InvalidOperation:  # no number, or NaN
+                allowed = False
+            if not allowed:
+                raise NotAnOverride(Where(str(path), number), text)
+            yield Override(one_line(id), one_line(name), points.quantize(HUNDREDTH, ROUND_HALF_UP))
 
 
 def _unique(pairs: Iterable[tuple[str, Override]]) -> dict[str, Override]:

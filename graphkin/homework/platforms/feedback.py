@@ -75,15 +75,8 @@ def at_the_end(page: Feedback) -> Iterator[str]:
     """Notes on what was passed over, and the points that count; of what was not marked, why."""
     if page.result.status == "not marked":
         yield reason(page.result, page.lang)
-    yield from _notes_and_points(page.result, page.lang)
-
-
-def _notes_and_points(result: Result, lang: Lang) -> Iterator[str]:
-    yield from (say("feedback.note", lang, note=note) for note in result.notes)
-    if text := override(result, lang):
-        yield text
-    if result.total is not None:
-        yield total(result, lang)
+    yield from (say("feedback.note", page.lang, note=note) for note in page.result.notes)
+    yield from points_that_count(page.result, page.lang)
 
 
 def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
@@ -93,7 +86,8 @@ def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
     for each in result.lines:
         yield say("feedback.stop", lang, text=quantity(result, each, lang, reveal))
     yield from diagnosis(result, lang, reveal)
-    yield from _notes_and_points(result, lang)
+    yield from (say("feedback.note", lang, note=note) for note in result.notes)
+    yield from points_that_count(result, lang)
 
 
 def reason(result: Result, lang: Lang) -> str:
@@ -172,14 +166,10 @@ def joined(texts: list[str], lang: Lang) -> str:
     return say("feedback.one of", lang, mistakes=say("feedback.or", lang).join([*each[:SETS], *more]))
 
 
-def override(result: Result, lang: Lang) -> str:
-    """That the teacher gave the points; nothing where not."""
-    if result.override is None:
-        return ""
-    return say("feedback.override", lang, points=exponentless(result.override), most=exponentless(result.most))
-
-
-def total(result: Result, lang: Lang) -> str:
-    """The points that count. Only of a result that has some."""
-    assert result.total is not None
-    return say("feedback.total", lang, points=exponentless(result.total), most=exponentless(result.most))
+def points_that_count(result: Result, lang: Lang) -> Iterator[str]:
+    """That the teacher gave them, and the points that count; nothing where there are none."""
+    most = exponentless(result.most)
+    if result.override is not None:
+        yield say("feedback.override", lang, points=exponentless(result.override), most=most)
+    if result.total is not None:
+        yield say("feedback.total", lang, points=exponentless(result.total), most=most)

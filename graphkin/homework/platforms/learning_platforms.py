@@ -18,10 +18,10 @@ from typing import TypeVar
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.homework.platforms.feedback import Feedback, Reveal, diagnosis, lines, override, quantity, reason, total
+from graphkin.homework.platforms.feedback import Feedback, Reveal, diagnosis, lines, points_that_count, quantity, reason
 from graphkin.homework.platforms.markup import clean, in_html, inside
 from graphkin.homework.platforms.pages import KINDS, Page, html
-from graphkin.homework.platforms.result import FORMAT, Result, ResultLine, ResultPicture
+from graphkin.homework.platforms.result import FORMAT, Result, ResultPicture
 from graphkin.homework.platforms.tables import line
 from graphkin.say.catalogue import say
 
@@ -124,12 +124,17 @@ def gradescope_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
 
     What was not marked has no score, so that Gradescope shows a failed run and no zero.
     """
-    tests = [_gradescope_line(result, each, lang, reveal) for each in result.lines]
+    tests: list[Plain] = []
+    for each in result.lines:
+        good = each.verdict not in ("wrong", "missing") and each.points >= each.most
+        test = _gradescope_test(each.name, quantity(result, each, lang, reveal), "passed" if good else "failed")
+        worth = {"score": float(each.points), "max_score": float(each.most)}
+        tests.append({**test, **worth} if each.most else test)
     if text := " ".join(diagnosis(result, lang, reveal)):
         tests.append(_gradescope_test(say("feedback.diagnosis", lang), text, "failed"))
     if result.status == "not marked":
         tests.append(_gradescope_test(say("verdicts.status not marked", lang), reason(result, lang), "failed"))
-    output = reason(result, lang) if result.total is None else "\n".join(_points(result, lang))
+    output = reason(result, lang) if result.total is None else "\n".join(points_that_count(result, lang))
     mark: dict[str, Plain] = {"platform": "gradescope", "format": FORMAT}
     mark |= {"student": result.student, "status": result.status}
     file: dict[str, Plain] = {
@@ -139,16 +144,6 @@ def gradescope_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
     if result.total is not None:
         file["score"] = float(result.total)
     return (json.dumps(file, ensure_ascii=True, allow_nan=False, indent=1) + "\n").encode()
-
-
-def _points(result: Result, lang: Lang) -> list[str]:
-    return [text for text in (override(result, lang), total(result, lang)) if text]
-
-
-def _gradescope_line(result: Result, each: ResultLine, lang: Lang, reveal: Reveal) -> dict[str, Plain]:
-    good = each.verdict not in ("wrong", "missing") and each.points >= each.most
-    test = _gradescope_test(each.name, quantity(result, each, lang, reveal), "passed" if good else "failed")
-    return {**test, "score": float(each.points), "max_score": float(each.most)} if each.most else test
 
 
 def _gradescope_test(name: str, output: str, status: str) -> dict[str, Plain]:
@@ -176,7 +171,7 @@ def _prairielearn(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence
     mark = {"graphkin": {"platform": "prairielearn", "format": FORMAT, "status": result.status}}
     if result.score is None:
         return {"gradable": False, "format_errors": [clean(reason(result, lang))], **mark}
-    texts = _points(result, lang)
+    texts = [*points_that_count(result, lang)]
     tests = [
         _prairielearn_test(each.name, float(each.points), float(each.most), quantity(result, each, lang, reveal))
         for each in result.lines

@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from math import gcd
 
 from graphkin.errors import Lang
-from graphkin.homework.platforms.alternatives import Alternative, alternatives, sentence
+from graphkin.homework.platforms.alternatives import alternatives, sentence
 from graphkin.homework.platforms.markup import element, in_html, one_line, xml
 from graphkin.homework.platforms.question import Part, ProblemSet, Question
 from graphkin.homework.platforms.tables import exponentless, points, printed
@@ -60,17 +60,15 @@ def _question(kind: str, name: str, text: str) -> ET.Element:
 def _cloze(problems: ProblemSet, question: Question, lang: Lang) -> ET.Element:
     lines = [f"<p>{in_html(question.text[lang]).translate(_BRACES)}</p>"]  # no brace of the text opens a field
     for part, weight in zip(question.parts, weights(question.parts), strict=True):
-        field = "~".join(_in_braces(one, lang) for one in alternatives(question, part))
-        lines.append(f"<p>{in_html(part.heading).translate(_BRACES)} = {{{weight}:NUMERICAL:{field}}}</p>")
+        fields = []  # `%50%-1.25:0.0625#Close`
+        for one in alternatives(question, part):
+            share = "=" if one.percent == 100 else f"%{one.percent}%"
+            said = html.escape(in_html(one_line(sentence(one, lang))), quote=False).translate(_SIGNS)
+            fields.append(f"{share}{printed(one.number)}:{printed(one.tolerance)}#{said}")
+        answers = "~".join(fields)
+        lines.append(f"<p>{in_html(part.heading).translate(_BRACES)} = {{{weight}:NUMERICAL:{answers}}}</p>")
     name = say("platforms.problem title", lang, set=problems.name, id=question.id)
     return _question("cloze", name, "\n".join(lines))
-
-
-def _in_braces(one: Alternative, lang: Lang) -> str:
-    """`%50%-1.25:0.0625#Close`."""
-    share = "=" if one.percent == 100 else f"%{one.percent}%"
-    said = html.escape(in_html(one_line(sentence(one, lang))), quote=False).translate(_SIGNS)
-    return f"{share}{printed(one.number)}:{printed(one.tolerance)}#{said}"
 
 
 # --- numerical --------------------------------------------------------------------------------
@@ -81,15 +79,12 @@ def _numerical(problems: ProblemSet, question: Question, part: Part, lang: Lang)
     text = f"<p>{in_html(question.text[lang])}</p>\n<p>{in_html(part.heading)} = ?</p>"
     whole = _question("numerical", f"{title}, {part.name}", text)
     whole.append(element("defaultgrade", exponentless(points(part.points))))
-    whole.extend([_answer(one, lang) for one in alternatives(question, part)])
+    for one in alternatives(question, part):
+        said = in_html(one_line(sentence(one, lang)))
+        whole.append(element(
+            "answer", element("text", printed(one.number)), element("tolerance", printed(one.tolerance)),
+            element("feedback", element("text", said), format="html"),
+            fraction=str(one.percent), format="moodle_auto_format",
+        ))  # fmt: skip
     whole.extend((element("unitgradingtype", "0"), element("unitpenalty", "0"), element("showunits", "3")))
     return whole
-
-
-def _answer(one: Alternative, lang: Lang) -> ET.Element:
-    said = in_html(one_line(sentence(one, lang)))
-    return element(
-        "answer", element("text", printed(one.number)), element("tolerance", printed(one.tolerance)),
-        element("feedback", element("text", said), format="html"),
-        fraction=str(one.percent), format="moodle_auto_format",
-    )  # fmt: skip

@@ -9,6 +9,7 @@ import re
 import xml.etree.ElementTree as ET
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 
 from graphkin.homework.platforms.feedback import Feedback, at_the_end, lines, table, title, under_table
 from graphkin.homework.platforms.markup import clean, element, in_html, one_line, pack
@@ -54,15 +55,12 @@ def _paragraph(text: str) -> str:
 
 def _html_table(page: Feedback) -> str:
     head, *rows = table(page)
-    lines = (_html_row(row, line.verdict) for row, line in zip(rows, page.result.lines, strict=True))
-    first = "".join(f"<th>{in_html(name)}</th>" for name in head)
-    return f"<table>\n<tr>{first}</tr>\n" + "\n".join(lines) + "\n</table>"
-
-
-def _html_row(row: tuple[str, ...], verdict: str) -> str:
-    kinds = ["", *["number"] * (len(row) - 3), "verdict", "number"]
-    cells = (f'<td class="{kind}">{in_html(text)}</td>' for text, kind in zip(row, kinds, strict=True))
-    return f'<tr class="{verdict}">' + "".join(cells) + "</tr>"
+    rows_html = ["<tr>" + "".join(f"<th>{in_html(name)}</th>" for name in head) + "</tr>"]
+    kinds = ["", *["number"] * (len(head) - 3), "verdict", "number"]
+    for row, each in zip(rows, page.result.lines, strict=True):
+        cells = (f'<td class="{kind}">{in_html(text)}</td>' for text, kind in zip(row, kinds, strict=True))
+        rows_html.append(f'<tr class="{each.verdict}">' + "".join(cells) + "</tr>")
+    return "<table>\n" + "\n".join(rows_html) + "\n</table>"
 
 
 def _figure(picture: ResultPicture) -> str:
@@ -171,36 +169,26 @@ def _broken(text: str) -> Iterator[str]:
 # --- lines of text ----------------------------------------------------------------------------------------------------
 
 
-def _lines(page: Feedback) -> Iterator[str]:
-    yield title(page)
-    yield from lines(page.result, page.lang, page.reveal)
-
-
-def _text(page: Feedback) -> bytes:
-    return "".join(clean(each) + "\n" for each in _lines(page)).encode()
-
-
-def _csv(page: Feedback) -> bytes:
-    return "".join(line([each]) for each in _lines(page)).encode("utf-8-sig")
-
-
-def _json(page: Feedback) -> bytes:
-    return (json.dumps({"feedback": [*_lines(page)]}, ensure_ascii=True, indent=1) + "\n").encode()
-
-
-def _toml(page: Feedback) -> bytes:
-    """Nothing but comments."""
-    return "".join(f"# {one_line(each)}\n" for each in _lines(page)).encode()
-
-
-def _workbook(page: Feedback) -> bytes:
-    data = io.BytesIO()
-    pack(data, workbook_files(([each] for each in _lines(page)), say("feedback.title", page.lang)))
-    return data.getvalue()
+def _as_text(kind: str, page: Feedback) -> bytes:
+    """Its lines as plain text, as a table of one column, as JSON, as comments of TOML, as a workbook."""
+    texts = [title(page), *lines(page.result, page.lang, page.reveal)]
+    match kind:
+        case "csv":
+            return "".join(line([each]) for each in texts).encode("utf-8-sig")
+        case "json":
+            return (json.dumps({"feedback": texts}, ensure_ascii=True, indent=1) + "\n").encode()
+        case "toml":
+            return "".join(f"# {one_line(each)}\n" for each in texts).encode()
+        case "xlsx":
+            data = io.BytesIO()
+            pack(data, workbook_files(([each] for each in texts), say("feedback.title", page.lang)))
+            return data.getvalue()
+        case _:
+            return "".join(clean(each) + "\n" for each in texts).encode()
 
 
 KINDS: Mapping[str, Page] = {
-    ".html": html, ".htm": html, ".txt": _text, ".md": _text, ".svg": drawing, ".csv": _csv, ".json": _json,
-    ".toml": _toml, ".xlsx": _workbook,
+    ".html": html, ".htm": html, ".svg": drawing,
+    **{f".{kind}": partial(_as_text, kind) for kind in ("txt", "md", "csv", "json", "toml", "xlsx")},
 }  # fmt: skip
 """By the suffix of what was handed in, for platforms that take back only the same kind of file."""

@@ -77,7 +77,11 @@ class PolygonPictures:
         if sheet is None:
             return ResultPicture(say("pictures.nothing", lang), "", b"") if mistake else None
         label = [say("pictures.position", lang, at=at)] if at > 1 else []
-        label += [] if changed is None else _of_mistake(mistake, changed, answer, lang)
+        if changed is not None:
+            label.append(say("pictures.shows", lang, mistake=mistakes_together(mistake, lang)))
+            thick = any(changed.arrows.values()) or any(changed.images.values())
+            label += [say("pictures.thick", lang)] if thick else []
+            label += [] if answer else [say("pictures.no scale", lang)]
         label += [say("pictures.dashed", lang)] if own else []
         return ResultPicture(say("pictures.between", lang).join(label), "image/svg+xml", inline(sheet).encode())
 
@@ -100,10 +104,3 @@ class PolygonPictures:
 def _position(one: Suspicion) -> int:
     """The first at which it explains something."""
     return position_of(one.explains[0])[1] if one.explains else 1
-
-
-def _of_mistake(mistake: tuple[Name, ...], changed: DrawingComparison, answer: bool, lang: Lang) -> list[str]:
-    label = [say("pictures.shows", lang, mistake=mistakes_together(mistake, lang))]
-    if any(changed.arrows.values()) or any(changed.images.values()):
-        label.append(say("pictures.thick", lang))
-    return label if answer else [*label, say("pictures.no scale", lang)]

@@ -135,23 +135,16 @@ def file_of(folder: Path, kind: str) -> Path:
 def _handed_out(template: Template, variant: Variant, name: str, lang: Lang) -> dict[str, str]:
     """The files that the student gets, by suffix: mechanism, problem and figure."""
     head = f"# {MARK}: {template.name}, {variant.student.id}\n"
-    own, figure = variant.student, _figure(variant, lang)
-    shown = ("", True) if figure is None else (f"{name}{FIGURE}", figure[1])
+    own, method = variant.student, plan(variant.mechanism)
+    shown = shown_at(method, replay_all(method))  # the mechanism, with nothing in the figure that is asked for
+    drawing = {}
+    if shown is not None:
+        begin = f'<?xml version="1.0" encoding="utf-8"?>\n<!-- {MARK} -->\n'
+        drawing[FIGURE] = begin + inline(problem_sheet(method, shown[0], lang)) + "\n"
+    figure = ("", True) if shown is None else (f"{name}{FIGURE}", shown[1])
     others = [text for _, text in own.names]
-    text = problem(variant.mechanism, own.id, others, template.points, lang, variant.drawn, *shown)
-    drawing = {} if figure is None else {FIGURE: figure[0]}
+    text = problem(variant.mechanism, own.id, others, template.points, lang, variant.drawn, *figure)
     return {".toml": head + template.text(variant.numbers), ".txt": text, **drawing}
-
-
-def _figure(variant: Variant, lang: Lang) -> tuple[str, bool] | None:
-    """The mechanism as SVG, with nothing in it that is asked for, and whether in the drawn position."""
-    method = plan(variant.mechanism)
-    shown = shown_at(method, replay_all(method))
-    if shown is None:
-        return None
-    plot, there = shown
-    head = f'<?xml version="1.0" encoding="utf-8"?>\n<!-- {MARK} -->\n'
-    return head + inline(problem_sheet(method, plot, lang)) + "\n", there
 
 
 def _write(path: Path, text: str, force: bool) -> Path:

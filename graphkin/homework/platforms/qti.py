@@ -31,7 +31,11 @@ def members(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes]]:
     yield "imsmanifest.xml", xml(_manifest(problems, names))
     for name, question in zip(names, problems.questions, strict=True):
         title = one_line(say("platforms.problem title", lang, set=problems.name, id=question.id))
-        yield f"{name}/{name}.xml", xml(_assessment(name, title, question, lang))
+        limits = element("qtimetadata", _field("cc_maxattempts", "1"))
+        items = [_item(name, question, part, lang) for part in question.parts]
+        section = element("section", *items, ident="root_section")
+        assessment = element("assessment", limits, section, ident=name, title=title)
+        yield f"{name}/{name}.xml", xml(element("questestinterop", assessment, xmlns=_ITEMS))
         yield f"{name}/assessment_meta.xml", xml(element(
             "quiz", element("title", title), element("description"), element("quiz_type", "assignment"),
             element("points_possible", exponentless(most(question))), element("allowed_attempts", "1"),
@@ -58,13 +62,6 @@ def _manifest(problems: ProblemSet, names: list[str]) -> ET.Element:
     return element("manifest", about, element("organizations"), resources, identifier=ident, xmlns=_PACKAGE)
 
 
-def _assessment(name: str, title: str, question: Question, lang: Lang) -> ET.Element:
-    limits = element("qtimetadata", _field("cc_maxattempts", "1"))
-    items = [_item(name, question, part, lang) for part in question.parts]
-    section = element("section", *items, ident="root_section")
-    return element("questestinterop", element("assessment", limits, section, ident=name, title=title), xmlns=_ITEMS)
-
-
 def _field(label: str, entry: str) -> ET.Element:
     return element("qtimetadatafield", element("fieldlabel", label), element("fieldentry", entry))
 
@@ -82,17 +79,13 @@ def _item(name: str, question: Question, part: Part, lang: Lang) -> ET.Element:
     )  # fmt: skip
     score = element("decvar", maxvalue="100", minvalue="0", varname="SCORE", vartype="Decimal")
     judged = element("resprocessing", element("outcomes", score))
-    judged.extend([_condition(one) for one in _right(question, part)])
-    ident = f"{name}q{question.parts.index(part) + 1}"
-    return element("item", about, presentation, judged, ident=ident, title=one_line(part.name))
-
-
-def _right(question: Question, part: Part) -> Iterator[Alternative]:
     for one in alternatives(question, part):
         if one.percent == 100 and not one.ids:
             if 0 < abs(one.number) < SMALLEST:
                 raise NotForPlatform("Canvas", question.id, part.name, printed(one.number))
-            yield one
+            judged.append(_condition(one))
+    ident = f"{name}q{question.parts.index(part) + 1}"
+    return element("item", about, presentation, judged, ident=ident, title=one_line(part.name))
 
 
 def _condition(one: Alternative) -> ET.Element:

@@ -77,19 +77,19 @@ class ProblemSet:
 
 def question_of(id: str, key: Key, text: Text) -> Question:
     """The questions of a key. id: the student's or the variant's; text: the problem in words."""
-    parts = (_part(each, at, n) for at, each in enumerate(key.positions, 1) for n in range(len(each.entries)))
-    return Question(id, text, tuple(part for part in parts if part.points))
-
-
-def _part(key: Key, at: int, column: int) -> Part:
-    """A quantity at a position; an angle is as right with a turn more or less."""
-    entry = key.entries[column]
-    unit = EDGE[entry.unit]
-    also = (entry.right - math.copysign(math.tau, entry.right),) if entry.sort == "angle" else ()
-    return Part(
-        at_position(entry.text, at), entry.right * unit.factor, entry.allowed * unit.factor, unit.sign, entry.points,
-        tuple(_wrongs(key, column, entry)), tuple(number * unit.factor for number in also),
-    )  # fmt: skip
+    parts = []
+    for at, here in enumerate(key.positions, 1):
+        for column, entry in enumerate(here.entries):
+            if not entry.points:
+                continue
+            name, unit = at_position(entry.text, at), EDGE[entry.unit]
+            # an angle is as right with a turn more or less
+            also = (entry.right - math.copysign(math.tau, entry.right),) if entry.sort == "angle" else ()
+            parts.append(Part(
+                name, entry.right * unit.factor, entry.allowed * unit.factor, unit.sign, entry.points,
+                tuple(_wrongs(here, column, entry)), tuple(number * unit.factor for number in also),
+            ))  # fmt: skip
+    return Question(id, text, tuple(parts))
 
 
 def _wrongs(key: Key, column: int, entry: KeyEntry) -> Iterator[Wrong]:

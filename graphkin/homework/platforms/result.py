@@ -127,23 +127,18 @@ def texts_in(texts: Sequence[Text], lang: Lang) -> list[str]:
 def from_record(record: Record, where: Where) -> Result:
     """A result from its record, as `outputs.marks_json` writes it. Raises NotAResult."""
     try:
-        return _read(record)
+        if record["format"] != FORMAT or record["status"] not in get_args(Status):
+            raise ValueError(f"format {record['format']!r}, status {record['status']!r}")
+        lines = tuple(_line(str(name), each) for name, each in record["quantities"].items())
+        reason = record.get("reason")  # it is written in one language
+        texts: Text = {} if reason in (None, "") else {"en": _string(reason), "zh": _string(reason)}
+        return Result(
+            _string(record["student"]), _string(record["file"]), record["status"], texts, lines,
+            tuple(map(_suspicion, record["mistakes"])), sum((line.most for line in lines), Decimal(0)),
+            tuple(map(_string, record.get("notes", ()))), drawn=drawn_of(record),
+        )  # fmt: skip
     except (KeyError, TypeError, ValueError, ArithmeticError, AttributeError) as error:
         raise NotAResult(where, f"{type(error).__name__}: {error}"[:200]) from None
-
-
-def _read(record: Record) -> Result:
-    if record["format"] != FORMAT or record["status"] not in get_args(Status):
-        raise ValueError(f"format {record['format']!r}, status {record['status']!r}")
-    lines = tuple(_line(str(name), each) for name, each in record["quantities"].items())
-    reason = record.get("reason")  # it is written in one language
-    texts: Text = {} if reason in (None, "") else {"en": _string(reason), "zh": _string(reason)}
-    return Result(
-        _string(record["student"]), _string(record["file"]), record["status"], texts, lines,
-        tuple(_suspicion(each) for each in record["mistakes"]),
-        sum((line.most for line in lines), Decimal(0)),
-        tuple(_string(note) for note in record.get("notes", ())), drawn=drawn_of(record),
-    )  # fmt: skip
 
 
 def _line(name: str, each: Record) -> ResultLine:
@@ -183,8 +178,6 @@ def _string(value: object) -> str:
     if not isinstance(value, str):
         raise ValueError(f"{value!r} is no text")
     return value
-
-
 
 
 def read_results(path: Path) -> tuple[Result, ...]:

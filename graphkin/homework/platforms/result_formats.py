@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from decimal import Decimal
+from functools import partial
 from itertools import chain, islice
 from pathlib import Path
 
@@ -133,19 +134,13 @@ def _table(order: Order) -> Iterator[Sequence[Cell]]:
     return chain(class_table.rows(order, names, order.lang, several), class_table.absent(order.overrides, names))
 
 
-def _csv(order: Order) -> WrittenResults:
-    path = order.lines(CLASS_TABLE, chain([BOM], map(line, _table(order))), _TABLE)
-    return WrittenResults((path,), _kept(order))
-
-
-def _xlsx(order: Order) -> WrittenResults:
-    members = workbook_files(_table(order), say("class_report.title", order.lang))
-    return WrittenResults((order.packed("class.xlsx", members),), _kept(order))
-
-
-def _kept(order: Order) -> tuple[str, ...]:
+def _written_table(kind: str, order: Order) -> WrittenResults:
+    if kind == "csv":
+        path = order.lines(CLASS_TABLE, chain([BOM], map(line, _table(order))), _TABLE)
+    else:
+        path = order.packed("class.xlsx", workbook_files(_table(order), say("class_report.title", order.lang)))
     names = (each.student or each.file for each in order.overrides.rest())
-    return tuple(say("platforms.override kept", order.lang, student=name) for name in names)
+    return WrittenResults((path,), tuple(say("platforms.override kept", order.lang, student=name) for name in names))
 
 
 def _moodle(order: Order) -> WrittenResults:
@@ -177,17 +172,6 @@ def _unnamed(order: Order, named: Callable[[str], Named | None], platform: str) 
         yield say("platforms.no platform name", order.lang, count=len(files), file=files[0], platform=platform)
 
 
-def _gradescope(order: Order) -> WrittenResults:
-    return _each(order, "gradescope", lambda result: platform_files.gradescope_json(result, order.lang, order.reveal))
-
-
-def _prairielearn(order: Order) -> WrittenResults:
-    def write(result: Result) -> bytes:
-        return platform_files.prairielearn_json(result, order.lang, order.reveal, order.page(result).pictures)
-
-    return _each(order, "prairielearn", write)
-
-
 def _with_file_names(order: Order) -> Iterator[tuple[str, Result]]:
     """Every result with a name of its own for its file."""
     taken: set[str] = set()
@@ -207,7 +191,7 @@ def _pages(order: Order) -> WrittenResults:
     return WrittenResults((folder,))
 
 
-def _each(order: Order, platform: str, write: Callable[[Result], bytes]) -> WrittenResults:
+def _each(platform: str, order: Order) -> WrittenResults:
     """`results.json` in the folder where there is one submission; else in a folder each, within the platform's."""
     alone = len([*islice(order.results, 2)]) == 1
     any_there = False
@@ -215,7 +199,11 @@ def _each(order: Order, platform: str, write: Callable[[Result], bytes]) -> Writ
         any_there = True
         folder = order.folder if alone else _made(order.folder / platform / name)
         with beside(folder / "results.json", order.force, [f'"platform": "{platform}"'.encode()]) as draft:
-            draft.write_bytes(write(result))
+            if platform == "gradescope":
+                draft.write_bytes(platform_files.gradescope_json(result, order.lang, order.reveal))
+            else:
+                pictures = order.page(result).pictures
+                draft.write_bytes(platform_files.prairielearn_json(result, order.lang, order.reveal, pictures))
     if alone:
         return WrittenResults((order.folder / "results.json",))
     return WrittenResults((order.folder / platform,) if any_there else ())
@@ -233,7 +221,8 @@ def _report(order: Order) -> WrittenResults:
 
 
 RESULTS: Mapping[str, Callable[[Order], WrittenResults]] = {
-    "csv": _csv, "xlsx": _xlsx, "moodle": _moodle, "gradescope": _gradescope,
-    "prairielearn": _prairielearn, "canvas": _canvas, "pages": _pages, "report": _report,
+    "csv": partial(_written_table, "csv"), "xlsx": partial(_written_table, "xlsx"), "moodle": _moodle,
+    "gradescope": partial(_each, "gradescope"), "prairielearn": partial(_each, "prairielearn"), "canvas": _canvas,
+    "pages": _pages, "report": _report,
 }  # fmt: skip
 """By name, as `graphkin grade --format` has them."""

@@ -14,7 +14,7 @@ from pathlib import Path
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms import moodle_set, qti
-from graphkin.homework.platforms.alternatives import Alternative, alternatives, refuse, sentence
+from graphkin.homework.platforms.alternatives import alternatives, refuse, sentence
 from graphkin.homework.platforms.markup import ZIP_MARKS, element, office_package, one_line, pack, xml
 from graphkin.homework.platforms.question import ProblemSet
 from graphkin.homework.platforms.tables import BOM, exponentless, line, points, printed, write_lines
@@ -66,15 +66,10 @@ def word_paragraphs(problems: ProblemSet, lang: Lang) -> Iterator[str]:
             right = alternatives(question, part)[0]
             blank = f"{part.heading} = ____ (±{printed(right.tolerance)})"
             yield one_line(f"{number}.【填空题】{title}  {question.text[lang]} {blank}")
-            yield f"答案：{_answer(right)}"
-
-
-def _answer(right: Alternative) -> str:
-    """The right number to a tenth of its tolerance, as one would write it."""
-    if not right.tolerance:
-        return exponentless(right.number)
-    step = Decimal(1).scaleb(right.tolerance.adjusted() - 1)
-    return exponentless(right.number.quantize(step, ROUND_HALF_UP))
+            answer = right.number
+            if right.tolerance:  # to a tenth of its tolerance, as one would write it
+                answer = answer.quantize(Decimal(1).scaleb(right.tolerance.adjusted() - 1), ROUND_HALF_UP)
+            yield f"答案：{exponentless(answer)}"
 
 
 # --- the formats ------------------------------------------------------------------------------------------------------

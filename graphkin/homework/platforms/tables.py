@@ -147,18 +147,13 @@ def _sheet(rows: Iterable[Iterable[Cell]]) -> Iterator[bytes]:
 
 
 def _cell(cell: Cell, column: int, row: int) -> str:
-    place = f"{_letters(column)}{row}"
+    letters = ""  # A, B, .. Z, AA, ..
+    while column >= 0:
+        letters, column = chr(65 + column % 26) + letters, column // 26 - 1
+    place = f"{letters}{row}"
     if cell is None or cell == "":
         return ""
     if isinstance(cell, str):
         text = escape(clean(cell)[:_LONGEST])
         return f'<c r="{place}" t="inlineStr"><is><t xml:space="preserve">{text}</t></is></c>'
     return f'<c r="{place}"><v>{exponentless(Decimal(cell))}</v></c>'
-
-
-def _letters(column: int) -> str:
-    """A, B, .. Z, AA, .."""
-    letters = ""
-    while column >= 0:
-        letters, column = chr(65 + column % 26) + letters, column // 26 - 1
-    return letters

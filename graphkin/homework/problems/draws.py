@@ -5,10 +5,10 @@ Only when two students would get the same problem does the list of students matt
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import islice
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -120,9 +120,15 @@ class _Goal:
     @classmethod
     def of(cls, template: Template, seed: str) -> _Goal:
         """By problems that are nobody's."""
-        sample = list(islice(_sample(template, seed), _SAMPLE))
+        sample: list[PosedProblem] = []
+        for attempt in range(_SAMPLE_TRIES):
+            with contextlib.suppress(GraphkinError):
+                posed = well_posed(template.mechanism(_numbers(template, "", seed, attempt)))
+                sample += [] if isinstance(posed, str) else [posed]
+            if len(sample) == _SAMPLE:
+                break
         paper = DrawingSizes.of(sample)
-        tellings = [mistake_visibility(posed.method, posed.drawn, paper.marking(posed)) for posed in sample]
+        tellings = [mistake_visibility(one.method, one.drawn, paper.marking(one)) for one in sample]
         always = Always(tellings)
         lost = sorted(always.told(each).lost for each in tellings)
         return cls(paper, always, lost[(len(lost) - 1) // 3] if lost else 0)
@@ -130,16 +136,6 @@ class _Goal:
     def visibility(self, posed: PosedProblem) -> MistakeVisibility:
         """The mistakes that the answers at the drawn position tell apart."""
         return mistake_visibility(posed.method, posed.drawn, self.paper.marking(posed))
-
-
-def _sample(template: Template, seed: str) -> Iterator[PosedProblem]:
-    for attempt in range(_SAMPLE_TRIES):
-        try:
-            posed = well_posed(template.mechanism(_numbers(template, "", seed, attempt)))
-        except GraphkinError:
-            continue
-        if not isinstance(posed, str):
-            yield posed
 
 
 def _numbers(template: Template, student: str, seed: str, attempt: int) -> tuple[int, ...]:

@@ -83,7 +83,10 @@ def read_template(path: Path) -> Template:
     text = read_text(path).removeprefix("\ufeff")
     document, lines = read_toml(text, file)
     points = document.get("points", {})
-    bare = _without_points(text) if "points" in document else text
+    bare = text
+    if "points" in document and (start := _POINTS.search(text)) is not None:  # a mechanism file has none
+        after = _HEADER.search(text, start.end())
+        bare = text[: start.start()] + (text[after.start() :] if after is not None else "")
     spans = list(_ranges_in(bare))
     if not spans:
         raise NotATemplate(Where(file))
@@ -161,15 +164,6 @@ def _sized(value: object) -> tuple[Decimal, str]:
 
 
 # --- the points -------------------------------------------------------------------------------
-
-
-def _without_points(text: str) -> str:
-    """The text without its table of points: a mechanism file has none."""
-    start = _POINTS.search(text)
-    if start is None:
-        return text
-    after = _HEADER.search(text, start.end())
-    return text[: start.start()] + (text[after.start() :] if after is not None else "")
 
 
 def _worth(points: object, document: Mapping[str, object], where: Where) -> dict[str, float]:

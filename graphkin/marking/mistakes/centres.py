@@ -10,9 +10,8 @@ import numpy as np
 from graphkin.base.geometry import Value, cross, number, place
 from graphkin.construction import Meet, Simultaneous
 from graphkin.marking.hand import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, RewrittenValue, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, RewrittenValue, Times
 from graphkin.marking.scene import Scene, mistake
-from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Centre, Moving, Quotient, Rotation
 from graphkin.planning.equivalent import Contact
@@ -86,32 +85,24 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
         if isinstance(quantity, Moving) and quantity.word == "a" and quantity.seen_from is None:
             for link in scene.links_of(quantity.site):
                 centre = _place(scene, (FRAME, link))
-                vector = _about(scene.motions, quantity.site.point, link, centre)
+                motions = scene.motions
+                with np.errstate(invalid="ignore"):
+                    arm = motions.position[quantity.site.point] - centre
+                    vector = complex((1j * motions.alpha[link] - motions.omega[link] ** 2) * arm)
                 if np.isfinite(vector):
                     form = f"P{scene.method.mechanism.frame}{scene.method.mechanism.called(link)}"
                     instead = (RewrittenValue(quantity.text, instead=vector),)
                     yield Rewrite("centre-acceleration-zero", quantity.text, form, asked=instead)
     for step in scene.steps("acceleration"):
-        if isinstance(step, Meet) and _stands(scene, step.point):
-            edits = (Edit(("met", "acceleration", step.point), times(0.0)),)
-            of = f"a_{scene.method.acceleration.nodes[step.point].of}"
-            yield Rewrite("centre-acceleration-zero", of, "", edits, way="point")
-
-
-def _about(motions: Motions, point: str, link: str, centre: complex) -> complex:
-    """Acceleration of a point that turns with a link about a place at rest."""
-    with np.errstate(invalid="ignore"):
-        turned: Value = (1j * motions.alpha[link] - motions.omega[link] ** 2) * (motions.position[point] - centre)
-    return complex(turned)
-
-
-def _stands(scene: Scene, node: str) -> bool:
-    """True if a corner is a point whose velocity is nothing."""
-    site = scene.method.acceleration.nodes[node].site
-    if site is None or site.link not in scene.motions.velocities or site.point not in scene.plot.position:
-        return False
-    fastest = max(abs(place(v)) for v in scene.plot.velocity.values())
-    return abs(place(scene.motions.velocity_at(site.point, site.link))) < REST * fastest
+        if not isinstance(step, Meet):
+            continue
+        node = scene.method.acceleration.nodes[step.point]
+        site, fastest = node.site, max(abs(place(v)) for v in scene.plot.velocity.values())
+        if site is None or site.link not in scene.motions.velocities or site.point not in scene.plot.position:
+            continue
+        if abs(place(scene.motions.velocity_at(site.point, site.link))) < REST * fastest:
+            edits = (Edit(("met", "acceleration", step.point), Times(0.0)),)
+            yield Rewrite("centre-acceleration-zero", f"a_{node.of}", "", edits, way="point")
 
 
 # --- wheels on an arm --------------------------------------------------------------------------
@@ -140,26 +131,24 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
 def _found_together(scene: Scene) -> Iterator[tuple[str, tuple[Edit, ...]]]:
     """Contacts on an arm in groups whose rotations several equations give, by the wheels that these give; those with a
     driven wheel last, which alone give the other one."""
+
+    def driven_wheel(contact: Contact) -> str | None:
+        return next((wheel for wheel in contact.wheels if wheel != FRAME and scene.driven(wheel)), None)
+
     contacts = [c for stage in scene.method.stages if isinstance(stage, Group) for c in stage.contacts]
-    for contact in sorted(contacts, key=lambda contact: _driven_wheel(scene, contact) is not None):
+    for contact in sorted(contacts, key=lambda contact: driven_wheel(contact) is not None):
         wheels = [wheel for wheel in contact.wheels if not scene.driven(wheel)]
         borne = contact.arm and not any(scene.turns_with(wheel, contact.arm) for wheel in wheels)
         if wheels and borne and _matters(scene, contact):
             spots = (("rolling", plane, in_step(contact), contact.arm) for plane in ("velocity", "acceleration"))
             name = ", ".join(scene.rotation_name("omega", wheel) for wheel in wheels)
-            yield name, (*(Edit(spot, times(0.0)) for spot in spots), *_at_once(scene, contact, wheels))
-
-
-def _at_once(scene: Scene, contact: Contact, wheels: list[str]) -> Iterator[Edit]:
-    """The ratio to a driven wheel, where velocities are drawn by the points of contact, which know no arm."""
-    solved = (step for step in scene.steps("velocity") if isinstance(step, Simultaneous))
-    if _driven_wheel(scene, contact) is not None and all(in_step(contact) not in step.contacts for step in solved):
-        for wheel, quantity in product(wheels, ("omega", "alpha")):
-            yield Edit(("settled", quantity, wheel), _by_contact(contact, wheel, quantity, contact.arm))
-
-
-def _driven_wheel(scene: Scene, contact: Contact) -> str | None:
-    return next((wheel for wheel in contact.wheels if wheel != FRAME and scene.driven(wheel)), None)
+            edits = [Edit(spot, Times(0.0)) for spot in spots]
+            # the ratio to a driven wheel, where velocities are drawn by the points of contact, which know no arm
+            solved = (step for step in scene.steps("velocity") if isinstance(step, Simultaneous))
+            if driven_wheel(contact) is not None and all(in_step(contact) not in step.contacts for step in solved):
+                for wheel, quantity in product(wheels, ("omega", "alpha")):
+                    edits.append(Edit(("settled", quantity, wheel), _by_contact(contact, wheel, quantity, contact.arm)))
+            yield name, tuple(edits)
 
 
 def _contacts(scene: Scene) -> Iterator[tuple[str, Contact]]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from math import pi
 
 from graphkin.marking.mistakes.readings import measured, reading
-from graphkin.marking.rewrite import Edit, Rewrite, RewrittenValue, times
+from graphkin.marking.rewrite import Edit, Rewrite, RewrittenValue, Times
 from graphkin.marking.scene import Scene, mistake
 from graphkin.model.quantities import Moving, Quantity, Rotation
 
@@ -18,9 +18,7 @@ GIVEN = {"30/π": 30 / pi, "60": 60.0, "1/2π": 1 / (2 * pi)}
 
 def factors(unit: str, scales: Mapping[str, float]) -> dict[str, float]:
     """The factors of a unit, by how they are written."""
-    found = dict(THOUSANDS)
-    if unit in ("rad/s", "rad/s^2"):
-        found |= TURNS
+    found = THOUSANDS | (TURNS if unit in ("rad/s", "rad/s^2") else {})
     length, velocity, acceleration = (scales.get(key) for key in ("length", "velocity", "acceleration"))
     own, other = (acceleration, velocity) if unit.endswith("^2") else (velocity, acceleration)
     mine, its = ("μ_a", "μ_v") if unit.endswith("^2") else ("μ_v", "μ_a")
@@ -29,8 +27,7 @@ def factors(unit: str, scales: Mapping[str, float]) -> dict[str, float]:
         if other:
             found[f"{its}/{mine}"] = other / own
     if length and unit.startswith("rad"):
-        found["μ_l"] = length
-        found["1/μ_l"] = 1 / length
+        found |= {"μ_l": length, "1/μ_l": 1 / length}
         if own:
             found[f"μ_l/{mine}"] = length / own
     return {text: factor for text, factor in found.items() if abs(factor - 1) > 1e-9}
@@ -44,12 +41,12 @@ def conversion(scene: Scene) -> Iterator[Rewrite]:
     # a rotation read so, and all that follows from it
     for step, name in measured(scene, "velocity"):
         for form, factor in factors("rad/s", scene.scales).items():
-            yield Rewrite("conversion", name, form, reading("velocity", step, times(factor)), way="carried")
+            yield Rewrite("conversion", name, form, reading("velocity", step, Times(factor)), way="carried")
     # the speed that drives: revolutions per minute taken for rad/s, and the like
     for k, driver in enumerate(scene.method.drivers):
         for form, factor in (THOUSANDS if driver.kind == "slide" else GIVEN).items():
             if driver.rate:
-                yield Rewrite("conversion", driver.name, form, (Edit(("rate", k), times(factor)),), way="given")
+                yield Rewrite("conversion", driver.name, form, (Edit(("rate", k), Times(factor)),), way="given")
 
 
 def _written(scene: Scene, asked: Sequence[Quantity]) -> Iterator[Rewrite]:

@@ -9,7 +9,7 @@ import numpy as np
 from graphkin.base.geometry import Value
 from graphkin.construction import Coriolis
 from graphkin.marking.hand import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, in_sense_of, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, Times, each_and_all, in_sense_of, turned_back
 from graphkin.marking.scene import Scene, mistake
 
 RULE = "3-2.1 (3-4)"
@@ -22,68 +22,51 @@ def terms(scene: Scene) -> Iterator[tuple[Coriolis, str]]:
         yield size, name or f"a^k_{nodes[size.head].of}{nodes[size.tail].of}"
 
 
-def slip(plot: Redrawing, size: Coriolis) -> Value:
-    return plot.velocity[size.head] - plot.velocity[size.tail]
-
-
 def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
     """Every term alone; and all, as by one who does not know better."""
-    found = [(name, Edit(("arrow", "acceleration", size), change)) for size, name in terms(scene)]
-    return each_and_all(id, found)
+    return each_and_all(id, [(name, Edit(("arrow", "acceleration", size), change)) for size, name in terms(scene)])
 
 
 @mistake("coriolis-omitted", "coriolis", RULE)
 def omitted(scene: Scene) -> Iterator[Rewrite]:
-    return _each(scene, "coriolis-omitted", times(0.0))
+    return _each(scene, "coriolis-omitted", Times(0.0))
 
 
 @mistake("coriolis-reversed", "coriolis", RULE)
 def reversed_(scene: Scene) -> Iterator[Rewrite]:
-    return _each(scene, "coriolis-reversed", times(-1.0))
+    return _each(scene, "coriolis-reversed", Times(-1.0))
 
 
 @mistake("coriolis-half", "coriolis", RULE)
 def half(scene: Scene) -> Iterator[Rewrite]:
-    return _each(scene, "coriolis-half", times(0.5))
+    return _each(scene, "coriolis-half", Times(0.5))
 
 
 @mistake("coriolis-not-turned", "coriolis", RULE)
 def not_turned(scene: Scene) -> Iterator[Rewrite]:
     """In the direction of v_r."""
-    found = [(name, Edit(("arrow", "acceleration", size), _along_slip(size))) for size, name in terms(scene)]
-    return each_and_all("coriolis-not-turned", found)
-
-
-def _along_slip(size: Coriolis) -> Change:
-    def change(plot: Redrawing, right: Value) -> Value:
-        return -1j * np.sign(plot.omega[size.link]) * right
-
-    return change
+    edits = [(name, Edit(("arrow", "acceleration", size), turned_back(size.link))) for size, name in terms(scene)]
+    return each_and_all("coriolis-not-turned", edits)
 
 
 @mistake("coriolis-crank-omega", "coriolis", RULE)
 def crank_omega(scene: Scene) -> Iterator[Rewrite]:
     """With a driver's omega, in the sense of the right one or in its own."""
     for size, name in terms(scene):
-        for link in scene.cranks:
-            if link == size.link:
-                continue
-            for way, change in _by_crank(scene, size, link):
-                edits = (Edit(("arrow", "acceleration", size), change),)
+        for link in (link for link in scene.cranks if link != size.link):
+            opposite = scene.plot.omega[link] * scene.plot.omega.get(size.link, 0.0) < 0
+            for way in ("sense", "") if opposite else ("sense",):
+                edits = (Edit(("arrow", "acceleration", size), _by_crank(size, link, bool(way))),)
                 form = f"ω{scene.method.mechanism.called(link)}"
                 yield Rewrite("coriolis-crank-omega", name, form, edits, way=way)
 
 
-def _by_crank(scene: Scene, size: Coriolis, link: str) -> Iterator[tuple[str, Change]]:
-    def in_right_sense(plot: Redrawing, right: Value) -> Value:
-        return 2j * in_sense_of(plot, plot.omega[link], plot.omega[size.link], "rad/s") * slip(plot, size)
+def _by_crank(size: Coriolis, link: str, in_right_sense: bool) -> Change:
+    def change(plot: Redrawing, right: Value) -> Value:
+        own, slip = plot.omega[link], plot.velocity[size.head] - plot.velocity[size.tail]
+        return 2j * (in_sense_of(plot, own, plot.omega[size.link], "rad/s") if in_right_sense else own) * slip
 
-    def in_its_sense(plot: Redrawing, right: Value) -> Value:
-        return 2j * plot.omega[link] * slip(plot, size)
-
-    yield "sense", in_right_sense
-    if scene.plot.omega[link] * scene.plot.omega.get(size.link, 0.0) < 0:
-        yield "", in_its_sense
+    return change
 
 
 @mistake("coriolis-absolute-velocity", "coriolis", RULE)
@@ -104,21 +87,16 @@ def block_omega(scene: Scene) -> Iterator[Rewrite]:
     """The block taken as not turning, as turning with a driver, or about the guide's pivot with its own velocity."""
     for size, name in terms(scene):
         if scene.is_block(size.link):
-            for form, change in _of_block(scene, size).items():
+            rates: dict[str, Change] = {"0": Times(0.0)}  # by how it is written; ± where only its size is taken
+            for link in scene.cranks:
+                text = f"ω{scene.method.mechanism.called(link)}"
+                rates |= {text: _crank(link, False), f"±{text}": _crank(link, True)}
+            for step in scene.measures("velocity"):
+                if step.head in (size.tail, size.head) and scene.turns_with(step.of, size.link):
+                    text = f"{scene.velocity_name(size.tail)}/{scene.length_name(*step.lever)}"
+                    rates[text] = _about(size.tail, scene.length(*step.lever))
+            for form, change in rates.items():
                 yield Rewrite("block-omega", name, form, (Edit(("settled", "omega", size.link), change),))
-
-
-def _of_block(scene: Scene, size: Coriolis) -> dict[str, Change]:
-    """Rates that may be taken for the block's rotation, by how it is written; ± where only its size is taken."""
-    found: dict[str, Change] = {"0": times(0.0)}
-    for link in scene.cranks:
-        text = f"ω{scene.method.mechanism.called(link)}"
-        found |= {text: _crank(link, False), f"±{text}": _crank(link, True)}
-    for step in scene.measures("velocity"):
-        if step.head in (size.tail, size.head) and scene.turns_with(step.of, size.link):
-            text = f"{scene.velocity_name(size.tail)}/{scene.length_name(*step.lever)}"
-            found[text] = _about(size.tail, scene.length(*step.lever))
-    return found
 
 
 def _crank(link: str, in_right_sense: bool) -> Change:
@@ -131,8 +109,4 @@ def _crank(link: str, in_right_sense: bool) -> Change:
 
 def _about(node: str, length: float) -> Change:
     """The velocity of the block's point over a length, in the right sense."""
-
-    def change(plot: Redrawing, right: Value) -> Value:
-        return in_sense_of(plot, np.abs(plot.velocity[node]) / length, right, "rad/s")
-
-    return change
+    return lambda plot, right: in_sense_of(plot, np.abs(plot.velocity[node]) / length, right, "rad/s")

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.base.geometry import Value, cross, dot, number, place
-from graphkin.construction import Across, AlongGuide, Equation, Measure, Meet, Normal, Plane, Ray, Tangential
+from graphkin.construction import Across, AlongGuide, Measure, Meet, Normal, Plane, Ray, Tangential
 from graphkin.marking.hand import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, Times, in_sense_of, turned_back
 from graphkin.marking.scene import Scene, mistake
 
 NOTHING = 1e-6  # sine of an angle under which two directions count as one
@@ -20,13 +20,9 @@ def rays(scene: Scene, plane: Plane) -> Iterator[tuple[Meet, Ray, str]]:
     for meet, equation in scene.meets(plane):
         for ray in (meet.first, meet.second):
             if isinstance(ray, Ray):
-                yield meet, ray, _named(equation, ray, plane) or f"{plane[0]} {meet.point}"
-
-
-def _named(equation: Equation | None, ray: Ray, plane: Plane) -> str:
-    """The unknown arrow that lies on a line."""
-    terms = () if equation is None else equation.left + equation.right
-    return next((t.name(plane) for t in terms if t.size is None and t.direction == ray.direction), "")
+                terms = () if equation is None else equation.left + equation.right
+                names = (t.name(plane) for t in terms if t.size is None and t.direction == ray.direction)
+                yield meet, ray, next(names, "") or f"{plane[0]} {meet.point}"
 
 
 def measured_over(scene: Scene, plane: Plane, across: Across) -> Measure | None:
@@ -35,17 +31,14 @@ def measured_over(scene: Scene, plane: Plane, across: Across) -> Measure | None:
     return next((step for step in scene.measures(plane) if set(step.lever) == ends), None)
 
 
-def unread(scene: Scene, plane: Plane, across: Across) -> tuple[Edit, ...]:
-    """The rotation over a lever has no sense to be read, where its arrow lies along the lever."""
-    step = measured_over(scene, plane, across)
-    return () if step is None else (Edit(("read", plane, step.quantity, step.of), times(np.nan)),)
-
-
 def _along(scene: Scene, plane: Plane, id: str) -> Iterator[Rewrite]:
     for meet, ray, name in rays(scene, plane):
         if isinstance(ray.direction, Across):
-            edits = (Edit(("line", plane, meet, ray), times(-1j)), *unread(scene, plane, ray.direction))
-            yield Rewrite(id, name, edits=edits)
+            edits = [Edit(("line", plane, meet, ray), Times(-1j))]
+            step = measured_over(scene, plane, ray.direction)
+            if step is not None:  # the rotation over a lever has no sense to be read, where its arrow lies along that
+                edits.append(Edit(("read", plane, step.quantity, step.of), Times(np.nan)))
+            yield Rewrite(id, name, edits=tuple(edits))
 
 
 @mistake("velocity-along-link", "velocity-direction", "3-2.1 (3-1)")
@@ -60,26 +53,19 @@ def tangential_along(scene: Scene) -> Iterator[Rewrite]:
     yield from _along(scene, "acceleration", "tangential-along")
     for swing, name in scene.sized("acceleration", Tangential).items():
         if scene.driven(swing.link) and np.any(scene.plot.alpha[swing.link]):
-            edits = (Edit(("arrow", "acceleration", swing), times(-1j)),)
+            edits = (Edit(("arrow", "acceleration", swing), Times(-1j)),)
             yield Rewrite("tangential-along", name or f"a^t_{swing.head}{swing.tail}", edits=edits)
     for normal, name in scene.sized("acceleration", Normal).items():
         if scene.driven(normal.link) and np.any(scene.plot.omega[normal.link]):
-            edits = (Edit(("arrow", "acceleration", normal), _along_velocity(normal)),)
+            edits = (Edit(("arrow", "acceleration", normal), turned_back(normal.link)),)
             yield Rewrite("tangential-along", name or f"a^n_{normal.head}{normal.tail}", edits=edits, way="crank")
-
-
-def _along_velocity(normal: Normal) -> Change:
-    def change(plot: Redrawing, right: Value) -> Value:
-        return -1j * np.sign(plot.omega[normal.link]) * right
-
-    return change
 
 
 @mistake("sliding-across", "velocity-direction", "3-2.1 (3-3)")
 def sliding_across(scene: Scene) -> Iterator[Rewrite]:
     for meet, ray, name in rays(scene, "velocity"):
         if isinstance(ray.direction, AlongGuide):
-            yield Rewrite("sliding-across", name, edits=(Edit(("line", "velocity", meet, ray), times(1j)),))
+            yield Rewrite("sliding-across", name, edits=(Edit(("line", "velocity", meet, ray), Times(1j)),))
 
 
 def with_its_sense(step: Measure, length: float | None = None) -> Change:

@@ -6,10 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphkin.base.geometry import Value
 from graphkin.construction import Meet, Relative, Swing, Turning
-from graphkin.marking.hand import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, Times
 from graphkin.marking.scene import Scene, mistake
 from graphkin.model.mechanism import FRAME
 
@@ -17,7 +15,7 @@ from graphkin.model.mechanism import FRAME
 @mistake("driver-reversed", "driver", "3-2.1 (3-1)")
 def reversed_(scene: Scene) -> Iterator[Rewrite]:
     """Every driver alone, and all together."""
-    edits = {k: Edit(("rate", k), times(-1.0)) for k, driver in enumerate(scene.method.drivers) if driver.rate}
+    edits = {k: Edit(("rate", k), Times(-1.0)) for k, driver in enumerate(scene.method.drivers) if driver.rate}
     for k, edit in edits.items():
         yield Rewrite("driver-reversed", scene.method.drivers[k].name, edits=(edit,))
     if len(edits) > 1:
@@ -26,19 +24,18 @@ def reversed_(scene: Scene) -> Iterator[Rewrite]:
 
 @mistake("driver-along-crank", "driver", "3-2.1 (3-1)")
 def along_crank(scene: Scene) -> Iterator[Rewrite]:
-    for size, name in scene.sized("velocity", Turning).items():
-        if scene.driven(size.link) and name:
-            yield Rewrite("driver-along-crank", name, edits=(Edit(("arrow", "velocity", size), times(-1j)),))
-    for turn, name in scene.sized("velocity", Relative).items():
-        if turn.part == "" and name:
-            yield Rewrite("driver-along-crank", name, edits=(Edit(("arrow", "velocity", turn), times(-1j)),))
+    turning = [(size, name) for size, name in scene.sized("velocity", Turning).items() if scene.driven(size.link)]
+    relative = [(size, name) for size, name in scene.sized("velocity", Relative).items() if size.part == ""]
+    for size, name in (*turning, *relative):
+        if name:
+            yield Rewrite("driver-along-crank", name, edits=(Edit(("arrow", "velocity", size), Times(-1j)),))
 
 
 @mistake("driver-acceleration-dropped", "driver", "3-2.1 (3-2)")
 def acceleration_dropped(scene: Scene) -> Iterator[Rewrite]:
     for k, driver in enumerate(scene.method.drivers):
         if driver.acceleration:
-            yield Rewrite("driver-acceleration-dropped", driver.name, edits=(Edit(("acceleration", k), times(0.0)),))
+            yield Rewrite("driver-acceleration-dropped", driver.name, edits=(Edit(("acceleration", k), Times(0.0)),))
 
 
 @mistake("relative-as-absolute", "driver", "3-2.1 (3-3)")
@@ -53,11 +50,7 @@ def relative_as_absolute(scene: Scene) -> Iterator[Rewrite]:
 
 def _alone(word: str, k: int) -> Change:
     """The rate that a driver alone gives its link."""
-
-    def change(plot: Redrawing, right: Value) -> Value:
-        return (plot.facts.rates if word == "omega" else plot.facts.accelerations)[k]
-
-    return change
+    return lambda plot, right: (plot.facts.rates if word == "omega" else plot.facts.accelerations)[k]
 
 
 # --- where the mechanism stands ---------------------------------------------------------------
@@ -69,7 +62,7 @@ def angle_clockwise(scene: Scene) -> Iterator[Rewrite]:
         return
     for k, driver in enumerate(scene.method.drivers):
         if driver.kind == "angle" and abs(np.sin(scene.plot.facts.values[k])) > 1e-9:
-            yield Rewrite("angle-clockwise", driver.name, edits=(Edit(("value", k), times(-1.0)),))
+            yield Rewrite("angle-clockwise", driver.name, edits=(Edit(("value", k), Times(-1.0)),))
 
 
 @mistake("other-assembly", "position", "3-2.1")
@@ -79,4 +72,4 @@ def other_assembly(scene: Scene) -> Iterator[Rewrite]:
     for step in scene.method.position.steps:
         if isinstance(step, Meet | Swing) and step.choice is not None:
             of = step.point if isinstance(step, Meet) else step.link
-            yield Rewrite("other-assembly", of, edits=(Edit(("side", step.choice), times(-1.0)),))
+            yield Rewrite("other-assembly", of, edits=(Edit(("side", step.choice), Times(-1.0)),))

@@ -11,7 +11,7 @@ from graphkin.construction import LETTER, AlongGuide, Image, Normal, Plane, Ray,
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.mistakes.directions import rays
 from graphkin.marking.mistakes.readings import image_edit
-from graphkin.marking.rewrite import Change, Edit, Rewrite, each_and_all, in_sense_of, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, Times, each_and_all, in_sense_of
 from graphkin.marking.scene import Scene, drawn_by, mistake
 
 PLANES: tuple[Plane, Plane] = ("velocity", "acceleration")
@@ -30,16 +30,11 @@ def _in_each_plane(scene: Scene, id: str, way: str, edits: dict[tuple[str, Plane
 
 
 def _of_every_image(scene: Scene, swapped: bool) -> dict[tuple[str, Plane], list[Edit]]:
+    """Mirrored in the line of its base, or with the base's ends taken for each other."""
     return {
-        (link, plane): [_lettered_otherwise(plane, step, swapped) for step in steps]
+        (link, plane): [image_edit(plane, s, *(s.base[::-1] if swapped else s.base), not swapped) for s in steps]
         for plane in PLANES for link, steps in scene.images(plane).items()
     }  # fmt: skip
-
-
-def _lettered_otherwise(plane: Plane, step: Image, swapped: bool) -> Edit:
-    """Mirrored in the line of its base, or with the base's ends taken for each other."""
-    first, second = step.base
-    return image_edit(plane, step, second, first) if swapped else image_edit(plane, step, first, second, mirrored=True)
 
 
 @mistake("image-mirrored", "image", RULE_OF_IMAGES)
@@ -90,19 +85,19 @@ def _normals(scene: Scene) -> Iterator[tuple[Size, str]]:
 
 def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
     """Every term alone; and those of all links that are not driven."""
-    found = [(name, Edit(("arrow", "acceleration", size), change)) for size, name in _normals(scene)]
+    edits = [(name, Edit(("arrow", "acceleration", size), change)) for size, name in _normals(scene)]
     driven = [name for size, name in _normals(scene) if isinstance(size, Normal) and scene.driven(size.link)]
-    return each_and_all(id, found, driven)
+    return each_and_all(id, edits, driven)
 
 
 @mistake("normal-omitted", "normal", RULE_OF_NORMALS)
 def normal_omitted(scene: Scene) -> Iterator[Rewrite]:
-    return _each(scene, "normal-omitted", times(0.0))
+    return _each(scene, "normal-omitted", Times(0.0))
 
 
 @mistake("normal-outward", "normal", RULE_OF_NORMALS)
 def normal_outward(scene: Scene) -> Iterator[Rewrite]:
-    return _each(scene, "normal-outward", times(-1.0))
+    return _each(scene, "normal-outward", Times(-1.0))
 
 
 @mistake("normal-size", "normal", RULE_OF_NORMALS)
@@ -121,17 +116,19 @@ def _sizes(scene: Scene, normal: Normal, length: float) -> Iterator[tuple[str, C
     link, ends = normal.link, (normal.tail, normal.head)
     omega = f"ω{scene.method.mechanism.called(scene.method.structure.home(link))}"
     yield f"{omega} {scene.length_name(*ends)}", lambda p, right: in_sense_of(p, p.omega[link] * length, right, "m/s^2")
-    yield f"{omega}²", times(1.0 / length)
+    yield f"{omega}²", Times(1.0 / length)
     pole = scene.method.velocity.pole
     for point in ends:
         node = scene.node(point, link, "velocity")
         other = ends[0] if point == ends[1] else ends[1]
         if node is not None and not scene.fixed(point) and not scene.fixed(other):
             yield f"{scene.velocity_name(node)}²/{scene.length_name(*ends)}", _squared(pole, node, length)
-    for tail, head, slip in _slips(scene, normal):
-        yield f"{slip}²/{scene.length_name(*ends)}", _squared(tail, head, length)
+    nodes = {scene.node(point, link, "velocity") for point in ends}
+    for term in () if scene.driven(link) else scene.terms("velocity"):  # velocities of sliding at either end
+        if term.seen_from and isinstance(term.direction, AlongGuide) and {term.tail, term.head} & nodes:
+            yield f"{term.name('velocity')}²/{scene.length_name(*ends)}", _squared(term.tail, term.head, length)
     for other, l_other in scene.other_lengths(link, ends).items():
-        yield f"{omega}² {other}", times(l_other / length)
+        yield f"{omega}² {other}", Times(l_other / length)
 
 
 def _squared(tail: str, head: str, length: float) -> Change:
@@ -141,16 +138,6 @@ def _squared(tail: str, head: str, length: float) -> Change:
         return in_sense_of(plot, np.abs(plot.velocity[head] - plot.velocity[tail]) ** 2 / length, right, "m/s^2")
 
     return change
-
-
-def _slips(scene: Scene, normal: Normal) -> Iterator[tuple[str, str, str]]:
-    """Velocities of sliding at either end of a normal term's lever."""
-    if scene.driven(normal.link):
-        return
-    ends = {scene.node(point, normal.link, "velocity") for point in (normal.tail, normal.head)}
-    for term in scene.terms("velocity"):
-        if term.seen_from and isinstance(term.direction, AlongGuide) and {term.tail, term.head} & ends:
-            yield term.tail, term.head, term.name("velocity")
 
 
 @mistake("slider-normal-term", "normal", RULE_OF_NORMALS)
@@ -174,8 +161,10 @@ def _rods(scene: Scene, ray: Ray) -> Iterator[tuple[Normal, str, str]]:
     for rod in scene.sized("acceleration", Normal):
         ends = (rod.tail, rod.head)
         if point in ends and not any(map(scene.fixed, ends)):
-            pivot = _pivot(scene, ends[0] if point == ends[1] else ends[1], rod.link)
-            if pivot is not None:
+            carried = ends[0] if point == ends[1] else ends[1]
+            links = [link for link in scene.method.structure.owners.get(carried, ()) if link != rod.link]
+            others = (other for link in links for other in scene.points(link) if other != carried)
+            if (pivot := next(filter(scene.fixed, others), None)) is not None:
                 yield rod, point, pivot
 
 
@@ -185,12 +174,3 @@ def _shifted(rod: Normal, point: str, pivot: str) -> Change:
         return right + size * unit(plot.arm(point, pivot))
 
     return change
-
-
-def _pivot(scene: Scene, point: str, rod: str) -> str | None:
-    """The fixed point about which another link carries a point."""
-    for link in scene.method.structure.owners.get(point, ()):
-        for other in scene.points(link):
-            if link != rod and other != point and scene.fixed(other):
-                return other
-    return None

@@ -10,7 +10,7 @@ from graphkin.base.geometry import Value
 from graphkin.construction import AlongGuide, Image, Measure, Plane, Roll, Simultaneous, Term
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.mistakes.directions import guide_lengths
-from graphkin.marking.rewrite import Change, Edit, Rewrite, in_sense_of, times
+from graphkin.marking.rewrite import Change, Edit, Rewrite, Times, in_sense_of
 from graphkin.marking.scene import Scene, mistake
 
 
@@ -39,20 +39,13 @@ def over(plane: Plane, tail: str, head: str, length: float) -> Change:
 def omega_sense(scene: Scene) -> Iterator[Rewrite]:
     """Read the wrong way round, and carried on."""
     for step, name in measured(scene, "velocity"):
-        yield Rewrite("omega-sense", name, edits=reading("velocity", step, times(-1.0)))
-    for base in _calculated(scene):
-        links = [link for link, turn in scene.plot.facts.turns.items() if turn.base == base]
-        edits = tuple(Edit(("settled", "omega", link), times(-1.0)) for link in links)
-        yield Rewrite("omega-sense", scene.rotation_name("omega", base), edits=edits)
-
-
-def _calculated(scene: Scene) -> Iterator[str]:
-    """Base links whose rotation a rolling contact or several equations together give."""
-    for step in scene.steps("velocity"):
-        if isinstance(step, Simultaneous):
-            yield from step.angles
-        elif isinstance(step, Roll) and step.angle:
-            yield step.angle
+        yield Rewrite("omega-sense", name, edits=reading("velocity", step, Times(-1.0)))
+    for calculation in scene.steps("velocity"):  # rotations that a rolling contact or several equations give
+        rolled = (calculation.angle,) if isinstance(calculation, Roll) and calculation.angle else ()
+        for base in calculation.angles if isinstance(calculation, Simultaneous) else rolled:
+            links = [link for link, turn in scene.plot.facts.turns.items() if turn.base == base]
+            edits = tuple(Edit(("settled", "omega", link), Times(-1.0)) for link in links)
+            yield Rewrite("omega-sense", scene.rotation_name("omega", base), edits=edits)
 
 
 @mistake("absolute-for-relative", "rotation", "3-2.1 (3-1)")
@@ -60,7 +53,8 @@ def absolute_for_relative(scene: Scene) -> Iterator[Rewrite]:
     """omega = v_C / l_BC of a link whose other point moves too."""
     pole = scene.method.velocity.pole
     for step, name in measured(scene, "velocity"):
-        if any(_at_rest(scene, node) for node in (step.tail, step.head)):
+        sites = (scene.method.velocity.nodes[node].site for node in (step.tail, step.head) if node != pole)
+        if pole in (step.tail, step.head) or any(site is not None and scene.fixed(site.point) for site in sites):
             continue
         for node in (step.head, step.tail):
             form = f"{scene.velocity_name(node)}/{scene.length_name(*step.lever)}"
@@ -68,16 +62,11 @@ def absolute_for_relative(scene: Scene) -> Iterator[Rewrite]:
             yield Rewrite("absolute-for-relative", name, form, reading("velocity", step, change))
 
 
-def _at_rest(scene: Scene, node: str) -> bool:
-    site = scene.method.velocity.nodes[node].site
-    return node == scene.method.velocity.pole or (site is not None and scene.fixed(site.point))
-
-
 @mistake("wrong-length", "rotation", "3-2.1 (3-1)")
 def wrong_length(scene: Scene) -> Iterator[Rewrite]:
     for step, name in measured(scene, "velocity"):
         for form, length in scene.other_lengths(step.of, step.lever).items():
-            edits = reading("velocity", step, times(scene.length(*step.lever) / length))
+            edits = reading("velocity", step, Times(scene.length(*step.lever) / length))
             yield Rewrite("wrong-length", name, form, edits)
 
 
@@ -108,24 +97,19 @@ def _turning_by(scene: Scene, term: Term, slide: str) -> Iterator[Rewrite]:
 def wrong_tail(scene: Scene) -> Iterator[Rewrite]:
     """A known arrow laid off from the pole, so that those before it are lost; alpha or an image from other corners."""
     for construction in scene.polygons:
-        yield from _from_pole(scene, construction.plane)
+        plane = construction.plane
+        sites = ((name, node.site) for name, node in construction.nodes.items())
+        resting = {construction.pole, *(name for name, site in sites if site is not None and scene.fixed(site.point))}
+        for step in scene.laid_off(plane):
+            if step.start not in resting and "*" not in step.start + step.tip:
+                edits = (Edit(("laid", plane, step.tip), _back_to_pole(plane, step.start)),)
+                yield Rewrite("wrong-tail", step.term.name(plane), construction.pole, edits)
     yield from _whole_arrow(scene)
     yield from _image_on_normal(scene)
 
 
-def _from_pole(scene: Scene, plane: Plane) -> Iterator[Rewrite]:
-    construction = scene.construction(plane)
-    sites = ((name, node.site) for name, node in construction.nodes.items())
-    resting = {construction.pole, *(name for name, site in sites if site is not None and scene.fixed(site.point))}
-    for step in scene.laid_off(plane):
-        if step.start in resting or "*" in step.start + step.tip:
-            continue
-
-        def change(plot: Redrawing, right: Value, start: str = step.start, plane: Plane = plane) -> Value:
-            return right - plot.points(plane)[start]
-
-        edits = (Edit(("laid", plane, step.tip), change),)
-        yield Rewrite("wrong-tail", step.term.name(plane), construction.pole, edits)
+def _back_to_pole(plane: Plane, start: str) -> Change:
+    return lambda plot, right: right - plot.points(plane)[start]
 
 
 def _whole_arrow(scene: Scene) -> Iterator[Rewrite]:
@@ -153,20 +137,12 @@ def _image_on_normal(scene: Scene) -> Iterator[Rewrite]:
             corners[tail, head] = term.tail
     for images in scene.images("acceleration").values():
         for base in dict.fromkeys(step.base for step in images):
-            for there in _on_corner(base, corners):
-                edits = tuple(image_edit("acceleration", step, *there) for step in images if step.base == base)
-                yield Rewrite("wrong-tail", scene.image_name(images), "".join(there), edits, way="image")
-
-
-def _on_corner(
-    base: tuple[str, str], corners: dict[tuple[str | None, str | None], str]
-) -> Iterator[tuple[str, str]]:
-    """A base with the end of the normal arrow for the point from which the other is seen."""
-    first, second = base
-    if (corner := corners.get((first, second), first)) != first:
-        yield corner, second
-    if (corner := corners.get((second, first), second)) != second:
-        yield first, corner
+            first, second = base  # the end of the normal arrow for the point from which the other is seen
+            others = (corners.get((first, second), first), second), (first, corners.get((second, first), second))
+            for other in others:
+                edits = tuple(image_edit("acceleration", step, *other) for step in images if step.base == base)
+                if other != base:
+                    yield Rewrite("wrong-tail", scene.image_name(images), "".join(other), edits, way="image")
 
 
 def image_edit(plane: Plane, step: Image, tail: str, head: str, mirrored: bool = False) -> Edit:
