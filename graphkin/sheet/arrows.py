@@ -42,16 +42,13 @@ def side_by_side(figure: Figure) -> Figure:
         steps = round(abs(aside) / ASIDE)
         return replace(mark, start=mark.start + aside, end=mark.end + aside, aside=steps)
 
-    by_name = {name: aside for (_, name), aside in asides.items()}
-    return Figure([moved(mark) for mark in figure.marks], [_with_arrow(want, by_name) for want in figure.wanted])
-
-
-def _with_arrow(want: LabelRequest, asides: dict[str, complex]) -> LabelRequest:
-    """A label on the side to which its arrow was moved."""
-    aside = asides.get(want.of)
-    if aside is None or want.end is None:
-        return want
-    return replace(want, start=want.start + aside, end=want.end + aside, away=aside)
+    by_name, labels = {name: aside for (_, name), aside in asides.items()}, list[LabelRequest]()
+    for want in figure.wanted:  # a label stands on the side to which its arrow was moved
+        if want.of in by_name and want.end is not None:
+            aside = by_name[want.of]
+            want = replace(want, start=want.start + aside, end=want.end + aside, away=aside)
+        labels.append(want)
+    return Figure([moved(mark) for mark in figure.marks], labels)
 
 
 def _asides(vectors: Sequence[VectorMark]) -> Iterator[complex]:

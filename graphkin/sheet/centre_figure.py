@@ -77,19 +77,14 @@ class _DrawnStretches:
         """The pieces of a stretch that are not yet drawn."""
         left = [(laid.start, laid.end)]
         for piece in self.pieces:
-            if _one_line(laid.line, piece.line):
+            one, other = laid.line, piece.line
+            alike = abs((one.direction * other.direction.conjugate()).imag) <= 2e-4
+            if alike and abs(((other.at - one.at) * one.direction.conjugate()).imag) < 2 * SAME:
                 first, second = sorted(laid.line.along(end) for end in piece.ends)
                 left = [part for old in left for part in _without(old, first, second)]
         fresh = [Laid(laid.line, *part) for part in left if part[1] - part[0] > _SHORT]
         self.pieces += fresh
         return fresh
-
-
-def _one_line(one: CentreLine, other: CentreLine) -> bool:
-    """True for two lines that are the same on paper."""
-    if abs((one.direction * other.direction.conjugate()).imag) > 2e-4:
-        return False
-    return abs(((other.at - one.at) * one.direction.conjugate()).imag) < 2 * SAME
 
 
 def _without(old: tuple[float, float], first: float, second: float) -> Iterator[tuple[float, float]]:

@@ -119,20 +119,19 @@ class _CentrodePage:
             for label, strokes, share in zip(self._labels(), lines, (0.25, 0.75), strict=False):
                 if strokes:
                     longest = max(strokes, key=lambda stroke: _lengths(stroke.places)[-1]).places
-                    figure.wanted.append(LabelRequest(label, _part_way(longest, share), gap=1.2))
+                    lengths = _lengths(longest)
+                    k = int(np.searchsorted(lengths, share * lengths[-1]))
+                    figure.wanted.append(LabelRequest(label, longest[min(k, len(longest) - 1)], gap=1.2))
         figure += machine if lettered else Figure(machine.marks)
         if centre is not None and on.room.holds(on.window(centre)):
             figure.marks.append(Disc(on.window(centre), 1.0, "vector", "paper" if lettered else "ink"))
             if lettered:
                 name = quantity_label("P", curves.name[1:])
                 figure.wanted.append(LabelRequest(name, on.window(centre), gap=1.2))
-        return on.sheet(plot, self._heading(), figure, self.lang)
-
-    def _heading(self) -> str:
-        if len(self.curves.axes) == 1:
-            return PATH[self.lang].format(name=self.curves.name)
-        called = self.curves.found.method.mechanism.called
-        return HEADING[self.lang].format(first=called(self.curves.first), second=called(self.curves.second))
+        called = curves.found.method.mechanism.called
+        names = {"name": curves.name, "first": called(curves.first), "second": called(curves.second)}
+        words = PATH if len(curves.axes) == 1 else HEADING
+        return on.sheet(plot, words[self.lang].format(**names), figure, self.lang)
 
     def _strokes(self, link: str, t: float, pen: PenName) -> Iterator[Stroke]:
         window = self.on.window
@@ -174,10 +173,3 @@ def _once(places: list[Place]) -> list[Place]:
 def _lengths(places: Sequence[Place]) -> np.ndarray:
     """Length of a curve up to each of its places."""
     return np.concatenate([[0.0], np.cumsum(np.abs(np.diff(np.array(places))))])
-
-
-def _part_way(places: Sequence[Place], share: float) -> Place:
-    """The place at a part of a curve's length."""
-    lengths = _lengths(places)
-    k = int(np.searchsorted(lengths, share * lengths[-1]))
-    return places[min(k, len(places) - 1)]

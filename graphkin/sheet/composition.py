@@ -72,21 +72,19 @@ class Planes:
     def figure(self, plane: Plane, window: Window) -> Figure:
         """Drawn once through each window: many divisions of a paper show one figure alike."""
         if (plane, window) not in self._drawn:
-            self._drawn[plane, window] = self._figure(plane, window)
+            if plane != "position":
+                figure = heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
+            elif self.style == "given":
+                figure = bare_figure(self.method, self.skeleton(window))
+            else:
+                machine = mechanism_figure(self.skeleton(window), self.method, self.values(plane))
+                figure = self.paths.figure(window) + machine
+            self._drawn[plane, window] = figure
         return self._drawn[plane, window]
 
     @cached_property
     def _drawn(self) -> dict[tuple[Plane, Window], Figure]:
         return {}
-
-    def _figure(self, plane: Plane, window: Window) -> Figure:
-        if plane == "position" and self.style == "given":
-            return bare_figure(self.method, self.skeleton(window))
-        if plane == "position":
-            return self.paths.figure(window) + mechanism_figure(
-                self.skeleton(window), self.method, self.values(plane)
-            )
-        return heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
 
     def skeleton(self, window: Window) -> Skeleton:
         return Skeleton(self.method.mechanism, self.plot, window, births(self.method, "position"))

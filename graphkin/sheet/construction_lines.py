@@ -234,24 +234,12 @@ def pencil_lines(construction: Construction, plot: Plot, window: Window, pages: 
         if isinstance(step, Ray | Arc):
             foot = window(place(points[step.through if isinstance(step, Ray) else step.about]))
             tips = [window(place(points[name])) for name in ends.get(step, ()) if name in points]
-            marks += (
-                _ray(step, foot, tips, plot, window, number) if isinstance(step, Ray) else _arcs(foot, tips, number)
-            )
+            if isinstance(step, Arc):  # short, around each place where the circle is crossed
+                for tip in tips:
+                    half, start = min(_SWING, _STROKE / max(abs(tip - foot), 1e-9)), cmath.phase(tip - foot)
+                    marks.append(ArcMark(foot, abs(tip - foot), start - half, 2 * half, "construction", step=number))
+            elif not cmath.isnan(along := window.turned(complex(plot.direction(step.direction)))):
+                stops = [(along.conjugate() * (tip - foot)).real for tip in tips] or [0.0]
+                low, high = min(0.0, *stops) - _RAY_BEYOND, max(0.0, *stops) + _RAY_BEYOND
+                marks.append(Stroke((foot + along * low, foot + along * high), "construction", step=number))
     return marks
-
-
-def _ray(ray: Ray, foot: Place, tips: list[Place], plot: Plot, window: Window, number: int | None) -> Iterator[Mark]:
-    """A thin line through its point in its direction, past where it meets the other."""
-    along = window.turned(complex(plot.direction(ray.direction)))
-    if cmath.isnan(along):
-        return
-    stops = [(along.conjugate() * (tip - foot)).real for tip in tips] or [0.0]
-    low, high = min(0.0, *stops) - _RAY_BEYOND, max(0.0, *stops) + _RAY_BEYOND
-    yield Stroke((foot + along * low, foot + along * high), "construction", step=number)
-
-
-def _arcs(foot: Place, tips: list[Place], number: int | None) -> Iterator[Mark]:
-    """A short arc around each place where the circle is crossed."""
-    for tip in tips:
-        half = min(_SWING, _STROKE / max(abs(tip - foot), 1e-9))
-        yield ArcMark(foot, abs(tip - foot), cmath.phase(tip - foot) - half, 2 * half, "construction", step=number)

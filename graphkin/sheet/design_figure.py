@@ -10,6 +10,7 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from itertools import chain, starmap
 from typing import assert_never
 
 from graphkin.base import geometry
@@ -73,15 +74,10 @@ class DesignFigure:
 
     def figure(self) -> Figure:
         """Construction, positions and angles; marks carry the number of their stage."""
-        return Figure.of(self._entries())
-
-    def _entries(self) -> Iterator[Entry]:
-        for stage_number, stage in enumerate(self.construction.stages, start=1):
-            for step in stage.steps:
-                yield from self._step(step, stage_number)
-        yield from self._positions()
-        yield from self._points()
-        yield from self._angles()
+        stages = enumerate(self.construction.stages, start=1)
+        steps = ((step, number) for number, stage in stages for step in stage.steps)
+        drawn = chain.from_iterable(starmap(self._step, steps))
+        return Figure.of(chain(drawn, self._positions(), self._points(), self._angles()))
 
     # --- steps -----------------------------------------------------------------------------------
 

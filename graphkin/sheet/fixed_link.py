@@ -170,8 +170,11 @@ def drives(skeleton: Skeleton) -> Figure:
             _slide_arrow(skeleton, driver, figure)
         elif driver.vector is not None:
             _turn_arrow(skeleton, driver, figure)
-        elif driver.kind == "spin":
-            _spin_arrow(skeleton, driver, figure)
+        elif driver.kind == "spin":  # in a wheel whose direction does not matter, about its centre
+            for wheel in [each for each in wheels_of(skeleton.mechanism) if each.link == driver.link][:1]:
+                radius = min(9.0, max(4.0, 0.6 * wheel.radius / skeleton.window.scale))
+                starts = [cmath.rect(1, math.radians(turn)) for turn in range(0, 360, 45)]
+                _arcs(skeleton, driver, figure, (wheel.centre,), radius, {1: starts, -1: starts})
     return figure
 
 
@@ -186,15 +189,6 @@ def _turn_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     radius = min(9.0, max(6.0, 0.45 * abs(tip - at)))
     mirrored = [towards**2 * start.conjugate() for start in starts]
     _arcs(skeleton, driver, figure, driver.vector, radius, {1: starts, -1: mirrored})
-
-
-def _spin_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
-    """In a wheel whose direction does not matter, about its centre."""
-    own = [wheel for wheel in wheels_of(skeleton.mechanism) if wheel.link == driver.link]
-    if own:
-        radius = min(9.0, max(4.0, 0.6 * own[0].radius / skeleton.window.scale))
-        starts = [cmath.rect(1, math.radians(turn)) for turn in range(0, 360, 45)]
-        _arcs(skeleton, driver, figure, (own[0].centre,), radius, {1: starts, -1: starts})
 
 
 def _arcs(
@@ -215,18 +209,14 @@ def _arcs(
     called = between([skeleton.mechanism.called(link) for link in links])
     for sense, text in letters.items():
         half = cmath.rect(1, -sense * symbols.SWEEP / 2)  # from the start of an arc to its middle
-        start = _freest(skeleton, at, half, radius, starts[sense])
+        room = [_room(skeleton, at + start * half * radius) for start in starts[sense]]  # about the middle of each arc
+        start = starts[sense][room.index(max(room))]
         shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
         marks = symbols.spin(at, start, sense, radius, skeleton.step(*on), shows)
         figure.marks += marks
         middle, label = start * half, joined([quantity_label(letter, called) for letter in text])
         figure.wanted.append(LabelRequest(label, at + middle * radius, gap=0.3, away=middle, step=marks[0].step))
         radius += _APART
-
-
-def _freest(skeleton: Skeleton, at: Place, half: complex, radius: float, starts: Sequence[complex]) -> complex:
-    """The start of an arc that has most room about its middle, the first of equals; half: the turn to there."""
-    return max(starts, key=lambda start: _room(skeleton, at + start * half * radius))
 
 
 def _room(skeleton: Skeleton, place: Place) -> float:

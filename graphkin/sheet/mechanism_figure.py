@@ -68,7 +68,13 @@ def _bodies(skeleton: Skeleton) -> Figure:
     """Links with their numbers, cams, and blocks over their guides."""
     figure = Figure(_signs(skeleton, BEFORE_LINKS))
     for link in skeleton.mechanism.moving:
-        _link(skeleton, link, figure)
+        names = skeleton.named(link)
+        places, step = [skeleton.at(p) for p in names], skeleton.step(*names)
+        for slide in skeleton.guides(link):
+            figure.marks += _guide(skeleton, slide)
+        if len(names) > 1:
+            figure.marks += _body(names, places, link, step)
+        figure.wanted += _link_number(skeleton, link, places, step)
     figure.marks += _signs(skeleton, OVER_LINKS)
     return figure
 
@@ -77,16 +83,6 @@ def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
     """The signs of all pairs of these kinds."""
     pairs = ((sign, pair) for kind, sign in signs.items() for pair in skeleton.mechanism.of(kind))
     return [mark for sign, pair in pairs for mark in sign(skeleton, pair)]
-
-
-def _link(skeleton: Skeleton, link: str, figure: Figure) -> None:
-    names = skeleton.named(link)
-    places, step = [skeleton.at(p) for p in names], skeleton.step(*names)
-    for slide in skeleton.guides(link):
-        figure.marks += _guide(skeleton, slide)
-    if len(names) > 1:
-        figure.marks += _body(names, places, link, step)
-    figure.wanted += _link_number(skeleton, link, places, step)
 
 
 def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | None) -> list[Mark]:

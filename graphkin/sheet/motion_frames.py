@@ -65,7 +65,11 @@ def motion_frames(
     replay_all(method)
     moved = course(method, ())
     prove(moved)
-    plots = [_plot(method, moved, t) for t in _times(moved, count)]
+    aside = stride(method, moved.path.pace, _ASIDE_DEG, _ASIDE_PART)
+    plots = list[Plot]()
+    for t in _times(moved, count):
+        t += 2 * aside if any(abs(t - change.at) < aside for change in moved.path.changes) else 0.0
+        plots.append(replay(method.acceleration, replay(method.velocity, along(method, moved.path, t))))
     frames = _Frames(method, plots, (only,) if only else PLANES, lang, bool(moved.path.stops) or not moved.angular)
     return list(frames.sheets(paper))
 
@@ -80,14 +84,6 @@ def _times(moved: Course, count: int) -> list[float]:
     ends = [0.0, high, low, 0.0] if sense > 0 else [0.0, low, high, 0.0]
     passed = np.concatenate([[0.0], np.cumsum(np.abs(np.diff(ends)))])
     return [float(t) for t in np.interp(np.arange(count) * (passed[-1] / count), passed, ends)]
-
-
-def _plot(method: Method, moved: Course, t: float) -> Plot:
-    """The drawing at t, a little beside a change point."""
-    aside = stride(method, moved.path.pace, _ASIDE_DEG, _ASIDE_PART)
-    if any(abs(t - change.at) < aside for change in moved.path.changes):
-        t += 2 * aside
-    return replay(method.acceleration, replay(method.velocity, along(method, moved.path, t)))
 
 
 @frozen

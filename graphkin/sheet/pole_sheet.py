@@ -41,20 +41,17 @@ def pole_sheet(velocities: TwoVelocities, lang: Lang = "en", *, paper: str | Non
     places = [*velocities.points, *([velocities.place] if cmath.isfinite(velocities.place) else [])]
     caption = Caption(tuple(pole_words(velocities, lang)), _FOOT)
     far = plain("\u221e" if cmath.isinf(velocities.place) else "")
-    tables = [Table((quantity_label("P", ""), far), tuple(_rows(velocities)))]
+    rows = [(quantity_label("ω", ""), (*number(abs(velocities.omega)), Run(" rad/s")))]
+    if cmath.isfinite(velocities.place):
+        at = (("x", velocities.place.real), ("y", velocities.place.imag))
+        rows = [*((quantity_label(letter, "P"), (*number(value * 1e3), Run(" mm"))) for letter, value in at), *rows]
+    tables = [Table((quantity_label("P", ""), far), tuple(rows))]
     field, foot = divided(chosen, strip_height(chosen, tables))
     picture = Picture(Extent.of(places, draw), draw, caption)
     strip = Strip(foot, tables, further={"velocity": speed} if fastest else {})
     title = in_both("about.pole title")
     machine = Mechanism("velocities", "1", {FRAME: Link(FRAME, {})}, title=title, file="velocities")
     return Page(chosen, [picture.panel(field, picture.scale(field))], machine, (), lang, strip).sheet()
-
-
-def _rows(velocities: TwoVelocities) -> Iterator[tuple[tuple[Run, ...], tuple[Run, ...]]]:
-    if cmath.isfinite(velocities.place):
-        for letter, value in (("x", velocities.place.real), ("y", velocities.place.imag)):
-            yield quantity_label(letter, "P"), (*number(value * 1e3), Run(" mm"))
-    yield quantity_label("ω", ""), (*number(abs(velocities.omega)), Run(" rad/s"))
 
 
 def _entries(velocities: TwoVelocities, window: Window, speed: float) -> Iterator[Entry]:

@@ -82,7 +82,11 @@ def wheels(skeleton: Skeleton) -> Figure:
             figure.wanted.append(_number(skeleton, wheel))
     for roll in skeleton.mechanism.of(RollingContact):
         if roll.line is not None:
-            figure.marks += _track(skeleton, roll, roll.line)
+            step, reach = skeleton.step(roll.centre), roll.radius / skeleton.window.scale + 12
+            track = straight(skeleton, roll.line, roll.name, roll.centre, reach, step)
+            under = (1j if roll.left else -1j) * skeleton.direction(roll.line)
+            ground = symbols.guide(track.places[0], track.places[1], under, step, track.shows)
+            figure.marks += ground if roll.line.link == FRAME else [track]
     return figure
 
 
@@ -127,16 +131,6 @@ def _free_direction(skeleton: Skeleton, centre: str) -> complex:
     taken += [1j] if FRAME in skeleton.mechanism.owners.get(centre, ()) else []
     directions = [cmath.rect(1, math.radians(a)) for a in (-45, -135, -90, 45, 135, 0, 180, 90)]
     return max(directions, key=lambda one: -max(((t * one.conjugate()).real for t in taken), default=-1.0))
-
-
-def _track(skeleton: Skeleton, roll: RollingContact, line: Line) -> list[Mark]:
-    """The line a wheel rolls on: hatched ground, or a bar of its link."""
-    step = skeleton.step(roll.centre)
-    track = straight(skeleton, line, roll.name, roll.centre, roll.radius / skeleton.window.scale + 12, step)
-    if line.link != FRAME:
-        return [track]
-    under = (1j if roll.left else -1j) * skeleton.direction(line)
-    return symbols.guide(track.places[0], track.places[1], under, step, track.shows)
 
 
 def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float, step: int | None) -> Stroke:
