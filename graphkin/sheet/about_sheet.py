@@ -28,7 +28,7 @@ from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.titleblock import Table
 from graphkin.sheet.window import Entry, Figure, enlarged
-from graphkin.studies.centres.about import About, CarriedPoint, Circle, InflectionLine
+from graphkin.studies.centres.about import About, Circle, InflectionLine
 from graphkin.studies.centres.about_bobillier import Bobillier
 
 _POLE, _MOST = 2.6, 1.5
@@ -82,17 +82,12 @@ def _point_tables(link: About, lang: Lang) -> list[Table]:
     rows = []
     for name, carried in link.points.items():
         sizes = [number(abs(value)) for value in (carried.velocity, carried.acceleration)]
-        rows.append((point_label(name), *sizes, *_curving(link, carried)))
+        dash = plain("–") if cmath.isnan(carried.centre) else plain("∞")  # it stands still; its path is straight
+        curving = dash, dash
+        if cmath.isfinite(carried.centre):
+            curving = number(carried.radius * 1e3), coordinates(link.found, carried.centre)
+        rows.append((point_label(name), *sizes, *curving))
     return [Table(head, tuple(rows))] if rows else []
-
-
-def _curving(link: About, carried: CarriedPoint) -> tuple[Label, Label]:
-    """Radius and centre of curvature; a dash for a point that stands still, ∞ where the path is straight."""
-    if cmath.isnan(carried.centre):
-        return plain("–"), plain("–")
-    if cmath.isinf(carried.centre):
-        return plain("∞"), plain("∞")
-    return number(carried.radius * 1e3), coordinates(link.found, carried.centre)
 
 
 @frozen

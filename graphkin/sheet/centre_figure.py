@@ -190,21 +190,17 @@ def bare_mechanism(found: Centres, window: Window) -> Figure:
 def centre_figure(paper: OnPaper) -> Figure:
     """Lines first, the mechanism over them, then the marks of the centres and the arrows to those that have none."""
     lines, machine = centre_lines(paper), bare_mechanism(paper.found, paper.window)
-    marks = [mark for spot in paper.spots if paper.shown(spot) for mark in _marked(paper, spot)]
+    hinges = [paper.window(place) for place in mechanism_places(paper.found.method, paper.found.plot)]
+    marks: list[Mark] = []
+    for spot in filter(paper.shown, paper.spots):  # a small circle with a dot; over a hinge the dot alone shows
+        at, step = paper.at(spot), spot.number
+        if all(abs(hinge - at) >= _CIRCLE for hinge in hinges):
+            marks.append(Disc(at, _CIRCLE, "thin", "paper", step=step))
+        marks.append(PointMark("centres", spot.name, spot.name, at, _DOT, step=step))
     drawn = [*lines.marks, *machine.marks, *marks]
     arrows = centre_arrows(paper, drawn)
     wanted = [*machine.wanted, *_names(paper), *arrows.wanted, *lines.wanted]
     return Figure([*drawn, *arrows.marks], wanted)
-
-
-def _marked(paper: OnPaper, spot: Spot) -> list[Mark]:
-    """A small circle with a dot; over a hinge the dot alone shows."""
-    at, step = paper.at(spot), spot.number
-    dot = PointMark("centres", spot.name, spot.name, at, _DOT, step=step)
-    hinges = (paper.window(place) for place in mechanism_places(paper.found.method, paper.found.plot))
-    if any(abs(hinge - at) < _CIRCLE for hinge in hinges):
-        return [dot]
-    return [Disc(at, _CIRCLE, "thin", "paper", step=step), dot]
 
 
 def _names(paper: OnPaper) -> Iterator[LabelRequest]:

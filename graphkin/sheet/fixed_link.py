@@ -102,24 +102,16 @@ def _runs(skeleton: Skeleton, *others: Skeleton) -> list[_Run]:
             continue
         fresh = _run(slide, skeleton, *others)
         for run in runs:
-            if _touch(run, fresh):
-                t = (run.along.conjugate() * (fresh.foot - run.foot)).real
+            off, turn = fresh.foot - run.foot, run.along.conjugate()
+            aside, t = abs((turn * off).imag), (turn * off).real
+            alike = run.pins == fresh.pins and abs((turn * fresh.along).imag) <= 1e-3 and aside <= 0.1
+            if alike and run.low - 1 < t + fresh.high and t + fresh.low < run.high + 1:
                 run.low, run.high = min(run.low, t + fresh.low), max(run.high, t + fresh.high)
                 run.points += fresh.points
                 break
         else:
             runs.append(fresh)
     return runs
-
-
-def _touch(run: _Run, other: _Run) -> bool:
-    off = other.foot - run.foot
-    if run.pins != other.pins or abs((run.along.conjugate() * other.along).imag) > 1e-3:
-        return False
-    if abs((run.along.conjugate() * off).imag) > 0.1:
-        return False
-    t = (run.along.conjugate() * off).real
-    return run.low - 1 < t + other.high and t + other.low < run.high + 1
 
 
 def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _Run:

@@ -27,7 +27,7 @@ from graphkin.running.path import along, stride
 from graphkin.sheet.boxes import overlap
 from graphkin.sheet.fixed_link import drives
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.layout import Layout, lay_out, papers_for
+from graphkin.sheet.layout import lay_out, papers_for
 from graphkin.sheet.lettering import Label, box, joined, plain, point_label
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.mechanism_figure import mechanism_places, moving_figure
@@ -97,7 +97,11 @@ class _Frames:
     back: bool
 
     def sheets(self, paper: str | None) -> Iterator[Sheet]:
-        layout = self._layout(paper)
+        try:
+            layout = lay_out(self._extents, strip_height, papers_for(paper))
+        except TooLargeForPaper:  # a given scale at which the whole motion does not fit is not kept
+            free = {plane: replace(extent, given=None) for plane, extent in self._extents.items()}
+            layout = lay_out(free, strip_height, papers_for(paper))
         windows = {plane: layout.window(plane, self._extents[plane]) for plane in self.planes}
         rooms = {plane: layout.rooms[plane].inset(1, 1, 1) for plane in self.planes}
         heads = {plane: heading(HEADINGS[self.lang][plane], plane, windows[plane].scale, layout.rooms[plane])
@@ -167,14 +171,6 @@ class _Frames:
         extent = Extent.of(places, drawn, self.method.mechanism.scales.get(KEYS[plane]), letters=9.0)
         return extent if plane == "position" else replace(extent, labels=_WORTH * extent.labels)
 
-    def _layout(self, paper: str | None) -> Layout:
-        """A given scale at which the whole motion does not fit is not kept."""
-        try:
-            return lay_out(self._extents, strip_height, papers_for(paper))
-        except TooLargeForPaper:
-            free = {plane: replace(extent, given=None) for plane, extent in self._extents.items()}
-            return lay_out(free, strip_height, papers_for(paper))
-
     # --- figures ------------------------------------------------------------------------------
 
     def _figure(self, plane: Plane, window: Window, k: int) -> Figure:
@@ -187,7 +183,9 @@ class _Frames:
             Skeleton(self.method.mechanism, plot, window, born)
             for plot in (self.plots[0], self.plots[k], *self.plots[:: max(1, len(self.plots) // 8)])
         )
-        return moving_figure(here, self.method, others, drives(first if self._drives_stand else here))
+        owners, drivers = self.method.mechanism.owners, self.method.drivers
+        stand = all(driver.vector is not None and FRAME in owners[driver.vector[0]] for driver in drivers)
+        return moving_figure(here, self.method, others, drives(first if stand else here))  # arrows at the frame stand
 
     @cached_property
     def _as_one(self) -> dict[Plane, list[tuple[str, ...]]]:
@@ -218,12 +216,6 @@ class _Frames:
             for group, place in at.items()
         ]
 
-    @cached_property
-    def _drives_stand(self) -> bool:
-        """True where all drivers turn or slide at the frame: then their arrows stand still, too."""
-        owners = self.method.mechanism.owners
-        return all(d.vector is not None and FRAME in owners[d.vector[0]] for d in self.method.drivers)
-
 
 # --- letters that go along without hopping ----------------------------------------------------------------------------
 
@@ -245,7 +237,12 @@ def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list
     marks: list[list[Mark]] = [list(figure.marks) for figure in figures]
     drawn = [obstacles([*figure.marks, *off]) for figure in figures]
     letters: list[list[Boxes]] = [[] for _ in figures]
-    for wants in _by_label(figures).values():
+    every: dict[tuple[Label, bool], dict[int, LabelRequest]] = {}
+    for k, figure in enumerate(figures):
+        for want in (want for want in figure.wanted if not want.of):
+            every.setdefault((want.label, want.end is None), {}).setdefault(k, want)
+    often = (wants for wants in every.values() if len(wants) >= _SELDOM * len(figures))
+    for wants in sorted(often, key=len, reverse=True):  # the most frequent come first, seldom ones not at all
         middles = np.array([_middles(want) for want in wants.values()])
         wide, up, down = box(*next((want.label, want.size) for want in wants.values()))
         half = complex(wide, up + down) / 2
@@ -259,17 +256,6 @@ def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list
                 marks[k].append(Text(want.label, at, want.size, want.step))
                 letters[k].append(place)
     return marks
-
-
-def _by_label(figures: Sequence[Figure]) -> dict[tuple[Label, bool], dict[int, LabelRequest]]:
-    """Letters by what they say, and by figure; the most frequent come first, seldom ones not at all."""
-    wants: dict[tuple[Label, bool], dict[int, LabelRequest]] = {}
-    for k, figure in enumerate(figures):
-        for want in figure.wanted:
-            if not want.of:
-                wants.setdefault((want.label, want.end is None), {}).setdefault(k, want)
-    often = {label: own for label, own in wants.items() if len(own) >= _SELDOM * len(figures)}
-    return dict(sorted(often.items(), key=lambda entry: -len(entry[1])))
 
 
 def _middles(want: LabelRequest) -> list[Place]:

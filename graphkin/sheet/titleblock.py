@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 from functools import cached_property, lru_cache
 from itertools import accumulate
@@ -146,22 +146,18 @@ def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
     for tier in tiers:
         pen = corner
         for part in tier:
-            marks += _drawn(part, pen)
+            for k, row in enumerate((part.head, *part.rows)):
+                at = pen + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
+                for column, (cell, wide, gap) in enumerate(zip(row, part.widths, part.gaps, strict=True)):
+                    if cell:
+                        accent = _PLANES.get(part.head[column][0].text) if k and part.head[column] else None
+                        marks.append(Text(cell, at + (part.before(cell, column) if k else 0), SIZE, accent=accent))
+                    at += wide + gap
+            under = pen + 1j * (PITCH * 1.05)
+            marks.append(Stroke((under, under + part.wide), "thin"))
             pen += part.wide + _BETWEEN
         corner += 1j * height_of([tier])
     return marks
-
-
-def _drawn(table: Table, corner: Place) -> Iterator[Mark]:
-    for k, row in enumerate((table.head, *table.rows)):
-        pen = corner + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
-        for column, (cell, wide, gap) in enumerate(zip(row, table.widths, table.gaps, strict=True)):
-            if cell:
-                accent = _PLANES.get(table.head[column][0].text) if k and table.head[column] else None
-                yield Text(cell, pen + (table.before(cell, column) if k else 0), SIZE, accent=accent)
-            pen += wide + gap
-    under = corner + 1j * (PITCH * 1.05)
-    yield Stroke((under, under + table.wide), "thin")
 
 
 _WIDE = 64.0  # width of the title block [mm]

@@ -195,18 +195,13 @@ def equivalents(skeleton: Skeleton) -> list[Mark]:
                 hinges = [skeleton.at(centre) for centre in centres if centre not in edges]
                 marks += [Disc(hinge, symbols.HINGE, "thin", step=step) for hinge in hinges]
             case Slot(line, centre) if pair.rolling is None:
-                marks += _slotted(skeleton, line, centre, skeleton.step(centre))
+                at, along, step = skeleton.at(centre), skeleton.direction(line), skeleton.step(centre)
+                marks += [  # the block runs on the face's line moved sideways to the centre; both belong to one link
+                    Stroke((at - along * _REACH, at + along * _REACH), "dashed", step=step),
+                    Stroke(symbols.block_corners(at, along), "dashed", closed=True, step=step),
+                    Disc(at, symbols.HINGE, "thin", step=step),
+                ]
     return marks
-
-
-def _slotted(skeleton: Skeleton, line: Line, centre: str, step: int | None) -> list[Mark]:
-    """The block runs on the face's line moved sideways to the centre; both belong to one link."""
-    at, along = skeleton.at(centre), skeleton.direction(line)
-    return [
-        Stroke((at - along * _REACH, at + along * _REACH), "dashed", step=step),
-        Stroke(symbols.block_corners(at, along), "dashed", closed=True, step=step),
-        Disc(at, symbols.HINGE, "thin", step=step),
-    ]
 
 
 def follower(skeleton: Skeleton, slide: Slide) -> list[Mark] | None:
