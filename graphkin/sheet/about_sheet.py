@@ -298,16 +298,11 @@ class _BobillierDrawing:
         named: list[tuple[str, int | None]] = [(self.solution.point, None)] if self.new else []
         numbered = enumerate(self.solution.construction.steps, start=1)
         named += [(step.name, step_number) for step_number, step in numbered if isinstance(step, PointStep)]
+        point, solution = self.solution.point, self.solution
+        labels = {solution.crossings[1]: quantity_label("Q", point), solution.answer: quantity_label("K", point)}
         for name, step in named:
             place = as_place(self.solution.board.at(name))
             if cmath.isfinite(place) and self.on.room.holds(at := self.on.window(place)):
                 yield Disc(at, 0.6, "vector", "ink", step=step)
-                yield LabelRequest(self._label(name), at, gap=0.9, step=step)
-
-    def _label(self, name: str) -> Label:
-        point = self.solution.point
-        if name == self.solution.answer:
-            return quantity_label("K", point)
-        if name == self.solution.crossings[1]:
-            return quantity_label("Q", point)
-        return point_label(name) if name == point else plain(name.replace("'", "′"), italic=True)
+                own = point_label(name) if name == point else plain(name.replace("'", "′"), italic=True)
+                yield LabelRequest(labels.get(name, own), at, gap=0.9, step=step)

@@ -177,16 +177,10 @@ def _layouts(measures: CentreExtent, paper: Paper, lang: Lang, fit: bool) -> Ite
         kept = given is not None and (box if fit else measures.extent).fits(given, room)
         scales.add(given if given is not None and kept else box.finest(room))
     for scale in sorted(scales):
-        shown = _held(measures, inner * scale)
+        shown, held = list[complex](), inner * scale * (1 + 1e-9)
+        for place in measures.finite:  # as many as it holds beside the mechanism [m], the nearest first
+            size = measures.box([*shown, place]).size
+            if size.real <= held.real and size.imag <= held.imag:
+                shown.append(place)
         window = measures.box(shown).window(room, scale)
         yield CentreLayout(grid, figure, circle, table, window, len(shown), measures.longest / scale, least)
-
-
-def _held(measures: CentreExtent, room: complex) -> list[complex]:
-    """As many centres as a room holds beside the mechanism [m], the nearest first."""
-    held: list[complex] = []
-    for place in measures.finite:
-        size = measures.box([*held, place]).size
-        if size.real <= room.real * (1 + 1e-9) and size.imag <= room.imag * (1 + 1e-9):
-            held.append(place)
-    return held

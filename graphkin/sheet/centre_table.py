@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from functools import partial
 from math import degrees
 
 from graphkin.base import geometry
@@ -109,25 +110,22 @@ def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
     ]
     marks: list[Mark] = [Stroke((chord.start, chord.end), chord.pen, step=chord.number) for chord in chords]
     balls: list[Place] = []
+
+    def room(at: Place, chord: _Chord) -> float:
+        """The distance of a place on a chord from other chords and numbers, as far as it matters [mm]."""
+        to_chord = min((off_stretch(at, o.start, o.end) for o in chords if o is not chord), default=9.0)
+        to_ball = min((abs(at - ball) - _BALL for ball in balls), default=9.0)
+        return round(min(to_chord, to_ball, 5.0), 3)
+
     for chord in sorted(chords, key=lambda c: (abs(c.end - c.start), c.number)):
-        at = _number_place(chord, [other for other in chords if other is not chord], balls)
+        spots = [chord.start + share * (chord.end - chord.start) for share in _SHARES]
+        at = max(spots, key=partial(room, chord=chord))
         balls.append(at)
         label = plain(str(chord.number))
         marks.append(Disc(at, _BALL, "leader", "paper", step=chord.number))
         corner = at + complex(-width(label, LEAST) / 2, 0.33 * LEAST)
         marks.append(Text(label, corner, LEAST, chord.number))
     return marks
-
-
-def _number_place(chord: _Chord, others: Sequence[_Chord], balls: Sequence[Place]) -> Place:
-    """The place on a chord that is farthest from other chords and numbers, the first of equals."""
-
-    def room(at: Place) -> float:
-        to_chord = min((off_stretch(at, other.start, other.end) for other in others), default=9.0)
-        to_ball = min((abs(at - ball) - _BALL for ball in balls), default=9.0)
-        return round(min(to_chord, to_ball, 5.0), 3)
-
-    return max((chord.start + share * (chord.end - chord.start) for share in _SHARES), key=room)
 
 
 # --- table ------------------------------------------------------------------------------------

@@ -237,14 +237,11 @@ class SheetContents:
             before += laid_out(self.blocks[plane], corner, room.size.real - 2 * HEAD_LEFT)
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
-        more = self._last(layout, plane, window) if drawing.style == "construction" else None
+        more: Last | None = None
+        if drawing.style == "construction" and plane == "position":  # annotations of what is used for the polygons
+            more = MechanismNotes(drawing.skeleton(window), drawing.reading(layout.scales), self.planes)
+        elif drawing.style == "construction":
+            acts = [act for act in drawing.method.acts if act.plane == plane]
+            loose, spoken = [] if plane in layout.headed else self.blocks[plane], drawing.reading(layout.scales)
+            more = PolygonConstruction(drawing.polygon(plane, window), PolygonReading(spoken, plane), acts, loose)
         return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
-
-    def _last(self, layout: Layout, plane: Plane, window: Window) -> Last:
-        """The construction of a polygon, and the annotations of the mechanism that are used for it."""
-        reading = self.drawing.reading(layout.scales)
-        if plane == "position":
-            return MechanismNotes(self.drawing.skeleton(window), reading, self.planes)
-        acts = [act for act in self.drawing.method.acts if act.plane == plane]
-        loose = [] if plane in layout.headed else self.blocks[plane]
-        return PolygonConstruction(self.drawing.polygon(plane, window), PolygonReading(reading, plane), acts, loose)

@@ -133,25 +133,20 @@ class PolygonConstruction:
 
     def _squares(self) -> Iterator[Stroke]:
         """Right angles between a normal and a tangential part, or of what slides and its Coriolis acceleration."""
+        points = self.polygon.points
         for equation in self.polygon.construction.equations:
             for chain in (equation.left, equation.right):
                 for one, other in pairwise(chain):
                     parts = {one.part, other.part}
                     if (one.of, one.seen_from) == (other.of, other.seen_from) and parts in map(set, _RIGHT):
-                        yield from self._square(one, other)
-
-    def _square(self, one: Term, other: Term) -> Iterator[Stroke]:
-        """In the corner between two arrows that follow one another."""
-        points = self.polygon.points
-        if not {one.tail, one.head, other.head} <= points.keys():
-            return
-        corner, back, on = points[one.head], points[one.tail], points[other.head]
-        a, b = back - corner, on - corner
-        if min(abs(a), abs(b)) < _SQUARE / 2 or max(abs(a), abs(b)) < 2 * _SQUARE:
-            return
-        a, b = a / abs(a) * _SQUARE, b / abs(b) * _SQUARE
-        step = self.polygon.step(one.tail, one.head, other.head)
-        yield Stroke((corner + a, corner + a + b, corner + b), "construction", step=step)
+                        corners = [points[name] for name in (one.head, one.tail, other.head) if name in points]
+                        if len(corners) < 3:
+                            continue
+                        corner, a, b = corners[0], corners[1] - corners[0], corners[2] - corners[0]
+                        if min(abs(a), abs(b)) >= _SQUARE / 2 and max(abs(a), abs(b)) >= 2 * _SQUARE:
+                            a, b = a / abs(a) * _SQUARE, b / abs(b) * _SQUARE
+                            step = self.polygon.step(one.tail, one.head, other.head)
+                            yield Stroke((corner + a, corner + a + b, corner + b), "construction", step=step)
 
     # --- numbers ----------------------------------------------------------------------------------
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from itertools import chain
 
 from graphkin.base.value import filled
 from graphkin.model.mechanism import FRAME, Driver
@@ -122,20 +123,16 @@ def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _Run:
     stops = [0.0, *((along.conjugate() * (other.at(slide.point) - at)).real for other in others)]
     side = _ground_side(at, along, skeleton, *others)
     step = skeleton.step(slide.line.origin)
-    bars = [bar for one in (skeleton, *others) for bar in _bars(one, one.at(slide.point))]
-    turned = [(bar * along.conjugate()).real for bar in bars]
+    turned: list[float] = []  # of the bars that leave what slides, how far each lies along the line
+    for one in (skeleton, *others):
+        block = one.at(slide.point)
+        for here, there in chain.from_iterable((ends, ends[::-1]) for ends in one.segments()):
+            if abs(here - block) < 0.1 < abs(there - block):
+                turned.append(((there - block) / abs(there - block) * along.conjugate()).real)
     back, on = any(t < -_OVER for t in turned), any(t > _OVER for t in turned)
     low, high = (_REACH, _REACH) if back == on else (_STUB, _AWAY) if back else (_AWAY, _STUB)
     low, high = min(stops) - low, max(stops) + high
     return _Run(at, along, low, high, side, slide.block is None, step, slide.name, (slide.point,))
-
-
-def _bars(skeleton: Skeleton, at: Place) -> Iterator[complex]:
-    """Directions in which bars leave a place."""
-    for ends in skeleton.segments():
-        for here, there in (ends, ends[::-1]):
-            if abs(here - at) < 0.1 < abs(there - at):
-                yield (there - at) / abs(there - at)
 
 
 def _ground_side(at: Place, along: complex, *skeletons: Skeleton) -> complex:

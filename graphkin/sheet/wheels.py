@@ -116,21 +116,15 @@ def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
     at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale
     label, step = link_label(skeleton.mechanism.called(wheel.link)), skeleton.step(wheel.centre)
     out, gap = (radius + _RIM, 0.6) if wheel.ring else (radius, 0.4) if radius < _SMALL else (radius - 4.2, -2.6)
-    away = _free_direction(skeleton, wheel.centre)
-    return LabelRequest(label, at + away * out, gap=gap, away=away, step=step)
-
-
-def _free_direction(skeleton: Skeleton, centre: str) -> complex:
-    """The direction from a wheel's centre that is farthest from links and from the wheels beside it."""
-    taken = list(skeleton.directions(centre))
-    here = skeleton.at(centre)
+    taken = list(skeleton.directions(wheel.centre))
     for other in wheels_of(skeleton.mechanism):
-        off = skeleton.at(other.centre) - here
+        off = skeleton.at(other.centre) - at
         if abs(off) > 0.5:
             taken.append(off / abs(off) if not other.ring else -off / abs(off))
-    taken += [1j] if FRAME in skeleton.mechanism.owners.get(centre, ()) else []
+    taken += [1j] if FRAME in skeleton.mechanism.owners.get(wheel.centre, ()) else []
     directions = [cmath.rect(1, math.radians(a)) for a in (-45, -135, -90, 45, 135, 0, 180, 90)]
-    return max(directions, key=lambda one: -max(((t * one.conjugate()).real for t in taken), default=-1.0))
+    away = max(directions, key=lambda one: -max(((t * one.conjugate()).real for t in taken), default=-1.0))
+    return LabelRequest(label, at + away * out, gap=gap, away=away, step=step)
 
 
 def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float, step: int | None) -> Stroke:
