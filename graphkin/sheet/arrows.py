@@ -110,16 +110,10 @@ def heads_apart(figure: Figure) -> Figure:
 def _headed(vector: VectorMark, near: Sequence[VectorMark], dots: Sequence[PointMark]) -> VectorMark:
     """The arrow with the head that leaves those near it their own."""
     rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)
-    turns = {id(v): _turn(vector, v) for v in near if v is not vector}
-    left = [turn for turn in turns.values() if -_MELT < turn <= 0]
-    right = [turn for turn in turns.values() if 0 < turn < _MELT]
+    own = vector.start - vector.end
+    turns = [-cmath.phase((v.start - v.end) / own) or 1e-9 for v in near if v is not vector]
+    left = [turn for turn in turns if -_MELT < turn <= 0]  # those that come from the left of it, looking along it
+    right = [turn for turn in turns if 0 < turn < _MELT]
     half: Half = "" if left and right else "right" if left else "left" if right else ""
     back = rim + (_STEP if left and right else 0.0)
     return replace(vector, half=half, back=back)
-
-
-def _turn(vector: VectorMark, other: VectorMark) -> float:
-    """The angle by which the other arrow, looking along this one, comes from the right of it [rad]; never 0."""
-    own, its = vector.start - vector.end, other.start - other.end
-    turn = cmath.phase(its / own)
-    return -turn or 1e-9

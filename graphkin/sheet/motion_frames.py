@@ -31,7 +31,7 @@ from graphkin.sheet.layout import lay_out, papers_for
 from graphkin.sheet.lettering import Label, box, joined, plain, point_label
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.mechanism_figure import mechanism_places, moving_figure
-from graphkin.sheet.obstacles import Obstacles, obstacles
+from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import KEYS, LABEL, Room, TooLargeForPaper
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
@@ -134,13 +134,15 @@ class _Frames:
     @cached_property
     def _values(self) -> dict[Plane, list[list[complex]]]:
         """The points each plane shows, position by position, in SI units."""
-        return {plane: [self._points(plane, plot) for plot in self.plots] for plane in self.planes}
-
-    def _points(self, plane: Plane, plot: Plot) -> list[complex]:
-        if plane == "position":
-            return mechanism_places(self.method, plot)
-        construction, points = constructions(self.method)[plane], plot.points(plane)
-        return [complex(points[name]) for name in (construction.pole, *construction.nodes) if name in points]
+        values: dict[Plane, list[list[complex]]] = {}
+        for plane in self.planes:
+            if plane == "position":
+                values[plane] = [mechanism_places(self.method, plot) for plot in self.plots]
+                continue
+            construction, places = constructions(self.method)[plane], [plot.points(plane) for plot in self.plots]
+            names = construction.pole, *construction.nodes
+            values[plane] = [[complex(points[name]) for name in names if name in points] for points in places]
+        return values
 
     @cached_property
     def _shown(self) -> dict[Plane, set[int]]:
@@ -178,7 +180,11 @@ class _Frames:
         if plane != "position":
             construction = constructions(self.method)[plane]
             polygon = PolygonFigure(self.method.mechanism, construction, self.plots[k], window, born)
-            return Figure(polygon_figure(polygon).marks, self._letters(polygon, self._as_one[plane]))
+            places, middle = polygon.named, sum(polygon.points.values()) / max(1, len(polygon.points))
+            named = [[name for name in group if name in places] for group in self._as_one[plane]]
+            letters = [(joined([*map(point_label, group)]), places[group[0]]) for group in named if group]
+            wanted = [LabelRequest(label, at, gap=0.5, away=at - middle) for label, at in letters]
+            return Figure(polygon_figure(polygon).marks, wanted)
         first, here, *others = (
             Skeleton(self.method.mechanism, plot, window, born)
             for plot in (self.plots[0], self.plots[k], *self.plots[:: max(1, len(self.plots) // 8)])
@@ -203,18 +209,6 @@ class _Frames:
                 groups.setdefault(next(alike, name), []).append(name)
             as_one[plane] = [tuple(group) for group in groups.values()]
         return as_one
-
-    @staticmethod
-    def _letters(polygon: PolygonFigure, groups: Sequence[tuple[str, ...]]) -> list[LabelRequest]:
-        """A label for each point that bears a letter."""
-        places = polygon.named
-        middle = sum(polygon.points.values()) / max(1, len(polygon.points))
-        named = [[name for name in group if name in places] for group in groups]
-        at = {tuple(group): places[group[0]] for group in named if group}
-        return [
-            LabelRequest(joined([point_label(name) for name in group]), place, gap=0.5, away=place - middle)
-            for group, place in at.items()
-        ]
 
 
 # --- letters that go along without hopping ----------------------------------------------------------------------------
@@ -246,7 +240,14 @@ def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list
         middles = np.array([_middles(want) for want in wants.values()])
         wide, up, down = box(*next((want.label, want.size) for want in wants.values()))
         half = complex(wide, up + down) / 2
-        costs = [_costs(row, half, drawn[k], letters[k], room) for k, row in zip(wants, middles, strict=True)]
+        costs = []
+        for k, row in zip(wants, middles, strict=True):  # the number of things on which each of the places lies
+            low, high = _boxes(row, half)
+            cost = np.bincount(drawn[k].touched(low, high), minlength=len(row)).astype(float)
+            for other in letters[k]:
+                cost += _lies((low, high), other)
+            outside = (low < [room.left, room.top]).any(axis=1) | (high > [room.right, room.bottom]).any(axis=1)
+            costs.append(cost + _OUTSIDE * outside)
         far = np.arange(_CHOICES) >= _CHOICES // len(_RINGS)
         best = int(np.argmin(np.sum(costs, axis=0) + len(costs) * _FARTHER * far))
         for (k, want), row in zip(wants.items(), middles, strict=True):
@@ -288,13 +289,3 @@ def _boxes(middles: np.ndarray, half: complex) -> Boxes:
 def _lies(one: Boxes, other: Boxes) -> np.ndarray:
     """The boxes that lie on the other; what they keep from lines they need not keep twice from one another."""
     return overlap(one[0].T, one[1].T, other[0].T + _CLEAR, other[1].T - _CLEAR)
-
-
-def _costs(middles: np.ndarray, half: complex, drawn: Obstacles, letters: Sequence[Boxes], room: Room) -> np.ndarray:
-    """The number of things on which each of the places lies."""
-    low, high = _boxes(middles, half)
-    cost = np.bincount(drawn.touched(low, high), minlength=len(middles)).astype(float)
-    for other in letters:
-        cost += _lies((low, high), other)
-    outside = (low < [room.left, room.top]).any(axis=1) | (high > [room.right, room.bottom]).any(axis=1)
-    return cost + _OUTSIDE * outside

@@ -63,7 +63,14 @@ def _entries(velocities: TwoVelocities, window: Window, speed: float) -> Iterato
         yield _line([*tips, pole])
     elif velocities.case in ("meet", "infinity"):
         for end, tip in zip(ends, tips, strict=True):
-            yield from _across(end, tip, pole)
+            if abs(tip - end) < 1:
+                continue
+            along = (tip - end) / abs(tip - end)  # the perpendicular of a velocity, with its right angle
+            side = along * 1j if pole is None or ((along * 1j).conjugate() * (pole - end)).real > 0 else along * -1j
+            reach = _BEYOND * 4 if pole is None else abs(pole - end) + _BEYOND
+            yield Stroke((end, end + side * reach), "construction")
+            square = (end + along * _SQUARE, end + (along + side) * _SQUARE, end + side * _SQUARE)
+            yield Stroke(square, "construction")
     yield Stroke((ends[0], ends[1]), "visible")
     for name, end, tip in zip(velocities.names, ends, tips, strict=True):
         yield Disc(end, 0.6, "outline", "ink")
@@ -88,15 +95,3 @@ def _line(places: list[Place]) -> Stroke:
     one, other = max(((a, b) for a in places for b in places), key=lambda pair: abs(pair[1] - pair[0]))
     beyond = (other - one) / (abs(other - one) or 1) * _BEYOND
     return Stroke((one - beyond, other + beyond), "construction")
-
-
-def _across(end: Place, tip: Place, pole: Place | None) -> Iterator[Stroke]:
-    """The perpendicular of a velocity, with its right angle."""
-    if abs(tip - end) < 1:
-        return
-    along = (tip - end) / abs(tip - end)
-    side = along * 1j if pole is None or ((along * 1j).conjugate() * (pole - end)).real > 0 else along * -1j
-    reach = _BEYOND * 4 if pole is None else abs(pole - end) + _BEYOND
-    yield Stroke((end, end + side * reach), "construction")
-    square = (end + along * _SQUARE, end + (along + side) * _SQUARE, end + side * _SQUARE)
-    yield Stroke(square, "construction")

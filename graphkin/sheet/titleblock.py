@@ -223,7 +223,11 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
     for line in _lines(asked.equations, paper):
         marks += laid_out(line, corner, tables_room(paper))
         corner += 1j * head_of(line)[0].imag
-    marks += _check_bar(complex(room.left + 3, room.bottom - 3.2), lang)
+    at = complex(room.left + 3, room.bottom - 3.2)  # a line of 100 mm to lay a ruler on
+    marks.append(Stroke((at, at + 100), "thin", shows=Shows("", "ruler", plane="position")))
+    marks += [Stroke((at + x - 1j, at + x + 1j), "thin") for x in (0, 100)]
+    marks += [Stroke((at + x - 0.5j, at + x), "hatch") for x in range(10, 100, 10)]
+    marks.append(Text(plain(_CHECK[lang]), at + 2 - 1.3j, LEAST))
     block = Room(edge + 3, room.top, room.right - 3, room.bottom - 3)
     marks += _words(machine, block, {**scales, **asked.further}, asked.notes, lang)
     return marks
@@ -234,15 +238,6 @@ def frame(paper: Paper) -> Mark:
     room = paper.frame
     low, high = complex(room.left, room.top), complex(room.right, room.bottom)
     return Stroke((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), "visible", closed=True)
-
-
-def _check_bar(at: Place, lang: Lang) -> list[Mark]:
-    """A line of 100 mm to lay a ruler on."""
-    marks: list[Mark] = [Stroke((at, at + 100), "thin", shows=Shows("", "ruler", plane="position"))]
-    marks += [Stroke((at + x - 1j, at + x + 1j), "thin") for x in (0, 100)]
-    marks += [Stroke((at + x - 0.5j, at + x), "hatch") for x in range(10, 100, 10)]
-    marks.append(Text(plain(_CHECK[lang]), at + 2 - 1.3j, LEAST))
-    return marks
 
 
 def _words(
