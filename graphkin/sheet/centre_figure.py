@@ -132,19 +132,14 @@ def _places(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
     for line in paper.lines(spot):
         laid = reach_of(paper, spot, line)
         if laid is not None:
-            yield from _at_ends(paper, spot, line, laid.ends)
+            for end, along in ((laid.ends[1], line.direction), (laid.ends[0], -line.direction)):
+                if spot.place is None:
+                    yield end - 2 * along, along
+                elif ((paper.at(spot) - end) * along.conjugate()).real > 0:  # that end leads to the centre
+                    for back in (0.0, _EDGE_ARROW + 4, 2 * _EDGE_ARROW + 8):
+                        start = end - (_EDGE_ARROW + 0.5 + back) * along
+                        yield start, _towards(paper.at(spot), start)
     yield from _anywhere(paper, spot)
-
-
-def _at_ends(paper: OnPaper, spot: Spot, line: CentreLine, ends: tuple[Place, Place]) -> Iterator[_Start]:
-    """Over the ends of a line that lead to the centre."""
-    for end, along in ((ends[1], line.direction), (ends[0], -line.direction)):
-        if spot.place is None:
-            yield end - 2 * along, along
-        elif ((paper.at(spot) - end) * along.conjugate()).real > 0:
-            for back in (0.0, _EDGE_ARROW + 4, 2 * _EDGE_ARROW + 8):
-                start = end - (_EDGE_ARROW + 0.5 + back) * along
-                yield start, _towards(paper.at(spot), start)
 
 
 def _anywhere(paper: OnPaper, spot: Spot) -> Iterator[_Start]:

@@ -113,7 +113,13 @@ class _CentrodePage:
         """The curves as far as they lie in the room, and the centre; lettered: with the names of curves and links."""
         curves, on = self.curves, self.on
         plot, centre = along(curves.found.method, curves.path, t), _centre_at(curves, t)
-        lines = [[*self._strokes(link, t, pen)] for link, pen in zip(curves.axes, (_FIXED, _MOVING), strict=False)]
+        lines: list[list[Stroke]] = []
+        for link, pen in zip(curves.axes, (_FIXED, _MOVING), strict=False):
+            strokes: list[Stroke] = []
+            for curve, piece in zip(_carried(curves, link, t), curves.pieces, strict=True):
+                places = [*(on.window.origin + np.conj(curve) / on.window.scale)]
+                strokes += clipped([*places, places[0]] if piece.closed else _once(places), on.room, pen)
+            lines.append(strokes)
         figure, machine = Figure([stroke for strokes in lines for stroke in strokes]), on.mechanism(plot)
         if lettered:
             for label, strokes, share in zip(self._labels(), lines, (0.25, 0.75), strict=False):
@@ -132,12 +138,6 @@ class _CentrodePage:
         names = {"name": curves.name, "first": called(curves.first), "second": called(curves.second)}
         words = PATH if len(curves.axes) == 1 else HEADING
         return on.sheet(plot, words[self.lang].format(**names), figure, self.lang)
-
-    def _strokes(self, link: str, t: float, pen: PenName) -> Iterator[Stroke]:
-        window = self.on.window
-        for curve, piece in zip(_carried(self.curves, link, t), self.curves.pieces, strict=True):
-            places = [*(window.origin + np.conj(curve) / window.scale)]
-            yield from clipped([*places, places[0]] if piece.closed else _once(places), self.on.room, pen)
 
     def _labels(self) -> list[Label]:
         """The names of the curves, or of the path."""

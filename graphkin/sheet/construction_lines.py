@@ -81,7 +81,11 @@ class PolygonConstruction:
         for line in self._lines():
             tip = _lay(line, free, added)
             marked += [(line, tip)] if tip is not None else []
-        added.under.extend(square for square in self._squares() if _clear(square, free))
+        for square in self._squares():  # where no letters stand
+            first, middle, last = square.places
+            sides = ((first, middle), (last, middle))
+            if all(free.reach(a, (b - a) / abs(b - a), abs(b - a)) >= abs(b - a) for a, b in sides):
+                added.under.append(square)
         for start, end, page in self._carried():
             added.under.extend(Stroke(piece, "measured", step=page) for piece in free.pieces(start, end))
         free.add(added.under)
@@ -200,13 +204,6 @@ def _lay(line: _Line, free: FreeRoom, added: Annotations) -> Place | None:
     if abs(tip - start) > _NOTHING:
         added.under.append(Stroke((start, tip), "construction", step=line.page))
     return tip if tip != line.meeting else None
-
-
-def _clear(stroke: Stroke, free: FreeRoom) -> bool:
-    """True where no letters stand where a small sign would be drawn."""
-    first, corner, last = stroke.places
-    sides = ((first, corner), (last, corner))
-    return all(free.reach(a, (b - a) / abs(b - a), abs(b - a)) >= abs(b - a) for a, b in sides)
 
 
 Pages = Mapping[tuple[Plane, Step], int]

@@ -138,18 +138,14 @@ class DesignFigure:
         for arc in family.arcs:
             yield from self._swept(centre, radius, (arc.start, arc.end), _PENS[arc.name], stage)
         for turn in {end for arc in family.arcs if arc.name == "FG" for end in (arc.start, arc.end)}:
-            yield from self._parting(centre + cmath.rect(radius, turn), stage)
-
-    def _parting(self, at: complex, stage: int) -> Iterator[Entry]:
-        """F on the line C1D, or under C1; else G. Neither where it is a point of the linkage or of the construction."""
-        first = self.places["C1"]
-        along = self.places["D"] - first if "D" in self.places else 1j
-        off = (along.conjugate() * (at - first)).imag / abs(along)
-        spot = self.on.window(at)
-        if self.on.room.holds(spot) and all(abs(self._at(name) - spot) >= _NEAR for name in self.places):
-            yield Disc(spot, _DOT, "thin", "ink", step=stage)
-            letter = "F" if abs(off) < 1e-6 * abs(at - first) else "G"
-            yield LabelRequest(point_label(letter), spot, gap=0.9, step=stage, spare=True)
+            at = centre + cmath.rect(radius, turn)
+            first, spot = self.places["C1"], self.on.window(at)
+            along = self.places["D"] - first if "D" in self.places else 1j
+            off = (along.conjugate() * (at - first)).imag / abs(along)
+            if self.on.room.holds(spot) and all(abs(self._at(name) - spot) >= _NEAR for name in self.places):
+                yield Disc(spot, _DOT, "thin", "ink", step=stage)
+                letter = "F" if abs(off) < 1e-6 * abs(at - first) else "G"  # F on the line C1D, or under C1
+                yield LabelRequest(point_label(letter), spot, gap=0.9, step=stage, spare=True)
 
     def _spanned(self, step: drafting.CircleThrough, stage: int) -> Iterator[Entry]:
         """A circle through three points, from the first to the last and a little beyond."""
