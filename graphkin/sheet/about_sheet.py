@@ -28,7 +28,7 @@ from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.titleblock import Table
 from graphkin.sheet.window import Entry, Figure, enlarged
-from graphkin.studies.centres.about import About, CarriedPoint, Circle, InflectionLine
+from graphkin.studies.centres.about import About, Circle, InflectionLine
 from graphkin.studies.centres.about_bobillier import Bobillier
 
 _POLE, _MOST = 2.6, 1.5
@@ -82,17 +82,12 @@ def _point_tables(link: About, lang: Lang) -> list[Table]:
     rows = []
     for name, carried in link.points.items():
         sizes = [number(abs(value)) for value in (carried.velocity, carried.acceleration)]
-        rows.append((point_label(name), *sizes, *_curving(link, carried)))
+        dash = plain("–") if cmath.isnan(carried.centre) else plain("∞")  # it stands still; its path is straight
+        curving = dash, dash
+        if cmath.isfinite(carried.centre):
+            curving = number(carried.radius * 1e3), coordinates(link.found, carried.centre)
+        rows.append((point_label(name), *sizes, *curving))
     return [Table(head, tuple(rows))] if rows else []
-
-
-def _curving(link: About, carried: CarriedPoint) -> tuple[Label, Label]:
-    """Radius and centre of curvature; a dash for a point that stands still, ∞ where the path is straight."""
-    if cmath.isnan(carried.centre):
-        return plain("–"), plain("–")
-    if cmath.isinf(carried.centre):
-        return plain("∞"), plain("∞")
-    return number(carried.radius * 1e3), coordinates(link.found, carried.centre)
 
 
 @frozen
@@ -303,16 +298,11 @@ class _BobillierDrawing:
         named: list[tuple[str, int | None]] = [(self.solution.point, None)] if self.new else []
         numbered = enumerate(self.solution.construction.steps, start=1)
         named += [(step.name, step_number) for step_number, step in numbered if isinstance(step, PointStep)]
+        point, solution = self.solution.point, self.solution
+        labels = {solution.crossings[1]: quantity_label("Q", point), solution.answer: quantity_label("K", point)}
         for name, step in named:
             place = as_place(self.solution.board.at(name))
             if cmath.isfinite(place) and self.on.room.holds(at := self.on.window(place)):
                 yield Disc(at, 0.6, "vector", "ink", step=step)
-                yield LabelRequest(self._label(name), at, gap=0.9, step=step)
-
-    def _label(self, name: str) -> Label:
-        point = self.solution.point
-        if name == self.solution.answer:
-            return quantity_label("K", point)
-        if name == self.solution.crossings[1]:
-            return quantity_label("Q", point)
-        return point_label(name) if name == point else plain(name.replace("'", "′"), italic=True)
+                own = point_label(name) if name == point else plain(name.replace("'", "′"), italic=True)
+                yield LabelRequest(labels.get(name, own), at, gap=0.9, step=step)

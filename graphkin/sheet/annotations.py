@@ -66,7 +66,14 @@ class MechanismNotes:
             if isinstance(half, Rotation) and half.word in _LETTERS and _LETTERS[half.word][1] in self.planes:
                 added.over.extend(self._arc(half, free))
         if self.planes:
-            added.over.extend(_in_lines(dimensions(self.reading), free))
+            texts = [formula(text) for text in dimensions(self.reading)]
+            for wide in (free.room.size.real - 8, *_NARROWER):  # in lines at the foot of the figure
+                lines = WrittenLines.of(texts, wide, LEAST)
+                if lines.lines and (corner := free.corner(lines.size, from_below=True)) is not None:
+                    marks: list[Mark] = [*lines.marks(corner)]
+                    free.add(marks)
+                    added.over.extend(marks)
+                    break
         return added
 
     def _add_length(self, one: str, other: str, free: FreeRoom, added: Annotations) -> None:
@@ -120,14 +127,3 @@ class MechanismNotes:
 def _accented(mark: Mark, plane: Plane) -> Mark:
     """In the colour of a polygon."""
     return replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
-
-
-def _in_lines(texts: Sequence[str], free: FreeRoom) -> list[Mark]:
-    """Given dimensions in lines at the foot of the figure; nothing where it has no room."""
-    for wide in (free.room.size.real - 8, *_NARROWER):
-        lines = WrittenLines.of([formula(text) for text in texts], wide, LEAST)
-        if lines.lines and (corner := free.corner(lines.size, from_below=True)) is not None:
-            marks: list[Mark] = [*lines.marks(corner)]
-            free.add(marks)
-            return marks
-    return []

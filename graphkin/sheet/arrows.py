@@ -42,16 +42,13 @@ def side_by_side(figure: Figure) -> Figure:
         steps = round(abs(aside) / ASIDE)
         return replace(mark, start=mark.start + aside, end=mark.end + aside, aside=steps)
 
-    by_name = {name: aside for (_, name), aside in asides.items()}
-    return Figure([moved(mark) for mark in figure.marks], [_with_arrow(want, by_name) for want in figure.wanted])
-
-
-def _with_arrow(want: LabelRequest, asides: dict[str, complex]) -> LabelRequest:
-    """A label on the side to which its arrow was moved."""
-    aside = asides.get(want.of)
-    if aside is None or want.end is None:
-        return want
-    return replace(want, start=want.start + aside, end=want.end + aside, away=aside)
+    by_name, labels = {name: aside for (_, name), aside in asides.items()}, list[LabelRequest]()
+    for want in figure.wanted:  # a label stands on the side to which its arrow was moved
+        if want.of in by_name and want.end is not None:
+            aside = by_name[want.of]
+            want = replace(want, start=want.start + aside, end=want.end + aside, away=aside)
+        labels.append(want)
+    return Figure([moved(mark) for mark in figure.marks], labels)
 
 
 def _asides(vectors: Sequence[VectorMark]) -> Iterator[complex]:
@@ -113,16 +110,10 @@ def heads_apart(figure: Figure) -> Figure:
 def _headed(vector: VectorMark, near: Sequence[VectorMark], dots: Sequence[PointMark]) -> VectorMark:
     """The arrow with the head that leaves those near it their own."""
     rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)
-    turns = {id(v): _turn(vector, v) for v in near if v is not vector}
-    left = [turn for turn in turns.values() if -_MELT < turn <= 0]
-    right = [turn for turn in turns.values() if 0 < turn < _MELT]
+    own = vector.start - vector.end
+    turns = [-cmath.phase((v.start - v.end) / own) or 1e-9 for v in near if v is not vector]
+    left = [turn for turn in turns if -_MELT < turn <= 0]  # those that come from the left of it, looking along it
+    right = [turn for turn in turns if 0 < turn < _MELT]
     half: Half = "" if left and right else "right" if left else "left" if right else ""
     back = rim + (_STEP if left and right else 0.0)
     return replace(vector, half=half, back=back)
-
-
-def _turn(vector: VectorMark, other: VectorMark) -> float:
-    """The angle by which the other arrow, looking along this one, comes from the right of it [rad]; never 0."""
-    own, its = vector.start - vector.end, other.start - other.end
-    turn = cmath.phase(its / own)
-    return -turn or 1e-9

@@ -77,19 +77,14 @@ class _DrawnStretches:
         """The pieces of a stretch that are not yet drawn."""
         left = [(laid.start, laid.end)]
         for piece in self.pieces:
-            if _one_line(laid.line, piece.line):
+            one, other = laid.line, piece.line
+            alike = abs((one.direction * other.direction.conjugate()).imag) <= 2e-4
+            if alike and abs(((other.at - one.at) * one.direction.conjugate()).imag) < 2 * SAME:
                 first, second = sorted(laid.line.along(end) for end in piece.ends)
                 left = [part for old in left for part in _without(old, first, second)]
         fresh = [Laid(laid.line, *part) for part in left if part[1] - part[0] > _SHORT]
         self.pieces += fresh
         return fresh
-
-
-def _one_line(one: CentreLine, other: CentreLine) -> bool:
-    """True for two lines that are the same on paper."""
-    if abs((one.direction * other.direction.conjugate()).imag) > 2e-4:
-        return False
-    return abs(((other.at - one.at) * one.direction.conjugate()).imag) < 2 * SAME
 
 
 def _without(old: tuple[float, float], first: float, second: float) -> Iterator[tuple[float, float]]:
@@ -137,19 +132,14 @@ def _places(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
     for line in paper.lines(spot):
         laid = reach_of(paper, spot, line)
         if laid is not None:
-            yield from _at_ends(paper, spot, line, laid.ends)
+            for end, along in ((laid.ends[1], line.direction), (laid.ends[0], -line.direction)):
+                if spot.place is None:
+                    yield end - 2 * along, along
+                elif ((paper.at(spot) - end) * along.conjugate()).real > 0:  # that end leads to the centre
+                    for back in (0.0, _EDGE_ARROW + 4, 2 * _EDGE_ARROW + 8):
+                        start = end - (_EDGE_ARROW + 0.5 + back) * along
+                        yield start, _towards(paper.at(spot), start)
     yield from _anywhere(paper, spot)
-
-
-def _at_ends(paper: OnPaper, spot: Spot, line: CentreLine, ends: tuple[Place, Place]) -> Iterator[_Start]:
-    """Over the ends of a line that lead to the centre."""
-    for end, along in ((ends[1], line.direction), (ends[0], -line.direction)):
-        if spot.place is None:
-            yield end - 2 * along, along
-        elif ((paper.at(spot) - end) * along.conjugate()).real > 0:
-            for back in (0.0, _EDGE_ARROW + 4, 2 * _EDGE_ARROW + 8):
-                start = end - (_EDGE_ARROW + 0.5 + back) * along
-                yield start, _towards(paper.at(spot), start)
 
 
 def _anywhere(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
@@ -195,21 +185,17 @@ def bare_mechanism(found: Centres, window: Window) -> Figure:
 def centre_figure(paper: OnPaper) -> Figure:
     """Lines first, the mechanism over them, then the marks of the centres and the arrows to those that have none."""
     lines, machine = centre_lines(paper), bare_mechanism(paper.found, paper.window)
-    marks = [mark for spot in paper.spots if paper.shown(spot) for mark in _marked(paper, spot)]
+    hinges = [paper.window(place) for place in mechanism_places(paper.found.method, paper.found.plot)]
+    marks: list[Mark] = []
+    for spot in filter(paper.shown, paper.spots):  # a small circle with a dot; over a hinge the dot alone shows
+        at, step = paper.at(spot), spot.number
+        if all(abs(hinge - at) >= _CIRCLE for hinge in hinges):
+            marks.append(Disc(at, _CIRCLE, "thin", "paper", step=step))
+        marks.append(PointMark("centres", spot.name, spot.name, at, _DOT, step=step))
     drawn = [*lines.marks, *machine.marks, *marks]
     arrows = centre_arrows(paper, drawn)
     wanted = [*machine.wanted, *_names(paper), *arrows.wanted, *lines.wanted]
     return Figure([*drawn, *arrows.marks], wanted)
-
-
-def _marked(paper: OnPaper, spot: Spot) -> list[Mark]:
-    """A small circle with a dot; over a hinge the dot alone shows."""
-    at, step = paper.at(spot), spot.number
-    dot = PointMark("centres", spot.name, spot.name, at, _DOT, step=step)
-    hinges = (paper.window(place) for place in mechanism_places(paper.found.method, paper.found.plot))
-    if any(abs(hinge - at) < _CIRCLE for hinge in hinges):
-        return [dot]
-    return [Disc(at, _CIRCLE, "thin", "paper", step=step), dot]
 
 
 def _names(paper: OnPaper) -> Iterator[LabelRequest]:

@@ -19,7 +19,6 @@ from graphkin.sheet.marks import Place
 from graphkin.sheet.paper import Room
 from graphkin.sheet.window import Window
 from graphkin.studies.centres import Centres
-from graphkin.studies.centres.underlay import CommonNormal
 
 SAME = 0.05  # places closer than this are one on paper [mm]
 
@@ -107,14 +106,13 @@ class OnPaper:
         for line in spot.stage.lines if spot.stage.say == "two lines" else ():
             normal = self.found.centring.normals.get(line.name)
             own = () if spot.place is None else (self.at(spot),)
-            on_paper = self._join(line, own) if normal is None else self._normal(normal, own)
-            if on_paper is not None:
-                yield on_paper
-
-    def _normal(self, normal: CommonNormal, own: tuple[Place, ...]) -> CentreLine:
-        start = self._point(normal.line.through)
-        along = self.window.turned(geometry.place(self.found.plot.direction(normal.line.direction)))
-        return CentreLine(start, along / abs(along), (start, *self._contact(normal.pair), *own), normal=True)
+            if normal is not None:
+                start = self._point(normal.line.through)
+                along = self.window.turned(geometry.place(self.found.plot.direction(normal.line.direction)))
+                stops = (start, *self._contact(normal.pair), *own)
+                yield CentreLine(start, along / abs(along), stops, normal=True)
+            elif (join := self._join(line, own)) is not None:
+                yield join
 
     def _point(self, name: str) -> Place:
         return self.window(geometry.place(self.found.plot.position[name]))

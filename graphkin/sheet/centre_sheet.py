@@ -172,24 +172,15 @@ def _layouts(measures: CentreExtent, paper: Paper, lang: Lang, fit: bool) -> Ite
         measures.box(place for place in measures.finite if measures.off(place) <= near)
         for near in ((_FIT,) if fit else _NEAR)
     )
-    for scale in sorted({_scale(measures, box, room, fit) for box in boxes}):
-        shown = _held(measures, inner * scale)
+    scales, given = set[float](), measures.extent.given
+    for box in boxes:  # the finest at which all fits; the file's own, where the mechanism (to fit: all) fits at that
+        kept = given is not None and (box if fit else measures.extent).fits(given, room)
+        scales.add(given if given is not None and kept else box.finest(room))
+    for scale in sorted(scales):
+        shown, held = list[complex](), inner * scale * (1 + 1e-9)
+        for place in measures.finite:  # as many as it holds beside the mechanism [m], the nearest first
+            size = measures.box([*shown, place]).size
+            if size.real <= held.real and size.imag <= held.imag:
+                shown.append(place)
         window = measures.box(shown).window(room, scale)
         yield CentreLayout(grid, figure, circle, table, window, len(shown), measures.longest / scale, least)
-
-
-def _scale(measures: CentreExtent, box: Extent, room: Room, fit: bool) -> float:
-    """The finest at which all fits; the file's own, where the mechanism (to fit: all of it) fits at that."""
-    given = measures.extent.given
-    kept = given is not None and (box if fit else measures.extent).fits(given, room)
-    return given if given is not None and kept else box.finest(room)
-
-
-def _held(measures: CentreExtent, room: complex) -> list[complex]:
-    """As many centres as a room holds beside the mechanism [m], the nearest first."""
-    held: list[complex] = []
-    for place in measures.finite:
-        size = measures.box([*held, place]).size
-        if size.real <= room.real * (1 + 1e-9) and size.imag <= room.imag * (1 + 1e-9):
-            held.append(place)
-    return held

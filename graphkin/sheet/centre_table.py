@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
+from functools import partial
 from math import degrees
 
 from graphkin.base import geometry
 from graphkin.base.value import frozen
-from graphkin.construction.drafting import LineStep, Pricked, drawn_through
+from graphkin.construction.drafting import Pricked, drawn_through
 from graphkin.errors import Lang
 from graphkin.sheet.centre_places import Spot, centre_label, coordinates, spots
 from graphkin.sheet.lettering import Label, Run, link_label, number, plain, point_label, width
@@ -109,25 +110,22 @@ def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
     ]
     marks: list[Mark] = [Stroke((chord.start, chord.end), chord.pen, step=chord.number) for chord in chords]
     balls: list[Place] = []
+
+    def room(at: Place, chord: _Chord) -> float:
+        """The distance of a place on a chord from other chords and numbers, as far as it matters [mm]."""
+        to_chord = min((off_stretch(at, o.start, o.end) for o in chords if o is not chord), default=9.0)
+        to_ball = min((abs(at - ball) - _BALL for ball in balls), default=9.0)
+        return round(min(to_chord, to_ball, 5.0), 3)
+
     for chord in sorted(chords, key=lambda c: (abs(c.end - c.start), c.number)):
-        at = _number_place(chord, [other for other in chords if other is not chord], balls)
+        spots = [chord.start + share * (chord.end - chord.start) for share in _SHARES]
+        at = max(spots, key=partial(room, chord=chord))
         balls.append(at)
         label = plain(str(chord.number))
         marks.append(Disc(at, _BALL, "leader", "paper", step=chord.number))
         corner = at + complex(-width(label, LEAST) / 2, 0.33 * LEAST)
         marks.append(Text(label, corner, LEAST, chord.number))
     return marks
-
-
-def _number_place(chord: _Chord, others: Sequence[_Chord], balls: Sequence[Place]) -> Place:
-    """The place on a chord that is farthest from other chords and numbers, the first of equals."""
-
-    def room(at: Place) -> float:
-        to_chord = min((off_stretch(at, other.start, other.end) for other in others), default=9.0)
-        to_ball = min((abs(at - ball) - _BALL for ball in balls), default=9.0)
-        return round(min(to_chord, to_ball, 5.0), 3)
-
-    return max((chord.start + share * (chord.end - chord.start) for share in _SHARES), key=room)
 
 
 # --- table ------------------------------------------------------------------------------------
@@ -169,8 +167,12 @@ def centre_table(found: Centres, lang: Lang, room: float, most: float) -> Centre
     head = (plain(words["number"]), plain(words["centre"]), plain(words["place"]), plain(words["by"]))
     rows: list[tuple[Label, ...]] = []
     for spot in spots(found):
-        place, by = _place(found, spot, words), _by(found, spot, words)
-        rows.append((plain(str(spot.number)), centre_label(spot.name), place, by))
+        if spot.place is not None:
+            place = coordinates(found, spot.place)
+        else:  # the direction of a centre at infinity
+            angle = round(degrees(geometry.number(found.board.direction(spot.name))), 6) % 180
+            place = (Run("→ ∞ "), Run(words["at"]), *number(angle), Run("°"))
+        rows.append((plain(str(spot.number)), centre_label(spot.name), place, _by(found, spot, words)))
     for pair in found.centring.together:
         rows.append((plain("–"), centre_label(found.name(*pair)), plain("–"), plain(words["none"])))
     for count in range(3, max(4, int(most / PITCH))):
@@ -194,26 +196,16 @@ def _shortened(whole: Table, room: float, count: int, more: str) -> tuple[tuple[
     return tuple(kept), left
 
 
-def _place(found: Centres, spot: Spot, words: dict[str, str]) -> Label:
-    """`(34.37, 0)`, or the direction of a centre at infinity."""
-    if spot.place is not None:
-        return coordinates(found, spot.place)
-    angle = round(degrees(geometry.number(found.board.direction(spot.name))), 6) % 180
-    return (Run("→ ∞ "), Run(words["at"]), *number(angle), Run("°"))
-
-
 def _by(found: Centres, spot: Spot, words: dict[str, str]) -> Label:
     """`P12P23 × P14P34`, a hinge with its point, or a word."""
     stage, step = spot.stage, spot.stage.last
     if stage.say == "two lines":
-        first, second = (_line(found, line, words) for line in stage.lines)
+        first, second = (
+            (Run(words["normal"]),) if line.name in found.centring.normals
+            else tuple(run for end in drawn_through(line) for run in centre_label(end))
+            for line in stage.lines
+        )  # fmt: skip
         return (*first, Run(" × "), *second)
     if stage.say == "hinge" and isinstance(step, Pricked):
         return (Run(words["hinge"]), *point_label(step.point))
     return plain(words[stage.say])
-
-
-def _line(found: Centres, line: LineStep, words: dict[str, str]) -> Label:
-    if line.name in found.centring.normals:
-        return (Run(words["normal"]),)
-    return tuple(run for end in drawn_through(line) for run in centre_label(end))

@@ -113,32 +113,31 @@ class _CentrodePage:
         """The curves as far as they lie in the room, and the centre; lettered: with the names of curves and links."""
         curves, on = self.curves, self.on
         plot, centre = along(curves.found.method, curves.path, t), _centre_at(curves, t)
-        lines = [[*self._strokes(link, t, pen)] for link, pen in zip(curves.axes, (_FIXED, _MOVING), strict=False)]
+        lines: list[list[Stroke]] = []
+        for link, pen in zip(curves.axes, (_FIXED, _MOVING), strict=False):
+            strokes: list[Stroke] = []
+            for curve, piece in zip(_carried(curves, link, t), curves.pieces, strict=True):
+                places = [*(on.window.origin + np.conj(curve) / on.window.scale)]
+                strokes += clipped([*places, places[0]] if piece.closed else _once(places), on.room, pen)
+            lines.append(strokes)
         figure, machine = Figure([stroke for strokes in lines for stroke in strokes]), on.mechanism(plot)
         if lettered:
             for label, strokes, share in zip(self._labels(), lines, (0.25, 0.75), strict=False):
                 if strokes:
                     longest = max(strokes, key=lambda stroke: _lengths(stroke.places)[-1]).places
-                    figure.wanted.append(LabelRequest(label, _part_way(longest, share), gap=1.2))
+                    lengths = _lengths(longest)
+                    k = int(np.searchsorted(lengths, share * lengths[-1]))
+                    figure.wanted.append(LabelRequest(label, longest[min(k, len(longest) - 1)], gap=1.2))
         figure += machine if lettered else Figure(machine.marks)
         if centre is not None and on.room.holds(on.window(centre)):
             figure.marks.append(Disc(on.window(centre), 1.0, "vector", "paper" if lettered else "ink"))
             if lettered:
                 name = quantity_label("P", curves.name[1:])
                 figure.wanted.append(LabelRequest(name, on.window(centre), gap=1.2))
-        return on.sheet(plot, self._heading(), figure, self.lang)
-
-    def _heading(self) -> str:
-        if len(self.curves.axes) == 1:
-            return PATH[self.lang].format(name=self.curves.name)
-        called = self.curves.found.method.mechanism.called
-        return HEADING[self.lang].format(first=called(self.curves.first), second=called(self.curves.second))
-
-    def _strokes(self, link: str, t: float, pen: PenName) -> Iterator[Stroke]:
-        window = self.on.window
-        for curve, piece in zip(_carried(self.curves, link, t), self.curves.pieces, strict=True):
-            places = [*(window.origin + np.conj(curve) / window.scale)]
-            yield from clipped([*places, places[0]] if piece.closed else _once(places), self.on.room, pen)
+        called = curves.found.method.mechanism.called
+        names = {"name": curves.name, "first": called(curves.first), "second": called(curves.second)}
+        words = PATH if len(curves.axes) == 1 else HEADING
+        return on.sheet(plot, words[self.lang].format(**names), figure, self.lang)
 
     def _labels(self) -> list[Label]:
         """The names of the curves, or of the path."""
@@ -174,10 +173,3 @@ def _once(places: list[Place]) -> list[Place]:
 def _lengths(places: Sequence[Place]) -> np.ndarray:
     """Length of a curve up to each of its places."""
     return np.concatenate([[0.0], np.cumsum(np.abs(np.diff(np.array(places))))])
-
-
-def _part_way(places: Sequence[Place], share: float) -> Place:
-    """The place at a part of a curve's length."""
-    lengths = _lengths(places)
-    k = int(np.searchsorted(lengths, share * lengths[-1]))
-    return places[min(k, len(places) - 1)]

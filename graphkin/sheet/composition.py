@@ -72,21 +72,19 @@ class Planes:
     def figure(self, plane: Plane, window: Window) -> Figure:
         """Drawn once through each window: many divisions of a paper show one figure alike."""
         if (plane, window) not in self._drawn:
-            self._drawn[plane, window] = self._figure(plane, window)
+            if plane != "position":
+                figure = heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
+            elif self.style == "given":
+                figure = bare_figure(self.method, self.skeleton(window))
+            else:
+                machine = mechanism_figure(self.skeleton(window), self.method, self.values(plane))
+                figure = self.paths.figure(window) + machine
+            self._drawn[plane, window] = figure
         return self._drawn[plane, window]
 
     @cached_property
     def _drawn(self) -> dict[tuple[Plane, Window], Figure]:
         return {}
-
-    def _figure(self, plane: Plane, window: Window) -> Figure:
-        if plane == "position" and self.style == "given":
-            return bare_figure(self.method, self.skeleton(window))
-        if plane == "position":
-            return self.paths.figure(window) + mechanism_figure(
-                self.skeleton(window), self.method, self.values(plane)
-            )
-        return heads_apart(side_by_side(polygon_figure(self.polygon(plane, window))))
 
     def skeleton(self, window: Window) -> Skeleton:
         return Skeleton(self.method.mechanism, self.plot, window, births(self.method, "position"))
@@ -239,14 +237,11 @@ class SheetContents:
             before += laid_out(self.blocks[plane], corner, room.size.real - 2 * HEAD_LEFT)
         if stages and plane == "position":
             before += pencil_lines(drawing.construction(plane), drawing.plot, window, pages(drawing.method))
-        more = self._last(layout, plane, window) if drawing.style == "construction" else None
+        more: Last | None = None
+        if drawing.style == "construction" and plane == "position":  # annotations of what is used for the polygons
+            more = MechanismNotes(drawing.skeleton(window), drawing.reading(layout.scales), self.planes)
+        elif drawing.style == "construction":
+            acts = [act for act in drawing.method.acts if act.plane == plane]
+            loose, spoken = [] if plane in layout.headed else self.blocks[plane], drawing.reading(layout.scales)
+            more = PolygonConstruction(drawing.polygon(plane, window), PolygonReading(spoken, plane), acts, loose)
         return Panel(drawing.figure(plane, window), window, room.inset(1, 1, 1), tuple(before), (), plane, more)
-
-    def _last(self, layout: Layout, plane: Plane, window: Window) -> Last:
-        """The construction of a polygon, and the annotations of the mechanism that are used for it."""
-        reading = self.drawing.reading(layout.scales)
-        if plane == "position":
-            return MechanismNotes(self.drawing.skeleton(window), reading, self.planes)
-        acts = [act for act in self.drawing.method.acts if act.plane == plane]
-        loose = [] if plane in layout.headed else self.blocks[plane]
-        return PolygonConstruction(self.drawing.polygon(plane, window), PolygonReading(reading, plane), acts, loose)

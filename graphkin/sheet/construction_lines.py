@@ -81,7 +81,11 @@ class PolygonConstruction:
         for line in self._lines():
             tip = _lay(line, free, added)
             marked += [(line, tip)] if tip is not None else []
-        added.under.extend(square for square in self._squares() if _clear(square, free))
+        for square in self._squares():  # where no letters stand
+            first, middle, last = square.places
+            sides = ((first, middle), (last, middle))
+            if all(free.reach(a, (b - a) / abs(b - a), abs(b - a)) >= abs(b - a) for a, b in sides):
+                added.under.append(square)
         for start, end, page in self._carried():
             added.under.extend(Stroke(piece, "measured", step=page) for piece in free.pieces(start, end))
         free.add(added.under)
@@ -133,25 +137,20 @@ class PolygonConstruction:
 
     def _squares(self) -> Iterator[Stroke]:
         """Right angles between a normal and a tangential part, or of what slides and its Coriolis acceleration."""
+        points = self.polygon.points
         for equation in self.polygon.construction.equations:
             for chain in (equation.left, equation.right):
                 for one, other in pairwise(chain):
                     parts = {one.part, other.part}
                     if (one.of, one.seen_from) == (other.of, other.seen_from) and parts in map(set, _RIGHT):
-                        yield from self._square(one, other)
-
-    def _square(self, one: Term, other: Term) -> Iterator[Stroke]:
-        """In the corner between two arrows that follow one another."""
-        points = self.polygon.points
-        if not {one.tail, one.head, other.head} <= points.keys():
-            return
-        corner, back, on = points[one.head], points[one.tail], points[other.head]
-        a, b = back - corner, on - corner
-        if min(abs(a), abs(b)) < _SQUARE / 2 or max(abs(a), abs(b)) < 2 * _SQUARE:
-            return
-        a, b = a / abs(a) * _SQUARE, b / abs(b) * _SQUARE
-        step = self.polygon.step(one.tail, one.head, other.head)
-        yield Stroke((corner + a, corner + a + b, corner + b), "construction", step=step)
+                        corners = [points[name] for name in (one.head, one.tail, other.head) if name in points]
+                        if len(corners) < 3:
+                            continue
+                        corner, a, b = corners[0], corners[1] - corners[0], corners[2] - corners[0]
+                        if min(abs(a), abs(b)) >= _SQUARE / 2 and max(abs(a), abs(b)) >= 2 * _SQUARE:
+                            a, b = a / abs(a) * _SQUARE, b / abs(b) * _SQUARE
+                            step = self.polygon.step(one.tail, one.head, other.head)
+                            yield Stroke((corner + a, corner + a + b, corner + b), "construction", step=step)
 
     # --- numbers ----------------------------------------------------------------------------------
 
@@ -207,13 +206,6 @@ def _lay(line: _Line, free: FreeRoom, added: Annotations) -> Place | None:
     return tip if tip != line.meeting else None
 
 
-def _clear(stroke: Stroke, free: FreeRoom) -> bool:
-    """True where no letters stand where a small sign would be drawn."""
-    first, corner, last = stroke.places
-    sides = ((first, corner), (last, corner))
-    return all(free.reach(a, (b - a) / abs(b - a), abs(b - a)) >= abs(b - a) for a, b in sides)
-
-
 Pages = Mapping[tuple[Plane, Step], int]
 _RAY_BEYOND = 9.0  # the length of a direction line past its points [mm]
 _SWING, _STROKE = math.radians(22), 12.0
@@ -234,24 +226,12 @@ def pencil_lines(construction: Construction, plot: Plot, window: Window, pages: 
         if isinstance(step, Ray | Arc):
             foot = window(place(points[step.through if isinstance(step, Ray) else step.about]))
             tips = [window(place(points[name])) for name in ends.get(step, ()) if name in points]
-            marks += (
-                _ray(step, foot, tips, plot, window, number) if isinstance(step, Ray) else _arcs(foot, tips, number)
-            )
+            if isinstance(step, Arc):  # short, around each place where the circle is crossed
+                for tip in tips:
+                    half, start = min(_SWING, _STROKE / max(abs(tip - foot), 1e-9)), cmath.phase(tip - foot)
+                    marks.append(ArcMark(foot, abs(tip - foot), start - half, 2 * half, "construction", step=number))
+            elif not cmath.isnan(along := window.turned(complex(plot.direction(step.direction)))):
+                stops = [(along.conjugate() * (tip - foot)).real for tip in tips] or [0.0]
+                low, high = min(0.0, *stops) - _RAY_BEYOND, max(0.0, *stops) + _RAY_BEYOND
+                marks.append(Stroke((foot + along * low, foot + along * high), "construction", step=number))
     return marks
-
-
-def _ray(ray: Ray, foot: Place, tips: list[Place], plot: Plot, window: Window, number: int | None) -> Iterator[Mark]:
-    """A thin line through its point in its direction, past where it meets the other."""
-    along = window.turned(complex(plot.direction(ray.direction)))
-    if cmath.isnan(along):
-        return
-    stops = [(along.conjugate() * (tip - foot)).real for tip in tips] or [0.0]
-    low, high = min(0.0, *stops) - _RAY_BEYOND, max(0.0, *stops) + _RAY_BEYOND
-    yield Stroke((foot + along * low, foot + along * high), "construction", step=number)
-
-
-def _arcs(foot: Place, tips: list[Place], number: int | None) -> Iterator[Mark]:
-    """A short arc around each place where the circle is crossed."""
-    for tip in tips:
-        half = min(_SWING, _STROKE / max(abs(tip - foot), 1e-9))
-        yield ArcMark(foot, abs(tip - foot), cmath.phase(tip - foot) - half, 2 * half, "construction", step=number)

@@ -10,6 +10,7 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from itertools import chain, starmap
 from typing import assert_never
 
 from graphkin.base import geometry
@@ -73,15 +74,10 @@ class DesignFigure:
 
     def figure(self) -> Figure:
         """Construction, positions and angles; marks carry the number of their stage."""
-        return Figure.of(self._entries())
-
-    def _entries(self) -> Iterator[Entry]:
-        for stage_number, stage in enumerate(self.construction.stages, start=1):
-            for step in stage.steps:
-                yield from self._step(step, stage_number)
-        yield from self._positions()
-        yield from self._points()
-        yield from self._angles()
+        stages = enumerate(self.construction.stages, start=1)
+        steps = ((step, number) for number, stage in stages for step in stage.steps)
+        drawn = chain.from_iterable(starmap(self._step, steps))
+        return Figure.of(chain(drawn, self._positions(), self._points(), self._angles()))
 
     # --- steps -----------------------------------------------------------------------------------
 
@@ -97,7 +93,11 @@ class DesignFigure:
             case drafting.CircleThrough():
                 yield from self._locus(stage) if step.name == "locus" else self._spanned(step, stage)
             case drafting.CircleAbout(name):
-                yield from self._compass(name, stage)
+                centre_of, radius = self._circle(name)
+                part = min(_PART, 9.0 * self.on.window.scale / radius)
+                for met in self.construction.met_on(name):  # a short arc at each point that is constructed with it
+                    turn = cmath.phase(self.places[met] - centre_of)
+                    yield from self._swept(centre_of, radius, (turn - part, turn + part), "thin", stage)
             case drafting.DraftTurn(point, of, about):
                 centre, old, new = (self._at(name) for name in (about, of, point))
                 start_angle, sweep = cmath.phase(old - centre), cmath.phase((new - centre) / (old - centre))
@@ -112,9 +112,12 @@ class DesignFigure:
 
     def _ruled(self, step: LineStep, stage: int) -> Iterator[Entry]:
         """A line from the first to the last of the points that lie on it, and a little beyond."""
-        start, along = self._line(step.name)
-        size = self._size
-        names = {*drafting.drawn_through(step), *(self.construction.met_on(step.name) or self._lying_on(step))}
+        (start, along), size, places = self._line(step.name), self._size, self.places
+        lying: list[str] = self.construction.met_on(step.name)
+        if not lying and isinstance(step, Bisector):  # points chosen on it
+            chosen = (one.name for one in self.construction.steps if isinstance(one, ChosenPoint))
+            lying = [p for p in chosen if abs((along.conjugate() * (places[p] - start)).imag) < 1e-6 * size]
+        names = {*drafting.drawn_through(step), *lying}
         reach = [(along.conjugate() * (self.places[name] - start)).real for name in names]
         if isinstance(step, Bisector):
             half = abs(self.places[step.first] - self.places[step.second]) / 2
@@ -128,14 +131,6 @@ class DesignFigure:
         pen: PenName = "centre" if isinstance(step, Bisector) else "construction"
         yield from clipped(ends, self.on.room, pen, stage)
 
-    def _lying_on(self, step: Step) -> list[str]:
-        """Points chosen on a bisector."""
-        if not isinstance(step, Bisector):
-            return []
-        start, along = self._line(step.name)
-        chosen = (one.name for one in self.construction.steps if isinstance(one, ChosenPoint))
-        return [p for p in chosen if abs((along.conjugate() * (self.places[p] - start)).imag) < 1e-6 * self._size]
-
     def _locus(self, stage: int) -> Iterator[Entry]:
         """The circle of crank centres: full where A may lie, dashed elsewhere; F and G end the arc between them."""
         centre, radius = self._circle("locus")
@@ -143,18 +138,14 @@ class DesignFigure:
         for arc in family.arcs:
             yield from self._swept(centre, radius, (arc.start, arc.end), _PENS[arc.name], stage)
         for turn in {end for arc in family.arcs if arc.name == "FG" for end in (arc.start, arc.end)}:
-            yield from self._parting(centre + cmath.rect(radius, turn), stage)
-
-    def _parting(self, at: complex, stage: int) -> Iterator[Entry]:
-        """F on the line C1D, or under C1; else G. Neither where it is a point of the linkage or of the construction."""
-        first = self.places["C1"]
-        along = self.places["D"] - first if "D" in self.places else 1j
-        off = (along.conjugate() * (at - first)).imag / abs(along)
-        spot = self.on.window(at)
-        if self.on.room.holds(spot) and all(abs(self._at(name) - spot) >= _NEAR for name in self.places):
-            yield Disc(spot, _DOT, "thin", "ink", step=stage)
-            letter = "F" if abs(off) < 1e-6 * abs(at - first) else "G"
-            yield LabelRequest(point_label(letter), spot, gap=0.9, step=stage, spare=True)
+            at = centre + cmath.rect(radius, turn)
+            first, spot = self.places["C1"], self.on.window(at)
+            along = self.places["D"] - first if "D" in self.places else 1j
+            off = (along.conjugate() * (at - first)).imag / abs(along)
+            if self.on.room.holds(spot) and all(abs(self._at(name) - spot) >= _NEAR for name in self.places):
+                yield Disc(spot, _DOT, "thin", "ink", step=stage)
+                letter = "F" if abs(off) < 1e-6 * abs(at - first) else "G"  # F on the line C1D, or under C1
+                yield LabelRequest(point_label(letter), spot, gap=0.9, step=stage, spare=True)
 
     def _spanned(self, step: drafting.CircleThrough, stage: int) -> Iterator[Entry]:
         """A circle through three points, from the first to the last and a little beyond."""
@@ -165,14 +156,6 @@ class DesignFigure:
         start = turns[(widest + 1) % 3]
         ends = start - _PART, start + math.tau - gaps[widest] + _PART
         yield from self._swept(centre, radius, ends, "thin", stage)
-
-    def _compass(self, circle: str, stage: int) -> Iterator[Entry]:
-        """A short arc at each point that is constructed with it."""
-        centre, radius = self._circle(circle)
-        part = min(_PART, 9.0 * self.on.window.scale / radius)
-        for name in self.construction.met_on(circle):
-            turn = cmath.phase(self.places[name] - centre)
-            yield from self._swept(centre, radius, (turn - part, turn + part), "thin", stage)
 
     def _swept(
         self, centre: complex, radius: float, ends: tuple[float, float], pen: PenName, stage: int
@@ -241,21 +224,17 @@ class DesignFigure:
         yield from self._angle("A", "C1", "C2", "θ", one.theta, len(one.construction.stages))
         if {"C1", "C2", "P"} <= at.keys() and (square := list(self._right_angle("C2", "C1", "P", "90°"))):
             yield from square
-            yield from self._complement(self.construction.born("P"))
+            first, second, third = map(self._at, ("C1", "C2", "P"))  # 90° − θ at C1 in the triangle on C1C2
+            start, sweep = cmath.phase(second - first), cmath.phase((third - first) / (second - first))
+            radius, stage = min(_ARC, 0.5 * abs(first - second)), self.construction.born("P")
+            yield ArcMark(first, radius, start, sweep, "thin", step=stage)
+            middle, text = cmath.rect(radius, start + sweep / 2), (*plain("90° − "), Run("θ", True))
+            yield LabelRequest(text, first + middle, gap=0.6, away=middle, size=BODY, step=stage, spare=True)
         if one.swing is not None and "D" in at:
             yield from self._angle("D", "C1", "C2", "ψ", one.swing, 2)
         if one.stroke is not None:
             label = _valued("H", 1e3 * one.stroke, " mm")
             yield LabelRequest(label, self._at("C1"), self._at("C2"), gap=3.4, step=2, spare=True)
-
-    def _complement(self, stage: int | None) -> Iterator[Entry]:
-        """90° − θ at C1 in the triangle on C1C2 that gives the circle."""
-        first, second, third = map(self._at, ("C1", "C2", "P"))
-        start, sweep = cmath.phase(second - first), cmath.phase((third - first) / (second - first))
-        radius = min(_ARC, 0.5 * abs(first - second))
-        yield ArcMark(first, radius, start, sweep, "thin", step=stage)
-        middle, label = cmath.rect(radius, start + sweep / 2), (*plain("90° − "), Run("θ", True))
-        yield LabelRequest(label, first + middle, gap=0.6, away=middle, size=BODY, step=stage, spare=True)
 
     def _right_angle(self, corner: str, one: str, other: str, text: str) -> Iterator[Entry]:
         """A square in a corner, with a text; nothing where the angle is another, or the sides are short."""

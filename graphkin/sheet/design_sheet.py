@@ -17,7 +17,6 @@ from graphkin.planning import Method
 from graphkin.proof.roads import proved
 from graphkin.say.design import error, mechanism_of
 from graphkin.sheet.design_figure import DesignFigure
-from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
 from graphkin.sheet.marks import Text
 from graphkin.sheet.mechanism_figure import shown_places
@@ -46,21 +45,16 @@ def design_sheet(
     construction = DesignFigure(chosen, on, design.families)
     last = len(chosen.construction.stages) + 1
     machine = on.mechanism(plot).numbered(last)
-    machine.wanted = [_named(want, construction) for want in machine.wanted]
+    for k, want in enumerate(machine.wanted):  # with the construction's letters for that place; pivots from the start
+        name = next((name for name in "ABCD" if want.label == point_label(name)), "")
+        if name in construction.places:
+            machine.wanted[k] = replace(want, step=chosen.construction.born(name))
+        elif name and (also := construction.also(name)):
+            machine.wanted[k] = replace(want, label=joined([want.label, *map(point_label, also)]))
     corner = complex(on.layout.strip.left + 3, on.layout.strip.top + 6)
     sizes = [Text(label, corner + complex(_COLUMN * (k % 2), _LINE * (k // 2)), LABEL, last)
              for k, label in enumerate(_sizes(chosen))]  # fmt: skip
     return on.sheet(plot, _HEADING[lang], construction.figure() + machine, lang, after=sizes)
-
-
-def _named(want: LabelRequest, construction: DesignFigure) -> LabelRequest:
-    """The label of a point of the linkage, with the construction's letters for that place; pivots from the start."""
-    for name in "ABCD":
-        if want.label == point_label(name) and name in construction.places:
-            return replace(want, step=construction.solution.construction.born(name))
-        if want.label == point_label(name) and (also := construction.also(name)):
-            return replace(want, label=joined([want.label, *map(point_label, also)]))
-    return want
 
 
 def design_step_sheets(

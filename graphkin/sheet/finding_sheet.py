@@ -24,7 +24,7 @@ from graphkin.sheet.mechanism_figure import plain_mechanism, shown_places
 from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import BODY, Paper, Room
 from graphkin.sheet.single_figure import Caption, Picture
-from graphkin.sheet.window import Extent, Figure, Window
+from graphkin.sheet.window import Extent, Figure, Window, corners
 from graphkin.studies.finding import Findings
 from graphkin.studies.finding.answers import SlowPoint
 
@@ -132,9 +132,6 @@ def _is_near(slow: SlowPoint, places: list[complex]) -> bool:
     """A slowest point that is one place and near enough to be drawn among these [m]."""
     if slow.along is None or not places:
         return False
-    return _extent([*places, slow.place]) <= _FAR * _extent(places)
-
-
-def _extent(places: list[complex]) -> float:
-    xs, ys = [place.real for place in places], [place.imag for place in places]
-    return max(max(xs) - min(xs), max(ys) - min(ys))
+    sizes = [high - low for low, high in (corners([*places, slow.place]), corners(places))]
+    with_it, without = (max(size.real, size.imag) for size in sizes)
+    return with_it <= _FAR * without

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from itertools import chain
 
 from graphkin.base.value import filled
 from graphkin.model.mechanism import FRAME, Driver
@@ -102,24 +103,16 @@ def _runs(skeleton: Skeleton, *others: Skeleton) -> list[_Run]:
             continue
         fresh = _run(slide, skeleton, *others)
         for run in runs:
-            if _touch(run, fresh):
-                t = (run.along.conjugate() * (fresh.foot - run.foot)).real
+            off, turn = fresh.foot - run.foot, run.along.conjugate()
+            aside, t = abs((turn * off).imag), (turn * off).real
+            alike = run.pins == fresh.pins and abs((turn * fresh.along).imag) <= 1e-3 and aside <= 0.1
+            if alike and run.low - 1 < t + fresh.high and t + fresh.low < run.high + 1:
                 run.low, run.high = min(run.low, t + fresh.low), max(run.high, t + fresh.high)
                 run.points += fresh.points
                 break
         else:
             runs.append(fresh)
     return runs
-
-
-def _touch(run: _Run, other: _Run) -> bool:
-    off = other.foot - run.foot
-    if run.pins != other.pins or abs((run.along.conjugate() * other.along).imag) > 1e-3:
-        return False
-    if abs((run.along.conjugate() * off).imag) > 0.1:
-        return False
-    t = (run.along.conjugate() * off).real
-    return run.low - 1 < t + other.high and t + other.low < run.high + 1
 
 
 def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _Run:
@@ -130,20 +123,16 @@ def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _Run:
     stops = [0.0, *((along.conjugate() * (other.at(slide.point) - at)).real for other in others)]
     side = _ground_side(at, along, skeleton, *others)
     step = skeleton.step(slide.line.origin)
-    bars = [bar for one in (skeleton, *others) for bar in _bars(one, one.at(slide.point))]
-    turned = [(bar * along.conjugate()).real for bar in bars]
+    turned: list[float] = []  # of the bars that leave what slides, how far each lies along the line
+    for one in (skeleton, *others):
+        block = one.at(slide.point)
+        for here, there in chain.from_iterable((ends, ends[::-1]) for ends in one.segments()):
+            if abs(here - block) < 0.1 < abs(there - block):
+                turned.append(((there - block) / abs(there - block) * along.conjugate()).real)
     back, on = any(t < -_OVER for t in turned), any(t > _OVER for t in turned)
     low, high = (_REACH, _REACH) if back == on else (_STUB, _AWAY) if back else (_AWAY, _STUB)
     low, high = min(stops) - low, max(stops) + high
     return _Run(at, along, low, high, side, slide.block is None, step, slide.name, (slide.point,))
-
-
-def _bars(skeleton: Skeleton, at: Place) -> Iterator[complex]:
-    """Directions in which bars leave a place."""
-    for ends in skeleton.segments():
-        for here, there in (ends, ends[::-1]):
-            if abs(here - at) < 0.1 < abs(there - at):
-                yield (there - at) / abs(there - at)
 
 
 def _ground_side(at: Place, along: complex, *skeletons: Skeleton) -> complex:
@@ -170,8 +159,11 @@ def drives(skeleton: Skeleton) -> Figure:
             _slide_arrow(skeleton, driver, figure)
         elif driver.vector is not None:
             _turn_arrow(skeleton, driver, figure)
-        elif driver.kind == "spin":
-            _spin_arrow(skeleton, driver, figure)
+        elif driver.kind == "spin":  # in a wheel whose direction does not matter, about its centre
+            for wheel in [each for each in wheels_of(skeleton.mechanism) if each.link == driver.link][:1]:
+                radius = min(9.0, max(4.0, 0.6 * wheel.radius / skeleton.window.scale))
+                starts = [cmath.rect(1, math.radians(turn)) for turn in range(0, 360, 45)]
+                _arcs(skeleton, driver, figure, (wheel.centre,), radius, {1: starts, -1: starts})
     return figure
 
 
@@ -186,15 +178,6 @@ def _turn_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     radius = min(9.0, max(6.0, 0.45 * abs(tip - at)))
     mirrored = [towards**2 * start.conjugate() for start in starts]
     _arcs(skeleton, driver, figure, driver.vector, radius, {1: starts, -1: mirrored})
-
-
-def _spin_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
-    """In a wheel whose direction does not matter, about its centre."""
-    own = [wheel for wheel in wheels_of(skeleton.mechanism) if wheel.link == driver.link]
-    if own:
-        radius = min(9.0, max(4.0, 0.6 * own[0].radius / skeleton.window.scale))
-        starts = [cmath.rect(1, math.radians(turn)) for turn in range(0, 360, 45)]
-        _arcs(skeleton, driver, figure, (own[0].centre,), radius, {1: starts, -1: starts})
 
 
 def _arcs(
@@ -215,18 +198,14 @@ def _arcs(
     called = between([skeleton.mechanism.called(link) for link in links])
     for sense, text in letters.items():
         half = cmath.rect(1, -sense * symbols.SWEEP / 2)  # from the start of an arc to its middle
-        start = _freest(skeleton, at, half, radius, starts[sense])
+        room = [_room(skeleton, at + start * half * radius) for start in starts[sense]]  # about the middle of each arc
+        start = starts[sense][room.index(max(room))]
         shows = Shows(driver.link, "omega" if "ω" in text else "alpha", on[:1], seen_from)
         marks = symbols.spin(at, start, sense, radius, skeleton.step(*on), shows)
         figure.marks += marks
         middle, label = start * half, joined([quantity_label(letter, called) for letter in text])
         figure.wanted.append(LabelRequest(label, at + middle * radius, gap=0.3, away=middle, step=marks[0].step))
         radius += _APART
-
-
-def _freest(skeleton: Skeleton, at: Place, half: complex, radius: float, starts: Sequence[complex]) -> complex:
-    """The start of an arc that has most room about its middle, the first of equals; half: the turn to there."""
-    return max(starts, key=lambda start: _room(skeleton, at + start * half * radius))
 
 
 def _room(skeleton: Skeleton, place: Place) -> float:

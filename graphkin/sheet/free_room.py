@@ -73,13 +73,6 @@ class FreeRoom:
         vars(self).pop("_occupied", None)
         self._letters = np.concatenate([self._letters, _boxes([mark for mark in marks if isinstance(mark, Text)])])
 
-    def _with(self, marks: Sequence[Mark]) -> FreeRoom:
-        """As it would be with these."""
-        other = copy(self)
-        other.marks = [*self.marks]
-        other.add(marks)
-        return other
-
     def _added(self, first: int) -> list[Obstacles]:
         """Obstacles that came after so many marks, if any; made when they are asked for: much is added before."""
         if first < len(self.marks) and first not in self._late:
@@ -171,7 +164,10 @@ class FreeRoom:
     def letters_with(self, marks: Sequence[Mark], want: LabelRequest) -> list[Mark]:
         """A label where there would be room for it with some more marks, else nothing; nothing is added here."""
         (spots,) = self.spots([want], [_half(want)])
-        return _lettered(want, self._with(marks).place(spots))
+        other = copy(self)
+        other.marks = [*self.marks]
+        other.add(marks)
+        return _lettered(want, other.place(spots))
 
 
 def _half(want: LabelRequest) -> complex:

@@ -76,19 +76,15 @@ def circles(
         figure.marks.append(Disc(at, radius, "thin", step=image.step))
         others = [circle for circle in drawn if circle != (at, radius)]
         rim = [at + cmath.rect(radius, math.radians(15 + 30 * k)) for k in range(12)]
-        gaps = [_gap(spot, arrows, places, others) for spot in rim]
+        gaps = [
+            min([9.0, *(abs(spot - place) for place in places), *(abs(abs(spot - o) - r) for o, r in others),
+                 *(off_stretch(spot, arrow.start, arrow.end) for arrow in arrows)])
+            for spot in rim
+        ]  # fmt: skip
         spot = rim[gaps.index(max(gaps))]
         away = (spot - at) / radius
         figure.wanted.append(LabelRequest(image.label, spot, gap=0.4, away=away, step=image.step))
     return figure
-
-
-def _gap(
-    spot: Place, arrows: Sequence[VectorMark], places: Sequence[Place], others: Sequence[tuple[Place, float]]
-) -> float:
-    """Distance of a place from arrows, points and the other circles, as far as it matters [mm]."""
-    gaps = [9.0, *(abs(spot - place) for place in places), *(abs(abs(spot - at) - radius) for at, radius in others)]
-    return min([*gaps, *(off_stretch(spot, arrow.start, arrow.end) for arrow in arrows)])
 
 
 def points(images: Sequence[GearImage], window: Window) -> dict[str, list[Label]]:

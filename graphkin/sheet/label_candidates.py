@@ -237,7 +237,13 @@ class LabelScene:
     def _rated(self, labels: Sequence[int], tier: int) -> tuple[Array, Rated]:
         """The number of candidates of each label in the room, or anywhere where it has none there; and all of them.
         Farther off, none that surely lies on something, where it has others."""
-        spots = [self._spots(label, tier) for label in labels]
+        spots, thinned = list[LabelCandidates](), slice(None, None, _FEWER if self.beyond_help else 1)
+        for want, half in ((self.wanted[label], complex(self.halves[label])) for label in labels):
+            if tier in (NEAR, LED):
+                each = want.near(half) if tier == NEAR else want.led(half)
+            else:
+                each = want.far(half, self.crowd, farthest=tier == FARTHEST)
+            spots.append(LabelCandidates(*(part[thinned] for part in each)))
         owner, every = np.repeat(labels, [len(each.cost) for each in spots]), LabelCandidates.joined(spots)
         boxes = Boxes.of(every, self.halves[owner])
         inside = self.inside(boxes)
@@ -260,14 +266,6 @@ class LabelScene:
         room, low, high = self.room, boxes.low, boxes.high
         below = (high[0] <= room.right) & (high[1] <= room.bottom)
         return np.asarray((low[0] >= room.left) & (low[1] >= room.top) & below)
-
-    def _spots(self, label: int, tier: int) -> LabelCandidates:
-        want, half = self.wanted[label], complex(self.halves[label])
-        if tier in (NEAR, LED):
-            spots = want.near(half) if tier == NEAR else want.led(half)
-        else:
-            spots = want.far(half, self.crowd, farthest=tier == FARTHEST)
-        return LabelCandidates(*(each[::_FEWER] for each in spots)) if self.beyond_help else spots
 
 
 class Arrows:

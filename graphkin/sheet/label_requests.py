@@ -122,7 +122,14 @@ class LabelRequest:
         ends, rings = (self.start, self.start if self.end is None else self.end), _FARTHEST if farthest else _FAR
         anchors = dict.fromkeys(ends[0] + (ends[1] - ends[0]) * t for t in _ANCHORS)
         sides = _sides(_FAR_LEANING, half)[:, None]
-        return LabelCandidates.joined(_far(anchor, crowd, sides, self.gap + 0.6, rings) for anchor in anchors)
+        parts = []
+        for anchor in anchors:
+            away = (anchor - crowd).conjugate() / max(abs(anchor - crowd), 1e-9)
+            liking = 5.0 * (1 - (_FAR_TURNS * away).real)
+            middle = anchor + (self.gap + 0.6 + rings) * _FAR_TURNS[:, None] + sides
+            cost = _FARTHER * rings + _LEADER + liking[:, None]
+            parts.append(LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, anchor)))
+        return LabelCandidates.joined(parts)
 
 
 def lettering(wanted: Iterable[LabelRequest]) -> float:
@@ -138,15 +145,6 @@ def _around(point: Place, half: complex, want: LabelRequest, rings: Array) -> La
     middle = point + (want.gap + 0.6 + rings[:, None]) * _TURNS + _sides(_LEANING, half)
     cost = _FARTHER * rings[:, None] + (_LEADER if rings is _LED else 0.0) + liking
     return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, point if rings is _LED else _NOWHERE))
-
-
-def _far(anchor: Place, crowd: Place, sides: Array, gap: float, rings: Array) -> LabelCandidates:
-    """Wide rings about a point; sides: from what a box touches to its middle, in each direction."""
-    away = (anchor - crowd).conjugate() / max(abs(anchor - crowd), 1e-9)
-    liking = 5.0 * (1 - (_FAR_TURNS * away).real)
-    middle = anchor + (gap + rings) * _FAR_TURNS[:, None] + sides
-    cost = _FARTHER * rings + _LEADER + liking[:, None]
-    return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, anchor))
 
 
 def _sides(leaning: Array, half: complex) -> Array:

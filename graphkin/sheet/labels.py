@@ -20,7 +20,7 @@ from graphkin.sheet.label_candidates import FARTHEST, LED, MANY, NEAR, Boxes, La
 from graphkin.sheet.label_costs import CROWDED, NEARBY, LabelChoice, LabelTable, under
 from graphkin.sheet.label_requests import LEAST, LabelRequest
 from graphkin.sheet.lettering import box
-from graphkin.sheet.marks import Disc, Mark, Place, Stroke
+from graphkin.sheet.marks import Disc, Mark, Stroke
 
 _TOUCH = 0.05  # closer than this to a box's edge is not yet on it [mm]
 _MOST, _LEAST, _ALL = 80, 16, 8000
@@ -54,7 +54,11 @@ class LabelPlacing:
         self._liked: dict[tuple[int, int], LabelChoice] = {}
         self._table = LabelTable(self._offered(range(count), NEAR), self._many)
         self._look_on(self._greedy(range(count)))
-        self._mend()
+        if last != NEAR:  # all move to better places, or look farther; for the last few others make way
+            self._move()
+            bad = self._bad() if self._bad().sum() <= 3 * _FEW else False
+            self._look_again(np.flatnonzero((self._now() > self._enough()) | bad))
+            self._relieve()
 
     def _offered(self, labels: Sequence[int], tier: int) -> list[LabelChoice]:
         """The candidates of labels up to a tier that cost least as the others stand."""
@@ -131,15 +135,6 @@ class LabelPlacing:
             else:
                 self._put(label)
         return sorted(put_off)
-
-    def _mend(self) -> None:
-        """All move to better places; who is left with a bad one looks farther, and for the last few others make way."""
-        if self._last == NEAR:
-            return
-        self._move()
-        bad = self._bad() if self._bad().sum() <= 3 * _FEW else False
-        self._look_again(np.flatnonzero((self._now() > self._enough()) | bad))
-        self._relieve()
 
     def _relieve(self) -> None:
         """Others make way for the last few labels without a good place, one after the other, as long as that helps."""
@@ -282,7 +277,11 @@ def _lettered(wanted: Sequence[LabelRequest], places: LabelPlacing) -> Iterator[
         middle, at = complex(*(low + high) / 2), complex(*anchor)
         yield from want.texts(middle + complex(-wide / 2, (up - down) / 2))
         if places.boxes.led[label]:
-            yield _leader(middle, at, complex(wide, up + down) / 2, want)
+            half, off = complex(wide, up + down) / 2, at - middle  # from the near side of its box to what it names
+            edge = complex(max(-half.real, min(half.real, off.real)), max(-half.imag, min(half.imag, off.imag)))
+            rest = off - edge
+            begin = middle + edge + rest / abs(rest) * 0.3 if abs(rest) > 1 else middle + edge
+            yield Stroke((begin, at), "leader", step=want.step)
             if want.of:
                 yield Disc(at, _DOT, "leader", "ink", step=want.step)
 
@@ -303,12 +302,3 @@ def _left_out(wanted: Sequence[LabelRequest], stands: Array, clashing: Sequence[
         if not close(label, chosen):
             chosen.append(label)
     return chosen
-
-
-def _leader(middle: Place, anchor: Place, half: complex, want: LabelRequest) -> Mark:
-    """A thin line from the near side of a label's box to what it names."""
-    off = anchor - middle
-    edge = complex(max(-half.real, min(half.real, off.real)), max(-half.imag, min(half.imag, off.imag)))
-    way = off - edge
-    begin = middle + edge + way / abs(way) * 0.3 if abs(way) > 1 else middle + edge
-    return Stroke((begin, anchor), "leader", step=want.step)

@@ -244,17 +244,14 @@ def _sign(match: re.Match[str]) -> list[Run]:
     Names and letters of a subscript are in italics; digits, Chinese and the words for least and greatest stand upright.
     """
     letter, part, low, digits, power = match.group("letter", "part", "low", "digits", "power")
-    below = re.findall(r"[^\W\d_]+|[^A-Za-z]+", _spaced(low or digits))
+    low = low or digits  # points that bear the number of their link after a digit: `{B1_3,B1_2}`, as labels have it
+    low = low.strip("{}").replace("_", " ").replace(",", ", ") if low.startswith("{") else low.replace("@", " ")
+    below = re.findall(r"[^\W\d_]+|[^A-Za-z]+", low)
     slanted = [piece.isalpha() and piece.isascii() and piece not in ("min", "max") for piece in below]
     runs = [Run(letter, True), *(Run(piece, italic, "sub") for piece, italic in zip(below, slanted, strict=True))]
     if part:
         runs.append(Run("".join(_RAISED[c] for c in part), True, "sup", back=True))
     return [*runs, Run(_RAISED[power], place="sup")] if power else runs
-
-
-def _spaced(low: str) -> str:
-    """Points that bear the number of their link after a digit of their own: `{B1_3,B1_2}` as the labels have it."""
-    return low.strip("{}").replace("_", " ").replace(",", ", ") if low.startswith("{") else low.replace("@", " ")
 
 
 def _points(text: str) -> list[Run]:

@@ -202,17 +202,10 @@ def dimensioned_transmission(report: Report, positions: tuple[LinkagePosition, .
         radius, label = 15.0, _degrees("γ", gamma, number)
         if angle.pressure:
             radius, label = 8.0 + 8.0 * number, _degrees("α", math.pi / 2 - gamma, number)
-        figure += _between(window(angle.at), window.turned(angle.one), window.turned(angle.other), radius, label)
+        at, one, other = window(angle.at), window.turned(angle.one), window.turned(angle.other)
+        one, other = one / abs(one), other / abs(other)
+        one = -one if (one.conjugate() * other).real < 0 else one  # the acute angle; what no link shows is drawn on
+        figure.marks += [Stroke((at, at + along * (radius + 3)), "construction") for along in (one, other)]
+        figure.marks += _square(at, one, other)
+        figure += _arc(at, radius, one, other, label)
     return figure
-
-
-def _between(at: Place, one: complex, other: complex, radius: float, label: Label) -> Figure:
-    """The acute angle between two lines through a point; what no link shows is drawn on."""
-    figure = Figure()
-    one, other = one / abs(one), other / abs(other)
-    if (one.conjugate() * other).real < 0:
-        one = -one
-    for along in (one, other):
-        figure.marks.append(Stroke((at, at + along * (radius + 3)), "construction"))
-    figure.marks += _square(at, one, other)
-    return figure + _arc(at, radius, one, other, label)

@@ -55,7 +55,9 @@ def limit_sheet(reports: Sequence[Report], lang: Lang = "en", *, paper: str | No
     Raises UnknownPaper.
     """
     chosen = papers_for(paper or ("A4-landscape" if len(reports) <= _ON_A4 else "A3-landscape"))[0]
-    grid, several = SheetGrid.over(chosen, _tables(reports)), len(reports) > 1
+    heads = (tuple(run for name in one.linkage.names for run in point_label(name)) for one in reports)
+    tables = [Table((head, ()), tuple(_rows(one))) for head, one in zip(heads, reports, strict=True)]
+    grid, several = SheetGrid.over(chosen, tables), len(reports) > 1
     panels: list[Panel] = []
     for one, row in zip(reports, grid.field.cells(len(reports), 1), strict=True):
         pictures = _pictures(one, lang, several)
@@ -143,12 +145,6 @@ def _dead(one: Report, driver: str, lang: Lang) -> str:
 
 
 # --- tables -------------------------------------------------------------------------------------
-
-
-def _tables(reports: Sequence[Report]) -> list[Table]:
-    """Lengths, limits, time ratio and angles of transmission of each linkage, headed by its letters."""
-    heads = (tuple(run for name in one.linkage.names for run in point_label(name)) for one in reports)
-    return [Table((head, ()), tuple(_rows(one))) for head, one in zip(heads, reports, strict=True)]
 
 
 def _rows(one: Report) -> Iterator[tuple[Label, Label]]:

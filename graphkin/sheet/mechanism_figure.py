@@ -68,7 +68,13 @@ def _bodies(skeleton: Skeleton) -> Figure:
     """Links with their numbers, cams, and blocks over their guides."""
     figure = Figure(_signs(skeleton, BEFORE_LINKS))
     for link in skeleton.mechanism.moving:
-        _link(skeleton, link, figure)
+        names = skeleton.named(link)
+        places, step = [skeleton.at(p) for p in names], skeleton.step(*names)
+        for slide in skeleton.guides(link):
+            figure.marks += _guide(skeleton, slide)
+        if len(names) > 1:
+            figure.marks += _body(names, places, link, step)
+        figure.wanted += _link_number(skeleton, link, places, step)
     figure.marks += _signs(skeleton, OVER_LINKS)
     return figure
 
@@ -77,16 +83,6 @@ def _signs(skeleton: Skeleton, signs: Signs) -> list[Mark]:
     """The signs of all pairs of these kinds."""
     pairs = ((sign, pair) for kind, sign in signs.items() for pair in skeleton.mechanism.of(kind))
     return [mark for sign, pair in pairs for mark in sign(skeleton, pair)]
-
-
-def _link(skeleton: Skeleton, link: str, figure: Figure) -> None:
-    names = skeleton.named(link)
-    places, step = [skeleton.at(p) for p in names], skeleton.step(*names)
-    for slide in skeleton.guides(link):
-        figure.marks += _guide(skeleton, slide)
-    if len(names) > 1:
-        figure.marks += _body(names, places, link, step)
-    figure.wanted += _link_number(skeleton, link, places, step)
 
 
 def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | None) -> list[Mark]:
@@ -176,11 +172,14 @@ def _hinges(skeleton: Skeleton) -> list[Mark]:
     """Hinges as white circles, beside a bar that goes on; other points of links as dots."""
     marks: list[Mark] = []
     passed = _passed(skeleton)
+    signs = {slide.point for slide in skeleton.mechanism.slides}
+    signs |= {wheel.centre for wheel in wheels_of(skeleton.mechanism)}  # other hinges may have nothing but bars
     for point in skeleton.points:
         step = skeleton.step(point)
         hinged = len(skeleton.mechanism.owners[point]) > 1 or _is_pin(skeleton, point)
         bars = passed.get(point, [])
-        if hinged and len(bars) == 1 and _stands_free(skeleton, point):
+        alone = FRAME not in skeleton.mechanism.owners[point] and not _is_pin(skeleton, point) and point not in signs
+        if hinged and len(bars) == 1 and alone:
             along = bars[0]
             across = sum((off * along.conjugate()).imag for off in skeleton.directions(point))
             side = along * (-1j if across < 0 else 1j)  # on which the links leave that end at it
@@ -191,13 +190,6 @@ def _hinges(skeleton: Skeleton) -> list[Mark]:
         site = f"{point}@{skeleton.mechanism.owners[point][0]}"
         marks.append(PointMark("position", point, point, skeleton.at(point), radius, fill, step, site=site))
     return marks
-
-
-def _stands_free(skeleton: Skeleton, point: str) -> bool:
-    """True where nothing but bars meets at a hinge: no ground, no block, no wheel."""
-    signs = {slide.point for slide in skeleton.mechanism.slides}
-    signs |= {wheel.centre for wheel in wheels_of(skeleton.mechanism)}
-    return FRAME not in skeleton.mechanism.owners[point] and not _is_pin(skeleton, point) and point not in signs
 
 
 def _is_pin(skeleton: Skeleton, point: str) -> bool:

@@ -26,7 +26,7 @@ from graphkin.say.reading import Reading
 from graphkin.sheet.composition import Planes, SheetContents, Style
 from graphkin.sheet.layout import Layout, cut_to, papers_for
 from graphkin.sheet.lettering import formula, plain
-from graphkin.sheet.marks import Mark, Place, Text
+from graphkin.sheet.marks import Place, Text
 from graphkin.sheet.page import Lettered, Page, Sheet
 from graphkin.sheet.paper import BODY, LARGE, Paper, Room, TooLargeForPaper
 from graphkin.sheet.path_figure import NONE, Paths
@@ -225,15 +225,11 @@ class Captions:
         if strip is None:
             return drawn
         below, *others = drawn.layers
-        marks = self._marks(act, number, strip, tables_room(whole.paper))
-        return replace(drawn, layers=(replace(below, marks=(*below.marks, *marks)), *others))
-
-    def _marks(self, act: Act, number: int, strip: Room, wide: float) -> Iterator[Mark]:
-        head = say("sheet.step", self.lang, number=number, count=len(self.acts))
         at: Place = complex(strip.left + 3, strip.top + 6)
-        yield Text(plain(head), at, BODY)
+        marks = [Text(plain(say("sheet.step", self.lang, number=number, count=len(self.acts))), at, BODY)]
         sign = f"{circled(act.number)} " if act.numbered else ""
-        for line in broken(sign + self.texts.get(act, ""), wide, BODY):
+        for line in broken(sign + self.texts.get(act, ""), tables_room(whole.paper), BODY):
             at += 1j * LINE * BODY
             if at.imag < strip.bottom - 9:
-                yield Text(formula(line), at, BODY)
+                marks.append(Text(formula(line), at, BODY))
+        return replace(drawn, layers=(replace(below, marks=(*below.marks, *marks)), *others))

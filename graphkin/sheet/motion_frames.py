@@ -27,11 +27,11 @@ from graphkin.running.path import along, stride
 from graphkin.sheet.boxes import overlap
 from graphkin.sheet.fixed_link import drives
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.layout import Layout, lay_out, papers_for
+from graphkin.sheet.layout import lay_out, papers_for
 from graphkin.sheet.lettering import Label, box, joined, plain, point_label
 from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.mechanism_figure import mechanism_places, moving_figure
-from graphkin.sheet.obstacles import Obstacles, obstacles
+from graphkin.sheet.obstacles import obstacles
 from graphkin.sheet.page import HEADINGS, Page, Panel, Sheet, heading
 from graphkin.sheet.paper import KEYS, LABEL, Room, TooLargeForPaper
 from graphkin.sheet.polygons import PolygonFigure, polygon_figure
@@ -65,7 +65,11 @@ def motion_frames(
     replay_all(method)
     moved = course(method, ())
     prove(moved)
-    plots = [_plot(method, moved, t) for t in _times(moved, count)]
+    aside = stride(method, moved.path.pace, _ASIDE_DEG, _ASIDE_PART)
+    plots = list[Plot]()
+    for t in _times(moved, count):
+        t += 2 * aside if any(abs(t - change.at) < aside for change in moved.path.changes) else 0.0
+        plots.append(replay(method.acceleration, replay(method.velocity, along(method, moved.path, t))))
     frames = _Frames(method, plots, (only,) if only else PLANES, lang, bool(moved.path.stops) or not moved.angular)
     return list(frames.sheets(paper))
 
@@ -82,14 +86,6 @@ def _times(moved: Course, count: int) -> list[float]:
     return [float(t) for t in np.interp(np.arange(count) * (passed[-1] / count), passed, ends)]
 
 
-def _plot(method: Method, moved: Course, t: float) -> Plot:
-    """The drawing at t, a little beside a change point."""
-    aside = stride(method, moved.path.pace, _ASIDE_DEG, _ASIDE_PART)
-    if any(abs(t - change.at) < aside for change in moved.path.changes):
-        t += 2 * aside
-    return replay(method.acceleration, replay(method.velocity, along(method, moved.path, t)))
-
-
 @frozen
 class _Frames:
     """The positions and the planes that are drawn of each; `back`: the mechanism goes there and back."""
@@ -101,7 +97,11 @@ class _Frames:
     back: bool
 
     def sheets(self, paper: str | None) -> Iterator[Sheet]:
-        layout = self._layout(paper)
+        try:
+            layout = lay_out(self._extents, strip_height, papers_for(paper))
+        except TooLargeForPaper:  # a given scale at which the whole motion does not fit is not kept
+            free = {plane: replace(extent, given=None) for plane, extent in self._extents.items()}
+            layout = lay_out(free, strip_height, papers_for(paper))
         windows = {plane: layout.window(plane, self._extents[plane]) for plane in self.planes}
         rooms = {plane: layout.rooms[plane].inset(1, 1, 1) for plane in self.planes}
         heads = {plane: heading(HEADINGS[self.lang][plane], plane, windows[plane].scale, layout.rooms[plane])
@@ -134,13 +134,15 @@ class _Frames:
     @cached_property
     def _values(self) -> dict[Plane, list[list[complex]]]:
         """The points each plane shows, position by position, in SI units."""
-        return {plane: [self._points(plane, plot) for plot in self.plots] for plane in self.planes}
-
-    def _points(self, plane: Plane, plot: Plot) -> list[complex]:
-        if plane == "position":
-            return mechanism_places(self.method, plot)
-        construction, points = constructions(self.method)[plane], plot.points(plane)
-        return [complex(points[name]) for name in (construction.pole, *construction.nodes) if name in points]
+        values: dict[Plane, list[list[complex]]] = {}
+        for plane in self.planes:
+            if plane == "position":
+                values[plane] = [mechanism_places(self.method, plot) for plot in self.plots]
+                continue
+            construction, places = constructions(self.method)[plane], [plot.points(plane) for plot in self.plots]
+            names = construction.pole, *construction.nodes
+            values[plane] = [[complex(points[name]) for name in names if name in points] for points in places]
+        return values
 
     @cached_property
     def _shown(self) -> dict[Plane, set[int]]:
@@ -171,14 +173,6 @@ class _Frames:
         extent = Extent.of(places, drawn, self.method.mechanism.scales.get(KEYS[plane]), letters=9.0)
         return extent if plane == "position" else replace(extent, labels=_WORTH * extent.labels)
 
-    def _layout(self, paper: str | None) -> Layout:
-        """A given scale at which the whole motion does not fit is not kept."""
-        try:
-            return lay_out(self._extents, strip_height, papers_for(paper))
-        except TooLargeForPaper:
-            free = {plane: replace(extent, given=None) for plane, extent in self._extents.items()}
-            return lay_out(free, strip_height, papers_for(paper))
-
     # --- figures ------------------------------------------------------------------------------
 
     def _figure(self, plane: Plane, window: Window, k: int) -> Figure:
@@ -186,12 +180,18 @@ class _Frames:
         if plane != "position":
             construction = constructions(self.method)[plane]
             polygon = PolygonFigure(self.method.mechanism, construction, self.plots[k], window, born)
-            return Figure(polygon_figure(polygon).marks, self._letters(polygon, self._as_one[plane]))
+            places, middle = polygon.named, sum(polygon.points.values()) / max(1, len(polygon.points))
+            named = [[name for name in group if name in places] for group in self._as_one[plane]]
+            letters = [(joined([*map(point_label, group)]), places[group[0]]) for group in named if group]
+            wanted = [LabelRequest(label, at, gap=0.5, away=at - middle) for label, at in letters]
+            return Figure(polygon_figure(polygon).marks, wanted)
         first, here, *others = (
             Skeleton(self.method.mechanism, plot, window, born)
             for plot in (self.plots[0], self.plots[k], *self.plots[:: max(1, len(self.plots) // 8)])
         )
-        return moving_figure(here, self.method, others, drives(first if self._drives_stand else here))
+        owners, drivers = self.method.mechanism.owners, self.method.drivers
+        stand = all(driver.vector is not None and FRAME in owners[driver.vector[0]] for driver in drivers)
+        return moving_figure(here, self.method, others, drives(first if stand else here))  # arrows at the frame stand
 
     @cached_property
     def _as_one(self) -> dict[Plane, list[tuple[str, ...]]]:
@@ -209,24 +209,6 @@ class _Frames:
                 groups.setdefault(next(alike, name), []).append(name)
             as_one[plane] = [tuple(group) for group in groups.values()]
         return as_one
-
-    @staticmethod
-    def _letters(polygon: PolygonFigure, groups: Sequence[tuple[str, ...]]) -> list[LabelRequest]:
-        """A label for each point that bears a letter."""
-        places = polygon.named
-        middle = sum(polygon.points.values()) / max(1, len(polygon.points))
-        named = [[name for name in group if name in places] for group in groups]
-        at = {tuple(group): places[group[0]] for group in named if group}
-        return [
-            LabelRequest(joined([point_label(name) for name in group]), place, gap=0.5, away=place - middle)
-            for group, place in at.items()
-        ]
-
-    @cached_property
-    def _drives_stand(self) -> bool:
-        """True where all drivers turn or slide at the frame: then their arrows stand still, too."""
-        owners = self.method.mechanism.owners
-        return all(d.vector is not None and FRAME in owners[d.vector[0]] for d in self.method.drivers)
 
 
 # --- letters that go along without hopping ----------------------------------------------------------------------------
@@ -249,11 +231,23 @@ def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list
     marks: list[list[Mark]] = [list(figure.marks) for figure in figures]
     drawn = [obstacles([*figure.marks, *off]) for figure in figures]
     letters: list[list[Boxes]] = [[] for _ in figures]
-    for wants in _by_label(figures).values():
+    every: dict[tuple[Label, bool], dict[int, LabelRequest]] = {}
+    for k, figure in enumerate(figures):
+        for want in (want for want in figure.wanted if not want.of):
+            every.setdefault((want.label, want.end is None), {}).setdefault(k, want)
+    often = (wants for wants in every.values() if len(wants) >= _SELDOM * len(figures))
+    for wants in sorted(often, key=len, reverse=True):  # the most frequent come first, seldom ones not at all
         middles = np.array([_middles(want) for want in wants.values()])
         wide, up, down = box(*next((want.label, want.size) for want in wants.values()))
         half = complex(wide, up + down) / 2
-        costs = [_costs(row, half, drawn[k], letters[k], room) for k, row in zip(wants, middles, strict=True)]
+        costs = []
+        for k, row in zip(wants, middles, strict=True):  # the number of things on which each of the places lies
+            low, high = _boxes(row, half)
+            cost = np.bincount(drawn[k].touched(low, high), minlength=len(row)).astype(float)
+            for other in letters[k]:
+                cost += _lies((low, high), other)
+            outside = (low < [room.left, room.top]).any(axis=1) | (high > [room.right, room.bottom]).any(axis=1)
+            costs.append(cost + _OUTSIDE * outside)
         far = np.arange(_CHOICES) >= _CHOICES // len(_RINGS)
         best = int(np.argmin(np.sum(costs, axis=0) + len(costs) * _FARTHER * far))
         for (k, want), row in zip(wants.items(), middles, strict=True):
@@ -263,17 +257,6 @@ def lettered(figures: Sequence[Figure], room: Room, off: Sequence[Mark]) -> list
                 marks[k].append(Text(want.label, at, want.size, want.step))
                 letters[k].append(place)
     return marks
-
-
-def _by_label(figures: Sequence[Figure]) -> dict[tuple[Label, bool], dict[int, LabelRequest]]:
-    """Letters by what they say, and by figure; the most frequent come first, seldom ones not at all."""
-    wants: dict[tuple[Label, bool], dict[int, LabelRequest]] = {}
-    for k, figure in enumerate(figures):
-        for want in figure.wanted:
-            if not want.of:
-                wants.setdefault((want.label, want.end is None), {}).setdefault(k, want)
-    often = {label: own for label, own in wants.items() if len(own) >= _SELDOM * len(figures)}
-    return dict(sorted(often.items(), key=lambda entry: -len(entry[1])))
 
 
 def _middles(want: LabelRequest) -> list[Place]:
@@ -306,13 +289,3 @@ def _boxes(middles: np.ndarray, half: complex) -> Boxes:
 def _lies(one: Boxes, other: Boxes) -> np.ndarray:
     """The boxes that lie on the other; what they keep from lines they need not keep twice from one another."""
     return overlap(one[0].T, one[1].T, other[0].T + _CLEAR, other[1].T - _CLEAR)
-
-
-def _costs(middles: np.ndarray, half: complex, drawn: Obstacles, letters: Sequence[Boxes], room: Room) -> np.ndarray:
-    """The number of things on which each of the places lies."""
-    low, high = _boxes(middles, half)
-    cost = np.bincount(drawn.touched(low, high), minlength=len(middles)).astype(float)
-    for other in letters:
-        cost += _lies((low, high), other)
-    outside = (low < [room.left, room.top]).any(axis=1) | (high > [room.right, room.bottom]).any(axis=1)
-    return cost + _OUTSIDE * outside

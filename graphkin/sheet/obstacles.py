@@ -52,7 +52,12 @@ class Areas:
         grow to reach it: less than 0 [mm]."""
         low, high = blocks.low.reshape(2, -1), blocks.high.reshape(2, -1)
         for boxes, areas in self._about(blocks):
-            apart = self._apart(areas, low.take(boxes, axis=1), high.take(boxes, axis=1))
+            corners = low.take(boxes, axis=1), high.take(boxes, axis=1)
+            apart = beyond(self._low.take(areas, axis=1), self._high.take(areas, axis=1), *corners)
+            shaped = np.flatnonzero(~self._plain[areas])
+            if len(shaped):
+                inner = (corner.take(shaped, axis=1) for corner in corners)
+                apart[shaped] = np.maximum(apart[shaped], self._beyond_sides(areas[shaped], *inner))
             on = np.flatnonzero(apart <= 0)
             yield boxes[on], apart[on]
 
@@ -76,15 +81,6 @@ class Areas:
             low, high = self._low.take(areas[:, None], axis=1), self._high.take(areas[:, None], axis=1)
             pair, place = np.nonzero(beyond(low, high, *blocks.taken(block)) <= 0)
             yield block[pair] * blocks.low.shape[2] + place, areas[pair]
-
-    def _apart(self, areas: Array, low: Array, high: Array) -> Array:
-        """The length by which each box would have to grow to reach the area it is paired with."""
-        growth = beyond(self._low.take(areas, axis=1), self._high.take(areas, axis=1), low, high)
-        shaped = np.flatnonzero(~self._plain[areas])
-        if len(shaped):
-            low, high, areas = low.take(shaped, axis=1), high.take(shaped, axis=1), areas[shaped]
-            growth[shaped] = np.maximum(growth[shaped], self._beyond_sides(areas, low, high))
-        return growth
 
     def _beyond_sides(self, areas: Array, low: Array, high: Array) -> Array:
         """The length by which each box would have to grow to reach across all sides of the area it is paired with."""

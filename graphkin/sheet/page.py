@@ -266,7 +266,13 @@ class Lettered:
     def _layers(self) -> Iterator[Layer]:
         """The sheet under the figures, each plane's figure, and over all of them the leaders and the letters."""
         page = self.page
-        yield Layer("sheet", (*self._foot(), *page.base))
+        foot: list[Mark] = []
+        if page.strip is not None:  # title, results, and the scales that are not over their figures
+            over = [mark for marks in (page.base, *(panel.before for panel in page.panels)) for mark in marks]
+            texts, notes = {mark.label for mark in over if isinstance(mark, Text)}, page.strip.notes
+            scales = {p: s for p, s in page.scales.items() if written(p, s) not in texts or p in notes}
+            foot = strip(page.strip, page.mechanism, page.paper, scales, page.lang)
+        yield Layer("sheet", (*foot, *page.base))
         drawn: dict[Plane, list[Mark]] = {}
         letters: list[tuple[Plane | None, Mark]] = []
         for panel, (settled, added) in zip(page.panels, self.finished, strict=True):
@@ -280,17 +286,6 @@ class Lettered:
         yield Layer("leaders", tuple(leaders))
         accented = (replace(mark, accent=mark.accent or plane) for plane, mark in letters if isinstance(mark, Text))
         yield Layer("labels", tuple(accented))
-
-    def _foot(self) -> list[Mark]:
-        """Title, results, and the scales that are not over their figures."""
-        page = self.page
-        if page.strip is None:
-            return []
-        over = [mark for marks in (page.base, *(panel.before for panel in page.panels)) for mark in marks]
-        texts, notes = {mark.label for mark in over if isinstance(mark, Text)}, page.strip.notes
-        untold = [plane for plane, scale in page.scales.items() if written(plane, scale) not in texts or plane in notes]
-        scales = {plane: page.scales[plane] for plane in untold}
-        return strip(page.strip, page.mechanism, page.paper, scales, page.lang)
 
 
 def _leaders(settled: Settled) -> int:

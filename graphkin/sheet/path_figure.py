@@ -82,7 +82,11 @@ class Paths:
         return Figure.of(entry for curve in self.curves for entry in self._entries(curve, window))
 
     def _entries(self, curve: PointPath, window: Window) -> Iterator[Entry]:
-        places = _on_paper(curve, window)
+        import shapely
+
+        whole = window.origin + np.conj(curve.places) / window.scale
+        line = shapely.LineString(np.stack([whole.real, whole.imag], axis=-1)).simplify(_FINE)
+        places = tuple(complex(x, y) for x, y in line.coords)[: -1 if curve.closed else None]
         owner = curve.course.method.mechanism.owners[curve.point][0]
         shows = Shows(owner, "path", (curve.point,), curve.course.driver.name)
         yield Stroke(places, "outline", closed=curve.closed, shows=shows)
@@ -128,16 +132,6 @@ class Paths:
 
 
 NONE = Paths()
-
-
-def _on_paper(curve: PointPath, window: Window) -> tuple[Place, ...]:
-    """The curve with no more places than it needs."""
-    import shapely
-
-    places = window.origin + np.conj(curve.places) / window.scale
-    line = shapely.LineString(np.stack([places.real, places.imag], axis=-1)).simplify(_FINE)
-    corners = tuple(complex(x, y) for x, y in line.coords)
-    return corners[:-1] if curve.closed else corners
 
 
 def _around(text: str, name: Label) -> Label:

@@ -41,20 +41,17 @@ def pole_sheet(velocities: TwoVelocities, lang: Lang = "en", *, paper: str | Non
     places = [*velocities.points, *([velocities.place] if cmath.isfinite(velocities.place) else [])]
     caption = Caption(tuple(pole_words(velocities, lang)), _FOOT)
     far = plain("\u221e" if cmath.isinf(velocities.place) else "")
-    tables = [Table((quantity_label("P", ""), far), tuple(_rows(velocities)))]
+    rows = [(quantity_label("ω", ""), (*number(abs(velocities.omega)), Run(" rad/s")))]
+    if cmath.isfinite(velocities.place):
+        at = (("x", velocities.place.real), ("y", velocities.place.imag))
+        rows = [*((quantity_label(letter, "P"), (*number(value * 1e3), Run(" mm"))) for letter, value in at), *rows]
+    tables = [Table((quantity_label("P", ""), far), tuple(rows))]
     field, foot = divided(chosen, strip_height(chosen, tables))
     picture = Picture(Extent.of(places, draw), draw, caption)
     strip = Strip(foot, tables, further={"velocity": speed} if fastest else {})
     title = in_both("about.pole title")
     machine = Mechanism("velocities", "1", {FRAME: Link(FRAME, {})}, title=title, file="velocities")
     return Page(chosen, [picture.panel(field, picture.scale(field))], machine, (), lang, strip).sheet()
-
-
-def _rows(velocities: TwoVelocities) -> Iterator[tuple[tuple[Run, ...], tuple[Run, ...]]]:
-    if cmath.isfinite(velocities.place):
-        for letter, value in (("x", velocities.place.real), ("y", velocities.place.imag)):
-            yield quantity_label(letter, "P"), (*number(value * 1e3), Run(" mm"))
-    yield quantity_label("ω", ""), (*number(abs(velocities.omega)), Run(" rad/s"))
 
 
 def _entries(velocities: TwoVelocities, window: Window, speed: float) -> Iterator[Entry]:
@@ -66,7 +63,14 @@ def _entries(velocities: TwoVelocities, window: Window, speed: float) -> Iterato
         yield _line([*tips, pole])
     elif velocities.case in ("meet", "infinity"):
         for end, tip in zip(ends, tips, strict=True):
-            yield from _across(end, tip, pole)
+            if abs(tip - end) < 1:
+                continue
+            along = (tip - end) / abs(tip - end)  # the perpendicular of a velocity, with its right angle
+            side = along * 1j if pole is None or ((along * 1j).conjugate() * (pole - end)).real > 0 else along * -1j
+            reach = _BEYOND * 4 if pole is None else abs(pole - end) + _BEYOND
+            yield Stroke((end, end + side * reach), "construction")
+            square = (end + along * _SQUARE, end + (along + side) * _SQUARE, end + side * _SQUARE)
+            yield Stroke(square, "construction")
     yield Stroke((ends[0], ends[1]), "visible")
     for name, end, tip in zip(velocities.names, ends, tips, strict=True):
         yield Disc(end, 0.6, "outline", "ink")
@@ -91,15 +95,3 @@ def _line(places: list[Place]) -> Stroke:
     one, other = max(((a, b) for a in places for b in places), key=lambda pair: abs(pair[1] - pair[0]))
     beyond = (other - one) / (abs(other - one) or 1) * _BEYOND
     return Stroke((one - beyond, other + beyond), "construction")
-
-
-def _across(end: Place, tip: Place, pole: Place | None) -> Iterator[Stroke]:
-    """The perpendicular of a velocity, with its right angle."""
-    if abs(tip - end) < 1:
-        return
-    along = (tip - end) / abs(tip - end)
-    side = along * 1j if pole is None or ((along * 1j).conjugate() * (pole - end)).real > 0 else along * -1j
-    reach = _BEYOND * 4 if pole is None else abs(pole - end) + _BEYOND
-    yield Stroke((end, end + side * reach), "construction")
-    square = (end + along * _SQUARE, end + (along + side) * _SQUARE, end + side * _SQUARE)
-    yield Stroke(square, "construction")

@@ -119,18 +119,16 @@ class PolygonFigure:
     def _shared(self) -> dict[tuple[str, str], list[Arrow]]:
         """Arrows that have the same ends, as of points that move alike, by tail and head of the one found first."""
         groups: dict[tuple[object, ...], list[Arrow]] = {}
-        for arrow in self._arrows():
+        every = list(arrows(self.mechanism, self.construction, self.points))
+        named = {(self.written(arrow.name), arrow.head) for arrow in every if arrow.of_equation}
+        for arrow in every:
+            if not arrow.of_equation and (arrow.name, arrow.head) in named:
+                continue  # an absolute motion that bears the name of an equation's arrow, seen from a held point
             start, end = self.points[arrow.tail], self.points[arrow.head]
             ends = tuple(round(side, _EXACT) for place in (start, end) for side in (place.real, place.imag))
             groups.setdefault(ends if abs(end - start) >= _NOTHING else (arrow.tail, arrow.head), []).append(arrow)
         alike = (sorted(group, key=lambda arrow: self.step(arrow.tail, arrow.head) or 0) for group in groups.values())
         return {(group[0].tail, group[0].head): group for group in alike}
-
-    def _arrows(self) -> Iterator[Arrow]:
-        """Without absolute motions that bear the name of an equation's arrow: what is seen from a held point."""
-        every = list(arrows(self.mechanism, self.construction, self.points))
-        named = {(self.written(arrow.name), arrow.head) for arrow in every if arrow.of_equation}
-        return (arrow for arrow in every if arrow.of_equation or (arrow.name, arrow.head) not in named)
 
     def names(self, vector: VectorMark) -> list[tuple[Label, int | None]]:
         """The names that are written at an arrow, and the step with which each comes."""

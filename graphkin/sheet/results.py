@@ -147,15 +147,11 @@ def _unit(label: Label, unit: str) -> Label:
 def given_tables(reading: Reading) -> list[Table]:
     """Dimensions and driven rates; what is asked for. Empty ones left out."""
     given = WrittenLines.of([formula(text) for text in dimensions(reading)], _WIDE, SIZE).lines
-    questions = WrittenLines.of([_question(reading, text) for text in reading.mechanism.ask], _WIDE, SIZE).lines
+    quantities = ((text, read(reading.mechanism, text)) for text in reading.mechanism.ask)
+    asked_for = [plain(text) if quantity is None else label_of(quantity) for text, quantity in quantities]
+    questions = WrittenLines.of(asked_for, _WIDE, SIZE).lines
     every = ((say("sheet.given", reading.lang), given), (say("sheet.find", reading.lang), questions))
     return [Table((plain(head),), tuple((line,) for line in lines)) for head, lines in every if lines]
-
-
-def _question(reading: Reading, text: str) -> Label:
-    """A question as the field writes it; what is no quantity, as the file does."""
-    quantity = read(reading.mechanism, text)
-    return plain(text) if quantity is None else label_of(quantity)
 
 
 def label_of(quantity: asked.Quantity, over: str = " / ") -> Label:

@@ -80,7 +80,15 @@ def specials(method: Method, skeleton: Skeleton, drawn: list[complex]) -> Figure
             figure.wanted.append(LabelRequest(point_label(special.name), at, gap=0.8, step=special.step))
         else:
             for ray in special.rays:
-                figure += _towards(skeleton, ray, at, special)
+                start = min(_ends(skeleton, ray), key=lambda end: abs(end - at))
+                if at == start:  # the leg's near end is the special point itself
+                    continue
+                along = (at - start) / abs(at - start)
+                tip, label = start + along * _CUT, (*plain("→ "), *point_label(special.name))
+                head = arrow_head(tip, along, special.step)
+                figure.marks += [Stroke((start, tip), "thin", step=special.step), head]
+                for end in (tip, head.places[-1]):
+                    figure.wanted.append(LabelRequest(label, end, gap=0.6, step=special.step))
     return figure
 
 
@@ -88,18 +96,6 @@ def _ends(skeleton: Skeleton, ray: Ray) -> list[Place]:
     """The ends of a leg on paper."""
     names = [ray.through, *((ray.direction.tail, ray.direction.head) if isinstance(ray.direction, Along) else ())]
     return [skeleton.at(name) for name in names]
-
-
-def _towards(skeleton: Skeleton, ray: Ray, at: Place, special: _Special) -> Figure:
-    """From the leg's near end a short stretch, with an arrow; nothing where that is the special point itself."""
-    start = min(_ends(skeleton, ray), key=lambda end: abs(end - at))
-    if at == start:
-        return Figure()
-    along = (at - start) / abs(at - start)
-    tip, label = start + along * _CUT, (*plain("→ "), *point_label(special.name))
-    head = arrow_head(tip, along, special.step)
-    wanted = [LabelRequest(label, end, gap=0.6, step=special.step) for end in (tip, head.places[-1])]
-    return Figure([Stroke((start, tip), "thin", step=special.step), head], wanted)
 
 
 def contacts(method: Method, skeleton: Skeleton) -> Figure:

@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
-from itertools import chain
 
 from graphkin.base.value import frozen
 from graphkin.say.entry import Entry, Sentence, VectorEquation
@@ -177,7 +176,13 @@ def flowed(blocks: Sequence[EquationBlock], room: float) -> list[list[EquationBl
     What is still wider than that is left out.
     """
     lines: list[list[EquationBlock]] = []
-    for block in chain.from_iterable(_before_equals(whole, room) for whole in blocks):
+    pieces: list[EquationBlock] = []
+    for whole in blocks:
+        head, *columns = whole.columns
+        cut = max(k for k, (label, _, _) in enumerate(columns) if label == plain("="))
+        broken_up = (columns[:cut], columns[cut:]) if whole.size.real > room and cut else (columns,)
+        pieces += [replace(whole, columns=(head, *part)) for part in broken_up]
+    for block in pieces:
         if block.size.real > room:
             continue
         if lines and head_of([*lines[-1], block])[0].real <= room:
@@ -185,11 +190,3 @@ def flowed(blocks: Sequence[EquationBlock], room: float) -> list[list[EquationBl
         else:
             lines.append([block])
     return lines
-
-
-def _before_equals(block: EquationBlock, room: float) -> tuple[EquationBlock, ...]:
-    head, *columns = block.columns
-    cut = max(k for k, (label, _, _) in enumerate(columns) if label == plain("="))
-    if block.size.real <= room or not cut:
-        return (block,)
-    return replace(block, columns=(head, *columns[:cut])), replace(block, columns=(head, *columns[cut:]))

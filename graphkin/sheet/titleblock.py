@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import field
 from functools import cached_property, lru_cache
 from itertools import accumulate
@@ -146,22 +146,18 @@ def drawn_tables(tiers: list[list[Table]], corner: Place) -> list[Mark]:
     for tier in tiers:
         pen = corner
         for part in tier:
-            marks += _drawn(part, pen)
+            for k, row in enumerate((part.head, *part.rows)):
+                at = pen + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
+                for column, (cell, wide, gap) in enumerate(zip(row, part.widths, part.gaps, strict=True)):
+                    if cell:
+                        accent = _PLANES.get(part.head[column][0].text) if k and part.head[column] else None
+                        marks.append(Text(cell, at + (part.before(cell, column) if k else 0), SIZE, accent=accent))
+                    at += wide + gap
+            under = pen + 1j * (PITCH * 1.05)
+            marks.append(Stroke((under, under + part.wide), "thin"))
             pen += part.wide + _BETWEEN
         corner += 1j * height_of([tier])
     return marks
-
-
-def _drawn(table: Table, corner: Place) -> Iterator[Mark]:
-    for k, row in enumerate((table.head, *table.rows)):
-        pen = corner + 1j * (PITCH * (k + 0.75) + (0.6 if k else 0))
-        for column, (cell, wide, gap) in enumerate(zip(row, table.widths, table.gaps, strict=True)):
-            if cell:
-                accent = _PLANES.get(table.head[column][0].text) if k and table.head[column] else None
-                yield Text(cell, pen + (table.before(cell, column) if k else 0), SIZE, accent=accent)
-            pen += wide + gap
-    under = corner + 1j * (PITCH * 1.05)
-    yield Stroke((under, under + table.wide), "thin")
 
 
 _WIDE = 64.0  # width of the title block [mm]
@@ -227,7 +223,11 @@ def strip(asked: Strip, machine: Mechanism, paper: Paper, scales: Mapping[Plane,
     for line in _lines(asked.equations, paper):
         marks += laid_out(line, corner, tables_room(paper))
         corner += 1j * head_of(line)[0].imag
-    marks += _check_bar(complex(room.left + 3, room.bottom - 3.2), lang)
+    at = complex(room.left + 3, room.bottom - 3.2)  # a line of 100 mm to lay a ruler on
+    marks.append(Stroke((at, at + 100), "thin", shows=Shows("", "ruler", plane="position")))
+    marks += [Stroke((at + x - 1j, at + x + 1j), "thin") for x in (0, 100)]
+    marks += [Stroke((at + x - 0.5j, at + x), "hatch") for x in range(10, 100, 10)]
+    marks.append(Text(plain(_CHECK[lang]), at + 2 - 1.3j, LEAST))
     block = Room(edge + 3, room.top, room.right - 3, room.bottom - 3)
     marks += _words(machine, block, {**scales, **asked.further}, asked.notes, lang)
     return marks
@@ -238,15 +238,6 @@ def frame(paper: Paper) -> Mark:
     room = paper.frame
     low, high = complex(room.left, room.top), complex(room.right, room.bottom)
     return Stroke((low, complex(high.real, low.imag), high, complex(low.real, high.imag)), "visible", closed=True)
-
-
-def _check_bar(at: Place, lang: Lang) -> list[Mark]:
-    """A line of 100 mm to lay a ruler on."""
-    marks: list[Mark] = [Stroke((at, at + 100), "thin", shows=Shows("", "ruler", plane="position"))]
-    marks += [Stroke((at + x - 1j, at + x + 1j), "thin") for x in (0, 100)]
-    marks += [Stroke((at + x - 0.5j, at + x), "hatch") for x in range(10, 100, 10)]
-    marks.append(Text(plain(_CHECK[lang]), at + 2 - 1.3j, LEAST))
-    return marks
 
 
 def _words(

@@ -82,7 +82,11 @@ def wheels(skeleton: Skeleton) -> Figure:
             figure.wanted.append(_number(skeleton, wheel))
     for roll in skeleton.mechanism.of(RollingContact):
         if roll.line is not None:
-            figure.marks += _track(skeleton, roll, roll.line)
+            step, reach = skeleton.step(roll.centre), roll.radius / skeleton.window.scale + 12
+            track = straight(skeleton, roll.line, roll.name, roll.centre, reach, step)
+            under = (1j if roll.left else -1j) * skeleton.direction(roll.line)
+            ground = symbols.guide(track.places[0], track.places[1], under, step, track.shows)
+            figure.marks += ground if roll.line.link == FRAME else [track]
     return figure
 
 
@@ -112,31 +116,15 @@ def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
     at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale
     label, step = link_label(skeleton.mechanism.called(wheel.link)), skeleton.step(wheel.centre)
     out, gap = (radius + _RIM, 0.6) if wheel.ring else (radius, 0.4) if radius < _SMALL else (radius - 4.2, -2.6)
-    away = _free_direction(skeleton, wheel.centre)
-    return LabelRequest(label, at + away * out, gap=gap, away=away, step=step)
-
-
-def _free_direction(skeleton: Skeleton, centre: str) -> complex:
-    """The direction from a wheel's centre that is farthest from links and from the wheels beside it."""
-    taken = list(skeleton.directions(centre))
-    here = skeleton.at(centre)
+    taken = list(skeleton.directions(wheel.centre))
     for other in wheels_of(skeleton.mechanism):
-        off = skeleton.at(other.centre) - here
+        off = skeleton.at(other.centre) - at
         if abs(off) > 0.5:
             taken.append(off / abs(off) if not other.ring else -off / abs(off))
-    taken += [1j] if FRAME in skeleton.mechanism.owners.get(centre, ()) else []
+    taken += [1j] if FRAME in skeleton.mechanism.owners.get(wheel.centre, ()) else []
     directions = [cmath.rect(1, math.radians(a)) for a in (-45, -135, -90, 45, 135, 0, 180, 90)]
-    return max(directions, key=lambda one: -max(((t * one.conjugate()).real for t in taken), default=-1.0))
-
-
-def _track(skeleton: Skeleton, roll: RollingContact, line: Line) -> list[Mark]:
-    """The line a wheel rolls on: hatched ground, or a bar of its link."""
-    step = skeleton.step(roll.centre)
-    track = straight(skeleton, line, roll.name, roll.centre, roll.radius / skeleton.window.scale + 12, step)
-    if line.link != FRAME:
-        return [track]
-    under = (1j if roll.left else -1j) * skeleton.direction(line)
-    return symbols.guide(track.places[0], track.places[1], under, step, track.shows)
+    away = max(directions, key=lambda one: -max(((t * one.conjugate()).real for t in taken), default=-1.0))
+    return LabelRequest(label, at + away * out, gap=gap, away=away, step=step)
 
 
 def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float, step: int | None) -> Stroke:
@@ -201,18 +189,13 @@ def equivalents(skeleton: Skeleton) -> list[Mark]:
                 hinges = [skeleton.at(centre) for centre in centres if centre not in edges]
                 marks += [Disc(hinge, symbols.HINGE, "thin", step=step) for hinge in hinges]
             case Slot(line, centre) if pair.rolling is None:
-                marks += _slotted(skeleton, line, centre, skeleton.step(centre))
+                at, along, step = skeleton.at(centre), skeleton.direction(line), skeleton.step(centre)
+                marks += [  # the block runs on the face's line moved sideways to the centre; both belong to one link
+                    Stroke((at - along * _REACH, at + along * _REACH), "dashed", step=step),
+                    Stroke(symbols.block_corners(at, along), "dashed", closed=True, step=step),
+                    Disc(at, symbols.HINGE, "thin", step=step),
+                ]
     return marks
-
-
-def _slotted(skeleton: Skeleton, line: Line, centre: str, step: int | None) -> list[Mark]:
-    """The block runs on the face's line moved sideways to the centre; both belong to one link."""
-    at, along = skeleton.at(centre), skeleton.direction(line)
-    return [
-        Stroke((at - along * _REACH, at + along * _REACH), "dashed", step=step),
-        Stroke(symbols.block_corners(at, along), "dashed", closed=True, step=step),
-        Disc(at, symbols.HINGE, "thin", step=step),
-    ]
 
 
 def follower(skeleton: Skeleton, slide: Slide) -> list[Mark] | None:
