@@ -26,8 +26,11 @@ mechanism and its polygons, on complex numbers; `construction.drafting` is besid
 subject makes data and knows no language; say, sheet, outputs and homework read any subject's data.
 
 Where a new thing goes, and the test that guides it:
-- a pair kind: a file of `model/pairs` and its line in `PAIRS`; tests/model/test_pairs.py names tables that lack it.
-- a quantity: a class of `model/quantities/kinds` and its place in the union `Quantity`; mypy names every reader.
+- a pair kind: the recipe is in `model/pairs`. Begin with library mechanisms of it, one for each variant and each
+  degenerate size: tests/model/test_pairs.py and all tests over the library name the tables that lack it.
+- a quantity: a class of `model/quantities/kinds`, its place in the union `Quantity`, its word in `quantities/reading`;
+  how it is written in `say/names` and `submissions`, its line in `say/phrases/file_help.py`. mypy names every `match`
+  over the union; of the kind yours is like, look for `isinstance` too. Ask for it in a mechanism of the library.
 - a step: a class of `construction/kinds` and its place in the union `Step`; mypy names every reader.
 - a mistake: a function under `@mistake(id, topic, section)` in the file of `marking/mistakes` for its subject; in
   `say/phrases/mistakes.py` the lines `mistakes.made ID` and `mistakes.kind ID` (and `look TOPIC` of a new topic); a row

@@ -13,13 +13,15 @@ from graphkin.analytic import mobility, motion
 from graphkin.analytic.rules import RULES
 from graphkin.errors import CannotAssemble
 from graphkin.errors.motion import PAIRS as CALLED
-from graphkin.files import library, loads
+from graphkin.files import changing, library, loads, schema
+from graphkin.files.builder import Builder
 from graphkin.files.pairs import READERS
 from graphkin.files.schema import File
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.naming import named
 from graphkin.model.pairs import PAIRS, Pair, Revolute
 from graphkin.planning import plan
+from graphkin.say.catalogue import is_phrase
 from graphkin.say.centre_steps import NORMALS
 from graphkin.say.equivalents import EQUIVALENTS
 from graphkin.say.structure import KINDS, structure_lines
@@ -54,6 +56,15 @@ def test_tables_of_the_file_are_those_of_the_kinds() -> None:
     assert set(READERS) == {kind.table for kind in PAIRS} - {""}
     assert set(READERS) <= set(File.__dataclass_fields__)
     assert set(READERS) <= set(CALLED)
+
+
+def test_what_is_said_of_tables_of_the_file_is_said_of_each_kind() -> None:
+    for table in {kind.table for kind in PAIRS} - {""}:
+        assert table in changing._TABLES_OF_MANY, f"`with_` does not know `{table}.0.key`"
+        assert table in schema.TABLES, f"a key of [[{table}]] typed wrong has no hint"
+        assert table in library.KINDS, f"`library --with {table}`"
+        assert callable(getattr(Builder, table, None)), f"Mechanism.new(..).{table}(..)"
+        assert is_phrase(f"problems.table {table}"), f"a problem does not say what [[{table}]] gives"
 
 
 def kinds_of(mechanism: Mechanism) -> set[type[Pair]]:
