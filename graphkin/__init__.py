@@ -33,7 +33,7 @@ Where a new thing goes, and the test that guides it:
   over the union; of the kind yours is like, look for `isinstance` too. Ask for it in a mechanism of the library.
 - a step: a class of `construction/kinds` and its place in the union `Step`; mypy names every reader.
 - a mistake: a function under `@mistake(id, topic, section)` in the file of `marking/mistakes` for its subject; in
-  `say/phrases/mistakes.py` the lines `mistakes.made ID` and `mistakes.kind ID` (and `look TOPIC` of a new topic); a row
+  `say/phrases/marking.py` the lines `mistakes.made ID` and `mistakes.kind ID` (and `look TOPIC` of a new topic); a row
   of `TABLE` in tests/marking/test_mistakes.py, with the numbers that a student gets. If it is common, `_COMMON` in
   `handouts/proofs.py`. `graphkin tolerance MECHANISM --power` tells how well it is found.
 - an output format: a file of `outputs`, with its writer in `WRITERS` of `outputs/drawings.py`: the commands offer what
