@@ -36,11 +36,9 @@ def side_by_side(figure: Figure) -> Figure:
     asides = {(v.plane, v.name): aside for v, aside in zip(vectors, _asides(vectors), strict=True) if aside}
 
     def moved(mark: Mark) -> Mark:
-        if not isinstance(mark, VectorMark) or (mark.plane, mark.name) not in asides:
+        if not isinstance(mark, VectorMark) or (aside := asides.get((mark.plane, mark.name))) is None:
             return mark
-        aside = asides[mark.plane, mark.name]
-        steps = round(abs(aside) / ASIDE)
-        return replace(mark, start=mark.start + aside, end=mark.end + aside, aside=steps)
+        return replace(mark, start=mark.start + aside, end=mark.end + aside, aside=round(abs(aside) / ASIDE))
 
     by_name, labels = {name: aside for (_, name), aside in asides.items()}, list[LabelRequest]()
     for want in figure.wanted:  # a label stands on the side to which its arrow was moved
@@ -62,21 +60,14 @@ def _asides(vectors: Sequence[VectorMark]) -> Iterator[complex]:
         if not (meeting[k] & ~moved).any() and not _met(vector.start, vector.end, start, end, before[k] & moved):
             yield 0j
             continue
-        aside = _aside(vector, start, end, before[k])
+        normal = 1j * (vector.end - vector.start) / vector.length if vector.length > _SHORT else 0j
+        if (normal.imag, normal.real) > (0, 0):
+            normal = -normal
+        shifts = (normal * ASIDE * ((turn + 1) // 2) * (1 if turn % 2 else -1) for turn in count(1))
+        free = (s for s in shifts if not s or not _met(vector.start + s, vector.end + s, start, end, before[k]))
+        aside = next(free)
         start[k], end[k], moved[k] = vector.start + aside, vector.end + aside, bool(aside)
         yield aside
-
-
-def _aside(vector: VectorMark, start: Array, end: Array, others: Array) -> complex:
-    """The shift of an arrow off others, of which some run along it."""
-    normal = 1j * (vector.end - vector.start) / vector.length if vector.length > _SHORT else 0j
-    if (normal.imag, normal.real) > (0, 0):
-        normal = -normal
-    for turn in count(1):
-        aside = normal * ASIDE * ((turn + 1) // 2) * (1 if turn % 2 else -1)
-        if not normal or not _met(vector.start + aside, vector.end + aside, start, end, others):
-            return aside
-    raise AssertionError("paper ends somewhere")
 
 
 def _met(start: complex, end: complex, starts: Array, ends: Array, others: Array) -> bool:
