@@ -55,10 +55,7 @@ _CENTRE: dict[Lang, str] = {"en": "K (x, y) [mm]", "zh": "K（x，y）[mm]"}
 
 
 def about_sheet(link: About, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
-    """Draw a link about its pole, to scale; what lies too far off is shown by its direction.
-
-    Raises UnknownPaper.
-    """
+    """Draw a link about its pole, to scale; what lies too far off is shown by its direction. Raises UnknownPaper."""
     method, plot = link.found.method, link.plot
     beside: list[complex] = [] if link.acceleration_pole is None else [link.acceleration_pole]
     beside += [carried.centre for carried in link.points.values()]
@@ -271,10 +268,7 @@ class _BobillierDrawing:
                 yield from clipped(self._ends(step), self.on.room, pen, step_number)
 
     def _ends(self, line: LineStep) -> list[Place]:
-        """From the first to the last of the points on a line, and a little more; towards one at infinity, farther.
-
-        Nothing for the line at infinity.
-        """
+        """From the first to the last point on a line and beyond, farther towards infinity; empty for the line there."""
         start, direction = map(as_place, self.solution.board.line(line.name))
         if not abs(start) * INFINITE < 1:
             return []

@@ -85,26 +85,19 @@ def _run_along(start: complex | Array, end: complex | Array, starts: Array, ends
     return near & (np.minimum(length, high) - np.maximum(0.0, low) > _ALONG)
 
 
-# --- heads ------------------------------------------------------------------------------------
-
-
 def heads_apart(figure: Figure) -> Figure:
     """The figure with its arrow heads at the rims of the dots they point to, and off one another."""
     vectors = [mark for mark in figure.marks if isinstance(mark, VectorMark) and mark.length > _SHORT]
     dots = [mark for mark in figure.marks if isinstance(mark, PointMark) and mark.fill == "ink"]
     ends = np.array([vector.end for vector in vectors], dtype=complex)
-    near = ([vectors[k] for k in np.flatnonzero(np.abs(ends - vector.end) < _SAME)] for vector in vectors)
-    changed = {id(vector): _headed(vector, others, dots) for vector, others in zip(vectors, near)}
+    changed: dict[int, VectorMark] = {}
+    for vector in vectors:  # with the head that leaves those near it their own
+        near = [vectors[k] for k in np.flatnonzero(np.abs(ends - vector.end) < _SAME)]
+        rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)
+        own = vector.start - vector.end
+        turns = [-cmath.phase((v.start - v.end) / own) or 1e-9 for v in near if v is not vector]
+        left = [turn for turn in turns if -_MELT < turn <= 0]  # those that come from the left of it, looking along it
+        right = [turn for turn in turns if 0 < turn < _MELT]
+        half: Half = "" if left and right else "right" if left else "left" if right else ""
+        changed[id(vector)] = replace(vector, half=half, back=rim + (_STEP if left and right else 0.0))
     return Figure([changed.get(id(mark), mark) for mark in figure.marks], figure.wanted)
-
-
-def _headed(vector: VectorMark, near: Sequence[VectorMark], dots: Sequence[PointMark]) -> VectorMark:
-    """The arrow with the head that leaves those near it their own."""
-    rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)
-    own = vector.start - vector.end
-    turns = [-cmath.phase((v.start - v.end) / own) or 1e-9 for v in near if v is not vector]
-    left = [turn for turn in turns if -_MELT < turn <= 0]  # those that come from the left of it, looking along it
-    right = [turn for turn in turns if 0 < turn < _MELT]
-    half: Half = "" if left and right else "right" if left else "left" if right else ""
-    back = rim + (_STEP if left and right else 0.0)
-    return replace(vector, half=half, back=back)

@@ -88,7 +88,6 @@ class OnPaper:
     def spots(self) -> list[Spot]:
         return spots(self.found)
 
-
     def at(self, spot: Spot) -> Place:
         """The place of a centre that is not at infinity, on the paper or beyond it."""
         assert spot.place is not None
@@ -141,9 +140,6 @@ class OnPaper:
             along = straight.direction * cmath.exp(1j * turn)
             off = geometry.place(position[straight.origin]) - one
             yield self.window(one + off - along * (off * along.conjugate()).real)
-
-
-# --- rooms ------------------------------------------------------------------------------------
 
 
 @frozen

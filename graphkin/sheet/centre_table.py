@@ -126,9 +126,6 @@ def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
     return marks
 
 
-# --- table ------------------------------------------------------------------------------------
-
-
 @frozen
 class CentreTable:
     """The table cut into parts that stand side by side; `lost` rows found no room on the paper."""

@@ -40,12 +40,9 @@ END: dict[Lang, str] = {"en": ")", "zh": "）"}
 
 
 def centrode_sheet(curves: Centrodes, *, t: float = 0.0, paper: str | None = None, lang: Lang = "en") -> Sheet:
-    """Both curves (or a path) with the mechanism at t along the motion, 0 being the drawn position.
-
-    Raises UnknownPaper.
-    """
-    told = [*curves_met(curves, _centre_at(curves, t), lang)]
-    return _CentrodePage(curves, _page(curves, [t], paper, told), lang).sheet(t, lettered=True)
+    """Both curves (or a path) with the mechanism at t along the motion (0: the drawn position). Raises UnknownPaper."""
+    sentences = [*curves_met(curves, _centre_at(curves, t), lang)]
+    return _CentrodePage(curves, _page(curves, [t], paper, sentences), lang).sheet(t, lettered=True)
 
 
 def centrode_frames(

@@ -56,7 +56,6 @@ class DesignFigure:
         """The construction's points [m]."""
         return {name: geometry.place(value) for name, value in self.board.places.items()}
 
-
     def _at(self, name: str) -> Place:
         return self.on.window(self.places[name])
 
@@ -64,14 +63,11 @@ class DesignFigure:
         centre, radius = self.board.circles[name]
         return geometry.place(centre), geometry.number(radius)
 
-
     def figure(self) -> Figure:
         """Construction, positions and angles; marks carry the number of their stage."""
         stages = enumerate(self.construction.stages, start=1)
         drawn = (entry for number, stage in stages for step in stage.steps for entry in self._step(step, number))
         return Figure.of(chain(drawn, self._positions(), self._points(), self._angles()))
-
-    # --- steps -----------------------------------------------------------------------------------
 
     def _step(self, step: Step, stage: int) -> Iterator[Entry]:
         if isinstance(step, LineStep):
@@ -159,8 +155,6 @@ class DesignFigure:
         places = [self.on.window(centre + cmath.rect(radius, turn)) for turn in turns]
         yield from clipped(places, self.on.room, pen, stage)
 
-    # --- positions, points -------------------------------------------------------------------------
-
     def _positions(self) -> Iterator[Entry]:
         """The linkage at its limits, or at the positions asked for, in thin lines."""
         order, last = "ABCD" if "D" in self.solution.limits[0] else "ABC", len(self.construction.stages)
@@ -199,8 +193,6 @@ class DesignFigure:
         for k, places in enumerate(limits, start=1):
             points |= {f"{name}{k}": places[name] for name in moving if f"{name}1" not in self.places}
         return {name: z for name, z in points.items() if name not in self.solution.places}
-
-    # --- angles ------------------------------------------------------------------------------------
 
     def _angles(self) -> Iterator[Entry]:
         """theta at A, and the swing at D (at C for a guide bar), with their values, and the right angles for them."""

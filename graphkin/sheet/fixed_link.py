@@ -62,9 +62,6 @@ def ground_way(point: str, *skeletons: Skeleton) -> complex:
     return min((1j, -1 + 0j, 1 + 0j, -1j), key=badness)
 
 
-# --- fixed guides -----------------------------------------------------------------------------
-
-
 @filled
 class _Run:
     """A stretch of a fixed line, with what slides on it."""

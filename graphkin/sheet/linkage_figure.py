@@ -113,9 +113,6 @@ def _swept(centre: Place, radius: float, begin: float, sweep: float, label: Labe
     return Figure(marks, [LabelRequest(label, centre + radius * middle, gap=0.6, away=middle, size=BODY + 0.3)])
 
 
-# --- limits -------------------------------------------------------------------------------------
-
-
 def dimensioned_limits(report: Report, window: Window) -> Figure:
     """psi or H between the limits, and theta at the crank's pivot."""
     figure = _theta(report, window)
@@ -183,9 +180,6 @@ def _stroke(report: Report, length: float, window: Window) -> Figure:
     marks += [Stroke((start, end), "thin"), *heads]
     label: Label = (Run("H", True), Run(f" = {length * 1e3:.2f} mm"))
     return Figure(marks, [LabelRequest(label, start, end, gap=0.4, away=side, size=BODY + 0.3)])
-
-
-# --- transmission -------------------------------------------------------------------------------
 
 
 def dimensioned_transmission(report: Report, positions: tuple[LinkagePosition, ...], window: Window) -> Figure:

@@ -87,9 +87,6 @@ def family_sheet(lang: Lang = "en", *, paper: str | None = None) -> Sheet:
     return grid.page(bare, machine, lang, base=[frame(chosen), head], title=_FAMILY[lang]).sheet()
 
 
-# --- figures with their captions ----------------------------------------------------------------
-
-
 def _pictures(one: Report, lang: Lang, several: bool) -> list[Picture]:
     """Limits and transmission angles; with `several`, captions begin with the letters of the linkage."""
     pictures = [_limits(one, lang)] if one.limits else []
@@ -140,9 +137,6 @@ def _dead(one: Report, driver: str, lang: Lang) -> str:
     texts = (f"{round(value * 1e3, 6) + 0.0:.5g} mm" if slides else numbers.angle(value) for value in values)
     shown = ", ".join(texts).replace("-", "−")
     return _WORDS["dead" if values else "none"][lang].format(driver=driver, values=shown)
-
-
-# --- tables -------------------------------------------------------------------------------------
 
 
 def _rows(one: Report) -> Iterator[tuple[Label, Label]]:

@@ -57,8 +57,7 @@ def mistake_sheet(
     own     the student's drawing, laid over with its pole on the pole
     answer  whether the right drawing may be shown: without it, the drawing with the mistakes alone
     """
-    panels: list[Panel] = []
-    top = 0.0
+    panels, top = list[Panel](), 0.0
     for plane in PLANES:
         if row := [*_versions(method, plot, plane, found, own or {}, answer)]:
             panels += _row(row, top, answer, lang)
@@ -66,12 +65,8 @@ def mistake_sheet(
     if not panels:
         return None
     paper = Paper("figure", max(panel.room.right for panel in panels) + 1, top, 0.0)
-    title = say("pictures.title", lang)
-    whole = Page(paper, panels, method.mechanism, plot.facts.values, lang, title=title).sheet().upto(_OTHERWISE)
-    return whole.redrawn(lambda mark: replace(mark, step=None))
-
-
-# --- versions of a plane ----------------------------------------------------------------------
+    page = Page(paper, panels, method.mechanism, plot.facts.values, lang, title=say("pictures.title", lang))
+    return page.sheet().upto(_OTHERWISE).redrawn(lambda mark: replace(mark, step=None))
 
 
 @frozen
@@ -186,9 +181,6 @@ def _drawable(plot: Plot, plane: Plane) -> Plot:
     drawable.points(plane).clear()
     drawable.points(plane).update(there)
     return drawable
-
-
-# --- on paper ---------------------------------------------------------------------------------
 
 
 def _row(versions: Sequence[Version], top: float, answer: bool, lang: Lang) -> list[Panel]:

@@ -103,8 +103,6 @@ class Paths:
             if self.arrows:
                 yield from arrow(at, at + window.turned(tick.velocity) / self.scale, "velocity")
 
-    # --- their legend -----------------------------------------------------------------------------
-
     @property
     def lines(self) -> list[Label]:
         """From tick to tick, and the scale of the velocities."""

@@ -53,17 +53,13 @@ def arrows(mechanism: Mechanism, construction: Construction, there: Collection[s
         if term.tail in there and term.head in there:
             of = term.sites or tuple(sites[text] for text in (term.of, term.seen_from) if text in sites)
             yield Arrow(name, term.tail, term.head, of, term.part, term.size)
-    besides = fixed(construction) | {term.head for term in terms.values() if term.tail == pole}
+    besides = {term.head for term in terms.values() if term.tail == pole}  # and the points that never move
+    given = (step for step in construction.steps if isinstance(step, Given))
+    besides |= {name for step in given for name in (step.point, *step.also)}
     for name, node in construction.nodes.items() if pole in there else ():
         site = node.site if name in there and name not in besides else None
         if site is not None and site.point not in mechanism.unnamed:
             yield Arrow(f"{LETTER[construction.plane]}_{node.of}", pole, name, (site,), of_equation=False)
-
-
-def fixed(construction: Construction) -> set[str]:
-    """The pole, and the points that sit on it because they never move."""
-    given = [step for step in construction.steps if isinstance(step, Given)]
-    return {name for step in given for name in (step.point, *step.also)}
 
 
 @frozen
@@ -151,8 +147,7 @@ class PolygonFigure:
 
     def written(self, name: str) -> str:
         """The name of an arrow on paper."""
-        term = self.construction.vectors().get(name) if self.held else None
-        plane = self.construction.plane
+        plane, term = self.construction.plane, self.construction.vectors().get(name) if self.held else None
         return relabelled(term, plane, self.held).name(plane) if term is not None else name
 
     def site(self, name: str) -> str:

@@ -152,9 +152,6 @@ def rims(machine: Mechanism, position: Mapping[str, Value]) -> Iterator[complex]
         yield from (at - complex(radius, radius), at + complex(radius, radius))
 
 
-# --- cams ---------------------------------------------------------------------------------------
-
-
 def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
     """The profiles that touch."""
     step, scale = skeleton.step(*(centre for _, centre, _ in cam.circles)), skeleton.window.scale
