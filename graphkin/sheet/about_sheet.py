@@ -22,12 +22,12 @@ from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_la
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Sheet, step_sheets
-from graphkin.sheet.paper import PenName, Room, finest
+from graphkin.sheet.paper import PenName, finest
 from graphkin.sheet.path_figure import circle, clipped
 from graphkin.sheet.single_figure import SingleFigure, place_for
 from graphkin.sheet.symbols import arrow_head
 from graphkin.sheet.titleblock import Table
-from graphkin.sheet.window import Entry, Figure, enlarged
+from graphkin.sheet.window import Entry, Figure, corners, enlarged
 from graphkin.studies.centres.about import About, Circle, InflectionLine
 from graphkin.studies.centres.about_bobillier import Bobillier
 
@@ -55,10 +55,7 @@ _CENTRE: dict[Lang, str] = {"en": "K (x, y) [mm]", "zh": "K（x，y）[mm]"}
 
 
 def about_sheet(link: About, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
-    """Draw a link about its pole, to scale; what lies too far off is shown by its direction.
-
-    Raises UnknownPaper.
-    """
+    """Draw a link about its pole, to scale; what lies too far off is shown by its direction. Raises UnknownPaper."""
     method, plot = link.found.method, link.plot
     beside: list[complex] = [] if link.acceleration_pole is None else [link.acceleration_pole]
     beside += [carried.centre for carried in link.points.values()]
@@ -130,18 +127,17 @@ class _LinkDrawing:
         yield from strokes
         if strokes:
             longest = max(strokes, key=lambda stroke: len(stroke.places))
-            third = len(longest.places) // 3
-            start, end = longest.places[max(third - 1, 0)], longest.places[max(third, 1)]
-            long = end if abs(end - start) > 8 else None
-            yield LabelRequest(plain(words[self.lang]), start, long, gap=0.6, spare=False)
+            third = max(len(longest.places) // 3, 1)
+            start, end = longest.places[third - 1], longest.places[third]
+            yield LabelRequest(plain(words[self.lang]), start, end if abs(end - start) > 8 else None, gap=0.6)
 
     def axes(self) -> Iterator[Entry]:
         """Pole tangent t and normal n."""
-        link, pole = self.link, self.link.pole
-        if link.tangent is None or link.normal is None or not self.on.room.holds(self.on.window(pole)):
+        link, start = self.link, self.on.window(self.link.pole)
+        if link.tangent is None or link.normal is None or not self.on.room.holds(start):
             return
         for letter, direction in (("t", link.tangent), ("n", link.normal)):
-            start, along = self.on.window(pole), self.on.window.turned(direction)
+            along = self.on.window.turned(direction)
             for stroke in clipped([start - _AXIS * along, start + _AXIS * along], self.on.room, "centre"):
                 yield stroke
                 yield LabelRequest(plain(letter, italic=True), stroke.places[-1], gap=0.6, away=along)
@@ -177,10 +173,16 @@ class _LinkDrawing:
         places = [window(carried.place) for carried in link.points.values()]
         if not cmath.isinf(link.pole) and room.holds(window(link.pole)):
             places.append(window(link.pole))
-        for at in _lattice(places, room):
+        if not places:
+            return
+        low, high = corners(places)
+        xs = np.arange(low.real - _FIELD, high.real + _FIELD + 1e-9, _FIELD)
+        ys = np.arange(low.imag - _FIELD, high.imag + _FIELD + 1e-9, _FIELD)
+        for at in (complex(x, y) for x in xs for y in ys):
             velocity = link.carried(((at - window.origin) * window.scale).conjugate()).velocity
             arrow = window.turned(velocity / self.pace) * _LIGHT
-            if 1.0 < abs(arrow) <= _FIELD and room.holds(at + arrow) and all(abs(at - p) > 5 for p in places):
+            inside = room.holds(at) and room.holds(at + arrow)
+            if 1.0 < abs(arrow) <= _FIELD and inside and all(abs(at - p) > 5 for p in places):
                 tip, along = at + arrow, arrow / abs(arrow)
                 yield Stroke((at, tip), "leader")
                 yield Stroke((tip - (1.3 - 0.45j) * along, tip, tip - (1.3 + 0.45j) * along), "leader")
@@ -191,8 +193,7 @@ class _LinkDrawing:
             arrow = self.on.window.turned(carried.velocity / self.pace)
             if abs(arrow) < 0.3:
                 continue
-            start = self.on.window(carried.place)
-            along = arrow / abs(arrow)
+            start, along = self.on.window(carried.place), arrow / abs(arrow)
             yield Stroke((start, start + arrow - 0.5 * along), "vector")
             yield arrow_head(start + arrow, along, None)
             yield LabelRequest(quantity_label("v", name), start, start + arrow, gap=0.7)
@@ -226,18 +227,6 @@ class _LinkDrawing:
         if self.on.room.holds(at):
             yield Disc(at, radius, "vector", fill)
             yield LabelRequest(label, at, gap=radius + 0.2)
-
-
-def _lattice(places: list[Place], room: Room) -> Iterator[Place]:
-    """Places on paper at even distances, about those given, inside the room."""
-    if not places:
-        return
-    left, right = min(p.real for p in places) - _FIELD, max(p.real for p in places) + _FIELD
-    top, bottom = min(p.imag for p in places) - _FIELD, max(p.imag for p in places) + _FIELD
-    for x in np.arange(left, right + 1e-9, _FIELD):
-        for y in np.arange(top, bottom + 1e-9, _FIELD):
-            if room.holds(complex(x, y)):
-                yield complex(x, y)
 
 
 # --- Bobillier --------------------------------------------------------------------------------
@@ -279,10 +268,7 @@ class _BobillierDrawing:
                 yield from clipped(self._ends(step), self.on.room, pen, step_number)
 
     def _ends(self, line: LineStep) -> list[Place]:
-        """From the first to the last of the points on a line, and a little more; towards one at infinity, farther.
-
-        Nothing for the line at infinity.
-        """
+        """From the first to the last point on a line and beyond, farther towards infinity; empty for the line there."""
         start, direction = map(as_place, self.solution.board.line(line.name))
         if not abs(start) * INFINITE < 1:
             return []
@@ -295,10 +281,10 @@ class _BobillierDrawing:
 
     def points(self) -> Iterator[Entry]:
         """The points of the construction, and the point itself where the mechanism does not show it."""
-        named: list[tuple[str, int | None]] = [(self.solution.point, None)] if self.new else []
-        numbered = enumerate(self.solution.construction.steps, start=1)
-        named += [(step.name, step_number) for step_number, step in numbered if isinstance(step, PointStep)]
         point, solution = self.solution.point, self.solution
+        named: list[tuple[str, int | None]] = [(point, None)] if self.new else []
+        numbered = enumerate(solution.construction.steps, start=1)
+        named += [(step.name, step_number) for step_number, step in numbered if isinstance(step, PointStep)]
         labels = {solution.crossings[1]: quantity_label("Q", point), solution.answer: quantity_label("K", point)}
         for name, step in named:
             place = as_place(self.solution.board.at(name))

@@ -36,11 +36,9 @@ def side_by_side(figure: Figure) -> Figure:
     asides = {(v.plane, v.name): aside for v, aside in zip(vectors, _asides(vectors), strict=True) if aside}
 
     def moved(mark: Mark) -> Mark:
-        if not isinstance(mark, VectorMark) or (mark.plane, mark.name) not in asides:
+        if not isinstance(mark, VectorMark) or (aside := asides.get((mark.plane, mark.name))) is None:
             return mark
-        aside = asides[mark.plane, mark.name]
-        steps = round(abs(aside) / ASIDE)
-        return replace(mark, start=mark.start + aside, end=mark.end + aside, aside=steps)
+        return replace(mark, start=mark.start + aside, end=mark.end + aside, aside=round(abs(aside) / ASIDE))
 
     by_name, labels = {name: aside for (_, name), aside in asides.items()}, list[LabelRequest]()
     for want in figure.wanted:  # a label stands on the side to which its arrow was moved
@@ -62,21 +60,14 @@ def _asides(vectors: Sequence[VectorMark]) -> Iterator[complex]:
         if not (meeting[k] & ~moved).any() and not _met(vector.start, vector.end, start, end, before[k] & moved):
             yield 0j
             continue
-        aside = _aside(vector, start, end, before[k])
+        normal = 1j * (vector.end - vector.start) / vector.length if vector.length > _SHORT else 0j
+        if (normal.imag, normal.real) > (0, 0):
+            normal = -normal
+        shifts = (normal * ASIDE * ((turn + 1) // 2) * (1 if turn % 2 else -1) for turn in count(1))
+        free = (s for s in shifts if not s or not _met(vector.start + s, vector.end + s, start, end, before[k]))
+        aside = next(free)
         start[k], end[k], moved[k] = vector.start + aside, vector.end + aside, bool(aside)
         yield aside
-
-
-def _aside(vector: VectorMark, start: Array, end: Array, others: Array) -> complex:
-    """The shift of an arrow off others, of which some run along it."""
-    normal = 1j * (vector.end - vector.start) / vector.length if vector.length > _SHORT else 0j
-    if (normal.imag, normal.real) > (0, 0):
-        normal = -normal
-    for turn in count(1):
-        aside = normal * ASIDE * ((turn + 1) // 2) * (1 if turn % 2 else -1)
-        if not normal or not _met(vector.start + aside, vector.end + aside, start, end, others):
-            return aside
-    raise AssertionError("paper ends somewhere")
 
 
 def _met(start: complex, end: complex, starts: Array, ends: Array, others: Array) -> bool:
@@ -94,26 +85,19 @@ def _run_along(start: complex | Array, end: complex | Array, starts: Array, ends
     return near & (np.minimum(length, high) - np.maximum(0.0, low) > _ALONG)
 
 
-# --- heads ------------------------------------------------------------------------------------
-
-
 def heads_apart(figure: Figure) -> Figure:
     """The figure with its arrow heads at the rims of the dots they point to, and off one another."""
     vectors = [mark for mark in figure.marks if isinstance(mark, VectorMark) and mark.length > _SHORT]
     dots = [mark for mark in figure.marks if isinstance(mark, PointMark) and mark.fill == "ink"]
     ends = np.array([vector.end for vector in vectors], dtype=complex)
-    near = ([vectors[k] for k in np.flatnonzero(np.abs(ends - vector.end) < _SAME)] for vector in vectors)
-    changed = {id(vector): _headed(vector, others, dots) for vector, others in zip(vectors, near)}
+    changed: dict[int, VectorMark] = {}
+    for vector in vectors:  # with the head that leaves those near it their own
+        near = [vectors[k] for k in np.flatnonzero(np.abs(ends - vector.end) < _SAME)]
+        rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)
+        own = vector.start - vector.end
+        turns = [-cmath.phase((v.start - v.end) / own) or 1e-9 for v in near if v is not vector]
+        left = [turn for turn in turns if -_MELT < turn <= 0]  # those that come from the left of it, looking along it
+        right = [turn for turn in turns if 0 < turn < _MELT]
+        half: Half = "" if left and right else "right" if left else "left" if right else ""
+        changed[id(vector)] = replace(vector, half=half, back=rim + (_STEP if left and right else 0.0))
     return Figure([changed.get(id(mark), mark) for mark in figure.marks], figure.wanted)
-
-
-def _headed(vector: VectorMark, near: Sequence[VectorMark], dots: Sequence[PointMark]) -> VectorMark:
-    """The arrow with the head that leaves those near it their own."""
-    rim = max((dot.radius for dot in dots if abs(dot.at - vector.end) < _SAME), default=0.0)
-    own = vector.start - vector.end
-    turns = [-cmath.phase((v.start - v.end) / own) or 1e-9 for v in near if v is not vector]
-    left = [turn for turn in turns if -_MELT < turn <= 0]  # those that come from the left of it, looking along it
-    right = [turn for turn in turns if 0 < turn < _MELT]
-    half: Half = "" if left and right else "right" if left else "left" if right else ""
-    back = rim + (_STEP if left and right else 0.0)
-    return replace(vector, half=half, back=back)

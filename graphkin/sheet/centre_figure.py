@@ -41,22 +41,20 @@ def centre_lines(paper: OnPaper) -> Figure:
     figure, drawn = Figure(), _DrawnStretches()
     for spot in paper.spots:
         for line in paper.lines(spot):
-            laid = reach_of(paper, spot, line, line.normal)
-            if laid is None:
+            if (laid := reach_of(paper, spot, line, line.normal)) is None:
                 continue
             pen: PenName = "centre" if line.normal else "dashed"
             for piece in drawn.fresh(laid):
                 figure.marks.append(Stroke(piece.ends, pen, step=spot.number))
             for end, other in (laid.ends, laid.ends[::-1]) if line.normal else ():
-                letter = plain("n", italic=True)
-                figure.wanted.append(LabelRequest(letter, end, gap=0.2, away=end - other, step=spot.number))
+                normal = LabelRequest(plain("n", italic=True), end, gap=0.2, away=end - other, step=spot.number)
+                figure.wanted.append(normal)
     return figure
 
 
 def reach_of(paper: OnPaper, spot: Spot, line: CentreLine, normal: bool = False) -> Laid | None:
     """The stretch of a line that is drawn: past the centres on it, or to the room's edge towards those beyond."""
-    span = clipped(line, paper.room)
-    if span is None:
+    if (span := clipped(line, paper.room)) is None:
         return None
     low, high = span
     beyond = _NORMAL if normal else _PARALLEL if spot.place is None else _BEYOND
@@ -81,22 +79,11 @@ class _DrawnStretches:
             alike = abs((one.direction * other.direction.conjugate()).imag) <= 2e-4
             if alike and abs(((other.at - one.at) * one.direction.conjugate()).imag) < 2 * SAME:
                 first, second = sorted(laid.line.along(end) for end in piece.ends)
-                left = [part for old in left for part in _without(old, first, second)]
+                halves = (half for start, end in left for half in ((start, min(end, first)), (max(start, second), end)))
+                left = [(start, end) for start, end in halves if start < end]
         fresh = [Laid(laid.line, *part) for part in left if part[1] - part[0] > _SHORT]
         self.pieces += fresh
         return fresh
-
-
-def _without(old: tuple[float, float], first: float, second: float) -> Iterator[tuple[float, float]]:
-    """A stretch without what lies between first and second."""
-    start, end = old
-    if second <= start or first >= end:
-        yield old
-        return
-    if start < first:
-        yield start, first
-    if second < end:
-        yield second, end
 
 
 def centre_arrows(paper: OnPaper, drawn: Sequence[Mark]) -> Figure:
@@ -130,8 +117,7 @@ def _places(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
         for off in (_OFF, _OFF + 6, _OFF + 14):
             yield from ((at + off * side, side) for side in (normal, -normal))
     for line in paper.lines(spot):
-        laid = reach_of(paper, spot, line)
-        if laid is not None:
+        if (laid := reach_of(paper, spot, line)) is not None:
             for end, along in ((laid.ends[1], line.direction), (laid.ends[0], -line.direction)):
                 if spot.place is None:
                     yield end - 2 * along, along
@@ -139,17 +125,11 @@ def _places(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
                     for back in (0.0, _EDGE_ARROW + 4, 2 * _EDGE_ARROW + 8):
                         start = end - (_EDGE_ARROW + 0.5 + back) * along
                         yield start, _towards(paper.at(spot), start)
-    yield from _anywhere(paper, spot)
-
-
-def _anywhere(paper: OnPaper, spot: Spot) -> Iterator[_Start]:
-    """From the middle of the figure to its edge."""
-    spread = 0.35 * paper.room.size
+    spread = 0.35 * paper.room.size  # from about the middle of the figure to its edge
     for x, y in ((0, 0), (1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1)):
         foot = paper.room.middle + complex(x * spread.real, y * spread.imag)
         along = paper.window.turned(spot.direction) if spot.place is None else _towards(paper.at(spot), foot)
-        span = clipped(CentreLine(foot, along, ()), paper.room)
-        if span is not None:
+        if (span := clipped(CentreLine(foot, along, ()), paper.room)) is not None:
             yield foot + along * (span[1] - _ARROW - 1), along
 
 
@@ -162,10 +142,9 @@ def _free(
 ) -> _Start:
     """The place that touches the fewest things; the first of equals."""
     tried = [(start, along, start + length * along) for start, along in stands]
-    known = obstacles([*drawn, *taken])
     low = np.array([(start.real, start.imag) for start, _, _ in tried])
     high = np.array([(end.real, end.imag) for _, _, end in tried])
-    hits = np.bincount(known.crossed(low, high), minlength=len(tried))
+    hits = np.bincount(obstacles([*drawn, *taken]).crossed(low, high), minlength=len(tried))
 
     def price(k: int) -> float:
         start, _, end = tried[k]
@@ -202,17 +181,12 @@ def _names(paper: OnPaper) -> Iterator[LabelRequest]:
     """A label for each place, with all centres there; each name comes with its own step."""
     groups: list[list[Spot]] = []
     for spot in filter(paper.shown, paper.spots):
-        same = (group for group in groups if abs(paper.at(group[0]) - paper.at(spot)) < SAME)
-        if (group := next(same, None)) is not None:
-            group.append(spot)
-        else:
-            groups.append([spot])
+        group = next((group for group in groups if abs(paper.at(group[0]) - paper.at(spot)) < SAME), None)
+        if group is None:
+            groups.append(group := [])
+        group.append(spot)
     for group in groups:
-        labels = [centre_label(spot.name) for spot in group]
-        parts = tuple(
-            (((Run(_BETWEEN),) if k else ()) + label, spot.number)
-            for k, (label, spot) in enumerate(zip(labels, group, strict=True))
-        )
-        yield LabelRequest(
-            joined(labels, _BETWEEN), paper.at(group[0]), gap=HINGE, step=group[0].number, parts=parts
-        )
+        labels, first = [centre_label(spot.name) for spot in group], group[0]
+        starts: list[Label] = [(), *([(Run(_BETWEEN),)] * (len(group) - 1))]
+        parts = tuple((start + label, spot.number) for start, label, spot in zip(starts, labels, group, strict=True))
+        yield LabelRequest(joined(labels, _BETWEEN), paper.at(first), gap=HINGE, step=first.number, parts=parts)

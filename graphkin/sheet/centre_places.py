@@ -88,10 +88,6 @@ class OnPaper:
     def spots(self) -> list[Spot]:
         return spots(self.found)
 
-    @cached_property
-    def by_name(self) -> dict[str, Spot]:
-        return {spot.name: spot for spot in self.spots}
-
     def at(self, spot: Spot) -> Place:
         """The place of a centre that is not at infinity, on the paper or beyond it."""
         assert spot.place is not None
@@ -118,14 +114,13 @@ class OnPaper:
         return self.window(geometry.place(self.found.plot.position[name]))
 
     def _join(self, line: LineStep, own: tuple[Place, ...]) -> CentreLine | None:
-        ends = [self.by_name[end] for end in drawn_through(line)]
+        by_name = {spot.name: spot for spot in self.spots}
+        ends = [by_name[end] for end in drawn_through(line)]
         places = [self.at(end) for end in ends if end.place is not None]
         if not places:
             return None
-        if len(places) == 2:
-            along = places[1] - places[0]
-        else:
-            along = self.window.turned(next(end.direction for end in ends if end.place is None))
+        infinite = [self.window.turned(end.direction) for end in ends if end.place is None]
+        along = infinite[0] if infinite else places[1] - places[0]
         near = min(places, key=lambda place: abs(place - self.room.middle))
         return CentreLine(near, along / abs(along), (*places, *own))
 
@@ -145,9 +140,6 @@ class OnPaper:
             along = straight.direction * cmath.exp(1j * turn)
             off = geometry.place(position[straight.origin]) - one
             yield self.window(one + off - along * (off * along.conjugate()).real)
-
-
-# --- rooms ------------------------------------------------------------------------------------
 
 
 @frozen

@@ -158,22 +158,19 @@ def _layouts(measures: CentreExtent, paper: Paper, lang: Lang, fit: bool) -> Ite
     """
     table = centre_table(measures.found, lang, paper.frame.size.real - _TITLE, 0.4 * paper.height)
     grid, size = SheetGrid.over(paper, least=table.height + 1 + _BAR), circle_size(measures.found)
-    right, bottom = grid.field.right - size.real, grid.field.bottom - size.imag
+    field, right, bottom = grid.field, grid.field.right - size.real, grid.field.bottom - size.imag
+    figure, circle = replace(field, bottom=bottom), replace(field, top=bottom)
     if paper.landscape:
-        figure, circle = replace(grid.field, right=right), replace(grid.field, left=right)
-    else:
-        figure, circle = replace(grid.field, bottom=bottom), replace(grid.field, top=bottom)
+        figure, circle = replace(field, right=right), replace(field, left=right)
     room = figure.inset(0, HEAD, 0)
     inner = room.size - measures.extent.reach
     if min(inner.real, inner.imag) < 15:
         return
     least = _LARGE_ENOUGH * len(measures.found.centring.stages) ** 0.5
-    boxes = (
-        measures.box(place for place in measures.finite if measures.off(place) <= near)
-        for near in ((_FIT,) if fit else _NEAR)
-    )
     scales, given = set[float](), measures.extent.given
-    for box in boxes:  # the finest at which all fits; the file's own, where the mechanism (to fit: all) fits at that
+    for near in (_FIT,) if fit else _NEAR:
+        box = measures.box(place for place in measures.finite if measures.off(place) <= near)
+        # the finest at which all fits; the file's own, where the mechanism (to fit: all) fits at that
         kept = given is not None and (box if fit else measures.extent).fits(given, room)
         scales.add(given if given is not None and kept else box.finest(room))
     for scale in sorted(scales):

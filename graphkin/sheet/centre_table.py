@@ -77,15 +77,13 @@ def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
     order = list(dict.fromkeys(link for pair in found.pairs for link in pair))
     turn = 2 * math.pi / max(1, len(order))
     nodes = {link: middle + cmath.rect(radius, turn * k - math.pi / 2) for k, link in enumerate(order)}
-    marks: list[Mark] = [Text(plain(_DIAGRAM[lang]), complex(room.left + 3, room.top + 5.5), LABEL)]
-    marks.append(Disc(middle, radius, "leader"))
-    marks += _chord_marks(found, nodes)
+    title = Text(plain(_DIAGRAM[lang]), complex(room.left + 3, room.top + 5.5), LABEL)
+    marks = [title, Disc(middle, radius, "leader"), *_chord_marks(found, nodes)]
     for link, at in nodes.items():
         label, out = link_label(found.method.mechanism.called(link)), (at - middle) / abs(at - middle)
         wide, high = width(label, LABEL), 0.68 * LABEL
         beside = at + out * (2.6 + abs(out.real) * wide / 2 + abs(out.imag) * high / 2)
-        marks.append(Disc(at, 0.9, "outline", "ink"))
-        marks.append(Text(label, beside + complex(-wide / 2, high / 2), LABEL))
+        marks += [Disc(at, 0.9, "outline", "ink"), Text(label, beside + complex(-wide / 2, high / 2), LABEL)]
     pens = _pens(found)
     wide = max((width(plain(_KEY[lang][pen]), LEAST) for pen in pens), default=0.0) + 14
     for k, pen in enumerate(pens):  # what full and dashed chords mean
@@ -122,13 +120,10 @@ def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
         at = max(spots, key=partial(room, chord=chord))
         balls.append(at)
         label = plain(str(chord.number))
-        marks.append(Disc(at, _BALL, "leader", "paper", step=chord.number))
         corner = at + complex(-width(label, LEAST) / 2, 0.33 * LEAST)
-        marks.append(Text(label, corner, LEAST, chord.number))
+        ball = Disc(at, _BALL, "leader", "paper", step=chord.number)
+        marks += [ball, Text(label, corner, LEAST, chord.number)]
     return marks
-
-
-# --- table ------------------------------------------------------------------------------------
 
 
 @frozen
@@ -179,21 +174,15 @@ def centre_table(found: Centres, lang: Lang, room: float, most: float) -> Centre
         parts = tuple(Table(head, tuple(rows)).cut(count))
         if sum(part.wide for part in parts) + _BETWEEN * (len(parts) - 1) <= room:
             return CentreTable(parts, len(found.centring.stages))
-    kept, lost = _shortened(Table(head, tuple(rows)), room, max(4, int(most / PITCH)) - 1, words["more"])
-    return CentreTable(kept, len(found.centring.stages), lost)
-
-
-def _shortened(whole: Table, room: float, count: int, more: str) -> tuple[tuple[Table, ...], int]:
-    """As many parts as there is room for; the last line tells how many rows are left out."""
-    kept: list[Table] = []
-    for part in whole.cut(count):
+    kept: list[Table] = []  # as many parts as there is room for; the last line tells how many rows are left out
+    for part in Table(head, tuple(rows)).cut(max(4, int(most / PITCH)) - 1):
         if kept and sum(p.wide for p in kept) + part.wide + _BETWEEN * len(kept) > room:
             break
         kept.append(part)
-    left = len(whole.rows) - sum(len(part.rows) for part in kept) + 1
-    last = kept[-1]
-    kept[-1] = Table(last.head, (*last.rows[:-1], (plain("…"), plain(f"{left}"), plain(more), plain(""))))
-    return tuple(kept), left
+    lost = len(rows) - sum(len(part.rows) for part in kept) + 1
+    rest = plain("…"), plain(f"{lost}"), plain(words["more"]), plain("")
+    kept[-1] = Table(head, (*kept[-1].rows[:-1], rest))
+    return CentreTable(tuple(kept), len(found.centring.stages), lost)
 
 
 def _by(found: Centres, spot: Spot, words: dict[str, str]) -> Label:

@@ -26,8 +26,7 @@ FRAMES = 48
 _ROUND = 0.75  # curves are shown so far around the mechanism, as part of its size
 _CENTRE = 2.0  # so many times larger the figure may become to show the centre itself
 _AGAIN = 0.03  # a curve that runs over itself within this is drawn once [mm]
-_FIXED: PenName = "visible"
-_MOVING: PenName = "dashed"
+_PENS: tuple[PenName, ...] = ("visible", "dashed")
 
 HEADING: dict[Lang, str] = {"en": "Centrodes of links {first} and {second}", "zh": "构件 {first}、{second} 的瞬心线"}
 PATH: dict[Lang, str] = {"en": "Path of the instant centre {name}", "zh": "瞬心 {name} 的轨迹"}
@@ -41,12 +40,9 @@ END: dict[Lang, str] = {"en": ")", "zh": "）"}
 
 
 def centrode_sheet(curves: Centrodes, *, t: float = 0.0, paper: str | None = None, lang: Lang = "en") -> Sheet:
-    """Both curves (or a path) with the mechanism at t along the motion, 0 being the drawn position.
-
-    Raises UnknownPaper.
-    """
-    told = [*curves_met(curves, _centre_at(curves, t), lang)]
-    return _CentrodePage(curves, _page(curves, [t], paper, told), lang).sheet(t, lettered=True)
+    """Both curves (or a path) with the mechanism at t along the motion (0: the drawn position). Raises UnknownPaper."""
+    sentences = [*curves_met(curves, _centre_at(curves, t), lang)]
+    return _CentrodePage(curves, _page(curves, [t], paper, sentences), lang).sheet(t, lettered=True)
 
 
 def centrode_frames(
@@ -113,9 +109,9 @@ class _CentrodePage:
         """The curves as far as they lie in the room, and the centre; lettered: with the names of curves and links."""
         curves, on = self.curves, self.on
         plot, centre = along(curves.found.method, curves.path, t), _centre_at(curves, t)
-        lines: list[list[Stroke]] = []
-        for link, pen in zip(curves.axes, (_FIXED, _MOVING), strict=False):
-            strokes: list[Stroke] = []
+        lines = list[list[Stroke]]()
+        for link, pen in zip(curves.axes, _PENS, strict=False):
+            strokes = list[Stroke]()
             for curve, piece in zip(_carried(curves, link, t), curves.pieces, strict=True):
                 places = [*(on.window.origin + np.conj(curve) / on.window.scale)]
                 strokes += clipped([*places, places[0]] if piece.closed else _once(places), on.room, pen)
@@ -132,8 +128,7 @@ class _CentrodePage:
         if centre is not None and on.room.holds(on.window(centre)):
             figure.marks.append(Disc(on.window(centre), 1.0, "vector", "paper" if lettered else "ink"))
             if lettered:
-                name = quantity_label("P", curves.name[1:])
-                figure.wanted.append(LabelRequest(name, on.window(centre), gap=1.2))
+                figure.wanted.append(LabelRequest(quantity_label("P", curves.name[1:]), on.window(centre), gap=1.2))
         called = curves.found.method.mechanism.called
         names = {"name": curves.name, "first": called(curves.first), "second": called(curves.second)}
         words = PATH if len(curves.axes) == 1 else HEADING
@@ -146,10 +141,8 @@ class _CentrodePage:
             return [(*plain(before), *quantity_label("P", self.curves.name[1:]), *plain(after))]
         kinds = ("fixed", "moving") if self.curves.second == FRAME else ("on", "on")
         links = [link_label(self.curves.found.method.mechanism.called(link)) for link in self.curves.axes]
-        return [
-            (*plain(CURVES[kind][self.lang]), *link, *plain(END[self.lang]))
-            for kind, link in zip(kinds, links, strict=True)
-        ]
+        starts = [plain(CURVES[kind][self.lang]) for kind in kinds]
+        return [(*start, *link, *plain(END[self.lang])) for start, link in zip(starts, links, strict=True)]
 
 
 def _once(places: list[Place]) -> list[Place]:

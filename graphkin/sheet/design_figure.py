@@ -10,7 +10,7 @@ import cmath
 import math
 from collections.abc import Iterator, Mapping
 from functools import cached_property
-from itertools import chain, starmap
+from itertools import chain
 from typing import assert_never
 
 from graphkin.base import geometry
@@ -56,11 +56,6 @@ class DesignFigure:
         """The construction's points [m]."""
         return {name: geometry.place(value) for name, value in self.board.places.items()}
 
-    @cached_property
-    def _size(self) -> float:
-        places = list(self.places.values())
-        return max(abs(p - q) for p in places for q in places)
-
     def _at(self, name: str) -> Place:
         return self.on.window(self.places[name])
 
@@ -68,18 +63,11 @@ class DesignFigure:
         centre, radius = self.board.circles[name]
         return geometry.place(centre), geometry.number(radius)
 
-    def _line(self, name: str) -> tuple[complex, complex]:
-        start, along = self.board.line(name)
-        return geometry.place(start), geometry.place(along)
-
     def figure(self) -> Figure:
         """Construction, positions and angles; marks carry the number of their stage."""
         stages = enumerate(self.construction.stages, start=1)
-        steps = ((step, number) for number, stage in stages for step in stage.steps)
-        drawn = chain.from_iterable(starmap(self._step, steps))
+        drawn = (entry for number, stage in stages for step in stage.steps for entry in self._step(step, number))
         return Figure.of(chain(drawn, self._positions(), self._points(), self._angles()))
-
-    # --- steps -----------------------------------------------------------------------------------
 
     def _step(self, step: Step, stage: int) -> Iterator[Entry]:
         if isinstance(step, LineStep):
@@ -112,20 +100,21 @@ class DesignFigure:
 
     def _ruled(self, step: LineStep, stage: int) -> Iterator[Entry]:
         """A line from the first to the last of the points that lie on it, and a little beyond."""
-        (start, along), size, places = self._line(step.name), self._size, self.places
+        places = self.places
+        start, along = map(geometry.place, self.board.line(step.name))
+        size = max(abs(p - q) for p in places.values() for q in places.values())
         lying: list[str] = self.construction.met_on(step.name)
         if not lying and isinstance(step, Bisector):  # points chosen on it
             chosen = (one.name for one in self.construction.steps if isinstance(one, ChosenPoint))
             lying = [p for p in chosen if abs((along.conjugate() * (places[p] - start)).imag) < 1e-6 * size]
         names = {*drafting.drawn_through(step), *lying}
-        reach = [(along.conjugate() * (self.places[name] - start)).real for name in names]
+        reach = [(along.conjugate() * (places[name] - start)).real for name in names]
         if isinstance(step, Bisector):
-            half = abs(self.places[step.first] - self.places[step.second]) / 2
-            middle = (along.conjugate() * (self.places[step.first] - start)).real
+            half = abs(places[step.first] - places[step.second]) / 2
+            middle = (along.conjugate() * (places[step.first] - start)).real
             reach += [middle, middle + 0.6 * half, middle - 0.6 * half]
         if not reach or max(reach) - min(reach) < 1e-9 * size:
-            here = reach[0] if reach else 0.0
-            reach = [here - 0.2 * size, here + 0.2 * size]
+            reach = [(reach or [0.0])[0] + side * 0.2 * size for side in (-1, 1)]
         more = _BEYOND * self.on.window.scale
         ends = [self.on.window(start + along * t) for t in (min(reach) - more, max(reach) + more)]
         pen: PenName = "centre" if isinstance(step, Bisector) else "construction"
@@ -138,8 +127,8 @@ class DesignFigure:
         for arc in family.arcs:
             yield from self._swept(centre, radius, (arc.start, arc.end), _PENS[arc.name], stage)
         for turn in {end for arc in family.arcs if arc.name == "FG" for end in (arc.start, arc.end)}:
-            at = centre + cmath.rect(radius, turn)
-            first, spot = self.places["C1"], self.on.window(at)
+            at, first = centre + cmath.rect(radius, turn), self.places["C1"]
+            spot = self.on.window(at)
             along = self.places["D"] - first if "D" in self.places else 1j
             off = (along.conjugate() * (at - first)).imag / abs(along)
             if self.on.room.holds(spot) and all(abs(self._at(name) - spot) >= _NEAR for name in self.places):
@@ -152,7 +141,7 @@ class DesignFigure:
         centre, radius = self._circle(step.name)
         turns = sorted(cmath.phase(self.places[name] - centre) for name in step.points)
         gaps = [(turns[(k + 1) % 3] - turns[k]) % math.tau for k in range(3)]
-        widest = max(range(3), key=lambda k: gaps[k])
+        widest = gaps.index(max(gaps))
         start = turns[(widest + 1) % 3]
         ends = start - _PART, start + math.tau - gaps[widest] + _PART
         yield from self._swept(centre, radius, ends, "thin", stage)
@@ -166,14 +155,12 @@ class DesignFigure:
         places = [self.on.window(centre + cmath.rect(radius, turn)) for turn in turns]
         yield from clipped(places, self.on.room, pen, stage)
 
-    # --- positions, points -------------------------------------------------------------------------
-
     def _positions(self) -> Iterator[Entry]:
         """The linkage at its limits, or at the positions asked for, in thin lines."""
         order, last = "ABCD" if "D" in self.solution.limits[0] else "ABC", len(self.construction.stages)
         for places in self.solution.limits:
             yield Stroke(tuple(self.on.window(places[name]) for name in order), "thin", step=last)
-            for name in order[1:-1] if order == "ABCD" else order[1:]:
+            for name in "BC":
                 yield Disc(self.on.window(places[name]), 0.8, "thin", "paper", step=last)
 
     def _points(self) -> Iterator[Entry]:
@@ -194,10 +181,8 @@ class DesignFigure:
 
     def also(self, name: str) -> list[str]:
         """Points of the construction where a point of the linkage lies: B is at B3."""
-        at = self.solution.places.get(name)
-        if at is None:
-            return []
-        return [other for other, z in self._lettered.items() if abs(z - at) < _NEAR * self.on.window.scale]
+        at, near = self.solution.places.get(name), _NEAR * self.on.window.scale
+        return [] if at is None else [other for other, z in self._lettered.items() if abs(z - at) < near]
 
     @cached_property
     def _lettered(self) -> Mapping[str, complex]:
@@ -208,8 +193,6 @@ class DesignFigure:
         for k, places in enumerate(limits, start=1):
             points |= {f"{name}{k}": places[name] for name in moving if f"{name}1" not in self.places}
         return {name: z for name, z in points.items() if name not in self.solution.places}
-
-    # --- angles ------------------------------------------------------------------------------------
 
     def _angles(self) -> Iterator[Entry]:
         """theta at A, and the swing at D (at C for a guide bar), with their values, and the right angles for them."""

@@ -40,11 +40,9 @@ def design_sheet(
     if chosen is None:
         raise error(design) or AssertionError("a design without a best solution has none")
     method = planning.plan(mechanism_of(chosen, design.kind))
-    plot = proved(method).plot
+    plot, last = proved(method).plot, len(chosen.construction.stages) + 1
     on = _page(chosen, method, plot, paper)
-    construction = DesignFigure(chosen, on, design.families)
-    last = len(chosen.construction.stages) + 1
-    machine = on.mechanism(plot).numbered(last)
+    construction, machine = DesignFigure(chosen, on, design.families), on.mechanism(plot).numbered(last)
     for k, want in enumerate(machine.wanted):  # with the construction's letters for that place; pivots from the start
         name = next((name for name in "ABCD" if want.label == point_label(name)), "")
         if name in construction.places:
@@ -68,8 +66,7 @@ def design_step_sheets(
 def _page(one: Solution, method: Method, plot: Plot, paper: str | None) -> SingleFigure:
     """Room for the linkage at all positions, the construction's points, and its circle if that is not too large."""
     board = one.board()
-    values = shown_places(method, plot)
-    values += [place for places in one.limits for place in places.values()]
+    values = shown_places(method, plot) + [place for places in one.limits for place in places.values()]
     values = enlarged(values, map(geometry.place, board.places.values()), _MOST)
     if "locus" in board.circles:
         centre, radius = geometry.place(board.circles["locus"][0]), geometry.number(board.circles["locus"][1])

@@ -48,11 +48,9 @@ def drawn(
     positions = findings.shown or ((findings.nearest,) if findings.nearest is not None else ())
     if not positions:
         return None
-    shown = positions[:MOST]
+    shown, slowest = positions[:MOST], {entry.position.t: entry for entry in findings.slow}
     plots = [moved_to(method, position.drivers) for position in shown]
-    captions = [caption(findings, position) for position in shown]
-    slowest = {entry.position.t: entry for entry in findings.slow}
-    slow = [slowest.get(position.t) for position in shown]
+    captions, slow = [caption(findings, one) for one in shown], [slowest.get(one.t) for one in shown]
     sheet = positions_sheet(method, plots, captions, lang, paper=paper, told=[*lines(findings, lang)], slow=slow)
     return sheet, len(positions) - len(shown)
 
@@ -121,8 +119,8 @@ def _figure(method: Method, plot: Plot, slow: SlowPoint | None, window: Window) 
         return figure
     at, marks = window(slow.place), list[Mark]()
     if not 0 <= slow.along <= slow.length:
-        end = slow.points[slow.along > 0]
-        marks.append(Stroke((window(place(plot.position[end])), at), "dashed"))
+        end = place(plot.position[slow.points[slow.along > 0]])
+        marks.append(Stroke((window(end), at), "dashed"))
     marks += [Disc(at, _RING, "construction"), Disc(at, _DOT, "construction", "ink")]
     label = (Run("v", True), Run("min", False, "sub"))
     return figure + Figure(marks, [LabelRequest(label, at, gap=_RING)])

@@ -29,8 +29,7 @@ def grounds(skeleton: Skeleton, *others: Skeleton) -> Figure:
 
     others   the same mechanism at further positions drawn over the first
     """
-    figure = Figure()
-    spots: list[Place] = []
+    figure, spots = Figure(), list[Place]()
     for run in _runs(skeleton, *others):
         figure.marks += run.marks()
         spots.append(run.end(run.high) + run.side * 2)
@@ -63,9 +62,6 @@ def ground_way(point: str, *skeletons: Skeleton) -> complex:
     return min((1j, -1 + 0j, 1 + 0j, -1j), key=badness)
 
 
-# --- fixed guides -----------------------------------------------------------------------------
-
-
 @filled
 class _Run:
     """A stretch of a fixed line, with what slides on it."""
@@ -88,11 +84,8 @@ class _Run:
         shows = Shows(FRAME, "slot" if self.pins else "guide", self.points, self.line)
         if not self.pins:
             return symbols.guide(start, end, self.side, self.step, shows)
-        wall = self.side * 1.75
-        return [
-            *symbols.slot(start, end, shows, "outline", self.step),
-            *symbols.hatch(start + wall, end + wall, self.side, self.step),
-        ]
+        wall = symbols.hatch(start + self.side * 1.75, end + self.side * 1.75, self.side, self.step)
+        return symbols.slot(start, end, shows, "outline", self.step) + wall
 
 
 def _runs(skeleton: Skeleton, *others: Skeleton) -> list[_Run]:
@@ -121,8 +114,7 @@ def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _Run:
     if along.real < -1e-9 or (abs(along.real) < 1e-9 and along.imag < 0):
         along = -along
     stops = [0.0, *((along.conjugate() * (other.at(slide.point) - at)).real for other in others)]
-    side = _ground_side(at, along, skeleton, *others)
-    step = skeleton.step(slide.line.origin)
+    side, step = _ground_side(at, along, skeleton, *others), skeleton.step(slide.line.origin)
     turned: list[float] = []  # of the bars that leave what slides, how far each lies along the line
     for one in (skeleton, *others):
         block = one.at(slide.point)
@@ -130,8 +122,8 @@ def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _Run:
             if abs(here - block) < 0.1 < abs(there - block):
                 turned.append(((there - block) / abs(there - block) * along.conjugate()).real)
     back, on = any(t < -_OVER for t in turned), any(t > _OVER for t in turned)
-    low, high = (_REACH, _REACH) if back == on else (_STUB, _AWAY) if back else (_AWAY, _STUB)
-    low, high = min(stops) - low, max(stops) + high
+    before, beyond = (_REACH, _REACH) if back == on else (_STUB, _AWAY) if back else (_AWAY, _STUB)
+    low, high = min(stops) - before, max(stops) + beyond
     return _Run(at, along, low, high, side, slide.block is None, step, slide.name, (slide.point,))
 
 
@@ -157,27 +149,19 @@ def drives(skeleton: Skeleton) -> Figure:
             continue
         if driver.kind == "slide":
             _slide_arrow(skeleton, driver, figure)
-        elif driver.vector is not None:
-            _turn_arrow(skeleton, driver, figure)
+        elif driver.vector is not None:  # about the vector's tail, starting at the link in the sense of its rotation
+            at, tip = (skeleton.at(point) for point in driver.vector)
+            if abs(tip - at) >= 1:
+                towards, radius = (tip - at) / abs(tip - at), min(9.0, max(6.0, 0.45 * abs(tip - at)))
+                starts = [towards * cmath.rect(1, math.radians(turn)) for turn in (-14, 76, -149)]
+                mirrored = [towards**2 * start.conjugate() for start in starts]
+                _arcs(skeleton, driver, figure, driver.vector, radius, {1: starts, -1: mirrored})
         elif driver.kind == "spin":  # in a wheel whose direction does not matter, about its centre
             for wheel in [each for each in wheels_of(skeleton.mechanism) if each.link == driver.link][:1]:
                 radius = min(9.0, max(4.0, 0.6 * wheel.radius / skeleton.window.scale))
                 starts = [cmath.rect(1, math.radians(turn)) for turn in range(0, 360, 45)]
                 _arcs(skeleton, driver, figure, (wheel.centre,), radius, {1: starts, -1: starts})
     return figure
-
-
-def _turn_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
-    """About the vector's tail, starting at the link in the sense of its rotation."""
-    assert driver.vector is not None
-    at, tip = skeleton.at(driver.vector[0]), skeleton.at(driver.vector[1])
-    if abs(tip - at) < 1:
-        return
-    towards = (tip - at) / abs(tip - at)
-    starts = [towards * cmath.rect(1, math.radians(turn)) for turn in (-14, 76, -149)]
-    radius = min(9.0, max(6.0, 0.45 * abs(tip - at)))
-    mirrored = [towards**2 * start.conjugate() for start in starts]
-    _arcs(skeleton, driver, figure, driver.vector, radius, {1: starts, -1: mirrored})
 
 
 def _arcs(
@@ -237,6 +221,6 @@ def _slide_arrow(skeleton: Skeleton, driver: Driver, figure: Figure) -> None:
     start = at + across * out - along * 4
     marks = symbols.push(start, along, Shows(line.link, "push", line=driver.link), skeleton.step(point))
     figure.marks += marks
-    names = [skeleton.mechanism.called(link) for link in reversed(pair.joins)]
-    label = quantity_label("v", point if line.link == FRAME else between(names))
+    relative = between([skeleton.mechanism.called(link) for link in reversed(pair.joins)])
+    label = quantity_label("v", point if line.link == FRAME else relative)
     figure.wanted.append(LabelRequest(label, start, start + 11 * along, away=across, step=marks[0].step))

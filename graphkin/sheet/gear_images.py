@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 from graphkin.base import geometry
 from graphkin.base.value import frozen
@@ -33,8 +33,8 @@ class GearImage:
     step: int | None
 
     @property
-    def corners(self) -> Iterator[complex]:
-        yield from (self.at + self.radius * (1 + 1j), self.at - self.radius * (1 + 1j))
+    def corners(self) -> tuple[complex, complex]:
+        return self.at + self.radius * (1 + 1j), self.at - self.radius * (1 + 1j)
 
 
 def gear_images(method: Method, plot: Plot) -> list[GearImage]:
@@ -82,8 +82,7 @@ def circles(
             for spot in rim
         ]  # fmt: skip
         spot = rim[gaps.index(max(gaps))]
-        away = (spot - at) / radius
-        figure.wanted.append(LabelRequest(image.label, spot, gap=0.4, away=away, step=image.step))
+        figure.wanted.append(LabelRequest(image.label, spot, gap=0.4, away=(spot - at) / radius, step=image.step))
     return figure
 
 

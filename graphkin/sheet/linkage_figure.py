@@ -1,5 +1,4 @@
-"""Positions of a linkage of four links over each other, the first in thick lines, with its angles and lengths.
-"""
+"""Positions of a linkage of four links over each other, the first in thick lines, with its angles and lengths."""
 
 from __future__ import annotations
 
@@ -25,7 +24,6 @@ from graphkin.studies.linkages.assembled import posed
 from graphkin.studies.linkages.linkage import LinkagePosition
 
 Row = Sequence[LinkagePosition]  # positions drawn over each other
-
 
 _SHORT = 8.0  # a shorter bar bears no letters of its own [mm]
 _TRIAL = 80.0  # size of a figure when it is drawn to see how far its signs reach [mm]
@@ -103,21 +101,16 @@ def _arc(centre: Place, radius: float, start: complex, end: complex, label: Labe
 
 def _swept(centre: Place, radius: float, begin: float, sweep: float, label: Label) -> Figure:
     """An arc with arrow heads and its value; nothing for no angle."""
-    figure = Figure()
     if abs(sweep) < 1e-6:
-        return figure
-    figure.marks.append(ArcMark(centre, radius, begin, sweep, "thin"))
+        return Figure()
+    marks: list[Mark] = [ArcMark(centre, radius, begin, sweep, "thin")]
     if abs(sweep) * radius > _NO_HEADS:
         for angle, side in ((begin, -1), (begin + sweep, 1)):
             turn = side * (1 if sweep > 0 else -1) * (math.pi / 2 - 1.5 / radius)
             tip = centre + cmath.rect(radius, angle)
-            figure.marks.append(symbols.arrow_head(tip, cmath.rect(1, angle + turn), None))
+            marks.append(symbols.arrow_head(tip, cmath.rect(1, angle + turn), None))
     middle = cmath.rect(1, begin + sweep / 2)
-    figure.wanted.append(LabelRequest(label, centre + radius * middle, gap=0.6, away=middle, size=BODY + 0.3))
-    return figure
-
-
-# --- limits -------------------------------------------------------------------------------------
+    return Figure(marks, [LabelRequest(label, centre + radius * middle, gap=0.6, away=middle, size=BODY + 0.3)])
 
 
 def dimensioned_limits(report: Report, window: Window) -> Figure:
@@ -167,8 +160,8 @@ def _theta(report: Report, window: Window) -> Figure:
     at, start, end = first[0], first[1] - first[0], second[0] - second[1]
     radius = max(abs(start) + 7.0, 13.0)
     if report.limits[0].how == "across":
-        figure.marks.append(Stroke((at, at + end / abs(end) * (radius + 3)), "construction"))
-        figure.marks.append(Stroke((first[1], at + start / abs(start) * (radius + 3)), "construction"))
+        lines = (at, at + end / abs(end) * (radius + 3)), (first[1], at + start / abs(start) * (radius + 3))
+        figure.marks += [Stroke(line, "construction") for line in lines]
     return figure + _arc(at, radius, start / abs(start), end / abs(end), _degrees("θ", report.theta))
 
 
@@ -178,18 +171,15 @@ def _stroke(report: Report, length: float, window: Window) -> Figure:
     places = [on_paper(end, window) for end in report.limits]
     one, other = (there[-1] for there in places)
     side = away_from(one, along, [place for there in places for place in there])
-    ends = [place + _FOOT * side for place in (one, other)]
+    start, end = one + _FOOT * side, other + _FOOT * side
     marks: list[Mark] = []
     for place in (one, other):
         marks.append(Stroke((place + 4.5 * side, place + (_FOOT + 1.5) * side), "construction"))
-    marks.append(Stroke((ends[0], ends[1]), "thin"))
-    forward = (ends[1] - ends[0]) / abs(ends[1] - ends[0])
-    marks += [symbols.arrow_head(ends[0], -forward, None), symbols.arrow_head(ends[1], forward, None)]
+    forward = (end - start) / abs(end - start)
+    heads = [symbols.arrow_head(start, -forward, None), symbols.arrow_head(end, forward, None)]
+    marks += [Stroke((start, end), "thin"), *heads]
     label: Label = (Run("H", True), Run(f" = {length * 1e3:.2f} mm"))
-    return Figure(marks, [LabelRequest(label, ends[0], ends[1], gap=0.4, away=side, size=BODY + 0.3)])
-
-
-# --- transmission -------------------------------------------------------------------------------
+    return Figure(marks, [LabelRequest(label, start, end, gap=0.4, away=side, size=BODY + 0.3)])
 
 
 def dimensioned_transmission(report: Report, positions: tuple[LinkagePosition, ...], window: Window) -> Figure:

@@ -87,14 +87,9 @@ def family_sheet(lang: Lang = "en", *, paper: str | None = None) -> Sheet:
     return grid.page(bare, machine, lang, base=[frame(chosen), head], title=_FAMILY[lang]).sheet()
 
 
-# --- figures with their captions ----------------------------------------------------------------
-
-
 def _pictures(one: Report, lang: Lang, several: bool) -> list[Picture]:
     """Limits and transmission angles; with `several`, captions begin with the letters of the linkage."""
-    pictures = []
-    if one.limits:
-        pictures.append(_limits(one, lang))
+    pictures = [_limits(one, lang)] if one.limits else []
     if one.critical and one.gamma_min is not None and not one.level:
         pictures.append(_transmission(one, lang))
     if not pictures:
@@ -144,28 +139,16 @@ def _dead(one: Report, driver: str, lang: Lang) -> str:
     return _WORDS["dead" if values else "none"][lang].format(driver=driver, values=shown)
 
 
-# --- tables -------------------------------------------------------------------------------------
-
-
 def _rows(one: Report) -> Iterator[tuple[Label, Label]]:
     for name, size in one.linkage.sizes.items():
-        yield points_label(name), _mm(size)
-    if one.swing is not None:
-        yield quantity_label("ψ", ""), _degrees(one.swing)
-    if one.stroke is not None:
-        yield quantity_label("H", ""), _mm(one.stroke)
-    if one.theta is not None:
-        yield quantity_label("θ", ""), _degrees(one.theta)
-    if one.k is not None:
-        yield quantity_label("K", ""), number(one.k)
-    for letter, low, angle in (("γ", "min", one.gamma_min), ("α", "max", one.alpha_max)):
-        if angle is not None:
-            yield (Run(letter, True), Run(low, place="sub")), _degrees(angle)
-
-
-def _mm(length: float) -> Label:
-    return (*number(length * 1e3), Run(" mm"))
-
-
-def _degrees(angle: float) -> Label:
-    return (*number(math.degrees(angle)), Run("°"))
+        yield points_label(name), (*number(size * 1e3), Run(" mm"))
+    amounts = (
+        (quantity_label("ψ", ""), one.swing, "°"), (quantity_label("H", ""), one.stroke, " mm"),
+        (quantity_label("θ", ""), one.theta, "°"), (quantity_label("K", ""), one.k, ""),
+        ((Run("γ", True), Run("min", place="sub")), one.gamma_min, "°"),
+        ((Run("α", True), Run("max", place="sub")), one.alpha_max, "°"),
+    )  # fmt: skip
+    for name_label, value, unit in amounts:
+        if value is not None:
+            shown = {"°": math.degrees(value), " mm": value * 1e3}.get(unit, value)
+            yield name_label, (*number(shown), *((Run(unit),) if unit else ()))

@@ -40,20 +40,16 @@ def moving_figure(skeleton: Skeleton, method: Method, others: Sequence[Skeleton]
 
 
 def _figure(skeleton: Skeleton, method: Method, special: Figure, ground: Figure, driving: Figure) -> Figure:
-    figure = Figure()
-    turning, touching = wheels(skeleton), contacts(method, skeleton)
-    figure.marks += special.marks + turning.marks
-    figure.marks += ground.marks
-    bodies = _bodies(skeleton)
-    figure.marks += bodies.marks + _hinges(skeleton) + touching.marks
-    figure.wanted += bodies.wanted
-    figure.marks += _through_bars(skeleton)
-    figure.marks += equivalents(skeleton)
-    figure.marks += driving.marks
-    figure.wanted += _names(skeleton)
+    turning, bodies, touching = wheels(skeleton), _bodies(skeleton), contacts(method, skeleton)
+    marks = special.marks + turning.marks + ground.marks + bodies.marks + _hinges(skeleton) + touching.marks
+    marks += [*_through_bars(skeleton), *equivalents(skeleton), *driving.marks]
+    labels = bodies.wanted
+    for point in skeleton.points:  # letters of points; those at one place share a label
+        away, step = -sum(skeleton.directions(point), 0j), skeleton.step(point)
+        labels.append(LabelRequest(point_label(point), skeleton.at(point), gap=symbols.HINGE, away=away, step=step))
     for part in (driving, ground, turning, special, touching):
-        figure.wanted += part.wanted
-    return figure
+        labels += part.wanted
+    return Figure(marks, labels)
 
 
 def moving_links(skeleton: Skeleton) -> list[Mark]:
@@ -91,7 +87,8 @@ def _body(names: tuple[str, ...], places: list[Place], link: str, step: int | No
         return symbols.bar([places[k] for k in ends], Shows(link, "bar", tuple(names[k] for k in ends)), step)
     round_about = hull(places)
     outline = Shows(link, "bar", tuple(names[k] for k in round_about))
-    marks = symbols.plate([places[k] for k in round_about], outline, step)
+    corners = tuple(places[k] for k in round_about)
+    marks: list[Mark] = [Stroke(corners, "outline", closed=True, fill="tint", shows=outline, step=step)]
     for k in range(len(places)):
         if k not in round_about:
             one, other = sorted(round_about, key=lambda c, k=k: abs(places[c] - places[k]))[:2]  # type: ignore[misc]
@@ -113,8 +110,7 @@ def _guide(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     if skeleton.is_welded(slide) and slide.line.named:
         at = skeleton.at(origin)
         far = max((start, end), key=lambda p: abs(p - at))
-        others = [skeleton.at(p) for p in skeleton.named(slide.guide) if p != origin]
-        for other in others[:1]:
+        for other in [skeleton.at(p) for p in skeleton.named(slide.guide) if p != origin][:1]:
             marks += symbols.corner(at, far, other, step)
     return marks
 
@@ -128,7 +124,9 @@ def _sliding(skeleton: Skeleton, slide: Slide) -> list[Mark]:
     if slide.block is not None:
         if skeleton.is_cylinder(slide):
             return []
-        return symbols.block(at, along, Shows(slide.block, "block", (slide.point,), slide.name), step)
+        shows = Shows(slide.block, "block", (slide.point,), slide.name)
+        corners = symbols.block_corners(at, along)
+        return [Stroke(corners, "outline", closed=True, fill="paper", shows=shows, step=step)]
     if slide.guide == FRAME:
         return []
     reach = min(9.0, max(4.0, abs(at - skeleton.at(slide.line.origin)) - 3.0))
@@ -170,39 +168,23 @@ def _passed(skeleton: Skeleton) -> dict[str, list[complex]]:
 
 def _hinges(skeleton: Skeleton) -> list[Mark]:
     """Hinges as white circles, beside a bar that goes on; other points of links as dots."""
-    marks: list[Mark] = []
-    passed = _passed(skeleton)
+    marks, passed = list[Mark](), _passed(skeleton)
+    pins = {pair.pin for pair in skeleton.mechanism.pairs if pair.pin is not None}
     signs = {slide.point for slide in skeleton.mechanism.slides}
     signs |= {wheel.centre for wheel in wheels_of(skeleton.mechanism)}  # other hinges may have nothing but bars
     for point in skeleton.points:
-        step = skeleton.step(point)
-        hinged = len(skeleton.mechanism.owners[point]) > 1 or _is_pin(skeleton, point)
-        bars = passed.get(point, [])
-        alone = FRAME not in skeleton.mechanism.owners[point] and not _is_pin(skeleton, point) and point not in signs
-        if hinged and len(bars) == 1 and alone:
+        at, step, owners = skeleton.at(point), skeleton.step(point), skeleton.mechanism.owners[point]
+        hinged, bars = len(owners) > 1 or point in pins, passed.get(point, [])
+        if hinged and len(bars) == 1 and FRAME not in owners and point not in pins | signs:
             along = bars[0]
             across = sum((off * along.conjugate()).imag for off in skeleton.directions(point))
             side = along * (-1j if across < 0 else 1j)  # on which the links leave that end at it
-            marks += symbols.hinge_beside(skeleton.at(point), side, step)
+            marks.append(Disc(at + (symbols.HINGE + 0.35) * side, symbols.HINGE, "outline", "paper", step=step))
             hinged = False
-        radius = symbols.HINGE if hinged else 0.6
         fill: Fill = "paper" if hinged else "ink"
-        site = f"{point}@{skeleton.mechanism.owners[point][0]}"
-        marks.append(PointMark("position", point, point, skeleton.at(point), radius, fill, step, site=site))
+        radius, site = symbols.HINGE if hinged else 0.6, f"{point}@{owners[0]}"
+        marks.append(PointMark("position", point, point, at, radius, fill, step, site=site))
     return marks
-
-
-def _is_pin(skeleton: Skeleton, point: str) -> bool:
-    return any(pair.pin == point for pair in skeleton.mechanism.pairs)
-
-
-def _names(skeleton: Skeleton) -> list[LabelRequest]:
-    """The letters of the points; those at one place share a label."""
-    requests: list[LabelRequest] = []
-    for point in skeleton.points:
-        away, step = -sum(skeleton.directions(point), 0j), skeleton.step(point)
-        requests.append(LabelRequest(point_label(point), skeleton.at(point), gap=symbols.HINGE, away=away, step=step))
-    return requests
 
 
 def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int | None) -> Iterator[LabelRequest]:
@@ -218,12 +200,10 @@ def _link_number(skeleton: Skeleton, link: str, places: list[Place], step: int |
             return
         across = skeleton.along(slide) * 1j
         yield LabelRequest(label, skeleton.at(slide.point), gap=math.hypot(2.4, 2.8), away=across, step=step)
-    elif len(places) > 2 and in_line(places) is None:
+    elif len(places) > 1 and (ends := in_line(places)) is None:
         corners = [places[k] for k in hull(places)]
         yield LabelRequest(label, sum(corners) / len(corners), gap=-2.6, step=step)
-    elif len(places) > 1:
-        ends = in_line(places)
-        assert ends is not None, "others have corners"
+    elif len(places) > 1 and ends is not None:
         order = sorted(places, key=lambda p: abs(p - places[ends[0]]))
         longest = max(pairwise(order), key=lambda pair: abs(pair[1] - pair[0]))
         yield LabelRequest(label, *longest, gap=1.2, step=step)

@@ -57,8 +57,7 @@ def mistake_sheet(
     own     the student's drawing, laid over with its pole on the pole
     answer  whether the right drawing may be shown: without it, the drawing with the mistakes alone
     """
-    panels: list[Panel] = []
-    top = 0.0
+    panels, top = list[Panel](), 0.0
     for plane in PLANES:
         if row := [*_versions(method, plot, plane, found, own or {}, answer)]:
             panels += _row(row, top, answer, lang)
@@ -66,12 +65,8 @@ def mistake_sheet(
     if not panels:
         return None
     paper = Paper("figure", max(panel.room.right for panel in panels) + 1, top, 0.0)
-    title = say("pictures.title", lang)
-    whole = Page(paper, panels, method.mechanism, plot.facts.values, lang, title=title).sheet().upto(_OTHERWISE)
-    return whole.redrawn(lambda mark: replace(mark, step=None))
-
-
-# --- versions of a plane ----------------------------------------------------------------------
+    page = Page(paper, panels, method.mechanism, plot.facts.values, lang, title=say("pictures.title", lang))
+    return page.sheet().upto(_OTHERWISE).redrawn(lambda mark: replace(mark, step=None))
 
 
 @frozen
@@ -114,9 +109,8 @@ class Version:
             figure = plain_mechanism(self.method, self.plot, window).numbered(None)
             return Figure([self._penned(mark) for mark in figure.marks], figure.wanted)
         figure = polygon_figure(self._polygon(self.plot, window))
-        labels = figure.wanted
-        if len(labels) > _CROWDED:
-            labels = [label for label in labels if not label.spare]
+        crowded = len(figure.wanted) > _CROWDED
+        labels = [label for label in figure.wanted if not (crowded and label.spare)]
         return Figure([self._penned(mark) for mark in figure.marks], labels) + self._over(window)
 
     def _polygon(self, plot: Plot, window: Window) -> PolygonFigure:
@@ -124,6 +118,7 @@ class Version:
 
     def _penned(self, mark: Mark) -> Mark:
         """Thick where it is drawn otherwise; thin where it is only compared with."""
+        otherwise = False
         match mark:
             case VectorMark(tail=tail, head=head):
                 ends = frozenset((tail, head))
@@ -132,8 +127,6 @@ class Version:
                 otherwise = name in self.images
             case Stroke(shows=shows) if shows is not None:
                 otherwise = bool(self.images.intersection(shows.points))
-            case _:
-                otherwise = False
         if otherwise:
             return replace(mark, step=_OTHERWISE)
         if self.thin and isinstance(mark, VectorMark | Stroke) and mark.pen in ("vector", "visible"):
@@ -147,17 +140,15 @@ class Version:
         own = {name: value for name, value in (self.own or {}).items() if name in there}
         if not own:
             return {}
-        pole = self.construction.pole
-        first = pole if pole in own else next(iter(own))
+        first = self.construction.pole if self.construction.pole in own else next(iter(own))
         laid = {name: there[first] + value - own[first] for name, value in own.items()}
         near = {*enlarged([*there.values()], laid.values(), _FAR)}
         return {name: value for name, value in laid.items() if value in near}
 
     def _over(self, window: Window) -> Figure:
         """The student's drawing, dashed; letters in brackets where its points lie elsewhere."""
-        own = self._own
         plot = Plot(self.plot.facts)
-        plot.points(self.plane).update(own)
+        plot.points(self.plane).update(self._own)
         polygon = self._polygon(plot, window)
         figure = Figure([Stroke((arrow.start, arrow.end), "dashed") for arrow in polygon.vectors()])
         for name, at in polygon.points.items():
@@ -183,17 +174,13 @@ def _versions(
 
 def _drawable(plot: Plot, plane: Plane) -> Plot:
     """The same with the points alone that lie somewhere."""
-    points = plot.points(plane)
-    there = {name: value for name, value in points.items() if cmath.isfinite(place(value))}
-    if len(there) == len(points):
+    there = {name: value for name, value in plot.points(plane).items() if cmath.isfinite(place(value))}
+    if len(there) == len(plot.points(plane)):
         return plot
     drawable = Plot(plot.facts, position=dict(plot.position), theta=dict(plot.theta), s=dict(plot.s))
     drawable.points(plane).clear()
     drawable.points(plane).update(there)
     return drawable
-
-
-# --- on paper ---------------------------------------------------------------------------------
 
 
 def _row(versions: Sequence[Version], top: float, answer: bool, lang: Lang) -> list[Panel]:

@@ -90,8 +90,7 @@ class Paths:
         owner = curve.course.method.mechanism.owners[curve.point][0]
         shows = Shows(owner, "path", (curve.point,), curve.course.driver.name)
         yield Stroke(places, "outline", closed=curve.closed, shows=shows)
-        middle = complex(np.mean(places))
-        at = places[len(places) // 8]
+        middle, at = complex(np.mean(places)), places[len(places) // 8]
         name = _around(say("sheet.path of", self.lang, point=_HERE), point_label(curve.point))
         yield LabelRequest(name, at, gap=1.2, away=at - middle, size=LEAST)
         for tick in curve.ticks:
@@ -103,8 +102,6 @@ class Paths:
                 yield LabelRequest(value, at, gap=1.6, away=at - middle, size=LEAST, spare=True)
             if self.arrows:
                 yield from arrow(at, at + window.turned(tick.velocity) / self.scale, "velocity")
-
-    # --- their legend -----------------------------------------------------------------------------
 
     @property
     def lines(self) -> list[Label]:

@@ -69,8 +69,7 @@ def _entries(velocities: TwoVelocities, window: Window, speed: float) -> Iterato
             side = along * 1j if pole is None or ((along * 1j).conjugate() * (pole - end)).real > 0 else along * -1j
             reach = _BEYOND * 4 if pole is None else abs(pole - end) + _BEYOND
             yield Stroke((end, end + side * reach), "construction")
-            square = (end + along * _SQUARE, end + (along + side) * _SQUARE, end + side * _SQUARE)
-            yield Stroke(square, "construction")
+            yield Stroke(tuple(end + off * _SQUARE for off in (along, along + side, side)), "construction")
     yield Stroke((ends[0], ends[1]), "visible")
     for name, end, tip in zip(velocities.names, ends, tips, strict=True):
         yield Disc(end, 0.6, "outline", "ink")

@@ -53,17 +53,13 @@ def arrows(mechanism: Mechanism, construction: Construction, there: Collection[s
         if term.tail in there and term.head in there:
             of = term.sites or tuple(sites[text] for text in (term.of, term.seen_from) if text in sites)
             yield Arrow(name, term.tail, term.head, of, term.part, term.size)
-    besides = fixed(construction) | {term.head for term in terms.values() if term.tail == pole}
+    besides = {term.head for term in terms.values() if term.tail == pole}  # and the points that never move
+    given = (step for step in construction.steps if isinstance(step, Given))
+    besides |= {name for step in given for name in (step.point, *step.also)}
     for name, node in construction.nodes.items() if pole in there else ():
         site = node.site if name in there and name not in besides else None
         if site is not None and site.point not in mechanism.unnamed:
             yield Arrow(f"{LETTER[construction.plane]}_{node.of}", pole, name, (site,), of_equation=False)
-
-
-def fixed(construction: Construction) -> set[str]:
-    """The pole, and the points that sit on it because they never move."""
-    given = [step for step in construction.steps if isinstance(step, Given)]
-    return {name for step in given for name in (step.point, *step.also)}
 
 
 @frozen
@@ -97,9 +93,7 @@ class PolygonFigure:
         return {name: at for name, at in self.points.items() if self.of(name)}
 
     def of(self, name: str) -> str:
-        if name == self.construction.pole:
-            return "pole"
-        return self.construction.nodes[name].of
+        return "pole" if name == self.construction.pole else self.construction.nodes[name].of
 
     def step(self, *names: str) -> int | None:
         return max((self.born[name] for name in names if name in self.born), default=None)
@@ -153,8 +147,7 @@ class PolygonFigure:
 
     def written(self, name: str) -> str:
         """The name of an arrow on paper."""
-        term = self.construction.vectors().get(name) if self.held else None
-        plane = self.construction.plane
+        plane, term = self.construction.plane, self.construction.vectors().get(name) if self.held else None
         return relabelled(term, plane, self.held).name(plane) if term is not None else name
 
     def site(self, name: str) -> str:
@@ -170,11 +163,8 @@ class PolygonFigure:
             names: list[str] = []
             for point in self.mechanism.named(link):
                 owners = self.mechanism.owners[point]
-                if FRAME in owners:
-                    names.append(pole)
-                    continue
                 own = (name for site, name in sites.items() if site.point == point and site.link in owners)
-                names += [name for name in own if name in self.points][:1]
+                names += [pole] if FRAME in owners else [name for name in own if name in self.points][:1]
             if len(set(names)) > 2:
                 yield link, list(dict.fromkeys(names))
 
@@ -186,48 +176,36 @@ def named_site(site: Site) -> str:
 
 def polygon_figure(polygon: PolygonFigure) -> Figure:
     """Images as thin lines, then arrows, then points."""
-    figure = Figure()
-    vectors = list(polygon.vectors())
-    figure.marks += _image_lines(polygon, vectors)
+    vectors, plane = list(polygon.vectors()), polygon.construction.plane
     rims = gear_images.circles(polygon.gears, polygon.window, vectors, list(polygon.named.values()))
-    figure.marks += rims.marks
-    figure.marks += vectors
-    plane = polygon.construction.plane
+    marks = [*_image_lines(polygon, vectors), *rims.marks, *vectors]
     for name, at in polygon.named.items():
-        of, step, site = polygon.of(name), polygon.step(name), polygon.site(name)
-        figure.marks.append(PointMark(plane, name, of, at, step=step, site=site))
-    figure.wanted += _point_names(polygon) + _vector_names(polygon, vectors) + rims.wanted
-    return figure
+        marks.append(PointMark(plane, name, polygon.of(name), at, step=polygon.step(name), site=polygon.site(name)))
+    return Figure(marks, _point_names(polygon) + _vector_names(polygon, vectors) + rims.wanted)
 
 
-def _image_lines(polygon: PolygonFigure, vectors: list[VectorMark]) -> list[Mark]:
+def _image_lines(polygon: PolygonFigure, vectors: list[VectorMark]) -> Iterator[Mark]:
     """Sides of the images along which no arrow lies."""
     drawn = {frozenset((v.tail, v.head)) for v in vectors}
-    marks: list[Mark] = []
     for link, names in polygon.images():
         places = [polygon.points[name] for name in names]
-        around = hull(places)
-        ends = in_line(places)  # of points on one line
+        around, ends = hull(places), in_line(places)  # ends: of points on one line
         for a, b in [ends] if ends is not None else zip(around, (*around[1:], around[0]), strict=True):
             pair = frozenset((names[a], names[b]))
             if pair not in drawn and abs(places[a] - places[b]) > _SAME:
                 drawn.add(pair)
-                step = polygon.step(*names)
                 shows = Shows(link, "bar", (names[a], names[b]), plane=polygon.construction.plane)
-                marks.append(Stroke((places[a], places[b]), "thin", shows=shows, step=step))
-    return marks
+                yield Stroke((places[a], places[b]), "thin", shows=shows, step=polygon.step(*names))
 
 
 def _point_names(polygon: PolygonFigure) -> list[LabelRequest]:
     """A label for each place: points that lie on one another share it, the pole first."""
     places: list[tuple[Place, list[str]]] = []
     for name, at in polygon.named.items():
-        for there, names in places:
-            if abs(there - at) < _SAME:
-                names.append(name)
-                break
-        else:
-            places.append((at, [name]))
+        same = next((names for there, names in places if abs(there - at) < _SAME), None)
+        if same is None:
+            places.append((at, same := []))
+        same.append(name)
     middle = sum(polygon.points.values()) / max(1, len(polygon.points))
     fixed = gear_images.points(polygon.gears, polygon.window)
     requests: list[LabelRequest] = []

@@ -139,19 +139,16 @@ def in_line(places: list[Place]) -> tuple[int, int] | None:
 
 
 def hull(places: list[Place]) -> list[int]:
-    """Numbers of the points on the convex hull, round about."""
-    order = sorted(range(len(places)), key=lambda k: (places[k].real, places[k].imag))
-    return [*_chain(places, order)[:-1], *_chain(places, order[::-1])[:-1]]
-
-
-def _chain(places: list[Place], order: list[int]) -> list[int]:
-    """Half of a hull (Andrew's monotone chain)."""
-    chain: list[int] = []
-    for k in order:
-        while len(chain) > 1:
-            a, b = places[chain[-1]] - places[chain[-2]], places[k] - places[chain[-2]]
-            if (a.conjugate() * b).imag > 1e-9:
-                break
-            chain.pop()
-        chain.append(k)
-    return chain
+    """Numbers of the points on the convex hull, round about (Andrew's monotone chains)."""
+    order, around = sorted(range(len(places)), key=lambda k: (places[k].real, places[k].imag)), list[int]()
+    for numbers in (order, order[::-1]):
+        chain: list[int] = []
+        for k in numbers:
+            while len(chain) > 1:
+                a, b = places[chain[-1]] - places[chain[-2]], places[k] - places[chain[-2]]
+                if (a.conjugate() * b).imag > 1e-9:
+                    break
+                chain.pop()
+            chain.append(k)
+        around += chain[:-1]
+    return around

@@ -41,12 +41,10 @@ def _special_points(method: Method) -> Iterator[_Special]:
     for step in method.position.steps:
         if not isinstance(step, Meet) or step.point not in method.special:
             continue
-        node = method.position.nodes[step.point]
-        if isinstance(step.first, Arc) or isinstance(step.second, Arc):
-            continue
-        of = sites.get(node.site, node.of) if node.site is not None else node.of
-        site = named_site(node.site) if node.site is not None else ""
-        yield _Special(step.point, of, site, (step.first, step.second), page["position", step])
+        if not isinstance(step.first, Arc) and not isinstance(step.second, Arc):
+            node = method.position.nodes[step.point]
+            of, site = (node.of, "") if node.site is None else (sites.get(node.site, node.of), named_site(node.site))
+            yield _Special(step.point, of, site, (step.first, step.second), page["position", step])
 
 
 def named_specials(method: Method, plot: Plot, others: list[complex]) -> Mapping[str, complex]:
@@ -55,9 +53,8 @@ def named_specials(method: Method, plot: Plot, others: list[complex]) -> Mapping
     size, near = max((high - low).real, (high - low).imag), dict[str, complex]()
     for special in _special_points(method):
         at = geometry.place(plot.position[special.name])
-        wide = max(high.real, at.real) - min(low.real, at.real)
-        tall = max(high.imag, at.imag) - min(low.imag, at.imag)
-        if max(wide, tall) <= _FAR * size:
+        least, most = corners([low, high, at])
+        if max((most - least).real, (most - least).imag) <= _FAR * size:
             near[special.name] = at
     return near
 
@@ -100,8 +97,7 @@ def _ends(skeleton: Skeleton, ray: Ray) -> list[Place]:
 
 def contacts(method: Method, skeleton: Skeleton) -> Figure:
     """Contacts of wheels, as small points with their letters."""
-    figure = Figure()
-    page = pages(method)
+    figure, page = Figure(), pages(method)
     for step in method.position.steps:
         if isinstance(step, Touch):
             at, number = skeleton.at(step.point), page["position", step]

@@ -12,7 +12,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 from graphkin.construction import Plane
-from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, Shows, Stroke
+from graphkin.sheet.marks import ArcMark, Mark, Place, Shows, Stroke
 from graphkin.sheet.paper import PenName
 
 HINGE = 1.3  # radius of a hinge [mm]
@@ -64,24 +64,9 @@ def rim_hatch(at: Place, radius: float, outward: float, step: int | None = None)
     return marks
 
 
-def centre_mark(at: Place, reach: float, step: int | None = None) -> list[Mark]:
-    """A cross of thin lines."""
-    return [Stroke((at - reach * along, at + reach * along), "thin", step=step) for along in (1, 1j)]
-
-
 def bar(places: Sequence[Place], shows: Shows | None, step: int | None = None) -> list[Mark]:
     """A link as a thick line."""
     return [Stroke(tuple(places), "visible", shows=shows, step=step)]
-
-
-def plate(corners: Sequence[Place], shows: Shows, step: int | None = None) -> list[Mark]:
-    """A link of three or more points: a light plate with a thin outline."""
-    return [Stroke(tuple(corners), "outline", closed=True, fill="tint", shows=shows, step=step)]
-
-
-def hinge_beside(at: Place, side: complex, step: int | None = None) -> list[Mark]:
-    """The circle of a hinge at a link that goes on: it touches that link's line, on the side of the one that ends."""
-    return [Disc(at + (HINGE + 0.35) * side, HINGE, "outline", "paper", step=step)]
 
 
 def corner(at: Place, one: Place, other: Place, step: int | None = None) -> list[Mark]:
@@ -95,11 +80,6 @@ def corner(at: Place, one: Place, other: Place, step: int | None = None) -> list
         return []
     reach = min(6.0, 3.0 / math.sin(opening / 2)) if opening < math.pi / 2 else 4.2
     return [Stroke((at, at + a * reach, at + b * reach), "thin", closed=True, fill="tint", step=step)]
-
-
-def block(at: Place, along: complex, shows: Shows, step: int | None = None) -> list[Mark]:
-    """A sliding block: a white rectangle over its guide."""
-    return [Stroke(block_corners(at, along), "outline", closed=True, fill="paper", shows=shows, step=step)]
 
 
 def block_corners(at: Place, along: complex) -> tuple[Place, ...]:
@@ -117,10 +97,9 @@ def slot(start: Place, end: Place, shows: Shows, pen: PenName = "outline", step:
     """A slot with round ends, cut into a link or the ground: white, over the link's bar."""
     along = (end - start) / abs(end - start)
     side = 1j * along * _SLOT
-    turn = [cmath.rect(1, -math.pi * k / 10) for k in range(11)]
-    far = [end + side * t for t in turn]
-    near = [start - side * t for t in turn]
-    return [Stroke((*far, *near), pen, closed=True, fill="paper", shows=shows, step=step)]
+    cap = [side * cmath.rect(1, -math.pi * k / 10) for k in range(11)]
+    ends = (*(end + off for off in cap), *(start - off for off in cap))
+    return [Stroke(ends, pen, closed=True, fill="paper", shows=shows, step=step)]
 
 
 def arc_places(centre: Place, arm: complex, start: float, end: float) -> list[Place]:
@@ -131,13 +110,12 @@ def arc_places(centre: Place, arm: complex, start: float, end: float) -> list[Pl
 
 def arc_slot(centre: Place, along: Sequence[Place], shows: Shows, step: int | None = None) -> list[Mark]:
     """A slot with round ends along an arc, white over what it is cut into."""
-    ends = [(place - centre) / abs(place - centre) * _SLOT for place in (along[0], along[-1])]
-    outer = [place + (place - centre) / abs(place - centre) * _SLOT for place in along]
-    inner = [place - (place - centre) / abs(place - centre) * _SLOT for place in reversed(along)]
+    out = [(place - centre) / abs(place - centre) * _SLOT for place in along]
+    outer = [place + off for place, off in zip(along, out, strict=True)]
+    inner = [place - off for place, off in zip(reversed(along), reversed(out), strict=True)]
     sense = math.copysign(1, ((along[1] - along[0]) / (1j * (along[0] - centre))).real)
     cap = [cmath.rect(1, sense * math.pi * k / 10) for k in range(1, 10)]
-    far = [along[-1] + ends[1] * turn for turn in cap]
-    near = [along[0] - ends[0] * turn for turn in cap]
+    far, near = [along[-1] + out[-1] * turn for turn in cap], [along[0] - out[0] * turn for turn in cap]
     return [Stroke((*outer, *far, *inner, *near), "outline", closed=True, fill="paper", shows=shows, step=step)]
 
 

@@ -73,8 +73,7 @@ UNDER_LINKS: Mapping[type[Pair], Callable[..., Iterator[Wheel]]] = {Gear: _gears
 
 def wheels(skeleton: Skeleton) -> Figure:
     """All wheels, and the straight tracks of those that roll on a line."""
-    figure = Figure()
-    numbered: set[str] = set()
+    figure, numbered = Figure(), set[str]()
     for wheel in wheels_of(skeleton.mechanism):
         figure.marks += _wheel(skeleton, wheel)
         if wheel.link not in numbered and len(skeleton.named(wheel.link)) < 2 and wheel.link != FRAME:
@@ -92,23 +91,17 @@ def wheels(skeleton: Skeleton) -> Figure:
 
 def _wheel(skeleton: Skeleton, wheel: Wheel) -> Iterator[Mark]:
     at, radius = skeleton.at(wheel.centre), wheel.radius / skeleton.window.scale
-    step = skeleton.step(wheel.centre)
-    shows = Shows(wheel.link, "wheel", (wheel.centre,))
+    step, shows = skeleton.step(wheel.centre), Shows(wheel.link, "wheel", (wheel.centre,))
     yield Disc(at, radius, "centre" if wheel.gear else "outline", shows=shows, step=step)
-    fixed = wheel.link == FRAME
+    rim, fixed = radius, wheel.link == FRAME
     if wheel.gear:
-        yield from symbols.centre_mark(at, _CROSS, step)
-    if wheel.ring:
-        rim = radius + _RIM if wheel.gear else radius
-        if wheel.gear:
+        for along in (1, 1j):  # a cross at its centre
+            yield Stroke((at - _CROSS * along, at + _CROSS * along), "thin", step=step)
+        rim = radius + _RIM if wheel.ring else max(0.0, radius - _RIM)
+        if wheel.ring or (fixed and rim > _RIM):
             yield Disc(at, rim, "outline", step=step)
-        if fixed:
-            yield from symbols.rim_hatch(at, rim, 1.0, step)
-    elif fixed:
-        rim = max(0.0, radius - _RIM) if wheel.gear else radius
-        if wheel.gear and rim > _RIM:
-            yield Disc(at, rim, "outline", step=step)
-        yield from symbols.rim_hatch(at, rim, -1.0, step)
+    if fixed:
+        yield from symbols.rim_hatch(at, rim, 1.0 if wheel.ring else -1.0, step)
 
 
 def _number(skeleton: Skeleton, wheel: Wheel) -> LabelRequest:
@@ -134,10 +127,9 @@ def straight(skeleton: Skeleton, line: Line, name: str, near: str, reach: float,
     along, foot = skeleton.direction(line), skeleton.at(line.origin)
     t = (along.conjugate() * (skeleton.at(near) - foot)).real
     low, high = t - reach, t + reach
-    stops = []
-    for point in skeleton.named(line.link) if line.link != FRAME else ():
-        off = along.conjugate() * (skeleton.at(point) - foot)
-        stops += [off.real] if abs(off.imag) < 0.05 else []
+    points = skeleton.named(line.link) if line.link != FRAME else ()
+    offs = [along.conjugate() * (skeleton.at(point) - foot) for point in points]
+    stops = [off.real for off in offs if abs(off.imag) < 0.05]
     if len(stops) > 1:
         low, high = min(max(low, min(stops)), t - 6), max(min(high, max(stops)), t + 6)
     elif stops:
@@ -158,9 +150,6 @@ def rims(machine: Mechanism, position: Mapping[str, Value]) -> Iterator[complex]
     for _, centre, radius in (circle for pair in machine.pairs for circle in pair.circles):
         at = place(position[centre])
         yield from (at - complex(radius, radius), at + complex(radius, radius))
-
-
-# --- cams ---------------------------------------------------------------------------------------
 
 
 def profiles(skeleton: Skeleton, cam: Cam) -> list[Mark]:
@@ -215,9 +204,8 @@ def _rod(skeleton: Skeleton, slide: Slide, radius: float, cam_centre: str) -> li
     side, step = 1j * out, skeleton.step(slide.point)
     shows = Shows(slide.block or "", "guide", (), slide.name)
     near, far = (max(0.0, radius - 3) + reach for reach in _BUSH)
-    foot = 2.6 if radius == 0 else 0.0
-    rod = Stroke((at + out * foot, at + out * (far - _BUSH[1] + _ROD)), "visible", shows=shows, step=step)
-    marks: list[Mark] = [rod]
+    foot = at + out * (2.6 if radius == 0 else 0.0)
+    marks: list[Mark] = [Stroke((foot, at + out * (far - _BUSH[1] + _ROD)), "visible", shows=shows, step=step)]
     if radius == 0:
         tip = (at, at + out * 3.4 + side * 1.1, at + out * 3.4 - side * 1.1)
         marks.append(Stroke(tip, "outline", closed=True, fill="ink", step=step))
@@ -232,17 +220,14 @@ def circular_slot(skeleton: Skeleton, slot: CircularSlot) -> list[Mark]:
     step, radius = skeleton.step(slot.centre, slot.point), slot.radius / skeleton.window.scale
     arm, half = radius * ((pin - centre) / abs(pin - centre)), min(_ARC / radius, _MOST)
     cut = symbols.arc_places(centre, arm, -half, half)
-    fixed = slot.guide == FRAME
-    marks = symbols.arc_ground(centre, cut, step) if fixed else _plate(skeleton, slot, centre, arm, half)
+    if slot.guide == FRAME:
+        marks = symbols.arc_ground(centre, cut, step)
+    else:  # the arc of a moving link that carries the slot, joined to the nearest of the link's points
+        more = half + min(OVERRUN / abs(arm), 0.4)
+        arc = symbols.arc_places(centre, arm, -more, more)
+        points = [skeleton.at(point) for point in skeleton.named(slot.guide)]
+        joint = min(product((arc[0], arc[-1]), points), key=lambda ends: abs(ends[1] - ends[0]))
+        marks = [Stroke(tuple(arc), "visible", step=step), Stroke(joint, "visible", step=step)]
     shows = Shows(slot.guide, "arc", (slot.centre, slot.point), slot.name)
     marks += symbols.arc_slot(centre, cut, shows, step)
     return [*marks, Stroke(tuple(cut), "centre", shows=shows, step=step)]
-
-
-def _plate(skeleton: Skeleton, slot: CircularSlot, centre: Place, start: complex, half: float) -> list[Mark]:
-    """The arc of a moving link that carries the slot, joined to the nearest of the link's points."""
-    step, more = skeleton.step(slot.centre, slot.point), half + min(OVERRUN / abs(start), 0.4)
-    arc = symbols.arc_places(centre, start, -more, more)
-    points = [skeleton.at(point) for point in skeleton.named(slot.guide)]
-    arm = min(product((arc[0], arc[-1]), points), key=lambda ends: abs(ends[1] - ends[0]))
-    return [Stroke(tuple(arc), "visible", step=step), Stroke(arm, "visible", step=step)]
