@@ -186,8 +186,8 @@ def worst_of_path(
     here = min(int(np.searchsorted(value, course.here)), value.size - 1)
     onward, back = slice(here, None), slice(here, None if here else 0, -1)
     after, before = (_drawn(course, corners, value[side], curve[side]) for side in (onward, back))
-    missing = _missing(corners, curve[slice(here - max(before - 1, 0), here + after)])
-    return max([*_off(corners, curve), *missing], key=lambda pair: abs(pair[0] - pair[1]))
+    visible = curve[slice(here - max(before - 1, 0), here + after)]
+    return max(_deviations(corners, curve, visible), key=lambda pair: abs(pair[0] - pair[1]))
 
 
 @frozen
@@ -267,20 +267,16 @@ def _drawn(course: _Course, corners: np.ndarray, values: np.ndarray, curve: np.n
     return int(met[0]) + 1 if met.size else curve.size
 
 
-def _off(corners: np.ndarray, curve: np.ndarray) -> Iterator[Pair]:
-    """Each corner, and the place of the curve next to it."""
+def _deviations(corners: np.ndarray, curve: np.ndarray, visible: np.ndarray) -> Iterator[Pair]:
+    """Each corner with the place of the curve next to it; and the place of its visible part that is too far off what is
+    drawn, beside the drawn place next to it."""
     line = shapely.linestrings(_xy(curve[np.isfinite(curve)]))
     there = shapely.line_interpolate_point(line, shapely.line_locate_point(line, shapely.points(_xy(corners))))
     yield from zip(corners, shapely.get_x(there) + 1j * shapely.get_y(there), strict=True)
-
-
-def _missing(corners: np.ndarray, curve: np.ndarray) -> Iterator[Pair]:
-    """The place of the curve that is too far off what is drawn, beside the drawn place next to it."""
-    drawn = shapely.linestrings(_xy(corners))
-    curve = curve[np.isfinite(curve)]
-    off = shapely.distance(drawn, shapely.points(_xy(curve)))
+    drawn, visible = shapely.linestrings(_xy(corners)), visible[np.isfinite(visible)]
+    off = shapely.distance(drawn, shapely.points(_xy(visible)))
     if off.max(initial=0.0) > _GONE:
-        place = complex(curve[int(off.argmax())])
+        place = complex(visible[int(off.argmax())])
         next_to = drawn.interpolate(drawn.project(shapely.Point(place.real, place.imag)))
         yield complex(next_to.x, next_to.y), place
 

@@ -138,17 +138,12 @@ def as_one(student: str, parts: Sequence[Marked]) -> Marked:
     explanations: list[Explanation] = []
     for at, part in enumerate(parts, 1):
         for one in part.diagnosis.explanations:
-            _join(explanations, replace(one, explains=tuple(at_position(text, at) for text in one.explains)))
+            explains = tuple(at_position(text, at) for text in one.explains)
+            for k, other in enumerate(explanations):  # one that shares a mistake: as sure as the less sure of both
+                if both := tuple(names for names in other.names if names in one.names):
+                    probability, margin = min(one.probability, other.probability), min(one.margin, other.margin)
+                    explanations[k] = Explanation(both, probability, margin, (*other.explains, *explains))
+                    break
+            else:
+                explanations.append(replace(one, explains=explains))
     return Marked(student, judged, Diagnosis(tuple(explanations), evidence))
-
-
-def _join(explanations: list[Explanation], one: Explanation) -> None:
-    """Put an explanation to the one that shares a mistake with it: both are explained, as surely as the less sure."""
-    for k, other in enumerate(explanations):
-        if both := tuple(names for names in other.names if names in one.names):
-            explanations[k] = Explanation(
-                both, min(one.probability, other.probability), min(one.margin, other.margin),
-                (*other.explains, *one.explains),
-            )  # fmt: skip
-            return
-    explanations.append(one)

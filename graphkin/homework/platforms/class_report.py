@@ -149,20 +149,17 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
         say("class_report.range", lang, low=k * width, high=(k + 1) * width, count=count)
         for k, count in enumerate(report.ranges)
     ]
-    steps = [*_steps(report, lang)]
+    steps = []
+    for step in report.steps:
+        shown = [name for name in get_args(Verdict) if name in _ALWAYS or step.verdicts.get(name)]
+        counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
+        verdicts = say("common.list", lang).join(counts)
+        steps.append(say("class_report.step", lang, name=step.name, verdicts=verdicts, first=step.first))
     parts = {"steps": steps, "mistakes": mistakes, "habits": habits, "distribution": distribution}
     for title, texts in parts.items():
         if texts:
             yield from ("", say(f"class_report.part {title}", lang))
             yield from (f"  {text}" for text in texts)
-
-
-def _steps(report: ClassReport, lang: Lang) -> Iterator[str]:
-    for step in report.steps:
-        shown = [name for name in get_args(Verdict) if name in _ALWAYS or step.verdicts.get(name)]
-        counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
-        verdicts = say("common.list", lang).join(counts)
-        yield say("class_report.step", lang, name=step.name, verdicts=verdicts, first=step.first)
 
 
 def report_record(report: ClassReport) -> dict[str, Plain]:

@@ -156,12 +156,11 @@ def _line(name: str, each: Record) -> ResultLine:
 
 
 def _suspicion(each: Record) -> Suspicion:
-    keys = ("id", "way", "of", "form")
-    names: list[tuple[Name, ...]] = []
-    for together in each.get("names", ()):
-        texts = [[_string(name[key]) for key in keys] for name in together]
-        names.append(tuple((id, way, of, form) for id, way, of, form in texts))
-    return Suspicion(tuple(map(_string, each["ids"])), tuple(map(_string, each["explains"])), tuple(names))
+    names = tuple(
+        tuple((_string(name["id"]), _string(name["way"]), _string(name["of"]), _string(name["form"])) for name in some)
+        for some in each.get("names", ())
+    )
+    return Suspicion(tuple(map(_string, each["ids"])), tuple(map(_string, each["explains"])), names)
 
 
 def _number(value: object) -> float | None:
