@@ -86,9 +86,6 @@ def stated(element: ShownMark) -> tuple[str, ...]:
     return (kind, *sorted(f"{key}={value}" for key, value in data.items() if key != "step" and value))
 
 
-# --- reading ----------------------------------------------------------------------------------
-
-
 class _Builder(TreeBuilder):
     """Builds the tree, and sees what stands before it."""
 
@@ -153,9 +150,6 @@ def _root(path: Path, file: str) -> Element:
     if depth > 100:
         raise BadDrawing(Where(file), "xml")
     return root
-
-
-# --- its claims ---------------------------------------------------------------------------
 
 
 def mechanism_of(drawing: DrawingFile) -> Mechanism:

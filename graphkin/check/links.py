@@ -104,9 +104,6 @@ def _sense(mark: ShownMark, form: str, exact: Widened, points: list[complex]) ->
     return foot, tip - long * chord / abs(chord)
 
 
-# --- on a line of a link ----------------------------------------------------------------------
-
-
 def _on_line(
     mark: ShownMark, form: str, exact: Widened, at: Callable[[str], complex], points: list[str]
 ) -> Iterator[Pair]:
@@ -205,11 +202,6 @@ class _Course:
     longest: float
     across: float
 
-    def gone(self, values: np.ndarray) -> np.ndarray:
-        """True at values that are not reached, or lead far off all that is drawn."""
-        away = np.abs(self.places(values) - self.places(np.array([self.here])))
-        return np.asarray(~(away <= _BEYOND * self.across))
-
 
 def _width_and_height(places: np.ndarray) -> float:
     """Width and height."""
@@ -223,7 +215,9 @@ def _reached(course: _Course, slid: float) -> tuple[float, float]:
     ends = [(course.here, course.here - far), (course.here, course.here + far)]
     for _ in range(_SOUGHT):
         values = np.array([np.linspace(*end, _LOOK) for end in ends])
-        gone = course.gone(values.ravel()).reshape(values.shape)
+        # not reached, or far off all that is drawn
+        away = np.abs(course.places(values.ravel()) - course.places(np.array([course.here])))
+        gone = ~(away <= _BEYOND * course.across).reshape(values.shape)
         first = np.where(gone.any(axis=1), gone.argmax(axis=1), _LOOK)
         ends = [(row[min(k, _LOOK) - 1], row[min(k, _LOOK - 1)]) for row, k in zip(values, first, strict=True)]
         if not gone.any():

@@ -126,9 +126,6 @@ def paper(attributes: Mapping[str, str]) -> tuple[Affine, complex, str]:
     return Affine(scale, 0.0, 0.0, scale, -box[0] * scale, -box[1] * scale), complex(wide, high), doubt
 
 
-# --- outlines ----------------------------------------------------------------------------------
-
-
 SHAPES = ("line", "polyline", "polygon", "rect", "circle", "ellipse", "path", "image")
 _PIECE = re.compile("([MmLlHhVvCcSsQqTtAaZz])([^MmLlHhVvCcSsQqTtAaZz]*)")
 _TAKES = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}

@@ -104,9 +104,6 @@ def steps_of(method: Method) -> tuple[KeyStep, ...]:
     return tuple(steps)
 
 
-# --- right values -----------------------------------------------------------------------------
-
-
 def _right(method: Method, plot: Plot, quantities: Sequence[Quantity]) -> np.ndarray:
     """Right values; sizes without sign."""
     answers = combined(method, plot, quantities, [()]).values[0]
@@ -190,9 +187,6 @@ def _together(drawn: np.ndarray) -> np.ndarray:
     return np.asarray(np.round(correlation, 6))
 
 
-# --- mistakes ---------------------------------------------------------------------------------
-
-
 def hypotheses_of(
     method: Method, plot: Plot, quantities: Sequence[Quantity], entries: Sequence[KeyEntry], marking: Marking,
     columns: Sequence[tuple[Rewrite, ...]],
@@ -229,15 +223,10 @@ def least_of(value: float, entry: KeyEntry) -> float:
     return half_digit(value, entry.unit, abs(entry.right)) / math.sqrt(3) or entry.scatter
 
 
-# --- other right methods -----------------------------------------------------------------------
-
-
 def by_other_methods(method: Method, key: Key, quantities: Sequence[Quantity]) -> Hypotheses:
     """Right values, a row for each other method that gives them all, with what a pencil makes of them by that method.
-
     Whoever takes it reads off what another has drawn, and the other way round: the same values err by more there, by
-    less here, and otherwise together.
-    """
+    less here, and otherwise together."""
     right, sorts = np.array([entry.right for entry in key.entries]), [entry.sort for entry in key.entries]
     least = np.array([least_of(entry.right, entry) for entry in key.entries])
     scatters, together = [], []
@@ -253,9 +242,6 @@ def by_other_methods(method: Method, key: Key, quantities: Sequence[Quantity]) -
         ((),) * count, np.tile(right, (count, 1)), np.reshape(scatters, (count, size)),
         np.reshape(together, (count, size, size)),
     )  # fmt: skip
-
-
-# --- two mistakes together ---------------------------------------------------------------------
 
 
 _MOST = 6000  # pairs beyond so many are not tried: among so many, chance hits outweigh hints

@@ -108,9 +108,6 @@ class Graded:
     prints: tuple[str, ...] = ()
 
 
-# --- several positions -------------------------------------------------------------------------
-
-
 def by_position(work: StudentWork, count: int) -> list[StudentWork]:
     """The numbers of each position, under the names they have there; of one that there is not, they are dropped."""
     numbers_at: list[dict[str, HandedNumber]] = [{} for _ in range(count)]
@@ -122,10 +119,8 @@ def by_position(work: StudentWork, count: int) -> list[StudentWork]:
 
 
 def as_one(student: str, parts: Sequence[Marked]) -> Marked:
-    """One record of all positions; a mistake that shows at several is told once.
-
-    Evidence is added as over several problems, of positions where something was handed in.
-    """
+    """One record of all positions; a mistake that shows at several is told once. Evidence is added as over several
+    problems, of positions where something was handed in."""
     judged = tuple(
         replace(
             one, text=at_position(one.text, at), own={at_position(text, at): x for text, x in one.own.items()},

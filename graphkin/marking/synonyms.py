@@ -103,9 +103,6 @@ def _read_as(mechanism: Mechanism, quantity: Quantity, of: Seen, seen_from: Seen
             return
 
 
-# --- the same answer under another name --------------------------------------------------------
-
-
 def same_answers(method: Method, plot: Plot, quantity: Quantity) -> tuple[str, ...]:
     """Other names under which the answer is this one: B2B3 for B3B2, another coincident point of a block and its guide,
     a link that turns with this one. An order or a point that gives another size, as for a pin's Coriolis acceleration,

@@ -125,9 +125,6 @@ class _Count:
         )  # fmt: skip
 
 
-# --- in words, and for programs ---------------------------------------------------------------------------------------
-
-
 def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
     """The report in lines."""
     yield say("class_report.marked", lang, marked=report.marked, unmarked=report.unmarked, overridden=report.overridden)
@@ -135,15 +132,11 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
     if report.mean is not None:
         percent = {key: exponentless((value * 100).quantize(Decimal("0.1"))) for key, value in spread.items()}
         yield say("class_report.scores", lang, **percent)
-    mistakes = [
-        say("class_report.mistake", lang, mistake=suspected(one, lang), count=count) for one, count in report.mistakes
-    ]
+    mistakes = [say("class_report.mistake", lang, mistake=suspected(one, lang), count=n) for one, n in report.mistakes]
     if report.unexplained:
         mistakes.append(say("class_report.unexplained", lang, count=report.unexplained))
-    habits = [
-        say("class_report.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), count=count)
-        for one, count in report.habits
-    ]
+    habits = [say("class_report.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), count=count)
+              for one, count in report.habits]  # fmt: skip
     width = 100 // RANGES
     distribution = [
         say("class_report.range", lang, low=k * width, high=(k + 1) * width, count=count)

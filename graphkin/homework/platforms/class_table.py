@@ -61,8 +61,6 @@ def absent(overrides: Overrides, names: tuple[str, ...]) -> Iterator[list[Cell]]
         yield [each.student, each.file, "", None, None, each.points, *[None] * (2 + 2 * len(names) + len(_BACK))]
 
 
-# --- overrides --------------------------------------------------------------------------------------------------------
-
 _LARGEST = Decimal(10**6)
 
 

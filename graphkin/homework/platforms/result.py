@@ -63,10 +63,8 @@ class Suspicion:
 
 @frozen
 class ResultPicture:
-    """A picture on a page or a platform: its label, its kind ("image/svg+xml"), its bytes.
-
-    Without bytes there is nothing to be seen, and `label` says why.
-    """
+    """A picture on a page or a platform: its label, its kind ("image/svg+xml"), its bytes. Without bytes there is
+    nothing to be seen, and `label` says why."""
 
     label: str
     kind: str
@@ -119,9 +117,6 @@ class Result:
 def texts_in(texts: Sequence[Text], lang: Lang) -> list[str]:
     """Texts in a language, or in the other where that is all there is; each once."""
     return list(dict.fromkeys(text.get(lang) or next(iter(text.values()), "") for text in texts))
-
-
-# --- records ----------------------------------------------------------------------------------
 
 
 def from_record(record: Record, where: Where) -> Result:

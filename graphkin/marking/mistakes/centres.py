@@ -110,11 +110,9 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
 
 @mistake("arm-ignored", "wheels", "11-2")
 def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
-    """omega_a / omega_b = -r_b / r_a with the wheels' own rotations, though the arm that bears them turns.
-
-    At one contact, or at all; the wheels after it turn as their own contacts then have it. Where wheels and arm are
-    found together, the law of the contact is put into the equations without the arm.
-    """
+    """omega_a / omega_b = -r_b / r_a with the wheels' own rotations, though the arm that bears them turns. At one
+    contact, or at all; the wheels after it turn as their own contacts then have it. Where wheels and arm are found
+    together, the law of the contact is put into the equations without the arm."""
     contacts = []  # those on an arm that give the rotation of a wheel, after that wheel
     for stage in scene.method.stages:
         if isinstance(stage, Mesh) and stage.angle and stage.contact.arm:

@@ -72,8 +72,10 @@ def absolute_velocity(scene: Scene) -> Iterator[Rewrite]:
 @mistake("block-omega", "coriolis", RULE)
 def block_omega(scene: Scene) -> Iterator[Rewrite]:
     """The block taken as not turning, as turning with a driver, or about the guide's pivot with its own velocity."""
+    slides = scene.method.structure.slides.values()
+    blocks = {scene.method.structure.block(slide) for slide in slides} - {slide.guide for slide in slides}
     for size, name in terms(scene):
-        if scene.is_block(size.link):
+        if size.link in blocks:
             rates: dict[str, Change] = {"0": Times(0.0)}  # by how it is written; ± where only its size is taken
             for link in scene.cranks:
                 text = f"ω{scene.method.mechanism.called(link)}"

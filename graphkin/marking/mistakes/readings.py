@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.base.geometry import Value
-from graphkin.construction import AlongGuide, Image, Measure, Plane, Roll, Simultaneous
+from graphkin.construction import AlongGuide, Image, LayOff, Measure, Plane, Roll, Simultaneous
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.mistakes.directions import guide_lengths
 from graphkin.marking.rewrite import Change, Edit, Rewrite, Times, in_sense_of
@@ -96,8 +96,8 @@ def wrong_tail(scene: Scene) -> Iterator[Rewrite]:
         plane = construction.plane
         sites = ((name, node.site) for name, node in construction.nodes.items())
         resting = {construction.pole, *(name for name, site in sites if site is not None and scene.fixed(site.point))}
-        for step in scene.laid_off(plane):
-            if step.start not in resting and "*" not in step.start + step.tip:
+        for step in scene.steps(plane):
+            if isinstance(step, LayOff) and step.start not in resting and "*" not in step.start + step.tip:
                 edits = (Edit(("laid", plane, step.tip), _back_to_pole(plane, step.start)),)
                 yield Rewrite("wrong-tail", step.term.name(plane), construction.pole, edits)
     yield from _whole_arrow(scene)
