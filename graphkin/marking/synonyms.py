@@ -115,8 +115,8 @@ def same_answers(method: Method, plot: Plot, quantity: Quantity) -> tuple[str, .
                  and link != quantity.link and link in turns and turns[link].base == own.base]  # fmt: skip
         rotations = (readable(method.mechanism, f"{word} {method.mechanism.called(link)}") for link in alike)
         value = quantity.answer(motions).value
-        others = [rotation for rotation in rotations if rotation is not None]
-        return tuple(o.text for o in others if np.allclose(o.answer(motions).value, value, _SAME, 0.0))
+        named = [rotation for rotation in rotations if rotation is not None]
+        return tuple(o.text for o in named if np.allclose(o.answer(motions).value, value, _SAME, 0.0))
     if not isinstance(quantity, kinds.Moving) or quantity.seen_from is None:
         return ()
     right = np.abs(quantity.answer(readings(method, plot)).value)
