@@ -124,15 +124,10 @@ def pole_of(mechanism: Mechanism, exact: Sequence[Motion], first: str, second: s
                 return origin + 1j * moving / turning, True
             if abs(moving) > STILL * usual * size:
                 return 1j * moving, False
-    return _joint(mechanism, exact[0], first, second)
-
-
-def _joint(mechanism: Mechanism, exact: Motion, first: str, second: str) -> tuple[complex, bool]:
-    """The centre of two links by definition: their hinge, or their guide's normal."""
-    shared = set(mechanism.links[first].points) & set(mechanism.links[second].points)
-    if shared:
-        return place(exact.position[min(shared)]), True
+    # by definition: their hinge, or their guide's normal
+    if shared := set(mechanism.links[first].points) & set(mechanism.links[second].points):
+        return place(exact[0].position[min(shared)]), True
     for slide in mechanism.slides:
         if {slide.guide, slide.block} == {first, second}:
-            return 1j * complex(slide.line.direction) * cmath.exp(1j * number(exact.theta[slide.guide])), False
+            return 1j * complex(slide.line.direction) * cmath.exp(1j * number(exact[0].theta[slide.guide])), False
     return 0j, False

@@ -113,15 +113,10 @@ def _places_now(told: Sequence[Letters], read: Sequence[Letters]) -> list[comple
             for text, place in told]  # fmt: skip
 
 
-def _shift(told: Sequence[Letters], now: Sequence[complex]) -> complex:
-    moved = [at - place for at, (_, place) in zip(now, told, strict=True)]
-    return complex(median(m.real for m in moved), median(m.imag for m in moved)) if moved else 0j
-
-
-def shift_of(drawing: DrawingFile, read: Sequence[Letters]) -> complex:
+def _shift(claimed: Sequence[Letters], now: Sequence[complex]) -> complex:
     """The shift of the sheet as a whole since it was drawn, by most of its texts [mm]."""
-    told = claimed_letters(drawing)
-    return _shift(told, _places_now(told, read))
+    moved = [at - place for at, (_, place) in zip(now, claimed, strict=True)]
+    return complex(median(m.real for m in moved), median(m.imag for m in moved)) if moved else 0j
 
 
 # --- signs that show no length -----------------------------------------------------------------
@@ -131,12 +126,6 @@ _NEAR = 0.05  # a sign is where it was drawn if its ends are no farther off [mm]
 _SHARP = np.cos(np.radians(75))  # a head of an arrow opens less wide
 
 Ends = tuple[complex, complex]
-
-
-def _sign_ends(sign: ShownMark) -> Ends:
-    """Its begin, and its middle corner or, of a circle, its middle: as the file states them when it is drawn."""
-    line = sign.lines[0]
-    return line[0], sign.middle if sign.tag == "circle" else line[len(line) // 2]
 
 
 def _signs(drawing: DrawingFile) -> list[ShownMark]:
@@ -155,8 +144,12 @@ def _altered(drawing: DrawingFile, read: Sequence[Letters]) -> tuple[list[comple
                 drawn.append((complex(x, -y), complex(x2, -y2)))
             case _:
                 pass
-    shift, seen = shift_of(drawing, read), _signs(drawing)
-    now = np.array([_sign_ends(sign) for sign in seen], dtype=complex).reshape(-1, 2)
+    letters, seen = claimed_letters(drawing), _signs(drawing)
+    shift = _shift(letters, _places_now(letters, read))
+    # the begin of each, and its middle corner or, of a circle, its middle: as the file states them when it is drawn
+    ends = [(sign.lines[0][0], sign.middle if sign.tag == "circle" else sign.lines[0][len(sign.lines[0]) // 2])
+            for sign in seen]  # fmt: skip
+    now = np.array(ends, dtype=complex).reshape(-1, 2)
     then = np.array(drawn, dtype=complex).reshape(-1, 2) + shift
     first, second = (shapely.points(places[:, 0].real, places[:, 0].imag) for places in (now, then))
     pairs = shapely.STRtree(first).query(second, predicate="dwithin", distance=_NEAR).T

@@ -86,9 +86,6 @@ def stated(element: ShownMark) -> tuple[str, ...]:
     return (kind, *sorted(f"{key}={value}" for key, value in data.items() if key != "step" and value))
 
 
-# --- reading ----------------------------------------------------------------------------------
-
-
 class _Builder(TreeBuilder):
     """Builds the tree, and sees what stands before it."""
 
@@ -104,7 +101,19 @@ def read(path: Path) -> DrawingFile:
     root = _root(path, file)
     if not root.tag.endswith("}svg"):
         raise BadDrawing(Where(file), "svg")
-    claims = _claims(file, root)
+    for element in root.iter():
+        if element.tag.rpartition("}")[2] != "sheet" or not element.text:
+            continue
+        try:
+            claims = json.loads(element.text)
+        except (ValueError, RecursionError) as error:
+            raise BadDrawing(Where(file), "json") from error
+        if isinstance(claims, dict) and claims.get("program") == "graphkin":
+            break
+    else:
+        raise BadDrawing(Where(file), "metadata")
+    if claims.get("format") != FORMAT:
+        raise BadDrawing(Where(file), "older")
     if (style := claims.get("style")) in ("given", "moving", "bare"):
         raise NothingToMeasure(Where(file), str(style))
     try:
@@ -141,24 +150,6 @@ def _root(path: Path, file: str) -> Element:
     if depth > 100:
         raise BadDrawing(Where(file), "xml")
     return root
-
-
-def _claims(file: str, root: Element) -> Mapping[str, object]:
-    for element in root.iter():
-        if element.tag.rpartition("}")[2] != "sheet" or not element.text:
-            continue
-        try:
-            claims = json.loads(element.text)
-        except (ValueError, RecursionError) as error:
-            raise BadDrawing(Where(file), "json") from error
-        if isinstance(claims, dict) and claims.get("program") == "graphkin":
-            if claims.get("format") != FORMAT:
-                raise BadDrawing(Where(file), "older")
-            return claims
-    raise BadDrawing(Where(file), "metadata")
-
-
-# --- its claims ---------------------------------------------------------------------------
 
 
 def mechanism_of(drawing: DrawingFile) -> Mechanism:

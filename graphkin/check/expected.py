@@ -132,15 +132,9 @@ def lines_of(mechanism: Mechanism) -> dict[str, Line]:
     return {pair.name: line for pair in mechanism.pairs for line in pair.lines}
 
 
-# --- values of marks ---------------------------------------------------------------------------
-
-
 def vector_value(exact: Widened, plane: Plane, attributes: Mapping[str, str]) -> complex | None:
     """The motion of `data-of` seen from `data-seen-from`, or its part; with `data-over` that of it, and `data-of` seen
-    from `data-onto`, end to end.
-
-    None where the mark says nothing that can be known.
-    """
+    from `data-onto`, end to end. None where the mark says nothing that can be known."""
     sites = [_site(attributes.get(f"data-{key}", "")) for key in ("of", "seen-from", "over", "onto")]
     of, seen_from, over, onto = sites
     if of is None or not all(exact.knows(site) for site in sites if site is not None):
@@ -206,9 +200,6 @@ def _part(exact: Widened, plane: Plane, part: str, of: Site, seen_from: Site | N
     if part == "rn":
         return -((number(exact.turning(of.link)) - number(exact.turning(seen_from.link))) ** 2) * arm
     return 1j * (number(exact.swing(of.link)) - number(exact.swing(seen_from.link))) * arm
-
-
-# --- names ------------------------------------------------------------------------------------
 
 
 def is_called_so(exact: Widened, plane: Plane, attributes: Mapping[str, str]) -> bool:

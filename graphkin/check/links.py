@@ -104,9 +104,6 @@ def _sense(mark: ShownMark, form: str, exact: Widened, points: list[complex]) ->
     return foot, tip - long * chord / abs(chord)
 
 
-# --- on a line of a link ----------------------------------------------------------------------
-
-
 def _on_line(
     mark: ShownMark, form: str, exact: Widened, at: Callable[[str], complex], points: list[str]
 ) -> Iterator[Pair]:
@@ -186,8 +183,8 @@ def worst_of_path(
     here = min(int(np.searchsorted(value, course.here)), value.size - 1)
     onward, back = slice(here, None), slice(here, None if here else 0, -1)
     after, before = (_drawn(course, corners, value[side], curve[side]) for side in (onward, back))
-    missing = _missing(corners, curve[slice(here - max(before - 1, 0), here + after)])
-    return max([*_off(corners, curve), *missing], key=lambda pair: abs(pair[0] - pair[1]))
+    visible = curve[slice(here - max(before - 1, 0), here + after)]
+    return max(_deviations(corners, curve, visible), key=lambda pair: abs(pair[0] - pair[1]))
 
 
 @frozen
@@ -205,11 +202,6 @@ class _Course:
     longest: float
     across: float
 
-    def gone(self, values: np.ndarray) -> np.ndarray:
-        """True at values that are not reached, or lead far off all that is drawn."""
-        away = np.abs(self.places(values) - self.places(np.array([self.here])))
-        return np.asarray(~(away <= _BEYOND * self.across))
-
 
 def _width_and_height(places: np.ndarray) -> float:
     """Width and height."""
@@ -223,7 +215,9 @@ def _reached(course: _Course, slid: float) -> tuple[float, float]:
     ends = [(course.here, course.here - far), (course.here, course.here + far)]
     for _ in range(_SOUGHT):
         values = np.array([np.linspace(*end, _LOOK) for end in ends])
-        gone = course.gone(values.ravel()).reshape(values.shape)
+        # not reached, or far off all that is drawn
+        away = np.abs(course.places(values.ravel()) - course.places(np.array([course.here])))
+        gone = ~(away <= _BEYOND * course.across).reshape(values.shape)
         first = np.where(gone.any(axis=1), gone.argmax(axis=1), _LOOK)
         ends = [(row[min(k, _LOOK) - 1], row[min(k, _LOOK - 1)]) for row, k in zip(values, first, strict=True)]
         if not gone.any():
@@ -267,20 +261,16 @@ def _drawn(course: _Course, corners: np.ndarray, values: np.ndarray, curve: np.n
     return int(met[0]) + 1 if met.size else curve.size
 
 
-def _off(corners: np.ndarray, curve: np.ndarray) -> Iterator[Pair]:
-    """Each corner, and the place of the curve next to it."""
+def _deviations(corners: np.ndarray, curve: np.ndarray, visible: np.ndarray) -> Iterator[Pair]:
+    """Each corner with the place of the curve next to it; and the place of its visible part that is too far off what is
+    drawn, beside the drawn place next to it."""
     line = shapely.linestrings(_xy(curve[np.isfinite(curve)]))
     there = shapely.line_interpolate_point(line, shapely.line_locate_point(line, shapely.points(_xy(corners))))
     yield from zip(corners, shapely.get_x(there) + 1j * shapely.get_y(there), strict=True)
-
-
-def _missing(corners: np.ndarray, curve: np.ndarray) -> Iterator[Pair]:
-    """The place of the curve that is too far off what is drawn, beside the drawn place next to it."""
-    drawn = shapely.linestrings(_xy(corners))
-    curve = curve[np.isfinite(curve)]
-    off = shapely.distance(drawn, shapely.points(_xy(curve)))
+    drawn, visible = shapely.linestrings(_xy(corners)), visible[np.isfinite(visible)]
+    off = shapely.distance(drawn, shapely.points(_xy(visible)))
     if off.max(initial=0.0) > _GONE:
-        place = complex(curve[int(off.argmax())])
+        place = complex(visible[int(off.argmax())])
         next_to = drawn.interpolate(drawn.project(shapely.Point(place.real, place.imag)))
         yield complex(next_to.x, next_to.y), place
 

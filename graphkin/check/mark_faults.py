@@ -86,9 +86,6 @@ def _on_paper(mark: ShownMark, paper: complex) -> bool:
     return all(-0.01 <= p.real <= paper.real + 0.01 and -paper.imag - 0.01 <= p.imag <= 0.01 for p in places)
 
 
-# --- one over another -------------------------------------------------------------------------
-
-
 def _hide(above: list[shapely.Geometry], mark: ShownMark) -> bool:
     """A dot is hidden as a whole; a line by a large surface over any of it, or by small signs over most of it; the path
     of a point, which runs under the links, by anything over most of it.

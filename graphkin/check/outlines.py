@@ -54,21 +54,18 @@ class Affine(NamedTuple):
 
 def numbers_in(text: str) -> list[float]:
     """A list of numbers, by blanks or commas."""
-    if not _LIST.fullmatch(text):
+    numbers = [float(number) for number in re.findall(NUMBER, text)] if _LIST.fullmatch(text) else [math.nan]
+    if not all(map(math.isfinite, numbers)):
         raise Unread(f"the numbers {text.strip()[:40]!r}")
-    found = [float(number) for number in re.findall(NUMBER, text)]
-    if not all(map(math.isfinite, found)):
-        raise Unread(f"the numbers {text.strip()[:40]!r}")
-    return found
+    return numbers
 
 
 @lru_cache(maxsize=1024)
 def length(text: str) -> float:
     """A length in user units; a unit counts as CSS has it, 96 to the inch."""
-    found = _LENGTH.fullmatch(text)
-    if found is None or (found[2] and found[3]):
-        raise Unread(f"the length {text.strip()[:40]!r}")
-    value = float(found[1]) * (96.0 / _INCH[found[3]] if found[3] else 1.0)
+    match = _LENGTH.fullmatch(text)
+    plain = match is not None and not (match[2] and match[3])
+    value = float(match[1]) * (96.0 / _INCH[match[3]] if match[3] else 1.0) if match and plain else math.nan
     if not math.isfinite(value):
         raise Unread(f"the length {text.strip()[:40]!r}")
     return value
@@ -127,9 +124,6 @@ def paper(attributes: Mapping[str, str]) -> tuple[Affine, complex, str]:
     scale = wide / box[2]
     doubt = next((attributes[k] for k in ("width", "height") if re.search(r"[0-9]\s+[a-zA-Z]", attributes[k])), "")
     return Affine(scale, 0.0, 0.0, scale, -box[0] * scale, -box[1] * scale), complex(wide, high), doubt
-
-
-# --- outlines ----------------------------------------------------------------------------------
 
 
 SHAPES = ("line", "polyline", "polygon", "rect", "circle", "ellipse", "path", "image")

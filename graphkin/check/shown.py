@@ -57,12 +57,10 @@ class Style:
     def get(self, key: str, usual: str = "") -> str:
         return self.painted.get(key, usual)
 
-    def visible(self) -> bool:
-        return self.shown and self.get("visibility", "visible") not in ("hidden", "collapse")
-
     def share(self, what: str) -> float:
         """The part of the paper that `fill` or `stroke` hides: 0 nothing, 1 all."""
-        if self.get(what, "#000" if what == "fill" else "none") == "none" or not self.visible():
+        visible = self.shown and self.get("visibility", "visible") not in ("hidden", "collapse")
+        if self.get(what, "#000" if what == "fill" else "none") == "none" or not visible:
             return 0.0
         return self.opacity * _share(self.get(f"{what}-opacity", "1"))
 

@@ -25,9 +25,6 @@ ACROSS = 1e-9  # less along a guide, as part of a vector, is nothing
 Ends = tuple[Plane, str, str]  # plane, tail and head of an arrow
 
 
-# --- quantities that may be handed in ---------------------------------------------------------
-
-
 def asked_of(mechanism: Mechanism) -> dict[str, Quantity]:
     """The quantities a file asks for, by its own words, as far as the answer is a number."""
     questions = ((question, readable(mechanism, question)) for question in mechanism.ask)
@@ -76,9 +73,6 @@ def sort_of(quantity: Quantity) -> Sort:
             return "sense"
         case _:
             assert_never(quantity)
-
-
-# --- where arrows lie -------------------------------------------------------------------------
 
 
 @frozen
@@ -140,9 +134,6 @@ def _node_of(arrows: ArrowPlaces, site: Site, plane: Plane, mechanism: Mechanism
     links = (site.link,) if site.link in mechanism.links else mechanism.owners.get(site.point, ())
     nodes = (arrows.node(Site(site.point, link), plane) for link in links)
     return next((node for node in nodes if node is not None), None)
-
-
-# --- values of a drawing ----------------------------------------------------------------------
 
 
 def drawn_answer(

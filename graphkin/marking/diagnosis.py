@@ -71,9 +71,6 @@ class Explainer:
     def names(self) -> tuple[tuple[Name, ...], ...]:
         return tuple(self._hypotheses.names[row] for row in self._scale.rows)
 
-    def name(self, k: int) -> tuple[Name, ...]:
-        return self._hypotheses.names[self._scale.rows[k]]
-
     def only(self, k: int) -> Explainer:
         """An explainer that knows of explanation k alone."""
         one = copy(self)
@@ -136,9 +133,6 @@ class Explainer:
             close = np.abs(differences(self._table, one, other)) <= _SAME * self._scatters[first]
         fits[who, row] = alike | np.all(close | np.isnan(one) & np.isnan(other), axis=1)
         return fits
-
-
-# --- diagnoses ---------------------------------------------------------------------------------
 
 
 _PAIRS_FROM = 4  # so many independent values, before two mistakes are looked for
@@ -215,7 +209,7 @@ def independent(key: Key, there: np.ndarray) -> int:
 
 def _explanations(explainer: Explainer, best: Best) -> Iterator[tuple[Explanation, ...]]:
     """Of each student: one, its likeliest mistakes first, or none."""
-    sizes = best.same.sum(axis=1)
+    sizes, names = best.same.sum(axis=1), explainer.names
     for k, (end, size) in enumerate(zip(np.cumsum(sizes), sizes, strict=True)):
         if not best.given[k]:
             yield ()
@@ -224,12 +218,9 @@ def _explanations(explainer: Explainer, best: Best) -> Iterator[tuple[Explanatio
         order = np.argsort(-best.weights[k, rows], kind="stable")
         explains = next(some for some in best.follows[end - size : end][order] if some.any())
         yield (Explanation(
-            tuple(explainer.name(row) for row in rows[order]), float(best.probability[k]), float(best.margin[k]),
+            tuple(names[row] for row in rows[order]), float(best.probability[k]), float(best.margin[k]),
             tuple(explainer.texts[n] for n in np.flatnonzero(explains)),
         ),)  # fmt: skip
-
-
-# --- habits ------------------------------------------------------------------------------------
 
 
 _SHOWS = np.log((0.8, 0.2))  # frequencies with which a habit shows in a problem, and does not, as logarithms
@@ -258,11 +249,9 @@ class Habit:
 
 
 def added(traces: Iterable[Trace]) -> dict[str, float]:
-    """By how much each mistake, as a habit, outweighs "none" in all problems together: log-likelihoods added.
-
-    A habit shows in four problems of five, so that another mistake in one of them, or right work, speaks against it but
-    does not rule it out.
-    """
+    """By how much each mistake, as a habit, outweighs "none" in all problems together: log-likelihoods added. A habit
+    shows in four problems of five, so that another mistake in one of them, or right work, speaks against it but does
+    not rule it out."""
     traces = list(traces)
     total = dict.fromkeys((id for one in traces for id in one.evidence), 0.0)
     for one in traces:

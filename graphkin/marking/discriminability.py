@@ -229,9 +229,7 @@ class Observed:
         return max(self.found, self.drawn) >= WELL
 
 
-def observed(
-    explainer: Explainer, k: int, drawn: np.ndarray, wrong: Callable[[np.ndarray], np.ndarray]
-) -> Observed:
+def observed(explainer: Explainer, k: int, drawn: np.ndarray, wrong: Callable[[np.ndarray], np.ndarray]) -> Observed:
     """Of explanation k; drawn: values of students who make this mistake (students, quantities).
 
     wrong  the values (students, quantities) that are beyond their tolerance, as booleans

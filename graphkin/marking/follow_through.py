@@ -78,10 +78,8 @@ class Own(PolygonHand):
         self.poles = arrows.poles
 
     def _own(self, ends: Ends, right: Value, drawn_only: bool = False) -> Value:
-        """The own vector; of an own size, in the right direction. What is right where there is none.
-
-        A vector may go by several names: each student's own is under the name that they have used.
-        """
+        """The own vector, under any of the names that students use for it; of an own size, in the right direction. What
+        is right where there is none."""
         plane, tail, head = ends
         sign = 1
         if ends not in self.vectors:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import chain, combinations, islice, product
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from graphkin.marking.key import Hypotheses, Key, KeyEntry, KeyStep, Marking
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import other_methods
 from graphkin.marking.tolerances import DRAWINGS, drawings_of, spread
+from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import EDGE, Quantity
 from graphkin.planning import Method
 from graphkin.running import replay_all
@@ -65,7 +67,7 @@ def make_key(
     singles = [(one,) for one in rewrites(method, plot, every, marking.scales)]
     title = {str(lang): text for lang, text in mechanism.title.items()}
     return Key(
-        mechanism.name, mechanism.text, method.structure.coincident, marking, entries, _given(method),
+        mechanism.name, mechanism.text, method.structure.coincident, marking, entries, _given(mechanism),
         _together(drawn), hypotheses_of(method, plot, every, entries, marking, singles), title, steps_of(method),
     )  # fmt: skip
 
@@ -102,9 +104,6 @@ def steps_of(method: Method) -> tuple[KeyStep, ...]:
     return tuple(steps)
 
 
-# --- right values -----------------------------------------------------------------------------
-
-
 def _right(method: Method, plot: Plot, quantities: Sequence[Quantity]) -> np.ndarray:
     """Right values; sizes without sign."""
     answers = combined(method, plot, quantities, [()]).values[0]
@@ -120,9 +119,8 @@ def _naturals(method: Method, quantities: Sequence[Quantity], values: np.ndarray
     return {unit: size or method.mechanism.usual.size(unit) for unit, size in largest.items()}
 
 
-def _given(method: Method) -> tuple[float, ...]:
+def _given(mechanism: Mechanism) -> tuple[float, ...]:
     """The numbers of the problem, SI: lengths, and what the drivers do."""
-    mechanism = method.mechanism
     shapes = [list(link.points.values()) for link in mechanism.links.values()]
     lengths = {abs(z - w) for shape in shapes for z in shape for w in shape}
     driven = {abs(number) for driver in mechanism.drivers for number in (driver.rate, driver.acceleration)}
@@ -189,9 +187,6 @@ def _together(drawn: np.ndarray) -> np.ndarray:
     return np.asarray(np.round(correlation, 6))
 
 
-# --- mistakes ---------------------------------------------------------------------------------
-
-
 def hypotheses_of(
     method: Method, plot: Plot, quantities: Sequence[Quantity], entries: Sequence[KeyEntry], marking: Marking,
     columns: Sequence[tuple[Rewrite, ...]],
@@ -228,15 +223,10 @@ def least_of(value: float, entry: KeyEntry) -> float:
     return half_digit(value, entry.unit, abs(entry.right)) / math.sqrt(3) or entry.scatter
 
 
-# --- other right methods -----------------------------------------------------------------------
-
-
 def by_other_methods(method: Method, key: Key, quantities: Sequence[Quantity]) -> Hypotheses:
     """Right values, a row for each other method that gives them all, with what a pencil makes of them by that method.
-
     Whoever takes it reads off what another has drawn, and the other way round: the same values err by more there, by
-    less here, and otherwise together.
-    """
+    less here, and otherwise together."""
     right, sorts = np.array([entry.right for entry in key.entries]), [entry.sort for entry in key.entries]
     least = np.array([least_of(entry.right, entry) for entry in key.entries])
     scatters, together = [], []
@@ -254,9 +244,6 @@ def by_other_methods(method: Method, key: Key, quantities: Sequence[Quantity]) -
     )  # fmt: skip
 
 
-# --- two mistakes together ---------------------------------------------------------------------
-
-
 _MOST = 6000  # pairs beyond so many are not tried: among so many, chance hits outweigh hints
 
 
@@ -264,7 +251,11 @@ def pairs_of(method: Method, plot: Plot, key: Key, quantities: Sequence[Quantity
     """The outcomes of pairs of mistakes. Each of two scatters as much as the one that scatters more, in proportion."""
     known = {one.name: one for one in rewrites(method, plot, quantities, key.marking.scales)}
     rows = {row[0]: k for k, row in enumerate(key.singles.names) if row[0] in known}
-    both = list(_pairs([known[name] for name in rows]))[:_MOST]
+    # made at different places; what was drawn right and written otherwise only beside what was drawn wrong
+    drawn, written = ([known[name] for name in rows if bool(known[name].edits) is edits] for edits in (True, False))
+    spots = {one.name: {edit.spot for edit in one.edits} for one in drawn}
+    apart = (pair for pair in combinations(drawn, 2) if spots[pair[0].name].isdisjoint(spots[pair[1].name]))
+    both = list(islice(chain(apart, product(drawn, written)), _MOST))
     if not both:
         return Hypotheses((), np.empty((0, len(quantities))), np.empty((0, len(quantities))))
     values = combined(method, plot, quantities, both).values
@@ -276,13 +267,3 @@ def pairs_of(method: Method, plot: Plot, key: Key, quantities: Sequence[Quantity
         times = np.where(np.isfinite(larger), np.maximum(larger, 1.0), 1.0)
         scatters.append(np.where(np.isfinite(values), key.singles.scatters[single] * times, np.nan))
     return Hypotheses(tuple((one.name, other.name) for one, other in both), values, np.fmax(*scatters))
-
-
-def _pairs(single: Sequence[Rewrite]) -> Iterator[tuple[Rewrite, Rewrite]]:
-    """Those made at different places; what was drawn right and written otherwise only beside what was drawn wrong."""
-    drawn = [rewrite for rewrite in single if rewrite.edits]
-    written = [rewrite for rewrite in single if not rewrite.edits]
-    for k, one in enumerate(drawn):
-        places = {edit.spot for edit in one.edits}
-        yield from ((one, other) for other in drawn[k + 1 :] if places.isdisjoint(edit.spot for edit in other.edits))
-    yield from ((one, other) for one in drawn for other in written)

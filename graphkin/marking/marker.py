@@ -194,8 +194,6 @@ class Marker:
         """Every mistake's rewrite, by its name."""
         return {one.name: one for one in rewrites(self.method, self.plot, self.quantities, self.key.marking.scales)}
 
-    # --- one student --------------------------------------------------------------------------
-
     def _marked(
         self, work: StudentWork, k: int, given: np.ndarray, right: np.ndarray, untold: np.ndarray, carried: Carried,
         diagnosis: Diagnosis,

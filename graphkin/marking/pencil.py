@@ -99,11 +99,9 @@ def seed_of(mechanism: Mechanism) -> int:
 
 
 def drawn_positions(method: Method, pencil: Pencil, slips: Slips) -> Plot:
-    """The mechanism drawn `slips.count` times: positions (n,), NaN in those drawings whose links do not meet.
-
-    Where links are fitted the errors grow little by little, so that each drawing stays on the assembly it is one of;
-    it does not close where it comes to a dead point on its way.
-    """
+    """The mechanism drawn `slips.count` times: positions (n,), NaN in those drawings whose links do not meet. Where
+    links are fitted the errors grow little by little, so that each drawing stays on the assembly it is one of; it does
+    not close where it comes to a dead point on its way."""
     near: Mapping[str, Value] = method.near
     senses = replay(method.position, Plot(method.facts(), near)).senses if method.fits else {}
     for part in np.linspace(0, 1, _STAGES + 1)[1:] if method.fits else (1.0,):
@@ -139,9 +137,6 @@ def _on_paper(method: Method, pencil: Pencil, slips: Slips) -> Facts:
     # a replay takes arrays over drawings where facts have single numbers
     drawn = {"shapes": shapes, "lines": lines, "values": tuple(values)}
     return replace(facts, **cast(Mapping[str, Never], drawn))
-
-
-# --- the polygons -----------------------------------------------------------------------------
 
 
 class PencilHand(Mistaken):

@@ -113,9 +113,7 @@ def _tried(marker: Marker, handed: np.ndarray, rows: np.ndarray, given: np.ndarr
     return tried
 
 
-def _parts(
-    marker: Marker, there: np.ndarray, rows: np.ndarray, given: np.ndarray, drawn: np.ndarray
-) -> list[_Parts]:
+def _parts(marker: Marker, there: np.ndarray, rows: np.ndarray, given: np.ndarray, drawn: np.ndarray) -> list[_Parts]:
     """The same of those who hand in the same quantities; `drawn`: who does at all (rows, trials)."""
     key, given, of = marker.key, given[drawn], np.nonzero(drawn)[0]
     explainer = Explainer(key, marker.table, there, key.singles, ONE, lambda: marker.other_methods)

@@ -108,9 +108,6 @@ class Graded:
     prints: tuple[str, ...] = ()
 
 
-# --- several positions -------------------------------------------------------------------------
-
-
 def by_position(work: StudentWork, count: int) -> list[StudentWork]:
     """The numbers of each position, under the names they have there; of one that there is not, they are dropped."""
     numbers_at: list[dict[str, HandedNumber]] = [{} for _ in range(count)]
@@ -122,10 +119,8 @@ def by_position(work: StudentWork, count: int) -> list[StudentWork]:
 
 
 def as_one(student: str, parts: Sequence[Marked]) -> Marked:
-    """One record of all positions; a mistake that shows at several is told once.
-
-    Evidence is added as over several problems, of positions where something was handed in.
-    """
+    """One record of all positions; a mistake that shows at several is told once. Evidence is added as over several
+    problems, of positions where something was handed in."""
     judged = tuple(
         replace(
             one, text=at_position(one.text, at), own={at_position(text, at): x for text, x in one.own.items()},
@@ -138,17 +133,12 @@ def as_one(student: str, parts: Sequence[Marked]) -> Marked:
     explanations: list[Explanation] = []
     for at, part in enumerate(parts, 1):
         for one in part.diagnosis.explanations:
-            _join(explanations, replace(one, explains=tuple(at_position(text, at) for text in one.explains)))
+            explains = tuple(at_position(text, at) for text in one.explains)
+            for k, other in enumerate(explanations):  # one that shares a mistake: as sure as the less sure of both
+                if both := tuple(names for names in other.names if names in one.names):
+                    probability, margin = min(one.probability, other.probability), min(one.margin, other.margin)
+                    explanations[k] = Explanation(both, probability, margin, (*other.explains, *explains))
+                    break
+            else:
+                explanations.append(replace(one, explains=explains))
     return Marked(student, judged, Diagnosis(tuple(explanations), evidence))
-
-
-def _join(explanations: list[Explanation], one: Explanation) -> None:
-    """Put an explanation to the one that shares a mistake with it: both are explained, as surely as the less sure."""
-    for k, other in enumerate(explanations):
-        if both := tuple(names for names in other.names if names in one.names):
-            explanations[k] = Explanation(
-                both, min(one.probability, other.probability), min(one.margin, other.margin),
-                (*other.explains, *one.explains),
-            )  # fmt: skip
-            return
-    explanations.append(one)

@@ -14,7 +14,6 @@ from graphkin.marking.hand import PolygonHand, Redrawing
 from graphkin.planning import Method
 
 PARALLEL = np.sin(np.radians(0.5))  # sine of the angle under which lines are not taken to cross
-
 NOTHING = 1e-9  # what a right value counts as nothing beside, as part of a wrong one
 
 Spot = tuple[Hashable, ...]
@@ -37,10 +36,7 @@ class Edit:
 
 @frozen
 class RewrittenValue:
-    """A handed-in value that is not what was read: so many times it, or another value instead.
-
-    quantity  its text
-    """
+    """A handed-in value, by its quantity's text, that is not what was read: so many times it, or another instead."""
 
     quantity: str
     factor: complex = 1.0

@@ -72,9 +72,6 @@ class Scene:
                     found = {size: "" for size, _ in chain.known if isinstance(size, kind)} | found
         return found
 
-    def laid_off(self, plane: Plane) -> Iterator[kinds.LayOff]:
-        return (step for step in self.steps(plane) if isinstance(step, kinds.LayOff))
-
     def images(self, plane: Plane) -> dict[str, list[kinds.Image]]:
         """Further points by image, by link."""
         found: dict[str, list[kinds.Image]] = {}
@@ -95,12 +92,9 @@ class Scene:
         """Every arrow of the equations, and those laid off alone."""
         return iter(self.construction(plane).vectors().values())
 
-    # --- links --------------------------------------------------------------------------------
-
     def driven(self, link: str) -> bool:
         """True of links that turn as drivers say."""
-        turns = self.plot.facts.turns
-        return turns[link].base == turns[self.plot.facts.frame].base
+        return self.turns_with(link, self.plot.facts.frame)
 
     @cached_property
     def cranks(self) -> tuple[str, ...]:
@@ -114,12 +108,6 @@ class Scene:
     def turns_with(self, link: str, other: str) -> bool:
         turns = self.plot.facts.turns
         return turns[link].base == turns[other].base
-
-    def is_block(self, link: str) -> bool:
-        """True of links that slide on another as its block, and are no guide themselves."""
-        slides = self.method.structure.slides.values()
-        blocks = {self.method.structure.block(slide) for slide in slides}
-        return link in blocks and all(slide.guide != link for slide in slides)
 
     def links_of(self, site: Seen) -> tuple[str, ...]:
         """Moving links to which a point that is asked for belongs."""
@@ -155,8 +143,6 @@ class Scene:
             drawn.update(drawn_by(earlier))
         return drawn
 
-    # --- lengths ------------------------------------------------------------------------------
-
     def length(self, first: str, second: str) -> float:
         return abs(place(self.plot.arm(first, second)))
 
@@ -178,8 +164,6 @@ class Scene:
 
     def length_name(self, first: str, second: str) -> str:
         return "l_" + "".join(sorted((first, second)))
-
-    # --- names --------------------------------------------------------------------------------
 
     def velocity_name(self, node: str) -> str:
         """v_B2 of b2."""

@@ -52,9 +52,12 @@ def other_ways(method: Method, plot: Plot, quantity: Quantity) -> tuple[OtherWay
             value = drawn_answer(method, right, quantity, arrows).value
             return (OtherWay("size", quantity, Answer(np.abs(value), quantity.unit)),)
         case kinds.Moving(seen_from=seen_from):
-            if seen_from is None:
-                return tuple(answered("centre", centre) for centre in _centres(method.mechanism, quantity))
             mechanism, of = method.mechanism, quantity.site
+            if seen_from is None:
+                links = (of.link,) if of.explicit else mechanism.owners.get(of.point, ())
+                moving = [link for link in links if link != FRAME and quantity.letter == "v"]
+                names = {link: f"{mechanism.called(link)},{mechanism.frame}" for link in moving}
+                return tuple(answered("centre", kinds.Centre("P", names[link], (link, FRAME))) for link in moving)
             answers = [answered("reversed", other) for other in _read_as(mechanism, quantity, seen_from, of)]
             # coincident points at every other named point of either link
             named = dict.fromkeys((*mechanism.named(of.link), *mechanism.named(seen_from.link)))
@@ -100,23 +103,20 @@ def _read_as(mechanism: Mechanism, quantity: Quantity, of: Seen, seen_from: Seen
             return
 
 
-def _centres(mechanism: Mechanism, quantity: kinds.Moving) -> Iterator[Quantity]:
-    """Of the links of a point, each against the frame; of velocities."""
-    site = quantity.site
-    for link in (site.link,) if site.explicit else mechanism.owners.get(site.point, ()):
-        if link != FRAME and quantity.letter == "v":
-            yield kinds.Centre("P", f"{mechanism.called(link)},{mechanism.frame}", (link, FRAME))
-
-
-# --- the same answer under another name --------------------------------------------------------
-
-
 def same_answers(method: Method, plot: Plot, quantity: Quantity) -> tuple[str, ...]:
     """Other names under which the answer is this one: B2B3 for B3B2, another coincident point of a block and its guide,
     a link that turns with this one. An order or a point that gives another size, as for a pin's Coriolis acceleration,
     is none."""
     if isinstance(quantity, kinds.Rotation):
-        return tuple(_turning_alike(method, plot, quantity))
+        # the same word of the links that a sliding pair holds at an angle to this one
+        turns, motions = plot.facts.turns, readings(method, plot)
+        own, word = turns.get(quantity.link), quantity.word
+        alike = [link for link in method.mechanism.moving if own is not None and word != "theta"
+                 and link != quantity.link and link in turns and turns[link].base == own.base]  # fmt: skip
+        rotations = (readable(method.mechanism, f"{word} {method.mechanism.called(link)}") for link in alike)
+        value = quantity.answer(motions).value
+        named = [rotation for rotation in rotations if rotation is not None]
+        return tuple(o.text for o in named if np.allclose(o.answer(motions).value, value, _SAME, 0.0))
     if not isinstance(quantity, kinds.Moving) or quantity.seen_from is None:
         return ()
     right = np.abs(quantity.answer(readings(method, plot)).value)
@@ -138,14 +138,3 @@ def called_as_asked(work: StudentWork, asked: Sequence[KeyEntry], same: Mapping[
 
 def _other_names(method: Method, plot: Plot, quantity: Quantity) -> list[OtherWay]:
     return [one for one in other_ways(method, plot, quantity) if one.kind in ("reversed", "coincident")]
-
-
-def _turning_alike(method: Method, plot: Plot, quantity: kinds.Rotation) -> Iterator[str]:
-    """The same word of the links that a sliding pair holds at an angle to this one."""
-    turns, motions = plot.facts.turns, readings(method, plot)
-    right = quantity.answer(motions).value
-    for link in method.mechanism.moving if quantity.word != "theta" and quantity.link in turns else ():
-        if link != quantity.link and link in turns and turns[link].base == turns[quantity.link].base:
-            other = readable(method.mechanism, f"{quantity.word} {method.mechanism.called(link)}")
-            if other is not None and np.allclose(other.answer(motions).value, right, _SAME, 0.0):
-                yield other.text

@@ -14,7 +14,7 @@ from graphkin.marking.answers import ArrowPlaces, arrows_of, drawn_answer, reada
 from graphkin.marking.hand import Redrawing, redraw
 from graphkin.marking.key import Key, KeyEntry, Marking, Sort
 from graphkin.marking.pencil import Mark, Pencil, PencilHand, Slips, called, drawn_positions, seed_of
-from graphkin.marking.rewrite import Rewrite, RewrittenValue
+from graphkin.marking.rewrite import Rewrite
 from graphkin.model.mechanism import ROUNDING
 from graphkin.model.quantities import Quantity, kinds
 from graphkin.planning import Method
@@ -76,7 +76,14 @@ class Drawings:
         for row, rewrites in enumerate(columns):
             for written in (one for rewrite in rewrites for one in rewrite.asked):
                 k = [q.text for q in quantities].index(written.quantity)
-                values[row, :, k] = _written(quantities[k], written, values[row, :, k])
+                is_vector, read = isinstance(quantities[k], kinds.Moving), values[row, :, k]
+                factor = complex(written.factor)
+                if written.instead is None:  # so many times what was read
+                    values[row, :, k] = read * (abs(factor) if is_vector else factor.real)
+                else:  # another value, which scatters as what was read does
+                    other = factor * written.instead
+                    around = number(size_of(quantities[k], other)) if is_vector else other.real
+                    values[row, :, k] = read + (around - float(np.nanmean(read)))
         return values
 
     def _slip(self, plot: Redrawing, quantity: Quantity) -> Value:
@@ -106,16 +113,6 @@ def _closed(positions: Plot, count: int) -> np.ndarray:
     for place in positions.position.values():
         closed &= np.isfinite(place)
     return closed
-
-
-def _written(quantity: Quantity, written: RewrittenValue, values: np.ndarray) -> np.ndarray:
-    """Values handed in for those that were read: so many times them, or another value that scatters as they do."""
-    if written.instead is not None:
-        other = complex(written.factor * written.instead)
-        around = number(size_of(quantity, other)) if isinstance(quantity, kinds.Moving) else other.real
-        return values + (around - float(np.nanmean(values)))
-    factor = complex(written.factor)
-    return values * (abs(factor) if isinstance(quantity, kinds.Moving) else factor.real)
 
 
 def spread(values: np.ndarray, around: np.ndarray, sorts: Sequence[Sort]) -> np.ndarray:

@@ -102,9 +102,6 @@ def shifts(table: Columns, values: np.ndarray) -> np.ndarray:
     return np.asarray(np.abs(differences(table, values, table.right)) / table.scatter)
 
 
-# --- densities --------------------------------------------------------------------------------
-
-
 def _broad(table: Columns, values: np.ndarray) -> np.ndarray:
     """Logarithm of the density of a value of which nothing is known: about as large as the right one, or far off."""
     size = np.maximum(np.abs(table.right), 10 * table.scatter)

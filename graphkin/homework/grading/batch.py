@@ -92,9 +92,6 @@ def records_of(path: Path) -> Iterator[EarlierReading]:
         raise errors.Unreadable(Where(str(path)), getattr(problem, "strerror", None) or "UTF-8") from None
 
 
-# --- a batch ----------------------------------------------------------------------------------------------------------
-
-
 @frozen
 class StoredRecord:
     """A submission whose record there is and holds: whose it is, whether it was marked, and its fingerprint."""
@@ -205,19 +202,13 @@ def _with_drawing(
     readings, points = marker.positions[at - 1].off_drawing(one.drawings[at].in_si(), vectors, numbers)
     values = {at_position(text, at): value for text, value in readings.values.items()}
     new = {text: HandedNumber(value, measured=True) for text, value in values.items() if text not in work.numbers}
-    senses = {
-        text: replace(work.numbers[text], points=good)
-        for bare, good in points.items()
-        if (text := at_position(bare, at)) in work.numbers
-    }
+    pointing = ((at_position(bare, at), good) for bare, good in points.items())
+    senses = {text: replace(work.numbers[text], points=good) for text, good in pointing if text in work.numbers}
     lost = tuple(text for bare in readings.no_sense if (text := at_position(bare, at)) not in work.numbers)
     where = one.drawings[at].where
     notes: list[GraphkinError] = [errors.OffTheDrawing(where, tuple(new))] if new else []
     notes += [errors.NoSenseDrawn(where, lost)] if lost else []
     return replace(work, numbers={**work.numbers, **new, **senses}), notes
-
-
-# --- marking ----------------------------------------------------------------------------------------------------------
 
 
 def _marked(judge: SetMarker, batch: Sequence[Read], seconds: float) -> Iterator[Marked | GraphkinError]:

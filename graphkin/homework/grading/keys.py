@@ -1,7 +1,5 @@
-"""Keys: read from a file, or made of a mechanism at the scales of its sheet.
-
-With one for each further position that the problem asks for, of a mechanism that is drawn there.
-"""
+"""Keys: read from a file, or made of a mechanism at the scales of its sheet; with one for each further position that
+the problem asks for, of a mechanism that is drawn there."""
 
 from __future__ import annotations
 
@@ -52,10 +50,8 @@ USUAL = Pencils()
 
 
 def key_from(source: str, pencils: Pencils = USUAL) -> Key:
-    """A key.json, or a key made of a mechanism file or a library mechanism.
-
-    Raises what loading and planning raise, BadKey, NothingToMark.
-    """
+    """A key.json, or a key made of a mechanism file or a library mechanism. Raises what loading and planning raise,
+    BadKey, NothingToMark."""
     path = Path(source)
     return key_file(path) if path.suffix.lower() == ".json" else key_for(api.load(source), pencils)
 
@@ -120,14 +116,9 @@ def text_of(path: Path) -> str:
         raise BadKey(where, problem.reason) from None
 
 
-# --- further positions ------------------------------------------------------------------------------------------------
-
-
 def further_methods(method: Method) -> Iterator[Method]:
     """One for each further position, in order: the same mechanism, drawn there, in the assembly it is moved into.
-
-    Raises NoKeyAtPosition for one that is not reached, or whose assembly no file can state.
-    """
+    Raises NoKeyAtPosition for one that is not reached, or whose assembly no file can state."""
     for count, values in enumerate(list(driver_values(method))[1:], 2):
         where = method.mechanism.where("driver", 0, "also")
         try:

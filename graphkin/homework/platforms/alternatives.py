@@ -71,11 +71,8 @@ def refuse(question: Question, part: Part) -> None:
 
 
 def _mistakes(wrongs: Iterable[Wrong]) -> list[Alternative]:
-    """Mistakes as alternatives, by rising tolerance; those that give no number are not there.
-
-    A factor that one value is off by, that is carried on, and that all values of its unit are off by, is one and the
-    same for one number: it is told once, in the fewest words.
-    """
+    """Mistakes as alternatives, by rising tolerance; those that give no number are not there. A factor of one value, of
+    all that follows, and of all values of its unit is the same for one number: it is told once, in the fewest words."""
     mistakes: dict[tuple[object, ...], Alternative] = {}
     for k, wrong in enumerate(wrongs):
         if math.isfinite(wrong.number) and math.isfinite(wrong.tolerance) and wrong.tolerance >= 0:

@@ -31,11 +31,8 @@ _VERDICTS = (
 
 
 def write_class_figure(path: Path, report: ClassReport, lang: Lang = "en", force: bool = False) -> NoChineseFont | None:
-    """The figure as SVG, PNG or PDF, after the file's ending.
-
-    Returns a remark where there are no Chinese letters. Raises NotADiagram, FileInTheWay, NoFolder,
-    CannotWrite.
-    """
+    """The figure as SVG, PNG or PDF, after the file's ending. Returns a remark where there are no Chinese letters.
+    Raises NotADiagram, FileInTheWay, NoFolder, CannotWrite."""
     kind = path.suffix.lower()
     if kind not in diagram.FORMATS:
         raise diagram.NotADiagram(str(path))

@@ -125,9 +125,6 @@ class _Count:
         )  # fmt: skip
 
 
-# --- in words, and for programs ---------------------------------------------------------------------------------------
-
-
 def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
     """The report in lines."""
     yield say("class_report.marked", lang, marked=report.marked, unmarked=report.unmarked, overridden=report.overridden)
@@ -135,34 +132,27 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
     if report.mean is not None:
         percent = {key: exponentless((value * 100).quantize(Decimal("0.1"))) for key, value in spread.items()}
         yield say("class_report.scores", lang, **percent)
-    mistakes = [
-        say("class_report.mistake", lang, mistake=suspected(one, lang), count=count) for one, count in report.mistakes
-    ]
+    mistakes = [say("class_report.mistake", lang, mistake=suspected(one, lang), count=n) for one, n in report.mistakes]
     if report.unexplained:
         mistakes.append(say("class_report.unexplained", lang, count=report.unexplained))
-    habits = [
-        say("class_report.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), count=count)
-        for one, count in report.habits
-    ]
+    habits = [say("class_report.habit", lang, shown=one.shown, of=one.of, mistake=habit(one, lang), count=count)
+              for one, count in report.habits]  # fmt: skip
     width = 100 // RANGES
     distribution = [
         say("class_report.range", lang, low=k * width, high=(k + 1) * width, count=count)
         for k, count in enumerate(report.ranges)
     ]
-    steps = [*_steps(report, lang)]
+    steps = []
+    for step in report.steps:
+        shown = [name for name in get_args(Verdict) if name in _ALWAYS or step.verdicts.get(name)]
+        counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
+        verdicts = say("common.list", lang).join(counts)
+        steps.append(say("class_report.step", lang, name=step.name, verdicts=verdicts, first=step.first))
     parts = {"steps": steps, "mistakes": mistakes, "habits": habits, "distribution": distribution}
     for title, texts in parts.items():
         if texts:
             yield from ("", say(f"class_report.part {title}", lang))
             yield from (f"  {text}" for text in texts)
-
-
-def _steps(report: ClassReport, lang: Lang) -> Iterator[str]:
-    for step in report.steps:
-        shown = [name for name in get_args(Verdict) if name in _ALWAYS or step.verdicts.get(name)]
-        counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
-        verdicts = say("common.list", lang).join(counts)
-        yield say("class_report.step", lang, name=step.name, verdicts=verdicts, first=step.first)
 
 
 def report_record(report: ClassReport) -> dict[str, Plain]:

@@ -42,7 +42,17 @@ def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang, several:
             say("platforms.habit", lang, shown=h.shown, of=h.of, mistake=habit(h, lang), evidence=f"{h.weight:.1f}")
             for h in result.habits
         )
-        yield [*_row(result, names, lang), *([say("common.semicolon", lang).join(habits)] if several else [])]
+        marked = result.status == "marked"
+        front_cells: list[Cell] = [
+            result.student, result.file, say(f"verdicts.status {result.status}", lang),
+            result.earned if marked else None, result.most, result.override, result.total,
+            None if result.score is None else (result.score * 100).quantize(Decimal("0.01")),
+        ]  # fmt: skip
+        by_name: dict[str, tuple[Cell, Cell]] = {line.name: (verdict(line, lang), line.points) for line in result.lines}
+        middle = [cell for name in names for cell in by_name.get(name, ("", None))]
+        diagnosis = suspected(result.suspicions[0], lang) if result.suspicions else ""
+        row = [*front_cells, *middle, diagnosis, texts_in([result.reason], lang)[0]]
+        yield [*row, *([say("common.semicolon", lang).join(habits)] if several else [])]
 
 
 def absent(overrides: Overrides, names: tuple[str, ...]) -> Iterator[list[Cell]]:
@@ -50,21 +60,6 @@ def absent(overrides: Overrides, names: tuple[str, ...]) -> Iterator[list[Cell]]
     for each in overrides.rest():
         yield [each.student, each.file, "", None, None, each.points, *[None] * (2 + 2 * len(names) + len(_BACK))]
 
-
-def _row(result: Result, names: tuple[str, ...], lang: Lang) -> list[Cell]:
-    marked = result.status == "marked"
-    front: list[Cell] = [
-        result.student, result.file, say(f"verdicts.status {result.status}", lang),
-        result.earned if marked else None, result.most, result.override, result.total,
-        None if result.score is None else (result.score * 100).quantize(Decimal("0.01")),
-    ]  # fmt: skip
-    by_name: dict[str, tuple[Cell, Cell]] = {line.name: (verdict(line, lang), line.points) for line in result.lines}
-    middle = [cell for name in names for cell in by_name.get(name, ("", None))]
-    diagnosis = suspected(result.suspicions[0], lang) if result.suspicions else ""
-    return [*front, *middle, diagnosis, texts_in([result.reason], lang)[0]]
-
-
-# --- overrides --------------------------------------------------------------------------------------------------------
 
 _LARGEST = Decimal(10**6)
 

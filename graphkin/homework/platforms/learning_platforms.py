@@ -37,9 +37,6 @@ _SHORTER = (20_000, 2_000, 200, 20)
 T = TypeVar("T")
 
 
-# --- names ------------------------------------------------------------------------------------------------------------
-
-
 @frozen
 class Named:
     """A name of a platform.
@@ -120,10 +117,8 @@ def canvas_page(name: str) -> Page | None:
 
 
 def gradescope_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
-    """The file of a Gradescope autograder: every test has its `status`.
-
-    What was not marked has no score, so that Gradescope shows a failed run and no zero.
-    """
+    """The file of a Gradescope autograder: every test has its `status`. What was not marked has no score, so that
+    Gradescope shows a failed run and no zero."""
     tests: list[Plain] = []
     for each in result.lines:
         good = each.verdict not in ("wrong", "missing") and each.points >= each.most

@@ -54,9 +54,6 @@ def _question(kind: str, name: str, text: str) -> ET.Element:
     )  # fmt: skip
 
 
-# --- cloze ------------------------------------------------------------------------------------
-
-
 def _cloze(problems: ProblemSet, question: Question, lang: Lang) -> ET.Element:
     lines = [f"<p>{in_html(question.text[lang]).translate(_BRACES)}</p>"]  # no brace of the text opens a field
     for part, weight in zip(question.parts, weights(question.parts), strict=True):
@@ -69,9 +66,6 @@ def _cloze(problems: ProblemSet, question: Question, lang: Lang) -> ET.Element:
         lines.append(f"<p>{in_html(part.heading).translate(_BRACES)} = {{{weight}:NUMERICAL:{answers}}}</p>")
     name = say("platforms.problem title", lang, set=problems.name, id=question.id)
     return _question("cloze", name, "\n".join(lines))
-
-
-# --- numerical --------------------------------------------------------------------------------
 
 
 def _numerical(problems: ProblemSet, question: Question, part: Part, lang: Lang) -> ET.Element:

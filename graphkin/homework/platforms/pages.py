@@ -32,9 +32,6 @@ figcaption { font-size: .9em; color: #444 }
 Page = Callable[[Feedback], bytes]
 
 
-# --- HTML -------------------------------------------------------------------------------------------------------------
-
-
 def html(page: Feedback) -> bytes:
     """A page that needs nothing but itself: a table of quantities, the arithmetic, the diagnosis, pictures."""
     head = in_html(title(page))
@@ -164,9 +161,6 @@ def _broken(text: str) -> Iterator[str]:
             row = ""
         row += piece
     yield row.rstrip()
-
-
-# --- lines of text ----------------------------------------------------------------------------------------------------
 
 
 def _as_text(kind: str, page: Feedback) -> bytes:

@@ -54,10 +54,8 @@ class PolygonPictures:
         return self._ready[key]
 
     def _pictures(self, marker: Marker, result: Result, lang: Lang, reveal: Reveal) -> list[ResultPicture]:
-        """One for each explanation; where there is none, the student's drawing over the right one.
-
-        An error of ours costs the picture, not the page, and is said there.
-        """
+        """One for each explanation; where there is none, the student's drawing over the right one. An error of ours
+        costs the picture, not the page, and is said there."""
         explanations = [(one.names, _position(one)) for one in result.suspicions] or [((), 1)]
         try:
             pictures = [self._picture(marker, at, names, result, lang, reveal) for names, at in explanations]

@@ -160,18 +160,12 @@ def _listed(
     template: Template, variants: tuple[Variant, ...], names: dict[str, str], seed: str, told: SetDiscriminability
 ) -> str:
     """The list of the set: the numbers of each student."""
-    students = {
-        variant.student.id: {
-            "file": f"{names[variant.student.id]}.toml",
-            "names": dict(variant.student.names),
-            "values": {
-                each.name: each.value(number).strip('"')
-                for each, number in zip(template.ranges, variant.numbers, strict=True)
-            },
-            "shared": variant.shared,
-        }
-        for variant in variants
-    }
+    students = {}
+    for variant in variants:
+        ranges = zip(template.ranges, variant.numbers, strict=True)
+        values = {each.name: each.value(number).strip('"') for each, number in ranges}
+        file, own = f"{names[variant.student.id]}.toml", dict(variant.student.names)
+        students[variant.student.id] = {"file": file, "names": own, "values": values, "shared": variant.shared}
     whole: dict[str, object] = {"format": 1, "program": MARK, "template": template.name, "seed": seed}
     whole |= {"points": dict(template.points), "told": told_data(told), "students": students}
     return json.dumps(whole, ensure_ascii=False, indent=1, allow_nan=False) + "\n"

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from decimal import Decimal
 
 from graphkin.errors import Lang, NotForPlatform
-from graphkin.homework.platforms.alternatives import Alternative, alternatives, most
+from graphkin.homework.platforms.alternatives import alternatives, most
 from graphkin.homework.platforms.markup import element, in_html, one_line, xml
 from graphkin.homework.platforms.question import Part, ProblemSet, Question
 from graphkin.homework.platforms.tables import exponentless, points, printed
@@ -83,17 +83,11 @@ def _item(name: str, question: Question, part: Part, lang: Lang) -> ET.Element:
         if one.percent == 100 and not one.ids:
             if 0 < abs(one.number) < SMALLEST:
                 raise NotForPlatform("Canvas", question.id, part.name, printed(one.number))
-            judged.append(_condition(one))
+            low, high = one.number - one.tolerance, one.number + one.tolerance
+            bounds = {"vargte": low, "varlte": high, "varequal": one.number}
+            least, largest, right = (element(k, exponentless(n), respident="response1") for k, n in bounds.items())
+            either = element("or", right, element("and", least, largest))
+            full = element("setvar", "100", action="Set", varname="SCORE")
+            judged.append(element("respcondition", element("conditionvar", either), full, _continue="No"))
     ident = f"{name}q{question.parts.index(part) + 1}"
     return element("item", about, presentation, judged, ident=ident, title=one_line(part.name))
-
-
-def _condition(one: Alternative) -> ET.Element:
-    low, high = exponentless(one.number - one.tolerance), exponentless(one.number + one.tolerance)
-    least, largest, right = (
-        element(kind, number, respident="response1")
-        for kind, number in (("vargte", low), ("varlte", high), ("varequal", exponentless(one.number)))
-    )
-    either = element("or", right, element("and", least, largest))
-    score = element("setvar", "100", action="Set", varname="SCORE")
-    return element("respcondition", element("conditionvar", either), score, _continue="No")

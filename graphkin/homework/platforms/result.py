@@ -63,10 +63,8 @@ class Suspicion:
 
 @frozen
 class ResultPicture:
-    """A picture on a page or a platform: its label, its kind ("image/svg+xml"), its bytes.
-
-    Without bytes there is nothing to be seen, and `label` says why.
-    """
+    """A picture on a page or a platform: its label, its kind ("image/svg+xml"), its bytes. Without bytes there is
+    nothing to be seen, and `label` says why."""
 
     label: str
     kind: str
@@ -121,9 +119,6 @@ def texts_in(texts: Sequence[Text], lang: Lang) -> list[str]:
     return list(dict.fromkeys(text.get(lang) or next(iter(text.values()), "") for text in texts))
 
 
-# --- records ----------------------------------------------------------------------------------
-
-
 def from_record(record: Record, where: Where) -> Result:
     """A result from its record, as `outputs.marks_json` writes it. Raises NotAResult."""
     try:
@@ -156,12 +151,11 @@ def _line(name: str, each: Record) -> ResultLine:
 
 
 def _suspicion(each: Record) -> Suspicion:
-    keys = ("id", "way", "of", "form")
-    names: list[tuple[Name, ...]] = []
-    for together in each.get("names", ()):
-        texts = [[_string(name[key]) for key in keys] for name in together]
-        names.append(tuple((id, way, of, form) for id, way, of, form in texts))
-    return Suspicion(tuple(map(_string, each["ids"])), tuple(map(_string, each["explains"])), tuple(names))
+    names = tuple(
+        tuple((_string(name["id"]), _string(name["way"]), _string(name["of"]), _string(name["form"])) for name in some)
+        for some in each.get("names", ())
+    )
+    return Suspicion(tuple(map(_string, each["ids"])), tuple(map(_string, each["explains"])), names)
 
 
 def _number(value: object) -> float | None:

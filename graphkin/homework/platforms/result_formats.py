@@ -111,10 +111,8 @@ def write_results(
 
 
 def prepared(folder: Path) -> Overrides:
-    """A folder of results, made where there is none, and the overrides in it.
-
-    Raises CannotWrite, Unreadable, NotAnOverride.
-    """
+    """A folder of results, made where there is none, and the overrides in it. Raises CannotWrite, Unreadable,
+    NotAnOverride."""
     return read_overrides(_made(folder) / CLASS_TABLE)
 
 

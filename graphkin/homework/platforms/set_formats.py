@@ -45,9 +45,6 @@ def csv_lines(problems: ProblemSet, lang: Lang) -> Iterator[str]:
                 ))  # fmt: skip
 
 
-# --- 学习通 ----------------------------------------------------------------------------------------------------------
-
-
 def word_files(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes]]:
     """The files of the .docx."""
     yield from office_package([("/word/document.xml", _MAIN)], "word/document.xml")
@@ -71,8 +68,6 @@ def word_paragraphs(problems: ProblemSet, lang: Lang) -> Iterator[str]:
                 answer = answer.quantize(Decimal(1).scaleb(right.tolerance.adjusted() - 1), ROUND_HALF_UP)
             yield f"答案：{exponentless(answer)}"
 
-
-# --- the formats ------------------------------------------------------------------------------------------------------
 
 Writer = Callable[[Path, ProblemSet, Lang], None]
 

@@ -100,9 +100,6 @@ def read_template(path: Path) -> Template:
     return Template(path.stem, file, pieces, ranges, worth)
 
 
-# --- the ranges -------------------------------------------------------------------------------
-
-
 def _ranges_in(text: str) -> Iterator[tuple[int, int]]:
     """The start and end of each range, outside of comments."""
     for match in _SPAN.finditer(text):
@@ -161,9 +158,6 @@ def _sized(value: object) -> tuple[Decimal, str]:
     if not abs(number) < Decimal(10) ** 12:
         raise ValueError
     return number, match[2]
-
-
-# --- the points -------------------------------------------------------------------------------
 
 
 def _worth(points: object, document: Mapping[str, object], where: Where) -> dict[str, float]:

@@ -110,12 +110,15 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
 
 @mistake("arm-ignored", "wheels", "11-2")
 def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
-    """omega_a / omega_b = -r_b / r_a with the wheels' own rotations, though the arm that bears them turns.
-
-    At one contact, or at all; the wheels after it turn as their own contacts then have it. Where wheels and arm are
-    found together, the law of the contact is put into the equations without the arm.
-    """
-    contacts = list(_contacts(scene))
+    """omega_a / omega_b = -r_b / r_a with the wheels' own rotations, though the arm that bears them turns. At one
+    contact, or at all; the wheels after it turn as their own contacts then have it. Where wheels and arm are found
+    together, the law of the contact is put into the equations without the arm."""
+    contacts = []  # those on an arm that give the rotation of a wheel, after that wheel
+    for stage in scene.method.stages:
+        if isinstance(stage, Mesh) and stage.angle and stage.contact.arm:
+            wheel = next((w for w in stage.contact.wheels if scene.turns_with(w, stage.angle)), "")
+            if wheel and not scene.turns_with(wheel, stage.contact.arm):
+                contacts.append((wheel, stage.contact))
     wrong = [k for k, (_, contact) in enumerate(contacts) if _matters(scene, contact)]
     for k in wrong:
         yield _ignoring(scene, contacts, {k})
@@ -149,15 +152,6 @@ def _found_together(scene: Scene) -> Iterator[tuple[str, tuple[Edit, ...]]]:
                 for wheel, quantity in product(wheels, ("omega", "alpha")):
                     edits.append(Edit(("settled", quantity, wheel), _by_contact(contact, wheel, quantity, contact.arm)))
             yield name, tuple(edits)
-
-
-def _contacts(scene: Scene) -> Iterator[tuple[str, Contact]]:
-    """Every contact on an arm that gives the rotation of a wheel, after that wheel."""
-    for stage in scene.method.stages:
-        if isinstance(stage, Mesh) and stage.angle and stage.contact.arm:
-            wheel = next((w for w in stage.contact.wheels if scene.turns_with(w, stage.angle)), "")
-            if wheel and not scene.turns_with(wheel, stage.contact.arm):
-                yield wheel, stage.contact
 
 
 def _matters(scene: Scene, contact: Contact) -> bool:

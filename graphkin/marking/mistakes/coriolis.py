@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 
@@ -27,19 +28,8 @@ def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
     return each_and_all(id, [(name, Edit(("arrow", "acceleration", size), change)) for size, name in terms(scene)])
 
 
-@mistake("coriolis-omitted", "coriolis", RULE)
-def omitted(scene: Scene) -> Iterator[Rewrite]:
-    return _each(scene, "coriolis-omitted", Times(0.0))
-
-
-@mistake("coriolis-reversed", "coriolis", RULE)
-def reversed_(scene: Scene) -> Iterator[Rewrite]:
-    return _each(scene, "coriolis-reversed", Times(-1.0))
-
-
-@mistake("coriolis-half", "coriolis", RULE)
-def half(scene: Scene) -> Iterator[Rewrite]:
-    return _each(scene, "coriolis-half", Times(0.5))
+for _id, _factor in {"coriolis-omitted": 0.0, "coriolis-reversed": -1.0, "coriolis-half": 0.5}.items():
+    mistake(_id, "coriolis", RULE)(partial(_each, id=_id, change=Times(_factor)))
 
 
 @mistake("coriolis-not-turned", "coriolis", RULE)
@@ -56,17 +46,14 @@ def crank_omega(scene: Scene) -> Iterator[Rewrite]:
         for link in (link for link in scene.cranks if link != size.link):
             opposite = scene.plot.omega[link] * scene.plot.omega.get(size.link, 0.0) < 0
             for way in ("sense", "") if opposite else ("sense",):
-                edits = (Edit(("arrow", "acceleration", size), _by_crank(size, link, bool(way))),)
+
+                def change(plot: Redrawing, _: Value, size: Coriolis = size, link: str = link, way: str = way) -> Value:
+                    own, slip = plot.omega[link], plot.velocity[size.head] - plot.velocity[size.tail]
+                    return 2j * (in_sense_of(plot, own, plot.omega[size.link], "rad/s") if way else own) * slip
+
                 form = f"ω{scene.method.mechanism.called(link)}"
+                edits = (Edit(("arrow", "acceleration", size), change),)
                 yield Rewrite("coriolis-crank-omega", name, form, edits, way=way)
-
-
-def _by_crank(size: Coriolis, link: str, in_right_sense: bool) -> Change:
-    def change(plot: Redrawing, right: Value) -> Value:
-        own, slip = plot.omega[link], plot.velocity[size.head] - plot.velocity[size.tail]
-        return 2j * (in_sense_of(plot, own, plot.omega[size.link], "rad/s") if in_right_sense else own) * slip
-
-    return change
 
 
 @mistake("coriolis-absolute-velocity", "coriolis", RULE)
@@ -85,8 +72,10 @@ def absolute_velocity(scene: Scene) -> Iterator[Rewrite]:
 @mistake("block-omega", "coriolis", RULE)
 def block_omega(scene: Scene) -> Iterator[Rewrite]:
     """The block taken as not turning, as turning with a driver, or about the guide's pivot with its own velocity."""
+    slides = scene.method.structure.slides.values()
+    blocks = {scene.method.structure.block(slide) for slide in slides} - {slide.guide for slide in slides}
     for size, name in terms(scene):
-        if scene.is_block(size.link):
+        if size.link in blocks:
             rates: dict[str, Change] = {"0": Times(0.0)}  # by how it is written; ± where only its size is taken
             for link in scene.cranks:
                 text = f"ω{scene.method.mechanism.called(link)}"

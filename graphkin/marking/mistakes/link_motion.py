@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from functools import partial
 
 import numpy as np
 
@@ -90,14 +91,8 @@ def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
     return each_and_all(id, edits, driven)
 
 
-@mistake("normal-omitted", "normal", RULE_OF_NORMALS)
-def normal_omitted(scene: Scene) -> Iterator[Rewrite]:
-    return _each(scene, "normal-omitted", Times(0.0))
-
-
-@mistake("normal-outward", "normal", RULE_OF_NORMALS)
-def normal_outward(scene: Scene) -> Iterator[Rewrite]:
-    return _each(scene, "normal-outward", Times(-1.0))
+for _id, _factor in {"normal-omitted": 0.0, "normal-outward": -1.0}.items():
+    mistake(_id, "normal", RULE_OF_NORMALS)(partial(_each, id=_id, change=Times(_factor)))
 
 
 @mistake("normal-size", "normal", RULE_OF_NORMALS)
@@ -150,7 +145,12 @@ def slider_normal_term(scene: Scene) -> Iterator[Rewrite]:
         if not on_frame or any(not isinstance(other, Ray) for other in others):
             continue
         for rod, point, pivot in _rods(scene, ray):
-            edits = (Edit(("through", "acceleration", meet, ray), _shifted(rod, point, pivot)),)
+
+            def shifted(plot: Redrawing, right: Value, rod: Normal = rod, to: Sequence[str] = (point, pivot)) -> Value:
+                size = plot.omega[rod.link] ** 2 * np.abs(plot.arm(rod.tail, rod.head))
+                return right + size * unit(plot.arm(*to))
+
+            edits = (Edit(("through", "acceleration", meet, ray), shifted),)
             yield Rewrite("slider-normal-term", name, scene.length_name(rod.tail, rod.head), edits)
 
 
@@ -166,11 +166,3 @@ def _rods(scene: Scene, ray: Ray) -> Iterator[tuple[Normal, str, str]]:
             others = (other for link in links for other in scene.points(link) if other != carried)
             if (pivot := next(filter(scene.fixed, others), None)) is not None:
                 yield rod, point, pivot
-
-
-def _shifted(rod: Normal, point: str, pivot: str) -> Change:
-    def change(plot: Redrawing, right: Value) -> Value:
-        size = plot.omega[rod.link] ** 2 * np.abs(plot.arm(rod.tail, rod.head))
-        return right + size * unit(plot.arm(point, pivot))
-
-    return change

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphkin.base.geometry import Value
-from graphkin.construction import AlongGuide, Image, Measure, Plane, Roll, Simultaneous, Term
+from graphkin.construction import AlongGuide, Image, LayOff, Measure, Plane, Roll, Simultaneous
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.mistakes.directions import guide_lengths
 from graphkin.marking.rewrite import Change, Edit, Rewrite, Times, in_sense_of
@@ -75,19 +75,15 @@ def sliding_as_turning(scene: Scene) -> Iterator[Rewrite]:
     """omega = v_B3B2 / l: the velocity of sliding over a length of the guide, or over the lever."""
     for _, equation in scene.meets("velocity"):
         for term in () if equation is None else equation.left + equation.right:
-            if term.size is None and isinstance(term.direction, AlongGuide) and term.seen_from:
-                yield from _turning_by(scene, term, term.direction.slide)
-
-
-def _turning_by(scene: Scene, term: Term, slide: str) -> Iterator[Rewrite]:
-    """The rotations read off arrows that meet an arrow of sliding."""
-    ends = {term.tail, term.head}
-    for step, name in measured(scene, "velocity"):
-        if ends & {step.tail, step.head} and ends <= scene.drawn_before(step, "velocity"):
-            lever = {scene.length_name(*step.lever): scene.length(*step.lever)}
-            for text, length in (guide_lengths(scene, slide, ("", "")) or lever).items():
-                edits = reading("velocity", step, over("velocity", term.tail, term.head, length))
-                yield Rewrite("sliding-as-turning", name, f"{term.name('velocity')}/{text}", edits)
+            if term.size is not None or not isinstance(term.direction, AlongGuide) or not term.seen_from:
+                continue
+            ends = {term.tail, term.head}  # rotations read off arrows that meet this arrow of sliding
+            for step, name in measured(scene, "velocity"):
+                if ends & {step.tail, step.head} and ends <= scene.drawn_before(step, "velocity"):
+                    lever = {scene.length_name(*step.lever): scene.length(*step.lever)}
+                    for text, length in (guide_lengths(scene, term.direction.slide, ("", "")) or lever).items():
+                        edits = reading("velocity", step, over("velocity", term.tail, term.head, length))
+                        yield Rewrite("sliding-as-turning", name, f"{term.name('velocity')}/{text}", edits)
 
 
 # --- segments of the acceleration polygon -----------------------------------------------------
@@ -100,8 +96,8 @@ def wrong_tail(scene: Scene) -> Iterator[Rewrite]:
         plane = construction.plane
         sites = ((name, node.site) for name, node in construction.nodes.items())
         resting = {construction.pole, *(name for name, site in sites if site is not None and scene.fixed(site.point))}
-        for step in scene.laid_off(plane):
-            if step.start not in resting and "*" not in step.start + step.tip:
+        for step in scene.steps(plane):
+            if isinstance(step, LayOff) and step.start not in resting and "*" not in step.start + step.tip:
                 edits = (Edit(("laid", plane, step.tip), _back_to_pole(plane, step.start)),)
                 yield Rewrite("wrong-tail", step.term.name(plane), construction.pole, edits)
     yield from _whole_arrow(scene)
