@@ -31,7 +31,7 @@ from graphkin.model.quantities import Moving, Quantity, read
 from graphkin.planning import Method, plan
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
-from graphkin.say.phrases.mistakes import PHRASES
+from graphkin.say.phrases.marking import PHRASES
 
 ASKED = {
     "ex3-1": ("omega 2", "omega 3", "v B3", "v B3B2", "a B2", "a_n B3D", "a_t B3D", "a_k B3B2", "a_r B3B2", "a B3",
