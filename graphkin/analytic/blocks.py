@@ -25,13 +25,9 @@ _NOTHING = 1e-12  # coefficients below this are rounding, in units of size
 
 @frozen
 class LoopBlock:
-    """Some loops and the unknowns left (of y) that they give, with all others known.
-
-    part     the loops' own closure: q is (y of the block, angles and lengths that the rest gives its arrows); what
-             does not move with y is one arrow a loop
-    moving, still  the arrows in its loops
-    rows     the loops (r, m)
-    """
+    """Some loops (rows) and the unknowns left (of y) that they give, with all others known. In the loops' own closure
+    (`part`) q is (y of the block, angles and lengths that the rest gives its arrows); what does not move with y is one
+    arrow a loop. `moving`, `still`: the arrows in its loops."""
 
     columns: Indices
     moving: Indices

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from graphkin.analytic.assembly import DrawnPosition, drawn, held, idle
+from graphkin.analytic.assembly import drawn, held, idle
 from graphkin.analytic.loops import Complex, Flags, Loops, Reals, applied
 from graphkin.analytic.newton import EquationSystem, Rates, inverse, rates, reaching
 from graphkin.analytic.rules import driven
@@ -59,7 +59,11 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     """
     start = drawn(mechanism)
     closure, first = driving(mechanism, start.loops, start.closure)
-    goals = _goals(mechanism, start, values)
+    given = start.values if values is None else values
+    if len(given) != len(mechanism.drivers):
+        names = tuple(driver.name for driver in mechanism.drivers)
+        raise ValueForEach(mechanism.where("driver"), len(given), names)
+    goals = np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given))
     shape = goals[0].shape if goals else ()
     flat = np.stack([value.ravel() for value in goals], axis=-1) if goals else np.zeros((1, 0))
     change = np.zeros((len(flat), len(closure.weights)))
@@ -105,15 +109,6 @@ def driving(mechanism: Mechanism, loops: Loops, drawn: EquationSystem | None = N
     pairs = loops.relations
     still = held(loops, (*pairs, *drivers))
     return EquationSystem.of(loops, (*pairs, *still, *drivers), drawn), len(pairs) + len(still)
-
-
-def _goals(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLike] | None) -> tuple[Reals, ...]:
-    """Driver values as arrays of one shape."""
-    given = start.values if values is None else values
-    if len(given) != len(mechanism.drivers):
-        names = tuple(driver.name for driver in mechanism.drivers)
-        raise ValueForEach(mechanism.where("driver"), len(given), names)
-    return tuple(np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given)))
 
 
 def _rates_of(mechanism: Mechanism, closure: EquationSystem, first: int, q: Reals, single: bool) -> Rates:

@@ -32,9 +32,7 @@ class Assembly:
 def assemble(
     structure: Topology, construction: Construction, choices: int, facts: Facts, known: Mapping[str, float]
 ) -> Assembly:
-    """The assembly that the sketch means.
-
-    known  angles and displacements where the drawn position has them already
+    """The assembly that the sketch means; `known`: angles and displacements where the drawn position has them already.
     """
     try:
         assemblies = branches(structure, construction, facts, known)

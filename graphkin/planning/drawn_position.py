@@ -68,12 +68,9 @@ class DrawnPlacement:
 def as_drawn(
     mechanism: Mechanism, lower: Mechanism, repeats: Sequence[SetAside] = ()
 ) -> tuple[dict[str, float], Mechanism]:
-    """Angles and displacements at the drawn position, from which rolling counts, and the drivers with all their values.
-
-    repeats  what repeats other constraints when all moves; here only where it does so though nothing rolls
-
-    Raises NotPlaced where values and poses leave something open, PosesDiffer where they do not fit together.
-    """
+    """Angles and displacements at the drawn position, from which rolling counts, and the drivers with all their values;
+    `repeats`: what repeats other constraints when all moves, here only where it does so though nothing rolls. Raises
+    NotPlaced where values and poses leave something open, PosesDiffer where they do not fit together."""
     placed = placement(mechanism, lower, repeats)
     structure, plot = placed.structure, placed.plot
     drawn = {link: number(plot.theta[link]) if link in plot.theta else 0.0 for link in structure.bodies}

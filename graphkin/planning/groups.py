@@ -125,11 +125,18 @@ def _leg(polygon: PolygonPlan, leg: Leg, point: Site) -> tuple[terms.Term, ...]:
     arrows = list(polygon.absolute(leg.start))
     tail = arrows[-1].head if arrows else polygon.name(leg.start)
     link, label = polygon.structure.home(leg.end.link), polygon.labels.label
-    for sites, part, size, direction in _known_of(polygon, leg, point):
-        of, seen_from = map(label, sites)
+    # each known arrow of the leg, and the normal one from its end to the point
+    hops: list[tuple[Hop, slice]] = [(hop, slice(None)) for hop in leg.hops]
+    if polygon.plane == "acceleration":
+        hops.append((LinkArm(leg.end, point, True), slice(1)))
+    known = ((each, *piece) for each, some in hops for piece in polygon.pieces(each)[some])
+    for each, part, size, direction in known:
+        if size is None:
+            continue
+        of, seen_from = label(each.of), label(each.seen_from)
         turning = polygon.structure.home(size.link) if isinstance(size, terms.Normal | terms.Relative) else link
         head = polygon.between("k" if part == "k" else "n", turning, f"a^{part}_{of}{seen_from}")
-        arrows.append(terms.Term(of, seen_from, part, size, direction, tail, head, sites=sites))
+        arrows.append(terms.Term(of, seen_from, part, size, direction, tail, head, sites=(each.of, each.seen_from)))
         tail = head
     hop = leg.unknown
     in_velocity, sliding = polygon.plane == "velocity", isinstance(hop, Slip)
@@ -141,15 +148,6 @@ def _leg(polygon: PolygonPlan, leg: Leg, point: Site) -> tuple[terms.Term, ...]:
     onto = "" if onto == over else onto
     arrows.append(terms.Term(label(point), seen_from, part, None, leg.way, *ends, over, onto, sites))
     return tuple(arrows)
-
-
-def _known_of(polygon: PolygonPlan, leg: Leg, point: Site) -> list[KnownArrow]:
-    """Each known arrow of a leg, and the normal one from its end to the point."""
-    hops: list[tuple[Hop, slice]] = [(hop, slice(None)) for hop in leg.hops]
-    if polygon.plane == "acceleration":
-        hops.append((LinkArm(leg.end, point, True), slice(1)))
-    return [((hop.of, hop.seen_from), part, size, direction) for hop, some in hops
-            for part, size, direction in polygon.pieces(hop)[some] if size is not None]  # fmt: skip
 
 
 def mesh(polygon: PolygonPlan, stage: Mesh) -> None:

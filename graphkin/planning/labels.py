@@ -9,7 +9,7 @@ from functools import cached_property
 from graphkin.base.value import filled
 from graphkin.construction import Site
 from graphkin.model.mechanism import FRAME
-from graphkin.planning.loop_terms import Slip, Twist, way_round
+from graphkin.planning.loop_terms import Hop, Slip, Twist, way_round
 from graphkin.planning.position import touching
 from graphkin.planning.stages import Carry, Group, Loop, Stage
 from graphkin.planning.structure import Sliding, Topology
@@ -81,20 +81,17 @@ def coincident_points(structure: Topology, order: tuple[Stage, ...]) -> dict[str
     """Points at which links move past a moving link, with the link of which the hinge there is a point."""
     points: dict[str, str] = {}
     for stage in order:
-        for hop in _relative_hops(structure, stage):
-            if FRAME not in (hop.seen_from.link, hop.of.link) or isinstance(hop, Twist):
+        hops: list[Hop] = []
+        if isinstance(stage, Carry) and isinstance(stage.by, Sliding):
+            pair = structure.slides[stage.by.slide]
+            hops.append(Slip(Site(pair.point, pair.guide), Site(pair.point, structure.block(pair)), True, pair.name))
+        for loop in (stage,) if isinstance(stage, Loop) else stage.loops if isinstance(stage, Group) else ():
+            hops += way_round(structure, loop)[1]
+        for hop in hops:
+            past = isinstance(hop, Slip) and FRAME not in (hop.seen_from.link, hop.of.link)
+            if past or isinstance(hop, Twist):
                 owners = structure.owners[hop.of.point]
                 homes = [site.link for site in (hop.of, hop.seen_from) if site.link in owners]
                 if homes:
                     points.setdefault(hop.of.point, structure.home(homes[0]))
     return points
-
-
-def _relative_hops(structure: Topology, stage: Stage) -> list[Slip | Twist]:
-    """The hops of one stage between coincident points."""
-    if isinstance(stage, Carry) and isinstance(stage.by, Sliding):
-        pair = structure.slides[stage.by.slide]
-        return [Slip(Site(pair.point, pair.guide), Site(pair.point, structure.block(pair)), True, pair.name)]
-    loops = (stage,) if isinstance(stage, Loop) else stage.loops if isinstance(stage, Group) else ()
-    hops = (hop for loop in loops for hop in way_round(structure, loop)[1])
-    return [hop for hop in hops if isinstance(hop, Slip | Twist)]

@@ -123,12 +123,8 @@ class Method:
 
 @frozen
 class Act:
-    """Steps that the pencil does in one go.
-
-    number  counted from 1 through both polygons; in the mechanism's own plane apart
-    page    counted from 1 through all three planes: the drawing of it among those of single steps
-    steps   of the construction; `done` is the one that finishes it
-    """
+    """Steps that the pencil does in one go, of which `done` finishes it. Its `number` counts from 1 through both
+    polygons, in the mechanism's own plane apart; its `page` through all three planes, one drawing for each act."""
 
     plane: Plane
     number: int

@@ -26,12 +26,8 @@ APART = 0.1  # least sine of the angle under which two legs' lines may meet, whe
 
 @frozen
 class Leg:
-    """From a known site over hops, one of them unknown, to a point of the ternary link.
-
-    end   that point, as part of the ternary link
-    line  where the special point lies: through `end`, in this direction
-    way   the direction in which the leg's unknown moves the special point
-    """
+    """From a known site over hops, one of them unknown, to `end`, a point as part of the ternary link. The special
+    point lies on a `line` through it; `way` is the direction in which the leg's unknown moves the special point."""
 
     start: Site
     hops: tuple[Hop, ...]

@@ -31,10 +31,8 @@ FITTING = 30  # the cost of a position where links are fitted, beside another
 def trace(
     method: Method, pace: Sequence[float], low: float, high: float, after: tuple[DriverPath, float] | None = None
 ) -> DriverPath:
-    """Look along the path from t = low to t = high (low <= 0 <= high) for stops and change points.
-
-    after   a place on another path, to start from there instead of from the drawn position
-    """
+    """Look along the path from t = low to t = high (low <= 0 <= high) for stops and change points; from a place on
+    another path, where `after` has one, else from the drawn position."""
     ends, pace = (float(low), float(high)), tuple(float(p) for p in pace)
     if after is None:
         return _from_drawn(method, pace, ends)
