@@ -63,7 +63,7 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     if len(given) != len(mechanism.drivers):
         names = tuple(driver.name for driver in mechanism.drivers)
         raise ValueForEach(mechanism.where("driver"), len(given), names)
-    goals = np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given))
+    goals = tuple(np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given)))
     shape = goals[0].shape if goals else ()
     flat = np.stack([value.ravel() for value in goals], axis=-1) if goals else np.zeros((1, 0))
     change = np.zeros((len(flat), len(closure.weights)))
@@ -141,17 +141,13 @@ def _motion(mechanism: Mechanism, closure: EquationSystem, values: tuple[Reals, 
         places = np.ascontiguousarray(np.moveaxis(applied(loops.places, arrows), -1, 0)) * loops.size
         points.append({point: place[()] for point, place in zip(loops.points, places, strict=True)})
     position, velocity, acceleration = points
+    # of each link its first point; others are read as its image, so that this, too, is held against the loops
+    firsts = {link: next(iter(mechanism.links[link].points)) for link in mechanism.moving}
+    v, a = ({link: {point: of[point]} for link, point in firsts.items()} for of in (velocity, acceleration))
     return Motion(
         mechanism, theta, omega, alpha, s, s_rate, s_acceleration, position,
-        _by_link(mechanism, velocity), _by_link(mechanism, acceleration), values, velocity, acceleration,
-        rated.condition[()], idle(mechanism, loops),
+        v, a, values, velocity, acceleration, rated.condition[()], idle(mechanism, loops),
     )  # fmt: skip
-
-
-def _by_link(mechanism: Mechanism, values: Mapping[str, Complex]) -> dict[str, dict[str, Complex]]:
-    """Of each link its first point; others are read as its image, so that this, too, is held against the loops."""
-    firsts = {link: next(iter(mechanism.links[link].points)) for link in mechanism.moving}
-    return {link: {point: values[point]} for link, point in firsts.items()}
 
 
 def _by_name(loops: Loops, values: Reals, kind: str, names: Collection[str]) -> dict[str, Reals]:

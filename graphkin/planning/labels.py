@@ -25,23 +25,17 @@ class Labels:
     _known: dict[Site, str] = field(default_factory=dict)
 
     def label(self, site: Site) -> str:
-        if (label := self._known.get(site)) is None:
-            label = self._known[site] = self._label(site)
-        return label
-
-    def _label(self, site: Site) -> str:
-        point = site.point
-        owners = self.structure.owners.get(point, ())
-        owned = site.link in owners or (site.link == FRAME and bool(owners))
-        if owned:
-            if point not in self.coincident:
-                return point
-            link = self.coincident[point]
-        elif self.structure.is_pin(site.link):
-            return f"{point}@{self.structure.pins[site.link].name}"  # a pin in a slot is a body beside its link
+        if (label := self._known.get(site)) is not None:
+            return label
+        point, owners = site.point, self.structure.owners.get(site.point, ())
+        if site.link in owners or (site.link == FRAME and owners):
+            label = self.numbered(point, self.coincident[point]) if point in self.coincident else point
+        elif self.structure.is_pin(site.link):  # a pin in a slot is a body beside its link
+            label = f"{point}@{self.structure.pins[site.link].name}"
         else:
-            link = self.structure.home(site.link)
-        return self.numbered(point, link)
+            label = self.numbered(point, self.structure.home(site.link))
+        self._known[site] = label
+        return label
 
     def numbered(self, point: str, link: str) -> str:
         called = self.structure.mechanism.called(link)

@@ -19,8 +19,9 @@ from graphkin.construction import Fit, Meet, Plot, Roll, Swing, replay
 from graphkin.construction.fitting import fit
 from graphkin.construction.pencil import COMPASS, Compass
 from graphkin.planning import Method
+from graphkin.planning.refusals import key_of
 from graphkin.running.path import STEP_DEG, STEP_PART, DriverPath, Event, Nodes, by_slide_key, cubic, stride, turned
-from graphkin.running.singularities import choice_of, crossings, event_at, key_of, touching
+from graphkin.running.singularities import choice_of, crossings, event_at, touching
 
 QUICK, LONGER = (Compass(fit=partial(fit, rounds=rounds)) for rounds in (3, 15))
 """Links that come close to where they fit do so in these steps of Newton's method; close to a dead point it takes more,

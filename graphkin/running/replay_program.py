@@ -281,13 +281,11 @@ class Results:
                     self.asked.add((table, name))
                 return self.late.read(table, name)
             value = self.rows[room]
-        return self._mended(value, [getattr(plot, table)[name] for _, plot in self.plain]) if self.plain else value
-
-    def _mended(self, value: Value, plain: Sequence[Value]) -> Value:
-        """A quantity with the values of plain replay where there are any; a scalar remains one if they are no other."""
+        plain = [getattr(plot, table)[name] for _, plot in self.plain]
         if not np.ndim(value) and all(np.all(np.equal(other, value)) for other in plain):
-            return value
-        mended = np.array(np.broadcast_to(value, (max(each.size for each in self.inputs),)))
-        for (here, _), other in zip(self.plain, plain, strict=True):
-            mended[here] = other
-        return mended
+            return value  # a scalar, as plain replay has it, too
+        if plain:
+            value = np.array(np.broadcast_to(value, (max(each.size for each in self.inputs),)))
+            for (here, _), other in zip(self.plain, plain, strict=True):
+                value[here] = other
+        return value

@@ -105,7 +105,15 @@ class _VariantTables:
             part = slice(start, min(start + PART, self.count))
             own = None if values is None else [_cut(value, part, self.count) for value in values]
             sketch = {point: cut(z, part) for point, z in mechanism.sketch.items()}
-            own_facts = _facts_of_some(facts, part)
+            some = partial(_cut, part=part)
+            own_facts = replace(
+                facts,
+                shapes={link: {point: some(z) for point, z in shape.items()} for link, shape in facts.shapes.items()},
+                lines={slide: (guide, origin, some(z)) for slide, (guide, origin, z) in facts.lines.items()},
+                turns={body: replace(turn, constant=some(turn.constant)) for body, turn in facts.turns.items()},
+                values=tuple(map(some, facts.values)), rates=tuple(map(some, facts.rates)),
+                accelerations=tuple(map(some, facts.accelerations)),
+            )  # fmt: skip
             assemblies = _assemblies(self.method, own_facts, sketch)
             plot = Plot(own_facts if own is None else replace(own_facts, values=tuple(own)), assemblies.near)
             for construction in self.method.constructions:
@@ -144,19 +152,6 @@ def rows_of(many: Plot, rows: np.ndarray | int, plot: Plot) -> Plot:
         table = getattr(many, name)
         setattr(plot, name, {key: value[..., rows] if np.ndim(value) else value for key, value in table.items()})
     return plot
-
-
-def _facts_of_some(facts: Facts, part: slice) -> Facts:
-    some = partial(_cut, part=part)
-    return replace(
-        facts,
-        shapes={link: {point: _cut(z, part) for point, z in shape.items()} for link, shape in facts.shapes.items()},
-        lines={slide: (guide, origin, _cut(z, part)) for slide, (guide, origin, z) in facts.lines.items()},
-        turns={body: replace(turn, constant=_cut(turn.constant, part)) for body, turn in facts.turns.items()},
-        values=tuple(map(some, facts.values)),
-        rates=tuple(map(some, facts.rates)),
-        accelerations=tuple(map(some, facts.accelerations)),
-    )
 
 
 _Number = TypeVar("_Number", bound=Value)
