@@ -48,9 +48,6 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     if aside or ties or mechanism.poses:
         structure = replace(structure, mechanism=lower, aside=Aside.of(aside))
     if aside and ties:
-        # a contact whose own slide is set aside takes the slides that add up to its displacement, if any do. A plate on
-        # a guide, a wheel that rolls on it, a second plate on top: how far the wheel goes along the second plate is
-        # made up of the displacements of plates and wheel along their own lines, which are all parallel
         guided = (replace(contact, way=_shares(structure, structure.slides[contact.slide], contact.centres[1]))
                   if contact.slide in structure.aside.slides else contact
                   for contact in structure.contacts)  # fmt: skip
@@ -118,7 +115,9 @@ SlideShares = tuple[tuple[str, float], ...]
 
 
 def _shares(structure: Topology, track: Slide, centre: str) -> SlideShares:
-    """From the track over parallel slides to a link that carries the centre; nothing where none lead there."""
+    """From a track set aside over parallel slides to a link that carries the centre; nothing where none lead there. A
+    plate on a guide, a wheel that rolls on it, a second plate on top: how far the wheel goes along the second plate is
+    made up of the displacements of plates and wheel along their own lines, which are all parallel."""
     reached: dict[str, tuple[complex, SlideShares]] = {track.guide: (track.line.direction, ())}
     queue = [track.guide]
     for link in queue:

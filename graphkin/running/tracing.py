@@ -55,7 +55,7 @@ def _traced(method: Method, path: DriverPath) -> DriverPath:
     """A path of which only the start is known, as far as it leads. Raises TooFar."""
     cost = max(len(method.mechanism.points), 4) * (FITTING if method.fits else 1)
     most = MOST / cost * stride(method, path.pace, LOOK_DEG, LOOK_PART)
-    if path.high - path.low > most:  # too many positions to be looked at, every half degree
+    if not path.high - path.low <= most:  # too many positions to be looked at, every half degree
         moving = max(range(len(path.pace)), key=lambda k: abs(path.pace[k]))
         driver = method.drivers[moving]
         unit = EDGE[driven(driver.kind == "slide")]
