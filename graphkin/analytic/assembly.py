@@ -118,7 +118,12 @@ def assemble(mechanism: Mechanism, loops: Loops, driving: bool = True) -> Chosen
         best = np.argsort(closure.loops.open_by(ends))[:4]
         gap = closure.loops.open_by(search(closure, ends[best], c, steps=300))
         return ChosenAssembly(None, max(float(gap.min()), closure.known.mismatch(c)) * loops.size, closure)
-    return ChosenAssembly(choose(mechanism, loops, _distinct(assemblies)), 0.0, closure)
+    distinct: list[Reals] = []  # one of each; angles count modulo 2 pi, small displacements stay as they are if so read
+    while len(assemblies):
+        distinct.append(assemblies[0])
+        apart = np.max(np.abs(np.exp(1j * (assemblies - assemblies[0])) - 1), axis=1, initial=0.0)
+        assemblies = assemblies[apart >= SAME]
+    return ChosenAssembly(choose(mechanism, loops, np.array(distinct)), 0.0, closure)
 
 
 def _met(closure: EquationSystem, near: Reals, c: Reals, steps: int = 40) -> Reals:
@@ -157,17 +162,6 @@ def _starts(seen: Reals, mechanism: Mechanism, loops: Loops) -> Reals:
     shaken = seen + rng.normal(0, 1, anywhere.shape) * np.linspace(0, 0.5, _STARTS)[:, None]
     sketched = (np.arange(_STARTS) < _STARTS // 2)[:, None] & ~np.isnan(seen)
     return np.where(sketched, shaken, anywhere)
-
-
-def _distinct(assemblies: Reals) -> Reals:
-    """One of each assembly, in the order found: (a, n). Angles count modulo 2 pi; read as an angle too, a small
-    difference of displacements stays what it is."""
-    kept: list[Reals] = []
-    while len(assemblies):
-        kept.append(assemblies[0])
-        apart = np.max(np.abs(np.exp(1j * (assemblies - assemblies[0])) - 1), axis=1, initial=0.0)
-        assemblies = assemblies[apart >= SAME]
-    return np.array(kept)
 
 
 def choose(mechanism: Mechanism, loops: Loops, assemblies: Reals) -> Reals:
@@ -257,7 +251,13 @@ class _Seen:
                     angle = self.angles[given.from_link] + start + value
                     self.angles.setdefault(given.link, angle - cmath.phase(links[given.link].arm(*given.vector)))
             elif given.kind == "slide":
-                self._pushed(next(joint for joint in self.joints if joint.slide == given.link), value)
+                joint = next(joint for joint in self.joints if joint.slide == given.link)
+                origin = self._place(joint.tail, joint.tail_arm)
+                if joint.tail in self.angles and origin is not None:
+                    place = origin + value * joint.direction * cmath.rect(1, self.angles[joint.tail])
+                    for name, arm in self.mechanism.links[joint.head].points.items():
+                        if arm == joint.head_arm:
+                            self.points.setdefault(name, place)
         for link in self.mechanism.links.values():
             self._fitted(link)
         for pair in self.mechanism.slides:
@@ -270,14 +270,6 @@ class _Seen:
             if ends[0] is not None and ends[1] is not None:
                 self.angles.setdefault(pair.guide, cmath.phase((ends[1] - ends[0]) / pair.line.direction))
         return before != (len(self.points), len(self.angles))
-
-    def _pushed(self, joint: Joint, value: float) -> None:
-        origin = self._place(joint.tail, joint.tail_arm)
-        if joint.tail in self.angles and origin is not None:
-            place = origin + value * joint.direction * cmath.rect(1, self.angles[joint.tail])
-            for name, arm in self.mechanism.links[joint.head].points.items():
-                if arm == joint.head_arm:
-                    self.points.setdefault(name, place)
 
     def _fitted(self, link: Link) -> None:
         """Two located points give the link's angle; the angle and one point give all its points."""

@@ -25,13 +25,9 @@ _NOTHING = 1e-12  # coefficients below this are rounding, in units of size
 
 @frozen
 class LoopBlock:
-    """Some loops and the unknowns left (of y) that they give, with all others known.
-
-    part     the loops' own closure: q is (y of the block, angles and lengths that the rest gives its arrows); what
-             does not move with y is one arrow a loop
-    moving, still  the arrows in its loops
-    rows     the loops (r, m)
-    """
+    """Some loops (rows) and the unknowns left (of y) that they give, with all others known. In the loops' own closure
+    (`part`) q is (y of the block, angles and lengths that the rest gives its arrows); what does not move with y is one
+    arrow a loop. `moving`, `still`: the arrows in its loops."""
 
     columns: Indices
     moving: Indices
@@ -63,7 +59,16 @@ def blocks_of(closure: EquationSystem) -> tuple[LoopBlock, ...]:
     )
     if not even or not takers.size:
         return ()
-    return tuple(_block(closure, rows, np.flatnonzero(np.isin(takers, rows))) for rows in _in_order(uses, takers))
+    # loops that wait for one another together, those they wait for before them
+    waits = np.eye(loops, dtype=bool)
+    for loop, row in enumerate(uses):
+        waits[loop, takers[row]] = True
+    for _ in range(max(1, loops).bit_length()):
+        waits = (waits.astype(np.float64) @ waits) > 0
+    together = waits & waits.T
+    heads = np.flatnonzero(np.argmax(together, axis=1) == np.arange(loops))
+    in_order = (np.flatnonzero(together[head]) for head in sorted(heads, key=lambda head: int(waits[head].sum())))
+    return tuple(_block(closure, rows, np.flatnonzero(np.isin(takers, rows))) for rows in in_order)
 
 
 def moved_by(closure: EquationSystem, rows: Complex) -> Flags:
@@ -83,18 +88,6 @@ def _taken(loop: int, uses: Flags, takers: Indices, seen: Flags) -> bool:
             takers[unknown] = loop
             return True
     return False
-
-
-def _in_order(uses: Flags, takers: Indices) -> list[Indices]:
-    """Loops that wait for one another together, those they wait for before them."""
-    waits = np.eye(len(uses), dtype=bool)
-    for loop, row in enumerate(uses):
-        waits[loop, takers[row]] = True
-    for _ in range(max(1, len(uses)).bit_length()):
-        waits = (waits.astype(np.float64) @ waits) > 0
-    together = waits & waits.T
-    heads = np.flatnonzero(np.argmax(together, axis=1) == np.arange(len(uses)))
-    return [np.flatnonzero(together[head]) for head in sorted(heads, key=lambda head: int(waits[head].sum()))]
 
 
 def _block(closure: EquationSystem, rows: Indices, columns: Indices) -> LoopBlock:

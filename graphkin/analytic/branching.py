@@ -26,11 +26,8 @@ SAME = 1e-4  # positions of all unknowns nearer than this are one assembly [rad,
 
 @frozen
 class BranchJudge:
-    """The sketch and custom by which branches are judged.
-
-    places    rows of the sketched points, and where they are sketched, in units of size
-    backwards, forwards   columns of displacements that must be, or are taken, positive
-    """
+    """The sketch and custom by which branches are judged: rows of the sketched points and their places, in units of
+    size; columns of displacements that must be (`backwards`) or are taken (`forwards`) positive."""
 
     rows: Complex
     places: Complex
@@ -40,10 +37,8 @@ class BranchJudge:
 
 def branched(closure: EquationSystem, judge: BranchJudge, seen: Reals, starts: Starts, c: Reals) -> Reals:
     """Positions (a, n) that close every block, the one nearest to the sketch among them; none where none is found.
-
-    seen    what the sketch shows of the unknowns (n,), nan elsewhere
-    starts  gives (b, n), the first of them at the sketch; asked only where the sketch does not settle a block
-    """
+    `seen`: what the sketch shows of the unknowns (n,), else nan; `starts` gives (b, n), the first at the sketch, and is
+    asked only where the sketch does not settle a block."""
     blocks = blocks_of(closure)
     if not blocks:
         return np.zeros((0, len(seen)))
@@ -64,12 +59,9 @@ def branched(closure: EquationSystem, judge: BranchJudge, seen: Reals, starts: S
 
 @filled
 class _BranchWalk:
-    """One search through the blocks; `limit`: branches farther from the sketch than this are left [size²].
-
-    sure    every block was as sketched
-    every   all ways to close a block were looked at, each time
-    left    how far the nearest of those is from the sketch that were left all the same [size²]
-    """
+    """One search through the blocks. Branches farther from the sketch than `limit` are left [size²]. It is `sure` if
+    every block was as sketched; looks at `every` way to close a block, each time; the nearest of those left all the
+    same is `left` from the sketch [size²]."""
 
     closure: EquationSystem
     judge: BranchJudge

@@ -76,13 +76,8 @@ def _entries(matrix: Array, summed: int) -> tuple[Array, ...]:
 
 @frozen
 class LoopVectors:
-    """Arrows that hang on the unknowns q: angle = turning q, length = base + stretching q.
-
-    What asks for `polar` works that out itself where it is not given.
-
-    turning, stretching   (m, n)
-    base                  (m,): 1 for a link's arrow, 0 for a slide's
-    """
+    """Arrows that hang on the unknowns q: angle = turning q, length = base + stretching q. turning, stretching (m, n);
+    base (m,) is 1 for a link's arrow, 0 for a slide's. What asks for `polar` works that out where it is not given."""
 
     turning: Reals
     stretching: Reals

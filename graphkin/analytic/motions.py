@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from graphkin.analytic.assembly import DrawnPosition, drawn, held, idle
+from graphkin.analytic.assembly import drawn, held, idle
 from graphkin.analytic.loops import Complex, Flags, Loops, Reals, applied
 from graphkin.analytic.newton import EquationSystem, Rates, inverse, rates, reaching
 from graphkin.analytic.rules import driven
@@ -59,7 +59,11 @@ def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> M
     """
     start = drawn(mechanism)
     closure, first = driving(mechanism, start.loops, start.closure)
-    goals = _goals(mechanism, start, values)
+    given = start.values if values is None else values
+    if len(given) != len(mechanism.drivers):
+        names = tuple(driver.name for driver in mechanism.drivers)
+        raise ValueForEach(mechanism.where("driver"), len(given), names)
+    goals = tuple(np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given)))
     shape = goals[0].shape if goals else ()
     flat = np.stack([value.ravel() for value in goals], axis=-1) if goals else np.zeros((1, 0))
     change = np.zeros((len(flat), len(closure.weights)))
@@ -107,15 +111,6 @@ def driving(mechanism: Mechanism, loops: Loops, drawn: EquationSystem | None = N
     return EquationSystem.of(loops, (*pairs, *still, *drivers), drawn), len(pairs) + len(still)
 
 
-def _goals(mechanism: Mechanism, start: DrawnPosition, values: Sequence[ArrayLike] | None) -> tuple[Reals, ...]:
-    """Driver values as arrays of one shape."""
-    given = start.values if values is None else values
-    if len(given) != len(mechanism.drivers):
-        names = tuple(driver.name for driver in mechanism.drivers)
-        raise ValueForEach(mechanism.where("driver"), len(given), names)
-    return tuple(np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in given)))
-
-
 def _rates_of(mechanism: Mechanism, closure: EquationSystem, first: int, q: Reals, single: bool) -> Rates:
     """Rates at q (p, n); nan where q is nan and at dead points."""
     speed, push = np.zeros((2, len(closure.weights)))
@@ -146,17 +141,13 @@ def _motion(mechanism: Mechanism, closure: EquationSystem, values: tuple[Reals, 
         places = np.ascontiguousarray(np.moveaxis(applied(loops.places, arrows), -1, 0)) * loops.size
         points.append({point: place[()] for point, place in zip(loops.points, places, strict=True)})
     position, velocity, acceleration = points
+    # of each link its first point; others are read as its image, so that this, too, is held against the loops
+    firsts = {link: next(iter(mechanism.links[link].points)) for link in mechanism.moving}
+    v, a = ({link: {point: of[point]} for link, point in firsts.items()} for of in (velocity, acceleration))
     return Motion(
         mechanism, theta, omega, alpha, s, s_rate, s_acceleration, position,
-        _by_link(mechanism, velocity), _by_link(mechanism, acceleration), values, velocity, acceleration,
-        rated.condition[()], idle(mechanism, loops),
+        v, a, values, velocity, acceleration, rated.condition[()], idle(mechanism, loops),
     )  # fmt: skip
-
-
-def _by_link(mechanism: Mechanism, values: Mapping[str, Complex]) -> dict[str, dict[str, Complex]]:
-    """Of each link its first point; others are read as its image, so that this, too, is held against the loops."""
-    firsts = {link: next(iter(mechanism.links[link].points)) for link in mechanism.moving}
-    return {link: {point: values[point]} for link, point in firsts.items()}
 
 
 def _by_name(loops: Loops, values: Reals, kind: str, names: Collection[str]) -> dict[str, Reals]:

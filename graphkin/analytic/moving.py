@@ -59,8 +59,14 @@ def moved(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> tup
     there = np.flatnonzero(np.isfinite(change).all(axis=1))
     if not there.size:
         return goals, []
+    q, done = np.broadcast_to(start, (len(there), len(start))), np.zeros(len(there))
     if (on_line := _on_line(closure, start, c, change[there])) is None:
-        goals[there] = _fanned(closure, start, c, change[there])
+        # every position on its own straight path
+        for q, done in _walk(closure, start, c, change[there]):  # noqa: B007 - the last one counts
+            pass
+        closed = close(closure, q, c + change[there], steps=25)
+        reached = done >= 1 - _MARGIN * _longest(closure, change[there])
+        goals[there] = np.where((reached & _good(closure, closed, q))[:, None], closed.q, np.nan)
         return goals, []
     goals[there], limits = on_line
     return goals, [Limit(there[limit.rows], limit.q, limit.weights) for limit in limits]
@@ -139,16 +145,6 @@ def _beside(path: MotionPath, along: Reals, change: float) -> Limit | None:
 
 _MIDDLE = np.concatenate([[0.0], weights_of(np.zeros(1), _PLACES[1:-1])[0], [0.0]])
 """The change point itself by the inner neighbours alone."""
-
-
-def _fanned(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> Reals:
-    """Every position on its own straight way."""
-    q, done = np.broadcast_to(start, (len(change), len(start))), np.zeros(len(change))
-    for q, done in _walk(closure, start, c, change):  # noqa: B007 - the last one counts
-        pass
-    closed = close(closure, q, c + change, steps=25)
-    reached = done >= 1 - _MARGIN * _longest(closure, change)
-    return np.where((reached & _good(closure, closed, q))[:, None], closed.q, np.nan)
 
 
 def _walk(closure: EquationSystem, start: Reals, c: Reals, change: Reals) -> Iterator[tuple[Reals, Reals]]:

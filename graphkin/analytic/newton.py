@@ -30,13 +30,9 @@ _SLOW = 1e-10  # a search that closes less than this share of the gap in a step 
 
 @frozen
 class Elimination:
-    """The general solution of W q = c, for k relations and n unknowns of which y are left.
-
-    given  (n, k)       what the right sides give
-    left   (n, y)       how all unknowns follow those left
-    free   (y,)         which unknowns are left: y = q[free]
-    spare  (e, k)       each row . c must vanish, for relations that repeat others
-    """
+    """The general solution of W q = c, for k relations and n unknowns of which y are left: `given` (n, k) what the
+    right sides give, `left` (n, y) how all unknowns follow those left, y = q[`free`]. Each row of `spare` (e, k) . c
+    must vanish, for relations that repeat others."""
 
     given: Reals
     left: Reals

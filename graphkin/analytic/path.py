@@ -196,7 +196,15 @@ class _MotionWalk:
                 return False
             inside.append(node)
         left, right = inside
-        place = self._singular(left, right)
+        # the condition falls and rises there in straight lines: so close to each other these nodes tell the singular
+        # place well, where nodes further off, one of them beside the place, do not
+        place = _meeting(left.at, right.at, abs(left.measure), abs(right.measure))
+        width = (right.at - left.at) / 16
+        for _ in range(3):
+            close_by = np.clip(place + width * np.array([-1.0, 1.0]), left.at, right.at)
+            _, condition, _ = tangent(self.line.closure, _between(left, right, close_by)[0], self.line.toward)
+            place = _meeting(*close_by.tolist(), *condition.tolist())
+            width /= 16
         # true if the loops close at the singular place, but for the direction in which the matrix tells nothing
         closure, right_side = self.line.closure, self.line.c + place * self.line.toward
         q = _between(left, right, np.array([place]))[0][0]
@@ -211,18 +219,6 @@ class _MotionWalk:
         self.changes.append(place)
         self.nodes += [*(node for node in inside if here.at < node.at < beyond.at), beyond]
         return True
-
-    def _singular(self, left: PathNode, right: PathNode) -> float:
-        """The singular place between two nodes: the condition falls and rises there in straight lines. So close to each
-        other they tell it well, where nodes further off, one of them beside the place, do not."""
-        place = _meeting(left.at, right.at, abs(left.measure), abs(right.measure))
-        width = (right.at - left.at) / 16
-        for _ in range(3):
-            at = np.clip(place + width * np.array([-1.0, 1.0]), left.at, right.at)
-            _, condition, _ = tangent(self.line.closure, _between(left, right, at)[0], self.line.toward)
-            place = _meeting(*at.tolist(), *condition.tolist())
-            width /= 16
-        return place
 
 
 def _meeting(left: float, right: float, before: float, after: float) -> float:

@@ -32,10 +32,8 @@ def theta(link: str) -> Unknown:
 
 @frozen
 class Joint:
-    """`tail` and `head` meet: tail_arm (+ s direction, of the unknown `slide`) on tail = head_arm on head.
-
-    Arms and direction are in the axes of their link [m, -].
-    """
+    """`tail` and `head` meet: tail_arm (+ s direction, of the unknown `slide`) on tail = head_arm on head, arms and
+    direction in the axes of their link [m, -]."""
 
     tail: str
     tail_arm: complex
@@ -47,10 +45,8 @@ class Joint:
 
 @frozen
 class LinearRelation:
-    """sum of weight x unknown + offset = value; value is 0 but for drivers and poses [rad or m].
-
-    offset is None where the sum is whatever it is at the drawn position, and then stays.
-    """
+    """sum of weight x unknown + offset = value, which is 0 but for drivers and poses [rad or m]; offset is None where
+    the sum is whatever it is at the drawn position, and then stays."""
 
     weights: Mapping[Unknown, float]
     offset: float | None = 0.0
@@ -169,10 +165,8 @@ def _beside(mechanism: Mechanism, slot: Slot, link: str, name: str) -> Joint:
 
 
 def driven(mechanism: Mechanism, driver: Driver | Pose) -> LinearRelation:
-    """The left side of a driver's (or pose's) equation; its value is the right side.
-
-    Angle: theta + arg(arm) - (theta_from + arg(from arm)) = value. Slide: s = value.
-    """
+    """The left side of a driver's (or pose's) equation, theta + arg(arm) - (theta_from + arg(from arm)) = value, or s =
+    value for a slide."""
     if driver.kind == "slide":
         return LinearRelation({Unknown("s", driver.link): 1.0})
     weights = _turned(driver.link, driver.from_link)

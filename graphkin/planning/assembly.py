@@ -32,10 +32,7 @@ class Assembly:
 def assemble(
     structure: Topology, construction: Construction, choices: int, facts: Facts, known: Mapping[str, float]
 ) -> Assembly:
-    """The assembly that the sketch means.
-
-    known  angles and displacements where the drawn position has them already
-    """
+    """The assembly that the sketch means; `known`: angles and displacements that the drawn position has already."""
     try:
         assemblies = branches(structure, construction, facts, known)
     except DeadEnd as dead:

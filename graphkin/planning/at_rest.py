@@ -65,15 +65,14 @@ def moving_parts(method: Method, plane: Plane, parts: tuple[Part, ...], rested: 
     construction = method.velocity if plane == "velocity" else method.acceleration
     nodes, reader = _held(construction, rested), PartsReader(method, construction)
     writer = _PartsWriter(plane, construction.pole, nodes, {of: point for point, of in nodes.values()})
-    return tuple(writer.part(part) for part in parts if not _rests(reader, part, rested))
-
-
-def _rests(reader: PartsReader, part: Part, rested: frozenset[Fact]) -> bool:
-    """True if a part finds nothing but what stands still; corners between arrows do not count."""
-    nodes, facts = reader.construction.nodes, [] if isinstance(part, kinds.Given) else [*reader.gives(part)]
-    sites = {name for name, node in nodes.items() if node.site is not None}
-    facts = [(kind, name) for kind, name in facts if kind != reader.plane or name in sites]
-    return bool(facts) and all(fact in rested for fact in facts)
+    sites = {name for name, node in construction.nodes.items() if node.site is not None}
+    moving = list[Part]()
+    for part in parts:
+        facts = [] if isinstance(part, kinds.Given) else [*reader.gives(part)]
+        facts = [(kind, name) for kind, name in facts if kind != plane or name in sites]  # corners do not count
+        if not facts or not all(fact in rested for fact in facts):
+            moving.append(writer.part(part))
+    return tuple(moving)
 
 
 def _held(construction: Construction, rested: frozenset[Fact]) -> dict[str, tuple[str, str]]:

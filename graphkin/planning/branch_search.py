@@ -42,10 +42,8 @@ class DeadEnd(Exception):
 
 
 def branches(structure: Topology, construction: Construction, facts: Facts, known: Mapping[str, float]) -> Branches:
-    """Every assembly that the sketch may mean, one at least. Raises DeadEnd.
-
-    known  angles and displacements where the drawn position has them already
-    """
+    """Every assembly that the sketch may mean, one at least; `known`: angles and displacements where the drawn position
+    has them already. Raises DeadEnd."""
     search = _BranchSearch(structure, construction, facts, known)
     assemblies, nearest = search.first(), np.inf
     if search.alone(assemblies):

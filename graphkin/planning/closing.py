@@ -105,11 +105,8 @@ def _line(term: Term, through: str) -> Ray:
 
 @frozen
 class Ordered:
-    """A side in its new order.
-
-    carried  the arrows that carry its unknown one back to where its points lie
-    moved    the unknown term as it was and as it is now, where it has moved
-    """
+    """A side in its new order; `carried`: the arrows that carry its unknown one back to where its points lie; `moved`:
+    the unknown term as it was and as it is now, where it has moved."""
 
     terms: tuple[Term, ...]
     carried: tuple[LayOff, ...] = ()

@@ -116,7 +116,14 @@ class Restraints:
         for contact in self.structure.contacts:
             yield ConstraintRow("slip", contact.name), *self._slip(contact, q, start)
         for k, driver in enumerate(self.given):
-            yield ConstraintRow("given", str(k)), *self._given(driver, q)
+            row, value = ConstraintRow("given", str(k)), driver.value or 0.0
+            if driver.kind == "slide":
+                now, slope = self.along(self.structure.slides[driver.link], q)
+                yield row, now.real - value / self.size, slope.real
+            else:
+                (angle, turn), (back, turned) = self._angle(driver.link, q), self._angle(driver.from_link, q)
+                offset = self.structure.driver_offset(driver)
+                yield row, number(wrapped(angle - back - offset - value)), turn - turned
 
     def _hinges(self, q: Array) -> Iterator[tuple[ConstraintRow, float, Array]]:
         for point, owners in self.structure.owners.items():
@@ -178,15 +185,6 @@ class Restraints:
             slope += contact.on_slide * change.real
         return gap, slope
 
-    def _given(self, driver: Driver, q: Array) -> tuple[float, Array]:
-        value = driver.value or 0.0
-        if driver.kind == "slide":
-            now, slope = self.along(self.structure.slides[driver.link], q)
-            return now.real - value / self.size, slope.real
-        (angle, turn), (back, turned) = self._angle(driver.link, q), self._angle(driver.from_link, q)
-        gap = wrapped(angle - back - self.structure.driver_offset(driver) - value)
-        return number(gap), turn - turned
-
     def sketched(self, rng: np.random.Generator) -> Array:
         """The places where the sketch and the given values put the bodies (3n,); at random where they say nothing."""
         mechanism = self.structure.mechanism
@@ -234,10 +232,8 @@ class Restraints:
     def settled(
         self, q: Array, aside: Sequence[ConstraintRow], start: Array | None = None
     ) -> tuple[Array, ConstraintRows]:
-        """The place close to q where the equations hold but for those set aside, or hold best: Levenberg-Marquardt.
-
-        start  from where rolling counts; left out, nothing counts as having rolled
-        """
+        """The place close to q where the equations hold but for those set aside, or hold best (Levenberg-Marquardt);
+        rolling counts from `start`, if it is given."""
         damping, rows = 1e-3, self.rows(q, start).without(aside)
         for _ in range(_ROUNDS):
             if rows.gap < 1e-14:

@@ -68,12 +68,9 @@ class DrawnPlacement:
 def as_drawn(
     mechanism: Mechanism, lower: Mechanism, repeats: Sequence[SetAside] = ()
 ) -> tuple[dict[str, float], Mechanism]:
-    """Angles and displacements at the drawn position, from which rolling counts, and the drivers with all their values.
-
-    repeats  what repeats other constraints when all moves; here only where it does so though nothing rolls
-
-    Raises NotPlaced where values and poses leave something open, PosesDiffer where they do not fit together.
-    """
+    """Angles and displacements at the drawn position, from which rolling counts, and the drivers with all their values;
+    `repeats`: what repeats other constraints when all moves, here only where it does so though nothing rolls. Raises
+    NotPlaced where values and poses leave something open, PosesDiffer where they do not fit together."""
     placed = placement(mechanism, lower, repeats)
     structure, plot = placed.structure, placed.plot
     drawn = {link: number(plot.theta[link]) if link in plot.theta else 0.0 for link in structure.bodies}
@@ -123,25 +120,19 @@ def placement(mechanism: Mechanism, lower: Mechanism, repeats: Sequence[SetAside
             refusal = error if refusal is None or isinstance(refusal, NotPlaced) else refusal
             continue
         if all(each.holds(placed.plot) for each in needed):
-            _refuse_other(mechanism, placed, given, needed)
+            for each in given:  # a pose that was not needed must hold all the same
+                if each not in needed and not each.holds(placed.plot):
+                    others = tuple(other.where(mechanism) for other in _fixing_same(placed.structure, each, needed))
+                    unit = EDGE[driven(each.fixes.kind == "slide")]
+                    value, off = each.fixes.value or 0.0, each.off(placed.plot)
+                    values = unit.shown(value), unit.shown(value + off), unit.shown(abs(off))
+                    raise PosesDiffer(each.where(mechanism), each.fixes.name, *values, others)
             return placed
         first = first or placed
     if first is None:
         assert refusal is not None
         raise refusal
     return first  # by drivers that contradict each other: there are too many of them
-
-
-def _refuse_other(
-    mechanism: Mechanism, placed: DrawnPlacement, given: tuple[PlacingValue, ...], needed: tuple[PlacingValue, ...]
-) -> None:
-    """A pose that was not needed must hold all the same."""
-    for each in given:
-        if each not in needed and not each.holds(placed.plot):
-            others = tuple(other.where(mechanism) for other in _fixing_same(placed.structure, each, needed))
-            said, off, unit = each.fixes.value or 0.0, each.off(placed.plot), EDGE[driven(each.fixes.kind == "slide")]
-            values = unit.shown(said), unit.shown(said + off), unit.shown(abs(off))
-            raise PosesDiffer(each.where(mechanism), each.fixes.name, *values, others)
 
 
 def _fixing_same(structure: Topology, given: PlacingValue, needed: Sequence[PlacingValue]) -> list[PlacingValue]:

@@ -29,10 +29,8 @@ SAME = 1e-6  # assemblies of a group whose unknowns differ by less are one [rad,
 
 @filled
 class Branches:
-    """Drawings side by side: values of the plot are scalar or (w,); sides (w, choices made).
-
-    alike  how many entries of each table, the first ones, are the same in every branch
-    """
+    """Drawings side by side: values of the plot are scalar or (w,); sides (w, choices made). The first `alike` entries
+    of each table are the same in every branch."""
 
     plot: Plot
     sides: np.ndarray
@@ -70,10 +68,8 @@ class GroupFitter:
 
     def fitted(self, here: Branches, step: Fit, fit: Callable[[Plot], None], spare: float) -> Branches:
         """Each branch with every assembly of the group that fits; where none fits, how the last ones tried miss.
-
-        spare  squared distance that points drawn later may make good [m²]: another assembly of this group may lead
-               to better ones of those
-        """
+        `spare`: squared distance that points drawn later may make good [m²], where another assembly of this group may
+        lead to better ones."""
         # the group's unknowns as the sketch, and what is drawn, show them: (n, w); nan where they do not
         angles = {base: self._angle(here.plot, base) for base in step.angles}
         values = [*angles.values(), *(self._displacement(here.plot, slide, angles) for slide in step.slides)]

@@ -16,9 +16,6 @@ from graphkin.planning.position import contact_letters, in_step
 from graphkin.planning.special_points import Leg, Ternary
 from graphkin.planning.stages import Group, Loop, Mesh
 
-KnownArrow = tuple[tuple[Site, ...], str, terms.Size, terms.Direction | None]
-"""The sites it lies between, its part, its size, its direction."""
-
 
 def group(polygon: PolygonPlan, stage: Group, special: Ternary | None) -> None:
     """All unknowns of a group, then the points of its links, each from what is drawn by then."""
@@ -125,11 +122,18 @@ def _leg(polygon: PolygonPlan, leg: Leg, point: Site) -> tuple[terms.Term, ...]:
     arrows = list(polygon.absolute(leg.start))
     tail = arrows[-1].head if arrows else polygon.name(leg.start)
     link, label = polygon.structure.home(leg.end.link), polygon.labels.label
-    for sites, part, size, direction in _known_of(polygon, leg, point):
-        of, seen_from = map(label, sites)
+    # each known arrow of the leg, and the normal one from its end to the point
+    hops: list[tuple[Hop, slice]] = [(hop, slice(None)) for hop in leg.hops]
+    if polygon.plane == "acceleration":
+        hops.append((LinkArm(leg.end, point, True), slice(1)))
+    known = [(each, *piece) for each, some in hops for piece in polygon.pieces(each)[some]]
+    for each, part, size, direction in known:
+        if size is None:
+            continue
+        of, seen_from = label(each.of), label(each.seen_from)
         turning = polygon.structure.home(size.link) if isinstance(size, terms.Normal | terms.Relative) else link
         head = polygon.between("k" if part == "k" else "n", turning, f"a^{part}_{of}{seen_from}")
-        arrows.append(terms.Term(of, seen_from, part, size, direction, tail, head, sites=sites))
+        arrows.append(terms.Term(of, seen_from, part, size, direction, tail, head, sites=(each.of, each.seen_from)))
         tail = head
     hop = leg.unknown
     in_velocity, sliding = polygon.plane == "velocity", isinstance(hop, Slip)
@@ -141,15 +145,6 @@ def _leg(polygon: PolygonPlan, leg: Leg, point: Site) -> tuple[terms.Term, ...]:
     onto = "" if onto == over else onto
     arrows.append(terms.Term(label(point), seen_from, part, None, leg.way, *ends, over, onto, sites))
     return tuple(arrows)
-
-
-def _known_of(polygon: PolygonPlan, leg: Leg, point: Site) -> list[KnownArrow]:
-    """Each known arrow of a leg, and the normal one from its end to the point."""
-    hops: list[tuple[Hop, slice]] = [(hop, slice(None)) for hop in leg.hops]
-    if polygon.plane == "acceleration":
-        hops.append((LinkArm(leg.end, point, True), slice(1)))
-    return [((hop.of, hop.seen_from), part, size, direction) for hop, some in hops
-            for part, size, direction in polygon.pieces(hop)[some] if size is not None]  # fmt: skip
 
 
 def mesh(polygon: PolygonPlan, stage: Mesh) -> None:
@@ -191,9 +186,13 @@ def _train(polygon: PolygonPlan, stage: Group) -> bool:
     if len(planets) != 1:
         return False
     planet = planets.pop()
-    sites = _contacts_with_known(polygon, stage, planet)
-    if not sites:
-        return False
+    letters, sites = contact_letters(polygon.structure), []
+    for contact in stage.contacts:  # as a point of the planet and of the other wheel, which must move as known
+        other = next(wheel for wheel in contact.wheels if wheel != planet)
+        known = polygon.structure.base(other) not in stage.angles and (other == FRAME or base_of(polygon, other))
+        if not known or contact.arm != stage.contacts[0].arm:
+            return False
+        sites.append((Site(letters[contact.name], planet), Site(letters[contact.name], other)))
     for of, at in sites:
         reach(polygon, at)
         polygon.put(polygon.key(of), polygon.name(at))
@@ -207,19 +206,6 @@ def _train(polygon: PolygonPlan, stage: Group) -> bool:
         _read_omega(polygon, arm, pivot, Site(centre, arm))
     measure_slides(polygon, stage.slides)
     return True
-
-
-def _contacts_with_known(polygon: PolygonPlan, stage: Group, planet: str) -> list[tuple[Site, Site]]:
-    """Each contact as a point of the planet and of the other wheel; none unless both others move as known."""
-    letters = contact_letters(polygon.structure)
-    sites = []
-    for contact in stage.contacts:
-        other = next(wheel for wheel in contact.wheels if wheel != planet)
-        known = polygon.structure.base(other) not in stage.angles and (other == FRAME or base_of(polygon, other))
-        if not known or contact.arm != stage.contacts[0].arm:
-            return []
-        sites.append((Site(letters[contact.name], planet), Site(letters[contact.name], other)))
-    return sites
 
 
 def _read_omega(polygon: PolygonPlan, link: str, tail: Site, head: Site) -> None:

@@ -100,20 +100,17 @@ def measure_slides(polygon: PolygonPlan, names: Iterable[str]) -> None:
         elif isinstance(part, Simultaneous):
             given.update(part.slides)
     for name in names:
-        if name not in given:
-            _measure_slide(polygon, name)
-
-
-def _measure_slide(polygon: PolygonPlan, name: str) -> None:
-    """The point seen from the guide under it; of the acceleration what the Coriolis term leaves."""
-    pair, owners = polygon.structure.slides[name], polygon.structure.owners
-    of = Site(pair.point, next(body for body in owners[pair.point] if body != pair.guide))
-    seen_from = Site(pair.point, pair.guide)
-    reach(polygon, of)
-    if pair.guide == FRAME:
-        polygon.parts.append(Measure(polygon.sliding, name, polygon.pole, polygon.name(of)))
-        return
-    reach(polygon, seen_from)
-    *known, along = polygon.terms(Slip(seen_from, of, False, name))
-    polygon.parts += [LayOff(term, term.tail, term.head) for term in known]
-    polygon.parts.append(Measure(polygon.sliding, name, along.tail, along.head))
+        if name in given:
+            continue
+        # the point seen from the guide under it; of the acceleration what the Coriolis term leaves
+        pair, owners = polygon.structure.slides[name], polygon.structure.owners
+        of = Site(pair.point, next(body for body in owners[pair.point] if body != pair.guide))
+        seen_from = Site(pair.point, pair.guide)
+        reach(polygon, of)
+        if pair.guide == FRAME:
+            polygon.parts.append(Measure(polygon.sliding, name, polygon.pole, polygon.name(of)))
+            continue
+        reach(polygon, seen_from)
+        *known, along = polygon.terms(Slip(seen_from, of, False, name))
+        polygon.parts += [LayOff(term, term.tail, term.head) for term in known]
+        polygon.parts.append(Measure(polygon.sliding, name, along.tail, along.head))

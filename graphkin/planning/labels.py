@@ -9,7 +9,7 @@ from functools import cached_property
 from graphkin.base.value import filled
 from graphkin.construction import Site
 from graphkin.model.mechanism import FRAME
-from graphkin.planning.loop_terms import Slip, Twist, way_round
+from graphkin.planning.loop_terms import Hop, Slip, Twist, way_round
 from graphkin.planning.position import touching
 from graphkin.planning.stages import Carry, Group, Loop, Stage
 from graphkin.planning.structure import Sliding, Topology
@@ -25,23 +25,17 @@ class Labels:
     _known: dict[Site, str] = field(default_factory=dict)
 
     def label(self, site: Site) -> str:
-        if (label := self._known.get(site)) is None:
-            label = self._known[site] = self._label(site)
-        return label
-
-    def _label(self, site: Site) -> str:
-        point = site.point
-        owners = self.structure.owners.get(point, ())
-        owned = site.link in owners or (site.link == FRAME and bool(owners))
-        if owned:
-            if point not in self.coincident:
-                return point
-            link = self.coincident[point]
-        elif self.structure.is_pin(site.link):
-            return f"{point}@{self.structure.pins[site.link].name}"  # a pin in a slot is a body beside its link
+        if (label := self._known.get(site)) is not None:
+            return label
+        point, owners = site.point, self.structure.owners.get(site.point, ())
+        if site.link in owners or (site.link == FRAME and owners):
+            label = self.numbered(point, self.coincident[point]) if point in self.coincident else point
+        elif self.structure.is_pin(site.link):  # a pin in a slot is a body beside its link
+            label = f"{point}@{self.structure.pins[site.link].name}"
         else:
-            link = self.structure.home(site.link)
-        return self.numbered(point, link)
+            label = self.numbered(point, self.structure.home(site.link))
+        self._known[site] = label
+        return label
 
     def numbered(self, point: str, link: str) -> str:
         called = self.structure.mechanism.called(link)
@@ -81,20 +75,17 @@ def coincident_points(structure: Topology, order: tuple[Stage, ...]) -> dict[str
     """Points at which links move past a moving link, with the link of which the hinge there is a point."""
     points: dict[str, str] = {}
     for stage in order:
-        for hop in _relative_hops(structure, stage):
-            if FRAME not in (hop.seen_from.link, hop.of.link) or isinstance(hop, Twist):
+        hops: list[Hop] = []
+        if isinstance(stage, Carry) and isinstance(stage.by, Sliding):
+            pair = structure.slides[stage.by.slide]
+            hops.append(Slip(Site(pair.point, pair.guide), Site(pair.point, structure.block(pair)), True, pair.name))
+        for loop in (stage,) if isinstance(stage, Loop) else stage.loops if isinstance(stage, Group) else ():
+            hops += way_round(structure, loop)[1]
+        for hop in hops:
+            past = isinstance(hop, Slip) and FRAME not in (hop.seen_from.link, hop.of.link)
+            if past or isinstance(hop, Twist):
                 owners = structure.owners[hop.of.point]
                 homes = [site.link for site in (hop.of, hop.seen_from) if site.link in owners]
                 if homes:
                     points.setdefault(hop.of.point, structure.home(homes[0]))
     return points
-
-
-def _relative_hops(structure: Topology, stage: Stage) -> list[Slip | Twist]:
-    """The hops of one stage between coincident points."""
-    if isinstance(stage, Carry) and isinstance(stage.by, Sliding):
-        pair = structure.slides[stage.by.slide]
-        return [Slip(Site(pair.point, pair.guide), Site(pair.point, structure.block(pair)), True, pair.name)]
-    loops = (stage,) if isinstance(stage, Loop) else stage.loops if isinstance(stage, Group) else ()
-    hops = (hop for loop in loops for hop in way_round(structure, loop)[1])
-    return [hop for hop in hops if isinstance(hop, Slip | Twist)]

@@ -94,10 +94,8 @@ body which is first in the file. Then what tells whether it still holds, and the
 
 
 class LoopPaths:
-    """Every path with two unknown scalars; or each that goes on as long as it keeps to `most`.
-
-    floating  also those that only lead back to the hinge of unknown links in which they begin, after the others
-    """
+    """Every path with two unknown scalars, or each that goes on as long as it keeps to `most`; if `floating` also those
+    that only lead back to the hinge of unknown links in which they begin, after the others."""
 
     def __init__(self, known: KnownMotion, most: int, floating: bool = False) -> None:
         self.known, self.most, self.floating = known, most, floating

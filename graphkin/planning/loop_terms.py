@@ -66,10 +66,8 @@ def halves(structure: Topology, loop: Loop) -> tuple[Site, tuple[Hop, ...], Site
 
 @kept(256, objects=2)
 def way_round(structure: Topology, loop: Loop, lever: str = "") -> tuple[Site, tuple[Hop, ...], Site]:
-    """The whole loop in one direction: from a known site over all hops to a known site.
-
-    lever  the body of its group that shall carry the lever, where this is to be chosen
-    """
+    """The whole loop in one direction, from a known site over all hops to a known site; `lever`: the body of its group
+    that shall carry the lever, where this is to be chosen."""
     places = _places(structure, loop, lever)
     start = Site(places[0], _beyond(structure, loop.joints[0], loop.bodies[0]))
     end = Site(places[-1], _beyond(structure, loop.joints[-1], loop.bodies[-1]))

@@ -123,12 +123,8 @@ class Method:
 
 @frozen
 class Act:
-    """Steps that the pencil does in one go.
-
-    number  counted from 1 through both polygons; in the mechanism's own plane apart
-    page    counted from 1 through all three planes: the drawing of it among those of single steps
-    steps   of the construction; `done` is the one that finishes it
-    """
+    """Steps that the pencil does in one go, of which `done` finishes it. Its `number` counts from 1 through both
+    polygons, in the mechanism's own plane apart; its `page` through all three planes, one drawing for each act."""
 
     plane: Plane
     number: int
@@ -152,7 +148,15 @@ def acts(constructions: Iterable[Construction], unnamed: Collection[str]) -> tup
         groups: list[tuple[list[Step], Step]] = []
         begun: list[Step] = []
         for step in construction.steps:
-            finishes = _finishes(step) and not (isinstance(step, kinds.Image) and step.point in unnamed)
+            match step:
+                case kinds.Image(point=point):
+                    finishes = point not in unnamed
+                case kinds.LayOff() | kinds.Meet() | kinds.Swing() | kinds.Touch() | kinds.Fit():
+                    finishes = True
+                case kinds.Given() | kinds.Ray() | kinds.Arc() | kinds.Measure() | kinds.Roll() | kinds.Simultaneous():
+                    finishes = False
+                case _:
+                    assert_never(step)
             if groups and not begun and (isinstance(step, kinds.Measure | kinds.Roll | kinds.Image) and not finishes):
                 groups[-1][0].append(step)
                 continue
@@ -165,17 +169,6 @@ def acts(constructions: Iterable[Construction], unnamed: Collection[str]) -> tup
         for number, (steps, done) in enumerate((((tuple(steps), done) for steps, done in groups)), start=before + 1):
             in_order.append(Act(construction.plane, number, len(in_order) + 1, steps, done))
     return tuple(in_order)
-
-
-def _finishes(step: Step) -> bool:
-    """True if a sentence of its own tells of a step."""
-    match step:
-        case kinds.LayOff() | kinds.Meet() | kinds.Image() | kinds.Swing() | kinds.Touch() | kinds.Fit():
-            return True
-        case kinds.Given() | kinds.Ray() | kinds.Arc() | kinds.Measure() | kinds.Roll() | kinds.Simultaneous():
-            return False
-        case _:
-            assert_never(step)
 
 
 def made(step: Step) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from graphkin.errors import GraphkinError, HigherClass, OtherSide
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.pairs import Cam, Pair, RollingContact, Slide
 from graphkin.planning.assembly import assemble, with_sides
-from graphkin.planning.equivalent import Contact, contacts, lower_pairs
+from graphkin.planning.equivalent import contacts, lower_pairs
 from graphkin.planning.labels import Labels, coincident_points
 from graphkin.planning.method import Method, facts_of
 from graphkin.planning.motion import motion
@@ -48,7 +48,10 @@ def plan(mechanism: Mechanism, coincident: str = "", centres: bool = False) -> M
     if aside or ties or mechanism.poses:
         structure = replace(structure, mechanism=lower, aside=Aside.of(aside))
     if aside and ties:
-        structure = replace(structure, contacts=_guided_contacts(structure))
+        guided = (replace(contact, way=_shares(structure, structure.slides[contact.slide], contact.centres[1]))
+                  if contact.slide in structure.aside.slides else contact
+                  for contact in structure.contacts)  # fmt: skip
+        structure = replace(structure, contacts=tuple(guided))
     order = _order(structure)
     construction, choices = position(structure, order)
     facts = facts_of(structure, None, drawn)
@@ -111,17 +114,10 @@ SlideShares = tuple[tuple[str, float], ...]
 """Slides whose displacements add up to another one, each with what it counts."""
 
 
-def _guided_contacts(structure: Topology) -> tuple[Contact, ...]:
-    """The contacts; those whose own slide is set aside with the slides that add up to its displacement, if any do. A
+def _shares(structure: Topology, track: Slide, centre: str) -> SlideShares:
+    """From a track set aside over parallel slides to a link that carries the centre; nothing where none lead there. A
     plate on a guide, a wheel that rolls on it, a second plate on top: how far the wheel goes along the second plate is
     made up of the displacements of plates and wheel along their own lines, which are all parallel."""
-    return tuple(replace(contact, way=_shares(structure, structure.slides[contact.slide], contact.centres[1]))
-                 if contact.slide in structure.aside.slides else contact
-                 for contact in structure.contacts)  # fmt: skip
-
-
-def _shares(structure: Topology, track: Slide, centre: str) -> SlideShares:
-    """From the track over parallel slides to a link that carries the centre; nothing where none lead there."""
     reached: dict[str, tuple[complex, SlideShares]] = {track.guide: (track.line.direction, ())}
     queue = [track.guide]
     for link in queue:

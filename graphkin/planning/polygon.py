@@ -7,20 +7,7 @@ from dataclasses import field, replace
 from itertools import chain, count
 
 from graphkin.base.value import filled
-from graphkin.construction import Direction, Equation, LayOff, Measure, Node, Plane, Site, Size, Step, Term
-from graphkin.construction.terms import (
-    Across,
-    Along,
-    AlongGuide,
-    Coriolis,
-    Drawn,
-    Driven,
-    Normal,
-    Quarter,
-    Relative,
-    Tangential,
-    Turning,
-)
+from graphkin.construction import Direction, Equation, LayOff, Measure, Node, Plane, Site, Size, Step, Term, terms
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import image_name, primes
 from graphkin.planning.closing import close, known_first, pole_is_last
@@ -112,23 +99,23 @@ class PolygonPlan:
         return () if node == self.pole else (self._from_pole(site, node),)
 
     def _from_pole(self, site: Site, node: str) -> Term:
-        return Term(self.labels.label(site), "", "", Drawn(self.pole, node), None, self.pole, node, sites=(site,))
+        return Term(self.labels.label(site), "", "", terms.Drawn(self.pole, node), None, self.pole, node, sites=(site,))
 
     def terms(self, hop: Hop) -> list[Term]:
         """The arrows of one hop from `seen_from` outward to `of`, an unknown one last."""
         pieces = self.pieces(hop)
-        tail, terms, sites = self.name(hop.seen_from), list[Term](), (hop.of, hop.seen_from)
+        tail, arrows, sites = self.name(hop.seen_from), list[Term](), (hop.of, hop.seen_from)
         of, seen_from = self.labels.label(hop.of), self.seen_from(hop)
         for k, (part, size, direction) in enumerate(pieces):
             if k == len(pieces) - 1:
                 head = self.name(hop.of)
             else:
                 head = self.between(part[-1], self.structure.home(hop.of.link), f"a^{part}_{of}{seen_from}")
-            terms.append(Term(of, seen_from, part, size, direction, tail, head, sites=sites))
+            arrows.append(Term(of, seen_from, part, size, direction, tail, head, sites=sites))
             if size is None:
-                self.unknown[hop] = terms[-1]
+                self.unknown[hop] = arrows[-1]
             tail = head
-        return terms
+        return arrows
 
     def seen_from(self, hop: Hop) -> str:
         """The second site in the name of a hop's arrows; none where the motion is an absolute one."""
@@ -141,37 +128,37 @@ class PolygonPlan:
         link, tail, head, in_velocity = hop.of.link, hop.seen_from.point, hop.of.point, self.plane == "velocity"
         match hop:
             case LinkArm(known=known):
-                across = Across(tail, head)
+                across = terms.Across(tail, head)
                 if in_velocity:
-                    return [("", Turning(link, tail, head) if known else None, across)]
-                swing = Tangential(link, tail, head) if known else None
-                return [("n", Normal(link, tail, head), Along(head, tail)), ("t", swing, across)]
+                    return [("", terms.Turning(link, tail, head) if known else None, across)]
+                swing = terms.Tangential(link, tail, head) if known else None
+                return [("n", terms.Normal(link, tail, head), terms.Along(head, tail)), ("t", swing, across)]
             case Slip(seen_from, slide=slide):
-                size, line = Driven(slide, self.sense(hop)) if hop.known else None, AlongGuide(slide)
+                size, line = terms.Driven(slide, self.sense(hop)) if hop.known else None, terms.AlongGuide(slide)
                 if in_velocity or seen_from.link == FRAME:
                     return [("", size, line)]
                 pin = self.structure.is_pin(seen_from.link)  # it turns with its slot
                 turning = self.structure.slides[slide].guide if pin else seen_from.link
                 return [self._coriolis(hop, turning), ("r", size, line)]
             case Twist(seen_from, pivot=pivot):
-                other, across = seen_from.link, Across(pivot, head)
+                other, across = seen_from.link, terms.Across(pivot, head)
                 if in_velocity:
-                    return [("", Relative(link, other, pivot, head), across)]
-                normal, tangential = (Relative(link, other, pivot, head, part) for part in ("n", "t"))
-                return [self._coriolis(hop, other), ("rn", normal, Along(head, pivot)), ("rt", tangential, across)]
+                    return [("", terms.Relative(link, other, pivot, head), across)]
+                normal, tangent = (terms.Relative(link, other, pivot, head, part) for part in ("n", "t"))
+                return [self._coriolis(hop, other), ("rn", normal, terms.Along(head, pivot)), ("rt", tangent, across)]
 
     def _coriolis(self, hop: Hop, link: str) -> Piece:
         """By the turning of a link, and the arrow between the hop's sites in the velocity polygon."""
         tail, head = self.velocity(hop.seen_from), self.velocity(hop.of)
-        return "k", Coriolis(link, tail, head), Quarter(link, tail, head)
+        return "k", terms.Coriolis(link, tail, head), terms.Quarter(link, tail, head)
 
     def side(self, start: Site, hops: tuple[Hop, ...]) -> tuple[Term, ...]:
-        terms = list(self.absolute(start))
-        if not terms and hops and isinstance(hops[0], Slip) and hops[0].seen_from.link != FRAME:
-            terms = [self._from_pole(start, self.pole)]
+        arrows = list(self.absolute(start))
+        if not arrows and hops and isinstance(hops[0], Slip) and hops[0].seen_from.link != FRAME:
+            arrows = [self._from_pole(start, self.pole)]
         for hop in hops:
-            terms += self.terms(hop)
-        return tuple(terms) or (self._from_pole(start, self.pole),)  # at rest
+            arrows += self.terms(hop)
+        return tuple(arrows) or (self._from_pole(start, self.pole),)  # at rest
 
     def equate(self, of: Site, left: tuple[Term, ...], right: tuple[Term, ...], pole: str = "") -> None:
         """Both sides of one vector equation, what is known first, drawn until they meet."""
@@ -193,7 +180,7 @@ class PolygonPlan:
 
     def in_order(self, first: tuple[Term, ...], second: tuple[Term, ...]) -> tuple[tuple[Term, ...], tuple[Term, ...]]:
         """A textbook puts the side that starts at rest first, and of two such the shorter one."""
-        resting = [side[0].head == self.pole or not isinstance(side[0].size, Drawn) for side in (first, second)]
+        resting = [side[0].head == self.pole or not isinstance(side[0].size, terms.Drawn) for side in (first, second)]
         swapped = resting[1] if resting[0] != resting[1] else resting[0] and len(second) < len(first)
         return (second, first) if swapped else (first, second)
 

@@ -242,7 +242,14 @@ class _PositionDrawing:
     def fill(self, body: str) -> None:
         """All further points of a body whose angle is known, from one that is, or from the end of a slide."""
         points, shape = self.structure.bodies[body], self.structure.shapes[body]
-        start = next((point for point in points if point in self.points), "") or self._slid_end(body)
+        start = next((point for point in points if point in self.points), "")
+        if not start:  # the end on the body of a known displacement of which the other end is drawn
+            pair = self.structure.slides[self._half_drawn(body)]
+            forward = body != pair.guide
+            tail, start = (pair.line.origin, pair.point) if forward else (pair.point, pair.line.origin)
+            if start not in self.points:
+                self._lay_off(terms.Slid(pair.name, 1 if forward else -1), terms.AlongGuide(pair.name), tail, start)
+                self.points.add(start)
         for point in points:
             if point in self.points:
                 continue
@@ -259,16 +266,6 @@ class _PositionDrawing:
         slides = (joint.slide for joint, _ in self.structure.joints(body) if isinstance(joint, Sliding))
         pairs = ((slide, self.structure.slides[slide]) for slide in slides)
         return next((slide for slide, pair in pairs if {pair.line.origin, pair.point} & self.points), "")
-
-    def _slid_end(self, body: str) -> str:
-        """The end on a body of a known displacement of which the other end is drawn."""
-        pair = self.structure.slides[self._half_drawn(body)]
-        forward = body != pair.guide
-        tail, head = (pair.line.origin, pair.point) if forward else (pair.point, pair.line.origin)
-        if head not in self.points:
-            self._lay_off(terms.Slid(pair.name, 1 if forward else -1), terms.AlongGuide(pair.name), tail, head)
-            self.points.add(head)
-        return head
 
     def _lay_off(self, part: terms.Arm | terms.Slid, direction: terms.Direction, tail: str, head: str) -> None:
         term = terms.Term(head, tail, "", terms.Span((part,)), direction, tail, head)

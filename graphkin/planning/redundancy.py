@@ -43,7 +43,16 @@ def redundant_constraints(mechanism: Mechanism, structure: Topology) -> tuple[Se
     restraints = Restraints(structure, tuple(given))
     drawn, _ = restraints.drawn_place()
     candidates = PairEquations(mechanism, structure, frozenset(restraints.rows(drawn).labels))
-    whole = rows = _general_rows(restraints, drawn)
+    # the pairs' equations where they are most independent: at the drawn position, or next to it
+    asked = [ConstraintRow("given", str(k)) for k in range(len(given))]
+    places = [restraints.rows(drawn).without(asked)]
+    rng, free = np.random.default_rng(3), places[0].freedom
+    for _ in range(_NUDGES if len(free) else 0):
+        move = rng.normal(0, 1, len(free)) @ free
+        q, settled = restraints.settled(drawn + _NUDGE * move / np.max(np.abs(move)), asked, drawn)
+        if settled.gap < CLOSED:
+            places.append(restraints.rows(q).without(asked))
+    whole = rows = max(places, key=lambda place: place.rank)
     aside: list[SetAside] = []
     for each in candidates.all():
         if all(row in rows.labels for row in each.rows):
@@ -54,19 +63,6 @@ def redundant_constraints(mechanism: Mechanism, structure: Topology) -> tuple[Se
     contradictions = Contradictions(candidates, restraints)
     contradictions.refuse(aside, contradictions.near(rows))
     return tuple(replace(each, held=tuple(candidates.holding(each, whole, rows))) for each in aside)
-
-
-def _general_rows(restraints: Restraints, drawn: Array) -> ConstraintRows:
-    """The pairs' equations where they are most independent: at the drawn position, or next to it."""
-    given = [ConstraintRow("given", str(k)) for k in range(len(restraints.given))]
-    start = restraints.rows(drawn).without(given)
-    rng, places, free = np.random.default_rng(3), [start], start.freedom
-    for _ in range(_NUDGES if len(free) else 0):
-        move = rng.normal(0, 1, len(free)) @ free
-        q, rows = restraints.settled(drawn + _NUDGE * move / np.max(np.abs(move)), given, drawn)
-        if rows.gap < CLOSED:
-            places.append(restraints.rows(q).without(given))
-    return max(places, key=lambda rows: rows.rank)
 
 
 def still_redundant(structure: Topology, redundant: Sequence[SetAside]) -> tuple[SetAside, ...]:
@@ -137,17 +133,16 @@ class PairEquations:
         assert pair is not None
         return self.mechanism.path(pair)
 
-    def pair_of(self, row: ConstraintRow) -> PairName:
-        m = self.mechanism
-        if row.kind == "hinge":
-            return ("hinge", row.name) if row.body in m.links else self._name_in_file(row.body)
-        return m.path(m.pair(row.name))
-
     def holding(self, each: SetAside, whole: ConstraintRows, kept: ConstraintRows) -> list[PairName]:
         """The pairs whose equations add up to those of one."""
         shares = np.linalg.lstsq(kept.slopes.T, whole.only(each.rows).T, rcond=RANK)[0]
         rows = [row for row, share in zip(kept.labels, shares, strict=True) if np.max(np.abs(share)) > RANK]
-        pairs = dict.fromkeys(self.pair_of(row) for row in rows if row.kind != "given")
+        pairs, m = dict[PairName, None](), self.mechanism
+        for row in (row for row in rows if row.kind != "given"):
+            if row.kind != "hinge":
+                pairs[m.path(m.pair(row.name))] = None
+            else:
+                pairs[("hinge", row.name) if row.body in m.links else self._name_in_file(row.body)] = None
         return [pair for pair in pairs if pair[0] not in ("hinge", "links")] or list(pairs)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import cmath
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import combinations
 
 import numpy as np
@@ -20,6 +20,7 @@ from graphkin.planning.structure import Topology
 
 DEAD_DEG = 0.5  # lines that meet under less than this give no usable drawing [deg]
 DEAD_SINE = float(np.sin(np.radians(DEAD_DEG)))
+Crossing = Meet | Swing | Fit
 FAR = 1.4  # a sketch is rough: so many times longer or shorter than it is no matter
 
 
@@ -27,10 +28,12 @@ def refuse_bad_positions(structure: Topology, construction: Construction, plot: 
     """A single position that does not close, or is a dead point, raises; arrays pass, with NaN in them."""
     if any(isinstance(value, np.ndarray) and value.ndim for value in plot.position.values()):
         return
-    for step, key in _crossings(construction):
-        sine = number(plot.sines["position", key])
+    for step in construction.steps:
+        if not isinstance(step, Meet | Swing | Fit):
+            continue
+        sine = number(plot.sines["position", key_of(step)])
         if not np.isfinite(sine) or sine < DEAD_SINE:
-            raise _refusal_at(structure, step, key, plot)
+            raise _refusal_at(structure, step, plot)
     refuse_open(structure, plot, CLOSED)
 
 
@@ -43,27 +46,16 @@ def refuse_open(structure: Topology, plot: Plot, part: float) -> None:
         raise _cannot_assemble(mechanism, mechanism.where("links", link), called, [link], gap * 1000)
 
 
-def _crossings(construction: Construction) -> Iterator[tuple[Meet | Swing | Fit, str]]:
-    """The steps that may fail, each with the name under which the plot keeps its angle."""
-    for step in construction.steps:
-        if isinstance(step, Meet):
-            yield step, step.point
-        elif isinstance(step, Swing):
-            yield step, step.slide
-        elif isinstance(step, Fit):
-            yield step, step.name
-
-
 def dead_end(structure: Topology, construction: Construction, plot: Plot) -> errors.CannotAssemble | errors.DeadPoint:
     """Of the crossing at which no branch is left; before all of them, of a cylinder driven back too far."""
     last = None
-    for step, key in _crossings(construction):
-        if ("position", key) in plot.sines:
-            last = step, key
-            if not np.isfinite(plot.sines["position", key]).any():
+    for step in construction.steps:
+        if isinstance(step, Meet | Swing | Fit) and ("position", key_of(step)) in plot.sines:
+            last = step
+            if not np.isfinite(plot.sines["position", key_of(step)]).any():
                 break
     if last is not None:
-        return _refusal_at(structure, *last, plot)
+        return _refusal_at(structure, last, plot)
     mechanism, least = structure.mechanism, {name: float(np.min(value)) for name, value in plot.s.items()}
     slide = structure.slides[min(least, key=lambda name: least[name])]
     links = dict.fromkeys((slide.guide, structure.home(structure.block(slide))))
@@ -72,10 +64,8 @@ def dead_end(structure: Topology, construction: Construction, plot: Plot) -> err
     return errors.CannotAssemble(mechanism.where("driver", driver), called, abs(least[slide.name]) * 1000)
 
 
-def _refusal_at(
-    structure: Topology, step: Meet | Swing | Fit, key: str, plot: Plot
-) -> errors.CannotAssemble | errors.DeadPoint:
-    mechanism, links = structure.mechanism, links_of(structure, step)
+def _refusal_at(structure: Topology, step: Crossing, plot: Plot) -> errors.CannotAssemble | errors.DeadPoint:
+    mechanism, links, key = structure.mechanism, links_of(structure, step), key_of(step)
     where = mechanism.where("links", *[link for link in links if structure.is_link(link)][-1:])
     called = tuple(spelled(mechanism.called(link)) for link in links)
     gap = float(np.nanmin(plot.misses.get(key, np.array(0.0))))
@@ -145,7 +135,12 @@ def _open_link(structure: Topology, plot: Plot, size: float) -> tuple[str, float
     return max(gaps, key=lambda entry: entry[1])
 
 
-def links_of(structure: Topology, step: Meet | Swing | Fit) -> list[str]:
+def key_of(step: Crossing) -> str:
+    """The name under which a plot keeps the angle of a crossing."""
+    return step.point if isinstance(step, Meet) else step.slide if isinstance(step, Swing) else step.name
+
+
+def links_of(structure: Topology, step: Crossing) -> list[str]:
     """The links whose reach, or whose guide, a crossing is about."""
     if isinstance(step, Swing):
         pair = structure.slides[step.slide]

@@ -26,12 +26,8 @@ APART = 0.1  # least sine of the angle under which two legs' lines may meet, whe
 
 @frozen
 class Leg:
-    """From a known site over hops, one of them unknown, to a point of the ternary link.
-
-    end   that point, as part of the ternary link
-    line  where the special point lies: through `end`, in this direction
-    way   the direction in which the leg's unknown moves the special point
-    """
+    """From a known site over hops, one of them unknown, to `end`, a point as part of the ternary link. The special
+    point lies on a `line` through it; `way` is the direction in which the leg's unknown moves the special point."""
 
     start: Site
     hops: tuple[Hop, ...]
@@ -101,24 +97,18 @@ def _legs(structure: Topology, group: Group, link: str) -> list[Leg] | None:
         at = levers[0]
         halves = (start, hops[:at], hops[at].seen_from), (end, outward(hops[at + 1 :]), hops[at].of)
         for site, half, last in halves:
-            leg = _leg(site, half, last)
-            if leg is None:
+            unknown = [hop for hop in half if not hop.known]
+            if len(unknown) != 1:
                 return None
-            legs.setdefault((leg.start, leg.unknown), leg)
+            if isinstance(hop := unknown[0], LinkArm):
+                arm = hop.seen_from.point, hop.of.point
+                leg = Leg(site, half, last, Along(*arm), Across(*arm))
+            elif isinstance(hop, Slip):
+                leg = Leg(site, half, last, AcrossGuide(hop.slide), AlongGuide(hop.slide))
+            else:
+                return None
+            legs.setdefault((site, hop), leg)
     return [*legs.values()] if len(legs) == 3 and len({leg.end.link for leg in legs.values()}) == 1 else None
-
-
-def _leg(start: Site, hops: tuple[Hop, ...], end: Site) -> Leg | None:
-    unknown = [hop for hop in hops if not hop.known]
-    if len(unknown) != 1:
-        return None
-    hop = unknown[0]
-    if isinstance(hop, LinkArm):
-        arm = hop.seen_from.point, hop.of.point
-        return Leg(start, hops, end, Along(*arm), Across(*arm))
-    if isinstance(hop, Slip):
-        return Leg(start, hops, end, AcrossGuide(hop.slide), AlongGuide(hop.slide))
-    return None
 
 
 def _worth(pair: tuple[Leg, Leg], legs: list[Leg], plot: Plot) -> float:

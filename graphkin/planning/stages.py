@@ -47,9 +47,7 @@ class Bridge:
 @frozen
 class Loop:
     """From known over `joints[0]`, `bodies[0]`, `joints[1]`, .. back to known; in a group also from a hinge back to it.
-
-    angles, slides  the unknown scalars: bases of groups of links, slides; two in all
-    """
+    Two unknown scalars in all: `angles` of bases of groups of links, and `slides`."""
 
     bodies: tuple[str, ...]
     joints: tuple[Joint, ...]
@@ -68,10 +66,8 @@ class Mesh:
 
 @frozen
 class Group:
-    """Loops and contacts whose unknown scalars can only be found together.
-
-    bodies  those that have their places then: of all loops but the floating ones
-    """
+    """Loops and contacts whose unknown scalars can only be found together; `bodies` have their places then: those of
+    all loops but the floating ones."""
 
     bodies: tuple[str, ...]
     loops: tuple[Loop, ...]

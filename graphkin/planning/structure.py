@@ -42,10 +42,8 @@ Joint = Hinge | Sliding
 
 @frozen
 class ConstraintRow:
-    """Whose equation a row is.
-
-    kind  "hinge" of a point and a body, "line" or "angle" of a slide, "slip" of a contact, "given" of a driver or pose
-    """
+    """Whose equation a row is: of kind "hinge" (of a point and a body), "line" or "angle" (of a slide), "slip" (of a
+    contact), "given" (of a driver or pose)."""
 
     kind: str
     name: str
@@ -152,12 +150,7 @@ class Topology:
 
     def named(self, body: str) -> tuple[str, ...]:
         """The points of a body that people named."""
-        return self._named[body]
-
-    @cached_property
-    def _named(self) -> dict[str, tuple[str, ...]]:
-        unnamed = self.mechanism.unnamed
-        return {body: tuple(p for p in points if p not in unnamed) for body, points in self.bodies.items()}
+        return tuple(point for point in self.bodies[body] if point not in self.mechanism.unnamed)
 
     def home(self, body: str) -> str:
         """The link people name for a body: for a pin, the first link that carries it."""

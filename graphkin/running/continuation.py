@@ -19,8 +19,9 @@ from graphkin.construction import Fit, Meet, Plot, Roll, Swing, replay
 from graphkin.construction.fitting import fit
 from graphkin.construction.pencil import COMPASS, Compass
 from graphkin.planning import Method
+from graphkin.planning.refusals import key_of
 from graphkin.running.path import STEP_DEG, STEP_PART, DriverPath, Event, Nodes, by_slide_key, cubic, stride, turned
-from graphkin.running.singularities import Crossing, choice_of, crossings, event_at, key_of, touching
+from graphkin.running.singularities import choice_of, crossings, event_at, touching
 
 QUICK, LONGER = (Compass(fit=partial(fit, rounds=rounds)) for rounds in (3, 15))
 """Links that come close to where they fit do so in these steps of Newton's method; close to a dead point it takes more,
@@ -52,12 +53,8 @@ def continued(method: Method, path: DriverPath) -> DriverPath:
 
 
 class NodeFinder:
-    """Finds positions along a path, each from one close by.
-
-    names      of what a position holds: base links, and displacements by `slide_key`
-    crossings  what may come to an end, by name
-    start      the drawn position
-    """
+    """Finds positions along a path, each from one close by. `names` of base links, and displacements by `slide_key`;
+    `crossings` that may come to an end, by name; `start`: the drawn position."""
 
     def __init__(self, method: Method, path: DriverPath) -> None:
         self.method, self.path = method, path
@@ -78,26 +75,24 @@ class NodeFinder:
 
     def _nodes(self, plot: Plot, t: np.ndarray, sides: Mapping[int, int]) -> Nodes:
         values, rates = turned(self.method, plot), {**plot.omega, **by_slide_key(plot.s_rate)}
-        sines = [self._sine(step, plot, sides) for step in self.crossings.values()]
+        sines = list[Real]()  # with the signs of their sides, which change over where they go through 0
+        for step in self.crossings.values():
+            sine = plot.sines["position", key_of(step)]
+            if isinstance(step, Fit):
+                sine = sine * plot.senses[step.name]
+            elif step.choice is not None:
+                sine = sine * sides.get(step.choice, step.side)
+            sines.append(sine)
         x, slope, signed = (np.empty((t.size, len(of))) for of in (values, values, sines))
         for table, columns in ((x, values.values()), (slope, [rates[name] for name in values]), (signed, sines)):
             for k, value in enumerate(columns):
                 table[:, k] = value
         return Nodes(t, x, slope, signed)
 
-    def _sine(self, step: Crossing, plot: Plot, sides: Mapping[int, int]) -> Real:
-        """The sine of a crossing with the sign of its side, which changes over where it goes through 0."""
-        sine = plot.sines["position", key_of(step)]
-        if isinstance(step, Fit):
-            return sine * plot.senses[step.name]
-        return sine if step.choice is None else sine * sides.get(step.choice, step.side)
-
 
 class _ContinuationWalk:
-    """One direction of a path: positions found so far, change points gone through, and what ended it.
-
-    missed   where loci only came near touching
-    """
+    """One direction of a path: positions found so far, change points gone through, and what ended it; `missed`: where
+    loci only came near touching."""
 
     def __init__(self, finder: NodeFinder, path: DriverPath, side: int) -> None:
         self.finder, self.path, self.side, method = finder, path, side, finder.method
@@ -130,7 +125,11 @@ class _ContinuationWalk:
                 flattest = self.keys[int(np.argmin(np.abs(self.nodes.sines[-1])))]
                 self.stops = (event_at(self.finder.method, self.finder.crossings[flattest], self.at, ()),)
                 return
-            if (place := self._foretold()) is not None and self._through(place):
+            if len(self.nodes) > 1 and self._soon(self.nodes[-2:-1], self.nodes[-1:])[0]:  # a crossing is nearly flat
+                place = float(self._flat_in(self.nodes[-2:-1], self.nodes[-1:]).min())
+            else:
+                place = None
+            if place is not None and self._through(place):
                 step = self.longest
             else:
                 step = self._stretch(step, end) or self._shorter(step, end) or step / 2**HALVINGS
@@ -218,12 +217,6 @@ class _ContinuationWalk:
     def _longest(self, nodes: Nodes) -> np.ndarray:
         turning = np.maximum(self._largest(nodes.slope, nodes.x), 1e-300)
         return np.asarray(np.minimum(self.stride, FARTHEST / turning))
-
-    def _foretold(self) -> float | None:
-        """The distance to the first crossing that is about to become flat, if it is soon."""
-        if len(self.nodes) == 1 or not self._soon(self.nodes[-2:-1], self.nodes[-1:])[0]:
-            return None
-        return float(self._flat_in(self.nodes[-2:-1], self.nodes[-1:]).min())
 
     def _soon(self, before: Nodes, here: Nodes) -> np.ndarray:
         """True where a crossing is about to become flat, and was not found to miss that (k,)."""

@@ -79,8 +79,8 @@ def _size(places: Places) -> float:
 def _side(method: Method, plot: Plot, step: Meet | Swing) -> PointSide | None:
     """The side of a point that lies elsewhere with the other crossing; None where there is none, or nothing plain."""
     assert step.choice is not None
-    other = replay(method.position, Plot(plot.facts, method.near), {step.choice: -step.side})
-    here, there = _named_places(method, plot), _named_places(method, other)
+    other_crossing = replay(method.position, Plot(plot.facts, method.near), {step.choice: -step.side})
+    here, there = _named_places(method, plot), _named_places(method, other_crossing)
     here = {name: z for name, z in here.items() if name in there}
     size = _size(here)
     moved = [name for name in here if abs(here[name] - there[name]) > _SAME * size]
@@ -90,7 +90,12 @@ def _side(method: Method, plot: Plot, step: Meet | Swing) -> PointSide | None:
     else:
         own = {step.point, *(locus.about for locus in (step.first, step.second) if isinstance(locus, Arc))}
     sides = [*_across(here, there, moved, still), *_beyond(here, there, moved, still)]
-    sides = sides or list(_farther(here, there, moved, still))
+    if not sides:  # points at another distance from a point that stays
+        for other, point in product(still, moved):
+            one, two = (abs(places[point] - places[other]) for places in (here, there))
+            if (plain := abs(one - two) / max(one, two)) > _PLAIN:
+                farther = math.copysign(1.0, one - two)
+                sides.append((plain, PointSide(point, (other,), farther, by_distance=True)))
     # of what the step itself joins, else of what is plainest
     best = max(sides, key=lambda entry: (len(own & {entry[1].point, *entry[1].line}), entry[0]), default=None)
     return None if best is None else best[1]
@@ -117,11 +122,3 @@ def _beyond(here: Places, there: Places, moved: list[str], still: list[str]) -> 
         parts = [(arm * unit.conjugate()).real / abs(arm) if arm else 0.0 for arm in arms]
         if parts[0] * parts[1] < 0 and (plain := min(map(abs, parts))) > _PLAIN:
             yield plain, PointSide(point, (other,), unit * math.copysign(1.0, parts[0]))
-
-
-def _farther(here: Places, there: Places, moved: list[str], still: list[str]) -> Iterator[tuple[float, PointSide]]:
-    """Points at another distance from a point that stays."""
-    for other, point in product(still, moved):
-        one, two = (abs(places[point] - places[other]) for places in (here, there))
-        if (plain := abs(one - two) / max(one, two)) > _PLAIN:
-            yield plain, PointSide(point, (other,), math.copysign(1.0, one - two), by_distance=True)

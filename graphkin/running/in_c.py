@@ -68,11 +68,8 @@ def written(
     flat: float,
 ) -> str:  # fmt: skip
     """The C text of a function that fills vectors (k, n) and after them numbers (m, n), for some positions; beyond them
-    it marks which of these are doubtful, and returns whether any is.
-
-    arrays  of each input whether it has an entry a position
-    sure    what is above `flat` at positions that are not; infinite results of what may fail make it NaN
-    """
+    it marks which of these are doubtful, and returns whether any is. `arrays`: of each input whether it has an entry a
+    position; `sure` is above `flat` at positions that are not doubtful, NaN by infinite results of what may fail."""
     results = [place for pair in vectors for place in pair] + [*numbers, sure]
     needed = tape.needed(results)
     before = [f"    const double *x{k} = in[{k}];" for k, array in enumerate(arrays) if array]

@@ -127,32 +127,26 @@ def program_of(method: Method) -> ReplayProgram | None:
     return _PROGRAMS[key]
 
 
-def _worth_it(method: Method, count: int) -> bool:
-    """True if a program is there, or so many positions were replayed by now that it is worth being made."""
-    key = id(method)
-    if not method.fits or key in _PROGRAMS:
-        return True
-    if key not in _COUNTS:
-        finalize(method, _COUNTS.pop, key, None)
-    _COUNTS[key] = _COUNTS.get(key, 0) + count
-    return _COUNTS[key] >= FITTED_MANY
-
-
 def by_program(
     method: Method, values: Sequence[Real], sides: Mapping[int, Real] | None = None,
     near: Mapping[str, Real] | None = None, asked: set[Entry] | None = None, compiled: bool | None = None,
 ) -> Plot | None:  # fmt: skip
-    """All three constructions at driver values, scalar or (n,) each; None where they are few, or no program does it.
-
-    near   angles and displacements close by, without which no program does positions that hang on how they are reached
-    asked, compiled  as `ReplayProgram.run` has them
-    """
+    """All three constructions at driver values, scalar or (n,) each; None where they are few, or no program does it, as
+    none does positions that hang on how they are reached without angles and displacements `near` by. `asked`,
+    `compiled`: as `ReplayProgram.run` has them."""
     if method.moves_on and not near:
         return None
     shapes = {value.shape if isinstance(value, np.ndarray) else np.shape(value) for value in values} - {()}
     if len(shapes) != 1 or len(shape := shapes.pop()) != 1 or shape[0] < MANY:
         return None
-    program = program_of(method) if _worth_it(method, shape[0]) else None
+    key = id(method)
+    if method.fits and key not in _PROGRAMS:  # not worth being made until many positions were replayed
+        if key not in _COUNTS:
+            finalize(method, _COUNTS.pop, key, None)
+        _COUNTS[key] = _COUNTS.get(key, 0) + shape[0]
+        if _COUNTS[key] < FITTED_MANY:
+            return None
+    program = program_of(method)
     return None if program is None else program.run(values, sides, near, asked, compiled)
 
 

@@ -132,12 +132,8 @@ def by_slide_key(displacements: Mapping[str, Real]) -> dict[str, Real]:
 
 @frozen
 class Nodes:
-    """Positions in the order in which they were found.
-
-    t      where on the path (m,)
-    x      angles and displacements (m, n) [rad, m]; slope: how fast they change with t
-    sines  of crossings, signed (m, k)
-    """
+    """Positions in the order in which they were found: t (m,) on the path, angles and displacements x (m, n) [rad, m],
+    how fast they change with t (slope), and signed sines of crossings (m, k)."""
 
     t: np.ndarray
     x: np.ndarray

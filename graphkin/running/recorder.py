@@ -197,12 +197,16 @@ def record(constructions: Sequence[Construction], facts: Facts, near: Iterable[s
         read.append(name)
         return one_more()
 
+    def together(step: kinds.Simultaneous, plot: Plot, plane: Plane) -> None:
+        rows = [(-known, coefficients) for known, coefficients in chains(step, plot, plane)]
+        settle_rates(step, plot, plane, solved(rows, dict.fromkeys(unknowns_of(step), 1.0)))
+
     values = tuple(one_more() for _ in facts.values)
     choices = [step for step in constructions[0].steps if isinstance(step, kinds.Meet | kinds.Swing)]
     usual = {step.choice: step.side for step in choices if step.choice is not None}
     sides = {choice: one_more() for choice in usual}
     plot = Plot(replace(facts, values=values), Lazy(near, close_by))
-    compass = replace(COMPASS, fit=lambda step, plot: fits.append(_fitted(step, plot)), together=_together)
+    compass = replace(COMPASS, fit=lambda step, plot: fits.append(_fitted(step, plot)), together=together)
     for construction in constructions:
         replay(construction, plot, sides if construction.plane == "position" else None, compass)
     sure = tape.one
@@ -267,12 +271,6 @@ def _fitted(step: kinds.Fit, plot: Plot) -> Quantity:
     for part in change[1:]:
         longest = np.maximum(longest, np.abs(part))
     return 1.0 - longest / SHORT
-
-
-def _together(step: kinds.Simultaneous, plot: Plot, plane: Plane) -> None:
-    """The unknown rates of a group."""
-    rows = [(-known, coefficients) for known, coefficients in chains(step, plot, plane)]
-    settle_rates(step, plot, plane, solved(rows, dict.fromkeys(unknowns_of(step), 1.0)))
 
 
 def _closure(closure: kinds.Closure, plot: Plot) -> Row:

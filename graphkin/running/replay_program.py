@@ -33,20 +33,15 @@ PLANES = ("position", "velocity", "acceleration")  # tables of vectors; the othe
 
 
 def recorded_program(constructions: Sequence[Construction], facts: Facts, near: Iterable[str] = ()) -> ReplayProgram:
-    """The program of a method's three constructions. Raises CannotRecord where they can't be recorded.
-
-    near  what a position close by has: angles by base link, displacements by `slide_key`
-    """
+    """The program of a method's three constructions; `near`: angles by base link and displacements by `slide_key` that
+    a position close by has. Raises CannotRecord where they can't be recorded."""
     return ReplayProgram(tuple(constructions), facts, record(constructions, facts, near), {})
 
 
 @frozen
 class ReplayProgram:
-    """Three constructions as one list of operations, for any values of the drivers and any sides of the crossings.
-
-    facts  with the drivers at any values
-    parts  what calculates some entries of a plot at once, by these
-    """
+    """Three constructions as one list of operations, for any values of the drivers and any sides of the crossings;
+    `parts` calculate some entries of a plot at once, by these."""
 
     constructions: tuple[Construction, ...]
     facts: Facts
@@ -109,12 +104,8 @@ class ReplayProgram:
 
 @frozen
 class ProgramPart:
-    """The operations for some entries of a plot, and where their results lie.
-
-    vectors    places of x and y of each vector; numbers: of each real result
-    rooms      by entry, the number of its vector or (after these) of its number
-    texts      in C, by which inputs are arrays
-    """
+    """The operations for some entries of a plot: places of x and y of each vector, and of each real result; by entry
+    its room, which is the number of its vector or (after these) of its number; C texts, by which inputs are arrays."""
 
     recording: Recording
     vectors: tuple[tuple[int, int], ...]
@@ -243,10 +234,8 @@ class LazyPlot(Plot):
 
 @filled
 class Results:
-    """Quantities over positions, those of one part of a program at once, the others when one of them is read.
-
-    asked  takes up what is read late
-    """
+    """Quantities over positions, those of one part of a program at once, the others when one of them is read; `asked`
+    takes up what is read late."""
 
     program: ReplayProgram
     part: ProgramPart
@@ -292,13 +281,11 @@ class Results:
                     self.asked.add((table, name))
                 return self.late.read(table, name)
             value = self.rows[room]
-        return self._mended(value, [getattr(plot, table)[name] for _, plot in self.plain]) if self.plain else value
-
-    def _mended(self, value: Value, plain: Sequence[Value]) -> Value:
-        """A quantity with the values of plain replay where there are any; a scalar remains one if they are no other."""
+        plain = [getattr(plot, table)[name] for _, plot in self.plain]
         if not np.ndim(value) and all(np.all(np.equal(other, value)) for other in plain):
-            return value
-        mended = np.array(np.broadcast_to(value, (max(each.size for each in self.inputs),)))
-        for (here, _), other in zip(self.plain, plain, strict=True):
-            mended[here] = other
-        return mended
+            return value  # a scalar, as plain replay has it, too
+        if plain:
+            value = np.array(np.broadcast_to(value, (max(each.size for each in self.inputs),)))
+            for (here, _), other in zip(self.plain, plain, strict=True):
+                value[here] = other
+        return value

@@ -16,7 +16,7 @@ from graphkin.base.tolerances import TOUCH
 from graphkin.construction import Arc, Fit, Meet, Plot, Swing
 from graphkin.model.naming import spelled
 from graphkin.planning.method import Method
-from graphkin.planning.refusals import links_of
+from graphkin.planning.refusals import Crossing, key_of, links_of
 from graphkin.running.path import DriverPath, Event, along, stride
 
 LOOK_DEG, LOOK_PART = 0.5, 0.002
@@ -31,8 +31,6 @@ FEW, CLOSE = 5, 0.01
 """Positions where a sine goes through 0, and how far from there others are looked at, as part of how far these are."""
 CENTRING = 1e-3  # a touching is weighed so far to both sides, as part of the steps in which the path is looked at
 
-Crossing = Meet | Swing | Fit
-
 
 def crossings(method: Method) -> Iterator[Crossing]:
     """The steps of the position that may fail, without special points."""
@@ -40,11 +38,6 @@ def crossings(method: Method) -> Iterator[Crossing]:
     for step in method.position.steps:
         if isinstance(step, Meet | Swing | Fit) and key_of(step) not in names:
             yield step
-
-
-def key_of(step: Crossing) -> str:
-    """The name under which a plot keeps the angle of a crossing."""
-    return step.point if isinstance(step, Meet) else step.slide if isinstance(step, Swing) else step.name
 
 
 def event_at(method: Method, step: Crossing, at: float, choices: tuple[int, ...]) -> Event:

@@ -37,12 +37,8 @@ class CannotRecord(Exception):
 
 
 class Operation(NamedTuple):
-    """A line of the tape.
-
-    does    "number", "input", or a key of `WITH_NUMBERS`
-    of      places of the operands
-    number  the number, or which input it is
-    """
+    """A line of the tape: it does "number", "input", or a key of `WITH_NUMBERS`, with operands at places `of`; its
+    `number` is the value, or which input it is."""
 
     does: str
     of: tuple[int, ...] = ()
@@ -163,7 +159,10 @@ class Tape:
                 cos, sin = self.turned(*of)
                 return cos, self.negative(sin)
             case "add" | "subtract":
-                return self._turned_further(does, *map(self.turned, of))
+                (cos, sin), (more, up) = map(self.turned, of)
+                up = up if does == "add" else self.negative(up)
+                return (self.subtract(self.multiply(cos, more), self.multiply(sin, up)),
+                        self.add(self.multiply(sin, more), self.multiply(cos, up)))  # fmt: skip
             case _:
                 # cosine and sine from t = tan(angle / 2), as 2 / (1 + t^2) - 1 and 2 t / (1 + t^2). NumPy's tangent
                 # takes a fifteenth of the time of its sine and cosine where it is vectorised. Its relative error comes
@@ -172,13 +171,6 @@ class Tape:
                 square = self.add(self.multiply(tangent, tangent), self.one)
                 twice = self.divide(self.number(2.0), square)
                 return self.subtract(twice, self.one), self.multiply(tangent, twice)
-
-    def _turned_further(self, does: str, one: tuple[int, int], other: tuple[int, int]) -> tuple[int, int]:
-        """Cosine and sine of a sum or difference of angles."""
-        (cos, sin), (more, up) = one, other
-        up = up if does == "add" else self.negative(up)
-        return (self.subtract(self.multiply(cos, more), self.multiply(sin, up)),
-                self.add(self.multiply(sin, more), self.multiply(cos, up)))  # fmt: skip
 
     def needed(self, results: Iterable[int]) -> list[int]:
         """The places of operations that some results need, in their order."""

@@ -18,9 +18,10 @@ from graphkin.construction import Meet, Plot, Swing, replay
 from graphkin.errors import TooFar
 from graphkin.model.quantities import EDGE, driven
 from graphkin.planning import Method
+from graphkin.planning.refusals import Crossing
 from graphkin.running.continuation import continued
-from graphkin.running.path import DriverPath, Event, along, stride, turned, with_nodes
-from graphkin.running.singularities import LOOK_DEG, LOOK_PART, Crossing, choice_of, crossings, event_at, first_touching
+from graphkin.running.path import DriverPath, along, stride, turned, with_nodes
+from graphkin.running.singularities import LOOK_DEG, LOOK_PART, choice_of, crossings, event_at, first_touching
 
 FAST, HALVINGS = 0.5, 6
 """If a link turns more between two positions [rad], those between are looked at, too; so often."""
@@ -31,10 +32,8 @@ FITTING = 30  # the cost of a position where links are fitted, beside another
 def trace(
     method: Method, pace: Sequence[float], low: float, high: float, after: tuple[DriverPath, float] | None = None
 ) -> DriverPath:
-    """Look along the path from t = low to t = high (low <= 0 <= high) for stops and change points.
-
-    after   a place on another path, to start from there instead of from the drawn position
-    """
+    """Look along the path from t = low to t = high (low <= 0 <= high) for stops and change points; from a place on
+    another path, where `after` has one, else from the drawn position."""
     ends, pace = (float(low), float(high)), tuple(float(p) for p in pace)
     if after is None:
         return _from_drawn(method, pace, ends)
@@ -53,14 +52,24 @@ def _from_drawn(method: Method, pace: tuple[float, ...], ends: tuple[float, floa
 
 
 def _traced(method: Method, path: DriverPath) -> DriverPath:
-    """A path of which only the start is known, as far as it leads."""
-    _refuse_far(method, path)
+    """A path of which only the start is known, as far as it leads. Raises TooFar."""
+    cost = max(len(method.mechanism.points), 4) * (FITTING if method.fits else 1)
+    most = MOST / cost * stride(method, path.pace, LOOK_DEG, LOOK_PART)
+    if not path.high - path.low <= most:  # too many positions to be looked at, every half degree
+        moving = max(range(len(path.pace)), key=lambda k: abs(path.pace[k]))
+        driver = method.drivers[moving]
+        unit = EDGE[driven(driver.kind == "slide")]
+        start, end = (unit.shown(path.start[moving] + path.pace[moving] * t) for t in (path.low, path.high))
+        farthest = abs(path.pace[moving]) * most
+        digits = 10.0 ** (math.floor(math.log10(farthest)) - 1)  # two of them, rounded off
+        farthest = math.floor(farthest / digits) * digits
+        raise TooFar(method.mechanism.where("driver", moving), driver.name, start, end, unit.shown(farthest))
     if path.low == path.high:
         return path
     if method.fits:
         return continued(method, path)
-    for end in (path.high, path.low):
-        path = _scanned(method, path, end)
+    for to in (path.high, path.low):
+        path = _scanned(method, path, to)
     return path
 
 
@@ -72,22 +81,6 @@ def _setting_out(
     return DriverPath(tuple(map(number, start)), pace, *ends, nodes=nodes if method.moves_on else None, sides=sides)
 
 
-def _refuse_far(method: Method, path: DriverPath) -> None:
-    """Raises TooFar for a path with too many positions to be looked at, every half degree."""
-    cost = max(len(method.mechanism.points), 4) * (FITTING if method.fits else 1)
-    most = MOST / cost * stride(method, path.pace, LOOK_DEG, LOOK_PART)
-    if path.high - path.low <= most:
-        return
-    moving = max(range(len(path.pace)), key=lambda k: abs(path.pace[k]))
-    driver = method.drivers[moving]
-    unit = EDGE[driven(driver.kind == "slide")]
-    start, end = (unit.shown(path.start[moving] + path.pace[moving] * t) for t in (path.low, path.high))
-    farthest = abs(path.pace[moving]) * most
-    digits = 10.0 ** (math.floor(math.log10(farthest)) - 1)  # two of them, rounded off
-    farthest = math.floor(farthest / digits) * digits
-    raise TooFar(method.mechanism.where("driver", moving), driver.name, start, end, unit.shown(farthest))
-
-
 def _scanned(method: Method, path: DriverPath, end: float) -> DriverPath:
     """The path with what lies between the drawn position and `end` on it."""
     begin, step = 0.0, stride(method, path.pace, LOOK_DEG, LOOK_PART)
@@ -95,10 +88,18 @@ def _scanned(method: Method, path: DriverPath, end: float) -> DriverPath:
     while side * (end - begin) > 1e-6 * step:
         count = int(np.ceil(abs(end - begin) / step)) + 2
         seen, t, plot = _seen(method, path, np.linspace(begin, end, count))
-        event = _next_event(method, seen, t, plot)
-        if event is None:
+        touches: list[tuple[float, Crossing, bool]] = []
+        for crossing in crossings(method):
+            if (met := first_touching(method, seen, t, crossing, plot)) is not None:
+                touches.append((met[0], crossing, met[1]))
+        if not touches:
             return seen
-        path = seen
+        # the first stop or change point among them
+        nearest = min(abs(place - t[0]) for place, _, _ in touches)
+        here = [entry for entry in touches if abs(entry[0] - t[0]) < nearest + 1e-3 * abs(t[1] - t[0])]
+        place, crossing, passes = here[0]
+        choices = tuple(choice for _, other, through in here if through for choice in choice_of(other))
+        event, path = event_at(method, crossing, place, choices if passes else ()), seen
         if path.nodes is not None:  # none beyond the event
             at, tables = path.nodes
             kept = at <= event.at if event.at > 0 else at >= event.at
@@ -129,18 +130,3 @@ def _seen(method: Method, path: DriverPath, t: np.ndarray) -> tuple[DriverPath, 
             order = np.argsort(t[there])
             tables[name] = np.interp(t, t[there][order], table[there][order])
     return with_nodes(path, t, tables), t, plot
-
-
-def _next_event(method: Method, path: DriverPath, t: np.ndarray, plot: Plot) -> Event | None:
-    """The first stop or change point among positions t, in their order."""
-    touches: list[tuple[float, Crossing, bool]] = []
-    for step in crossings(method):
-        if (met := first_touching(method, path, t, step, plot)) is not None:
-            touches.append((met[0], step, met[1]))
-    if not touches:
-        return None
-    nearest = min(abs(place - t[0]) for place, _, _ in touches)
-    here = [entry for entry in touches if abs(entry[0] - t[0]) < nearest + 1e-3 * abs(t[1] - t[0])]
-    at, step, passes = here[0]
-    choices = tuple(choice for _, other, through in here if through for choice in choice_of(other))
-    return event_at(method, step, at, choices if passes else ())

@@ -36,10 +36,7 @@ CHOICES = 6  # crossings of circles of which every combination is drawn
 
 @frozen
 class DrawnVariants:
-    """Many mechanisms drawn: values (n,) or (positions, n).
-
-    refused   what is wrong with some of them, by their numbers; their values are NaN
-    """
+    """Many mechanisms drawn: values (n,) or (positions, n), NaN for those that are `refused`, by their numbers."""
 
     plot: Plot
     refused: Mapping[int, GraphkinError]
@@ -54,7 +51,12 @@ def replay_many(
     for mechanism in each:
         if topology(mechanism) != own_topology:
             raise ValueError(f"{mechanism.name} is of another topology than {method.mechanism.name}")
-    method = _accelerated(method, each)
+    own = method.mechanism.drivers
+    needed = [any(np.any(mechanism.drivers[k].acceleration) for mechanism in each) for k in range(len(own))]
+    if any(needs and not driver.acceleration for needs, driver in zip(needed, own)):  # a uniform one lacks such terms
+        drivers = tuple(replace(driver, acceleration=float(needs)) for needs, driver in zip(needed, own))
+        structure = method.structure
+        method = plan(replace(method.mechanism, drivers=drivers), structure.coincident, structure.centres)
     count = count_of(mechanisms) if isinstance(mechanisms, Mechanism) else len(mechanisms)
     shape = np.broadcast_shapes((count,), *map(np.shape, values or ()))
     variants = _VariantTables(method, count, shape, {table: {} for table in TABLES})
@@ -63,8 +65,8 @@ def replay_many(
         left = variants.together(mechanisms if isinstance(mechanisms, Mechanism) else stacked(mechanisms), values)
     refused = dict[int, GraphkinError]()
     for row in map(int, left):
-        own = single(mechanisms, row) if isinstance(mechanisms, Mechanism) else mechanisms[row]
-        if (error := variants.alone(row, own, values)) is not None:
+        alone = single(mechanisms, row) if isinstance(mechanisms, Mechanism) else mechanisms[row]
+        if (error := variants.alone(row, alone, values)) is not None:
             refused[row] = error
     plot = Plot(method.facts(values))
     for name, table in variants.tables.items():
@@ -82,17 +84,6 @@ def is_simple(method: Method) -> bool:
 def _choices(method: Method) -> list[int]:
     steps = method.position.steps
     return [step.choice for step in steps if isinstance(step, Meet | Swing) and step.choice is not None]
-
-
-def _accelerated(method: Method, mechanisms: Sequence[Mechanism]) -> Method:
-    """The method, with the terms that a uniform rotation has not, where some driver of a mechanism is not uniform."""
-    own = method.mechanism.drivers
-    needed = [any(np.any(mechanism.drivers[k].acceleration) for mechanism in mechanisms) for k in range(len(own))]
-    if not any(needs and not driver.acceleration for needs, driver in zip(needed, own)):
-        return method
-    drivers = tuple(replace(driver, acceleration=float(needs)) for needs, driver in zip(needed, own))
-    structure = method.structure
-    return plan(replace(method.mechanism, drivers=drivers), structure.coincident, structure.centres)
 
 
 @filled
@@ -114,7 +105,15 @@ class _VariantTables:
             part = slice(start, min(start + PART, self.count))
             own = None if values is None else [_cut(value, part, self.count) for value in values]
             sketch = {point: cut(z, part) for point, z in mechanism.sketch.items()}
-            own_facts = _facts_of_some(facts, part)
+            some = partial(_cut, part=part)
+            own_facts = replace(
+                facts,
+                shapes={link: {point: some(z) for point, z in shape.items()} for link, shape in facts.shapes.items()},
+                lines={slide: (guide, origin, some(z)) for slide, (guide, origin, z) in facts.lines.items()},
+                turns={body: replace(turn, constant=some(turn.constant)) for body, turn in facts.turns.items()},
+                values=tuple(map(some, facts.values)), rates=tuple(map(some, facts.rates)),
+                accelerations=tuple(map(some, facts.accelerations)),
+            )  # fmt: skip
             assemblies = _assemblies(self.method, own_facts, sketch)
             plot = Plot(own_facts if own is None else replace(own_facts, values=tuple(own)), assemblies.near)
             for construction in self.method.constructions:
@@ -153,19 +152,6 @@ def rows_of(many: Plot, rows: np.ndarray | int, plot: Plot) -> Plot:
         table = getattr(many, name)
         setattr(plot, name, {key: value[..., rows] if np.ndim(value) else value for key, value in table.items()})
     return plot
-
-
-def _facts_of_some(facts: Facts, part: slice) -> Facts:
-    some = partial(_cut, part=part)
-    return replace(
-        facts,
-        shapes={link: {point: _cut(z, part) for point, z in shape.items()} for link, shape in facts.shapes.items()},
-        lines={slide: (guide, origin, _cut(z, part)) for slide, (guide, origin, z) in facts.lines.items()},
-        turns={body: replace(turn, constant=_cut(turn.constant, part)) for body, turn in facts.turns.items()},
-        values=tuple(map(some, facts.values)),
-        rates=tuple(map(some, facts.rates)),
-        accelerations=tuple(map(some, facts.accelerations)),
-    )
 
 
 _Number = TypeVar("_Number", bound=Value)
