@@ -10,7 +10,7 @@ from graphkin.base.geometry import Real, Value
 from graphkin.construction.kinds import Closure, Fit
 from graphkin.construction.linear import in_step, least, sense, solved, unknowns_of
 from graphkin.construction.plot import Plot, length, slide_key
-from graphkin.construction.terms import Arm, Slid
+from graphkin.construction.terms import Arm
 
 ROUNDS = 30
 FITTED = 1e-8  # the last step at most [rad, of the group's size]; what it leaves is of the order of its square
@@ -149,8 +149,15 @@ class Gaps:
             if isinstance(part, Arm):
                 shape = self.plot.facts.shapes[part.link]
                 known = known + self._turned(number, part.link, shape[part.head] - shape[part.tail])
+                continue
+            guide, _, direction = self.plot.facts.lines[part.slide]
+            slide, line = self.slides.get(part.slide), part.sign * direction
+            if slide is None:
+                known = known + self._turned(number, guide, self.plot.s[part.slide] * line)
             else:
-                known = known + self._slid(number, part)
+                base = self.bases.get(self.plot.facts.turns[guide].base)
+                angle = self.plot.theta[guide] if base is None else self.plot.facts.relative_angle(guide)
+                self.sliding.append((number, slide, base, line * np.exp(1j * angle)))
         return known
 
     def _turned(self, number: int, link: str, arm: Value) -> Value:
@@ -160,16 +167,6 @@ class Gaps:
         if base is None:
             return arm * np.exp(1j * self.plot.theta[link])
         self.turning.append((base, number, arm * np.exp(1j * facts.relative_angle(link))))
-        return 0.0
-
-    def _slid(self, number: int, part: Slid) -> Value:
-        guide, _, direction = self.plot.facts.lines[part.slide]
-        slide, line = self.slides.get(part.slide), part.sign * direction
-        if slide is None:
-            return self._turned(number, guide, self.plot.s[part.slide] * line)
-        base = self.bases.get(self.plot.facts.turns[guide].base)
-        angle = self.plot.theta[guide] if base is None else self.plot.facts.relative_angle(guide)
-        self.sliding.append((number, slide, base, line * np.exp(1j * angle)))
         return 0.0
 
 

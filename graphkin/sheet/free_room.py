@@ -51,11 +51,6 @@ class FreeSpots(NamedTuple):
     marks: int
     letters: int
 
-    @property
-    def boxes(self) -> tuple[Array, Array]:
-        """Their corners (n, 2)."""
-        return _corners(self.middle, np.asarray(self.half))
-
 
 class FreeRoom:
     """A figure with its labels, and what has been added since."""
@@ -133,7 +128,7 @@ class FreeRoom:
 
     def place(self, spots: FreeSpots) -> Place | None:
         """The middle of the best one that is still free; None where there is none without a leader."""
-        low, high = spots.boxes
+        low, high = _corners(spots.middle, np.asarray(spots.half))
         free = _clear(~_beside(low, high, self._letters[spots.letters :]), low, high, self._added(spots.marks))
         if not free.any():
             return None

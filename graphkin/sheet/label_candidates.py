@@ -25,7 +25,6 @@ from graphkin.sheet.paper import Room
 _NEARER = 0.3  # by so much, to the eye [mm]
 _SHORTEST = 0.1  # shorter arrows are points [mm]
 
-
 NEAR, LED, FAR, FARTHEST = range(4)
 """Places at what a label names, on a leader about that, and farther off."""
 MANY = 150  # more labels than this are a crowd that far places do not relieve
@@ -53,9 +52,6 @@ class Boxes(NamedTuple):
     def taken(self, rows: Array | list[int]) -> Boxes:
         """Some of them; numpy takes numbered columns several times as fast as it indexes them."""
         return Boxes(self.places.take(rows, axis=2), self.led.take(rows))
-
-    def part(self, begin: int, end: int) -> Boxes:
-        return Boxes(self.places[:, :, begin:end], self.led[begin:end])
 
     def some(self, rows: Array) -> Boxes:
         """The same; a single one is that of all rows."""
@@ -115,13 +111,8 @@ class Rated(NamedTuple):
     def parted(self, counts: Array | list[int]) -> Iterator[Rated]:
         """So many of them each time."""
         for end, count in zip(np.cumsum(counts), counts, strict=True):
-            yield Rated(self.boxes.part(end - count, end), *(each[end - count : end] for each in self[1:]))
-
-    @property
-    def in_room(self) -> Rated:
-        """Those in the room, where there are such."""
-        some = self.inside.any() and not self.inside.all()
-        return self.taken(np.flatnonzero(self.inside)) if some else self
+            boxes = Boxes(self.boxes.places[:, :, end - count : end], self.boxes.led[end - count : end])
+            yield Rated(boxes, *(each[end - count : end] for each in self[1:]))
 
     @property
     def free(self) -> Array:
@@ -202,7 +193,10 @@ class LabelScene:
             self._see([label for label in labels if (label, each) not in self._seen], each)
             if lines and each != NEAR:
                 self._cross([label for label in labels if (label, each) not in self._crossing], each)
-        return [Rated.joined([self._seen[label, each] for each in range(tier + 1)]).in_room for label in labels]
+        every = [Rated.joined([self._seen[label, each] for each in range(tier + 1)]) for label in labels]
+        # those in the room, where there are such
+        return [rated.taken(np.flatnonzero(rated.inside)) if rated.inside.any() and not rated.inside.all() else rated
+                for rated in every]  # fmt: skip
 
     def _see(self, labels: Sequence[int], tier: int) -> None:
         """Candidates of one tier of some labels, all at once."""

@@ -65,7 +65,8 @@ class LabelPlacing:
         choices = self._alone(labels, tier)
         if not self.stands.any():
             return choices if tier == NEAR else [choice.cheapest(self._many) for choice in choices]
-        beside = self.prices.beside_others([choice.boxes for choice in choices], self._standing)
+        others = self.boxes.taken(np.flatnonzero(self.stands))
+        beside = self.prices.beside_others([choice.boxes for choice in choices], others)
         return [
             choice._replace(cost=choice.cost + more, free=choice.free & ~clash).cheapest(self._many)
             for choice, (more, clash) in zip(choices, beside, strict=True)
@@ -78,11 +79,6 @@ class LabelPlacing:
             choice = LabelChoice(rated.boxes, self.prices.alone(rated), rated.free)
             self._liked[label, tier] = choice.cheapest(3 * self._many)
         return [self._liked[label, tier] for label in labels]
-
-    @property
-    def _standing(self) -> Boxes:
-        """Labels that stand."""
-        return self.boxes.taken(np.flatnonzero(self.stands))
 
     # --- farther and farther ----------------------------------------------------------------------
 
@@ -144,9 +140,9 @@ class LabelPlacing:
             for label in map(int, bad if len(bad) <= _FEW else ()):
                 if self._bad()[label] and self._patience:
                     self._patience -= 1
-                    self._tried(label)
+                    self._claim_by_turns(label)
 
-    def _tried(self, label: int) -> None:
+    def _claim_by_turns(self, label: int) -> None:
         """A label claims its place, and who loses its own by that does the same, if that leaves all better."""
         before, bad, table = self._badness(), self._bad(), self._table.copy()
         kept = [each.copy() for each in (*self.boxes, self.stands, self._spot, self._tier)]
@@ -174,7 +170,7 @@ class LabelPlacing:
         self._lift(label)
         self._tier[label] = self._last
         [choice] = self._alone([label], self._last)
-        [(more, _)] = self.prices.beside_others([choice.boxes], self._standing)
+        [(more, _)] = self.prices.beside_others([choice.boxes], self.boxes.taken(np.flatnonzero(self.stands)))
         liking = choice.cost + _YIELDING * more
         liked = np.sort(np.argsort(liking)[: self._many])
         self._table.write(label, choice._replace(cost=choice.cost + more).taken(liked))

@@ -36,7 +36,6 @@ _OTHERS = (
     "×564,675 ²300,300 ³300,300 ′219,219 −564,675 ⊥1000,1000 ∥1000,1000 √1000,1000 ṡ389,389 \u03080,0"
 )
 
-
 _ALL = (
     *((chr(32 + k), *pair) for k, pair in enumerate(zip(_ROMAN.split(), _ITALIC.split(), strict=True))),
     *((entry[0], *entry[1:].split(",")) for entry in _OTHERS.split()),
@@ -132,11 +131,7 @@ def plain(text: str, italic: bool = False) -> Label:
 
 def joined(labels: list[Label], between: str = ", ") -> Label:
     """`p, a, d`: several names of one place."""
-    runs: list[Run] = []
-    for k, label in enumerate(labels):
-        runs += [Run(between)] if k else []
-        runs += label
-    return tuple(runs)
+    return tuple(run for k, label in enumerate(labels) for run in ((Run(between), *label) if k else label))
 
 
 def _mixed(text: str, place: Literal["base", "sub", "sup"]) -> Label:

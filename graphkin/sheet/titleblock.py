@@ -245,8 +245,7 @@ def _words(
 ) -> list[Mark]:
     """Title, source, scales, and the program's name; each line shrunk or broken to the block."""
     marks: list[Mark] = []
-    pen = complex(room.left, room.top) + 1.2j
-    title = machine.headline(lang)
+    pen, title = complex(room.left, room.top) + 1.2j, machine.headline(lang)
     large = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else 0.85 * TITLE
     for text, size in ((title, large), (machine.credit(lang), LEAST + 0.2)):
         for line in two_lines(text, size, _WIDE - 6):

@@ -193,14 +193,10 @@ def corners(places: Sequence[complex]) -> tuple[complex, complex]:
 
 def enlarged(places: Sequence[complex], more: Iterable[complex], factor: float) -> list[complex]:
     """The places, and of more, in their order, those that leave the figure at most `factor` times as large."""
-    every = list(places)
-    size = _diagonal(every) or 1.0
+    every, (low, high) = list(places), corners(places)
+    most = factor * (abs(high - low) or 1.0)
     for place in more:
-        if cmath.isfinite(place) and _diagonal([*every, place]) <= factor * size:
+        low, high = corners([*every, place])
+        if cmath.isfinite(place) and abs(high - low) <= most:
             every.append(place)
     return every
-
-
-def _diagonal(places: Sequence[complex]) -> float:
-    low, high = corners(places)
-    return abs(high - low)
