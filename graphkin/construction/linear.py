@@ -7,7 +7,7 @@ row stands for two.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from operator import attrgetter
 
 import numpy as np
@@ -29,17 +29,6 @@ def two(known: Value, coefficients: Mapping[str, Value]) -> Iterator[Row]:
     """A complex row along x and along y."""
     for along in (attrgetter("real"), attrgetter("imag")):
         yield along(known), {name: along(value) for name, value in coefficients.items()}
-
-
-def system(rows: Sequence[Row], names: Sequence[str], shape: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
-    """Known parts (*shape, m) and coefficients (*shape, m, n) of rows, over positions of a shape."""
-    known, matrix = np.zeros((*shape, len(rows))), np.zeros((*shape, len(rows), len(names)))
-    for k, (value, coefficients) in enumerate(rows):
-        known[..., k] = value
-        for j, name in enumerate(names):
-            if name in coefficients:
-                matrix[..., k, j] = coefficients[name]
-    return known, matrix
 
 
 def solved(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
@@ -123,7 +112,12 @@ def in_step(contact: InStep, plot: Plot, plane: Plane, angles: set[str], slides:
 def solve_together(step: Simultaneous, plot: Plot, plane: Plane) -> None:
     """The unknown rates of a group, from all its chains of arrows at once."""
     shape = np.broadcast_shapes(*(np.shape(value) for value in (*plot.position.values(), *plot.theta.values())))
-    known, matrix = system(chains(step, plot, plane), unknowns_of(step), shape)
+    rows, names = chains(step, plot, plane), unknowns_of(step)
+    known, matrix = np.zeros((*shape, len(rows))), np.zeros((*shape, len(rows), len(names)))
+    for k, (value, coefficients) in enumerate(rows):
+        known[..., k] = value
+        for j, name in enumerate(names):
+            matrix[..., k, j] = coefficients.get(name, 0.0)
     settle_rates(step, plot, plane, (value[()] for value in np.moveaxis(solved(matrix, -known), -1, 0)))
 
 

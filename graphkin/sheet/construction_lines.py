@@ -77,8 +77,8 @@ class PolygonConstruction:
         added = Annotations()
         marked: list[tuple[_Line, Place]] = []
         for line in self._lines():
-            tip = _lay(line, free, added)
-            marked += [(line, tip)] if tip is not None else []
+            if (tip := _lay(line, free, added)) is not None:
+                marked.append((line, tip))
         for square in self._squares():  # where no letters stand
             first, middle, last = square.places
             sides = ((first, middle), (last, middle))

@@ -146,8 +146,7 @@ class FreeRoom:
         free = np.flatnonzero(self.free(low - _EDGE, low + np.array((size.real, size.imag)) + _EDGE))
         if not len(free):
             return None
-        best = free[np.argmax(low[free, 1])] if from_below else free[0]
-        return complex(*low[best])
+        return complex(*low[free[np.argmax(low[free, 1])] if from_below else free[0]])
 
     def letters(self, wanted: Sequence[LabelRequest]) -> Iterator[list[Mark]]:
         """Each label where there is room for it, one after the other, else nothing."""

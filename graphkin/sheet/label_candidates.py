@@ -15,7 +15,7 @@ import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import filled
-from graphkin.sheet.boxes import OccupiedSquares
+from graphkin.sheet.boxes import OccupiedSquares, xy
 from graphkin.sheet.label_requests import CRAMMED, LabelCandidates, LabelRequest, lettering
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text, VectorMark
@@ -45,8 +45,8 @@ class Boxes(NamedTuple):
 
     @classmethod
     def of(cls, spots: LabelCandidates, half: Array) -> Boxes:
-        middle, half = _xy(spots.middle), _xy(half)
-        low, high, anchor = middle - half, middle + half, _xy(np.where(spots.led, spots.anchor, spots.middle))
+        middle, half = xy(spots.middle), xy(half)
+        low, high, anchor = middle - half, middle + half, xy(np.where(spots.led, spots.anchor, spots.middle))
         return cls(np.array([low, high, np.clip(anchor, low, high), anchor]), spots.led)
 
     def taken(self, rows: Array | list[int]) -> Boxes:
@@ -295,11 +295,6 @@ class Arrows:
             across = np.maximum(np.maximum(left - end.real, end.real - right), 0.0)
             distances.append(np.hypot(across, np.maximum(np.maximum(top - end.imag, end.imag - bottom), 0.0)))
         return np.asarray(np.minimum.reduce(distances))
-
-
-def _xy(places: Array) -> Array:
-    """Complex places (n,) as x and y of each (2, n)."""
-    return np.array([places.real, places.imag])
 
 
 def _middle(values: list[float]) -> float:

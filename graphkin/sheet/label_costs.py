@@ -165,11 +165,6 @@ class LabelTable:
         numbers = np.flatnonzero(near)
         return numbers, Boxes(self._places.take(numbers, axis=2), self._led[numbers])
 
-    def raise_(self, numbers: Array, more: Array, taken: Array) -> None:
-        """Some places cost more; and some of these are no longer free."""
-        self.cost.ravel()[numbers] += more
-        self.free.ravel()[numbers[taken]] = False
-
     def copy(self) -> LabelTable:
         """The same, that can be changed by itself."""
         other = object.__new__(LabelTable)

@@ -1,15 +1,15 @@
 """Labels find their places: none lies on a line, a vector or another label where there is room.
 
-Each label has candidate places around its point or along its vector. All are held against everything drawn
-at once; then the label with the fewest free places left chooses first, and takes the one
-nearest to what it names. The same marks give the same places. Where nothing near is free, a thin leader
-goes to a place farther off. In a crowd that leaves no place at all, leaders go much farther (`far`), labels
-make way for one another, and at last those that say nothing new are left out.
+Each label has candidate places around its point or along its vector. All are held against everything drawn at once;
+then the label with the fewest free places left chooses first, and takes the one nearest to what it names. The same
+marks give the same places. Where nothing near is free, a thin leader goes to a place farther off. In a crowd that
+leaves no place at all, leaders go much farther (`far`), labels make way for one another, and at last those that say
+nothing new are left out.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -103,7 +103,8 @@ class LabelPlacing:
         one = self.boxes.taken([label])
         numbers, others = self._table.about(*self.prices.reach(one), label)
         more, clash = self.prices.together(others, one)
-        self._table.raise_(numbers, sign * more, clash)
+        self._table.cost.ravel()[numbers] += sign * more
+        self._table.free.ravel()[numbers[clash]] = False
 
     def _put(self, label: int, spot: int | None = None) -> None:
         """A label takes one of its places, the cheapest."""
@@ -179,12 +180,11 @@ class LabelPlacing:
         more, _ = self.prices.together(self.boxes.taken(others), self.boxes.taken([label]))
         self._look_again(others[more > self.prices.strange])
 
-    def _look_again(self, labels: Iterable[int]) -> None:
+    def _look_again(self, labels: Array) -> None:
         """Some labels leave their places and look on from there; then all move to better ones."""
-        labels = [int(label) for label in labels]
-        for label in labels:
+        for label in labels.tolist():
             self._lift(label)
-        self._look_on(labels)
+        self._look_on(labels.tolist())
         self._move()
 
     def _now(self) -> Array:

@@ -1,7 +1,7 @@
 """Letters: how the field writes its names (b₃′, a^n_CB), and how wide that is.
 
-A label is a tuple of runs. Widths are those of Times (equal to Liberation Serif and Tinos), so a box
-around a label is right on every machine that has one of them; Chinese characters are one em wide.
+A label is a tuple of runs. Widths are those of Times (equal to Liberation Serif and Tinos), so a box around a label is
+right on every machine that has one of them; Chinese characters are one em wide.
 """
 
 from __future__ import annotations

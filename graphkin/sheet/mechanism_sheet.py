@@ -22,6 +22,7 @@ from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
 from graphkin.say.numbers import circled
 from graphkin.sheet.composition import Planes, SheetContents, Style
+from graphkin.sheet.label_requests import CRAMMED
 from graphkin.sheet.layout import Layout, cut_to, papers_for
 from graphkin.sheet.lettering import formula, plain
 from graphkin.sheet.marks import Place, Text
@@ -29,7 +30,7 @@ from graphkin.sheet.page import Lettered, Page, Sheet
 from graphkin.sheet.paper import BODY, LARGE, Paper, TooLargeForPaper
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.results import given_tables, tables
-from graphkin.sheet.text_blocks import LINE, EquationBlock, broken
+from graphkin.sheet.text_blocks import LINE, broken
 from graphkin.sheet.titleblock import tables_room
 from graphkin.sheet.window import PLANES
 
@@ -136,7 +137,8 @@ class Arrangement:
     def overfull(self) -> float:
         """The part of its room for letters that the labels of the fullest figure take; above 1 some cannot
         but lie on others, and no care helps."""
-        return max(self.contents.extents[plane].fullness(self.layout.rooms[plane]) for plane in self.contents.planes)
+        rooms = {plane: self.layout.rooms[plane].size for plane in self.contents.planes}
+        return max(self.contents.extents[p].lettering / (CRAMMED * room.real * room.imag) for p, room in rooms.items())
 
     @cached_property
     def cost(self) -> tuple[float, float]:
@@ -157,16 +159,14 @@ class Arrangement:
         """With the equations in the strip for which figures, and then their letters, leave no room."""
         arrangement = self
         for _ in range(0 if self.contents.tight else _TRIALS):
-            out = arrangement.contents.without_room(arrangement.layout) or arrangement.left_out
+            contents, layout = arrangement.contents, arrangement.layout
+            out = contents.without_room(layout)
+            if not out:
+                out = contents.without_head(layout) if arrangement.cost[0] else arrangement.lettered.left_out
             if not out:
                 break
-            arrangement = replace(arrangement, contents=arrangement.contents.moved(out))
+            arrangement = replace(arrangement, contents=contents.moved(out))
         return arrangement
-
-    @property
-    def left_out(self) -> Sequence[EquationBlock]:
-        """Equations for which there is no room among the letters."""
-        return self.contents.without_head(self.layout) if self.cost[0] else self.lettered.left_out
 
 
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:

@@ -11,7 +11,7 @@ from itertools import pairwise
 import numpy as np
 
 from graphkin.base.geometry import Array
-from graphkin.sheet.boxes import Blocks, Edges, beyond, through
+from graphkin.sheet.boxes import Blocks, Edges, beyond, through, xy
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 
@@ -30,7 +30,7 @@ class Areas:
         """areas: the corners of each."""
         corners = np.array([place for area in areas for place in area], dtype=complex)
         nexts = np.array([place for area in areas for place in (*area[1:], area[0])], dtype=complex)
-        self._edges, self._way = Edges.of(_xy(corners), _xy(nexts)), nexts - corners
+        self._edges, self._way = Edges.of(xy(corners), xy(nexts)), nexts - corners
         self._count = np.array([len(area) for area in areas], dtype=np.intp)
         self._first = np.cumsum(self._count) - self._count
         self._low, self._high, slanted = self._edges.low, self._edges.high, self._edges.across.all(axis=0)
@@ -116,11 +116,6 @@ class Areas:
         return first, owner, np.arange(len(owner)) + (self._first[areas] - first)[owner]
 
 
-def _xy(places: Array) -> Array:
-    """Complex places (n,) as x and y of each (2, n)."""
-    return np.array([places.real, places.imag])
-
-
 _TIP, _TIP_HALF = 2.8, 0.5
 """Length and half width of an arrow head [mm]."""
 _LETTER = 2.0  # no letter is much narrower [mm]
@@ -195,11 +190,10 @@ def obstacles(drawn: Iterable[Mark]) -> Obstacles:
             if filled:
                 areas.append(places[:-1] if abs(places[-1] - places[0]) < _SAME else places)
             else:
-                for ends in pairwise(places):
-                    lines += ends
-    corners = np.array(lines, dtype=complex)
-    xy = np.array([corners.real, corners.imag])
-    return Obstacles(xy[:, ::2], xy[:, 1::2], areas)
+                for pair in pairwise(places):
+                    lines += pair
+    ends = xy(np.array(lines, dtype=complex))
+    return Obstacles(ends[:, ::2], ends[:, 1::2], areas)
 
 
 def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:
@@ -244,5 +238,4 @@ def places(drawn: Iterable[Mark]) -> Array:
     end = np.array([place for outline in outlines for place in outline[1:]], dtype=complex)
     count = np.ceil(abs(end - start) / _LETTER).astype(np.intp) + 1
     number = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-    along = np.repeat(start, count) + np.repeat((end - start) / np.maximum(count - 1, 1), count) * number
-    return np.array([along.real, along.imag])
+    return xy(np.repeat(start, count) + np.repeat((end - start) / np.maximum(count - 1, 1), count) * number)

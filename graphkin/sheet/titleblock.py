@@ -275,8 +275,6 @@ def two_lines(text: str, size: float, room: float) -> list[str]:
 
 def _fitting(text: str, size: float, room: float) -> str:
     """The longest beginning that fits, to a space if there is one."""
-    end = len(text)
-    while end > 1 and width(plain(text[:end]), size) > room:
-        end -= 1
+    end = next(end for end in range(len(text), -1, -1) if end <= 1 or width(plain(text[:end]), size) <= room)
     space = text.rfind(" ", 0, end + 1)
     return text[:end] if space < end // 2 else text[: space + 1]

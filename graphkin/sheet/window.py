@@ -12,7 +12,7 @@ from graphkin.base.geometry import Array
 from graphkin.base.value import filled, frozen
 from graphkin.construction import Construction, Plane
 from graphkin.planning import Method
-from graphkin.sheet.label_requests import CRAMMED, LabelRequest, lettering
+from graphkin.sheet.label_requests import LabelRequest, lettering
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import Room, Rooms, finest, finest_each
@@ -137,10 +137,6 @@ class Extent:
     @property
     def reach(self) -> complex:
         return complex(self.left + self.right, self.top + self.bottom)
-
-    def fullness(self, room: Room) -> float:
-        """The part of a room's space for letters that its labels take; above 1 some of them will lie on others."""
-        return self.lettering / (CRAMMED * room.size.real * room.size.imag)
 
     def scale(self, room: Room) -> float:
         """The given scale where it fits one room at that, else the finest at which it does."""
