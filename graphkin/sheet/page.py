@@ -143,19 +143,19 @@ class Panel:
     def near(self) -> Settled:
         """Its labels near what they name; at once off the lines of what is drawn last where all find places so."""
         easy = None if self.scene.crammed else self.off
-        return settle(self.scene) if easy is None or easy.clashes or easy.led else easy
+        return _settled(self.scene) if easy is None or easy.clashes or easy.led else easy
 
     @cached_property
     def far(self) -> Settled:
         """Its labels farther off, where some find no place near what they name."""
         crowd = self.scene.crammed or self.near.clashes
-        return settle(self.scene, far=True) if crowd else self.near
+        return _settled(self.scene, far=True) if crowd else self.near
 
     @cached_property
     def off(self) -> Settled | None:
         """Near, and off the lines of what is drawn last, where there are such."""
         lines = self.more.lines() if self.more is not None else ()
-        return settle(self.scene.under(lines)) if lines else None
+        return _settled(self.scene.under(lines)) if lines else None
 
     def finished(self, settled: Settled) -> tuple[Settled, Annotations]:
         """Its labels, and what is drawn last where they have left room."""
@@ -164,6 +164,10 @@ class Panel:
         if not settled.crowd and self.off is not None:
             settled = self.off if _worth(self.off) <= _worth(settled) else settled
         return settled, self.more(FreeRoom(self.scene, [*settled.marks, *self.after]))
+
+
+def _settled(scene: LabelScene, far: bool = False) -> Settled:
+    return settle(scene, far)
 
 
 @frozen
