@@ -92,8 +92,7 @@ class MechanismNotes:
     def _arc(self, rotation: Rotation, free: FreeRoom) -> list[Mark]:
         """An arc in the sense in which the link turns, about one of its points, with its letter."""
         (letter, plane), link = _LETTERS[rotation.word], rotation.link
-        table = self.reading.plot.omega if plane == "velocity" else self.reading.plot.alpha
-        value = float(table[link])
+        value = float((self.reading.plot.omega if plane == "velocity" else self.reading.plot.alpha)[link])
         driven = any(driver.link == link for driver in self.reading.mechanism.drivers)
         if driven or not self.reading.usual.rate(value, plane):
             return []

@@ -144,11 +144,8 @@ class _DetailDrawing:
         return None
 
     def _with(self, view: _View) -> _DetailDrawing:
-        """The letters of one circle left to the other, where that part is drawn once more.
-
-        Labels that are left out are a burden less, those that the detail has for itself a burden more; that all others
-        have more room then is not counted, so that not all must be lettered anew for each detail that is tried.
-        """
+        """The letters of one circle left to the other, where that part is drawn once more. That all other labels have
+        more room then is not counted, so that not all must be lettered anew for each detail that is tried."""
         whole, figure = self.draw(view.window), self.panel.figure
         marks = [mark for each in whole.marks for mark in _clipped(each, view.shown)]
         named = [want for want in whole.wanted if view.shown.names(want)]

@@ -102,8 +102,7 @@ class Board:
         x, y, _ = self.points[point]
         angle = np.arctan2(y, x)
         raised = np.where(angle <= -np.pi / 2, angle + np.pi, angle)
-        upright: Real = np.where(angle > np.pi / 2, angle - np.pi, raised)[()]
-        return upright
+        return np.asarray(np.where(angle > np.pi / 2, angle - np.pi, raised))[()]
 
     def toward(self, at: str, point: str) -> Value:
         """Unit vector from a point to another, +x where there is none; NaN where both are at one place."""
