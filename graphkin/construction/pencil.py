@@ -118,9 +118,8 @@ def draw(
                 points.update(dict.fromkeys(also, FIXED))
             case kinds.LayOff(term, start, tip, backwards):
                 assert term.size is not None
-                arrow = plot.arrow(term.size, plane)
-                end = points[start] - arrow if backwards else points[start] + arrow
-                points[tip] = hand.laid(plot, plane, step, arrow, end)
+                arrow, end = plot.arrow(term.size, plane), points[start]
+                points[tip] = hand.laid(plot, plane, step, arrow, end - arrow if backwards else end + arrow)
             case kinds.Ray() | kinds.Arc():
                 pass  # alone it fixes no point
             case kinds.Meet(point=point):
