@@ -1,9 +1,8 @@
 """The pencil's work as data, and `replay`, which does it.
 
-A construction is a list of steps. A step names points, links and slides; it holds no coordinates. Three
-planes share the step kinds: `position` (the mechanism), `velocity` (pole p), `acceleration` (pole p').
-A point of a plane is named by a text: in the position plane as the mechanism's own point (`B`), in the
-polygons by the small letter (`b3`, `b3'`, `n3'`, `k'`).
+A construction is a list of steps. A step names points, links and slides; it holds no coordinates. Three planes share
+the step kinds: `position` (the mechanism), `velocity` (pole p), `acceleration` (pole p'). A point of a plane is named
+by a text: the mechanism's own point (`B`), in the polygons the small letter (`b3`, `b3'`, `n3'`, `k'`).
 
 A *site* is a point seen as part of one link: `B3` is the point of link 3 that lies under B now.
 

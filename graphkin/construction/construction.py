@@ -40,8 +40,8 @@ class Equation:
     steps: tuple[Step, ...]
 
     def __post_init__(self) -> None:
-        if span_of(self.left) != span_of(self.right):
-            raise BrokenChain(f"{span_of(self.left)} is not {span_of(self.right)}")
+        if (left := span_of(self.left)) != (right := span_of(self.right)):
+            raise BrokenChain(f"{left} is not {right}")
         if (unknowns := sum(term.unknowns for term in self.left + self.right)) != 2:
             raise NotClosable(f"{unknowns} unknown scalars, not 2")
 

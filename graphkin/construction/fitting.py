@@ -10,7 +10,7 @@ from graphkin.base.geometry import Real, Value
 from graphkin.construction.kinds import Closure, Fit
 from graphkin.construction.linear import in_step, least, sense, solved, unknowns_of
 from graphkin.construction.plot import Plot, length, slide_key
-from graphkin.construction.terms import Arm, Slid
+from graphkin.construction.terms import Arm
 
 ROUNDS = 30
 FITTED = 1e-8  # the last step at most [rad, of the group's size]; what it leaves is of the order of its square
@@ -25,7 +25,7 @@ Sliding = tuple[int, int, int | None, Value]
 def fit(step: Fit, plot: Plot, rounds: int = ROUNDS) -> None:
     """Newton's method on the closures and contacts of a group, for all positions at once."""
     gaps, before = Gaps(step, plot, reach(step, plot)), np.inf
-    x = np.empty((*_shape(plot, gaps), len(step.angles) + len(step.slides)))
+    x = np.empty((*gaps.shape, len(step.angles) + len(step.slides)))
     for k, name in enumerate(unknowns_of(step)):
         x[..., k] = plot.near[name]
     for _ in range(rounds):
@@ -47,13 +47,6 @@ def fit(step: Fit, plot: Plot, rounds: int = ROUNDS) -> None:
     plot.misses[step.name] = np.where(fits, 0.0, widest * gaps.size)[()]
 
 
-def _shape(plot: Plot, gaps: Gaps) -> tuple[int, ...]:
-    """Of the positions; where nothing differs so far but the group's own links or lines, over these."""
-    tables = (plot.position, plot.theta, plot.s, plot.near)
-    shapes = {value.shape for table in tables for value in table.values() if isinstance(value, np.ndarray)}
-    return np.broadcast_shapes(gaps.shape, *shapes)
-
-
 def reach(step: Fit, plot: Plot) -> float:
     """The longest arm of a group, by which its gaps are measured [m]."""
     shapes = plot.facts.shapes
@@ -67,7 +60,7 @@ def sense_and_sine(step: Fit, plot: Plot) -> tuple[Real, Real]:
     """The side of its change points on which a group lies in a plot, and the sine at which its links fit."""
     values = (*(plot.theta[base] for base in step.angles), *(plot.s[slide] for slide in step.slides))
     gaps = Gaps(step, plot, reach(step, plot))
-    x = np.stack(np.broadcast_arrays(*values, np.empty(_shape(plot, gaps)))[:-1], axis=-1)
+    x = np.stack(np.broadcast_arrays(*values, np.empty(gaps.shape))[:-1], axis=-1)
     slope = gaps.at(x)[1]
     return sense(slope), least(slope)[()]
 
@@ -111,10 +104,12 @@ class Gaps:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Of the positions over which what is known differs."""
+        """Of the positions; where nothing differs so far but the group's own links or lines, over these."""
+        tables = (self.plot.position, self.plot.theta, self.plot.s, self.plot.near)
+        shapes = {value.shape for table in tables for value in table.values() if isinstance(value, np.ndarray)}
         rolled = () if self.rolled is None else (self.rolled[0].shape[:-1], self.rolled[1].shape[:-2])
         lines = (np.shape(direction) for *_, direction in self.sliding)
-        return np.broadcast_shapes(self.known.shape[:-1], self.arms.shape[:-2], *rolled, *lines)
+        return np.broadcast_shapes(self.known.shape[:-1], self.arms.shape[:-2], *rolled, *lines, *shapes)
 
     def at(self, x: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Gaps (.., m) and their slopes by each unknown in its unit (.., m, n), for unknowns x (.., n).
@@ -149,8 +144,15 @@ class Gaps:
             if isinstance(part, Arm):
                 shape = self.plot.facts.shapes[part.link]
                 known = known + self._turned(number, part.link, shape[part.head] - shape[part.tail])
+                continue
+            guide, _, direction = self.plot.facts.lines[part.slide]
+            slide, line = self.slides.get(part.slide), part.sign * direction
+            if slide is None:
+                known = known + self._turned(number, guide, self.plot.s[part.slide] * line)
             else:
-                known = known + self._slid(number, part)
+                base = self.bases.get(self.plot.facts.turns[guide].base)
+                angle = self.plot.theta[guide] if base is None else self.plot.facts.relative_angle(guide)
+                self.sliding.append((number, slide, base, line * np.exp(1j * angle)))
         return known
 
     def _turned(self, number: int, link: str, arm: Value) -> Value:
@@ -160,16 +162,6 @@ class Gaps:
         if base is None:
             return arm * np.exp(1j * self.plot.theta[link])
         self.turning.append((base, number, arm * np.exp(1j * facts.relative_angle(link))))
-        return 0.0
-
-    def _slid(self, number: int, part: Slid) -> Value:
-        guide, _, direction = self.plot.facts.lines[part.slide]
-        slide, line = self.slides.get(part.slide), part.sign * direction
-        if slide is None:
-            return self._turned(number, guide, self.plot.s[part.slide] * line)
-        base = self.bases.get(self.plot.facts.turns[guide].base)
-        angle = self.plot.theta[guide] if base is None else self.plot.facts.relative_angle(guide)
-        self.sliding.append((number, slide, base, line * np.exp(1j * angle)))
         return 0.0
 
 

@@ -7,13 +7,13 @@ row stands for two.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from operator import attrgetter
 
 import numpy as np
 
 from graphkin.base.geometry import Real, Value
-from graphkin.construction.kinds import Chain, Fit, InStep, Roll, Simultaneous
+from graphkin.construction.kinds import Fit, InStep, Roll, Simultaneous
 from graphkin.construction.plot import Plot, slide_key
 from graphkin.construction.terms import Plane
 
@@ -29,17 +29,6 @@ def two(known: Value, coefficients: Mapping[str, Value]) -> Iterator[Row]:
     """A complex row along x and along y."""
     for along in (attrgetter("real"), attrgetter("imag")):
         yield along(known), {name: along(value) for name, value in coefficients.items()}
-
-
-def system(rows: Sequence[Row], names: Sequence[str], shape: tuple[int, ...]) -> tuple[np.ndarray, np.ndarray]:
-    """Known parts (*shape, m) and coefficients (*shape, m, n) of rows, over positions of a shape."""
-    known, matrix = np.zeros((*shape, len(rows))), np.zeros((*shape, len(rows), len(names)))
-    for k, (value, coefficients) in enumerate(rows):
-        known[..., k] = value
-        for j, name in enumerate(names):
-            if name in coefficients:
-                matrix[..., k, j] = coefficients[name]
-    return known, matrix
 
 
 def solved(matrix: np.ndarray, right: np.ndarray) -> np.ndarray:
@@ -85,8 +74,7 @@ def roll(step: Roll, plot: Plot, plane: Plane) -> None:
         _displacements(plot, plane)[step.slide] = value
 
 
-def _order_of(plane: Plane) -> int:
-    return ("position", "velocity", "acceleration").index(plane)
+_order_of = ("position", "velocity", "acceleration").index
 
 
 def _displacements(plot: Plot, plane: Plane) -> dict[str, Real]:
@@ -98,14 +86,18 @@ def in_step(contact: InStep, plot: Plot, plane: Plane, angles: set[str], slides:
     """A contact's coefficient for each unknown, by base link or `slide_key`, and the sum of the rest."""
     coefficients: dict[str, Value] = {}
     known: Value = 0.0
+    order, facts = _order_of(plane), plot.facts
     for link, coefficient in contact.angles:
-        base = plot.facts.turns[link].base
-        if base in angles:
+        base, turned = facts.turns[link].base, (plot.theta, plot.omega, plot.alpha)[order]
+        if base in angles:  # known is what the link turns against its base link
             coefficients[base] = coefficients.get(base, 0.0) + coefficient
-        known = known + coefficient * _turned(link, plot, plane, base in angles)
+            turn = facts.relative_rate(link, order) if order else facts.relative_angle(link)
+        else:
+            turn = turned[link]
+        known = known + coefficient * (turn - (0.0 if order else facts.drawn.get(link, 0.0)))
     for slide, share in contact.way or ((contact.slide, 1.0),) * bool(contact.slide):
         coefficient = contact.on_slide * share
-        drawn = plot.facts.drawn[slide_key(slide)] if plane == "position" else 0.0
+        drawn = 0.0 if order else facts.drawn[slide_key(slide)]
         if slide in slides:
             coefficients[slide_key(slide)] = coefficients.get(slide_key(slide), 0.0) + coefficient
             known = known - coefficient * drawn
@@ -114,22 +106,18 @@ def in_step(contact: InStep, plot: Plot, plane: Plane, angles: set[str], slides:
     return known, coefficients
 
 
-def _turned(link: str, plot: Plot, plane: Plane, beside_base: bool) -> Real:
-    """A link's turn since the drawn position, or its rate; `beside_base`: what its base link leaves of it."""
-    order, facts = _order_of(plane), plot.facts
-    drawn = facts.drawn.get(link, 0.0) if order == 0 else 0.0
-    if not beside_base:
-        return (plot.theta, plot.omega, plot.alpha)[order][link] - drawn
-    return (facts.relative_angle(link) if order == 0 else facts.relative_rate(link, order)) - drawn
-
-
 # --- chains of arrows -------------------------------------------------------------------------
 
 
 def solve_together(step: Simultaneous, plot: Plot, plane: Plane) -> None:
     """The unknown rates of a group, from all its chains of arrows at once."""
     shape = np.broadcast_shapes(*(np.shape(value) for value in (*plot.position.values(), *plot.theta.values())))
-    known, matrix = system(chains(step, plot, plane), unknowns_of(step), shape)
+    rows, names = chains(step, plot, plane), unknowns_of(step)
+    known, matrix = np.zeros((*shape, len(rows))), np.zeros((*shape, len(rows), len(names)))
+    for k, (value, coefficients) in enumerate(rows):
+        known[..., k] = value
+        for j, name in enumerate(names):
+            matrix[..., k, j] = coefficients.get(name, 0.0)
     settle_rates(step, plot, plane, (value[()] for value in np.moveaxis(solved(matrix, -known), -1, 0)))
 
 
@@ -143,21 +131,17 @@ def settle_rates(step: Simultaneous, plot: Plot, plane: Plane, solution: Iterabl
 
 def chains(step: Simultaneous, plot: Plot, plane: Plane) -> list[Row]:
     """The sum of the known arrows of each chain, and what each unknown adds to it."""
-    rows = [row for chain in step.chains for row in two(*_chain(chain, plot, plane))]
-    rows += [in_step(contact, plot, plane, set(step.angles), set(step.slides)) for contact in step.contacts]
-    return rows
-
-
-def _chain(chain: Chain, plot: Plot, plane: Plane) -> Row:
-    """The known arrows of a chain end to end, and the arrow of each unknown at 1."""
-    known: Value = sum((sign * plot.arrow(size, plane) for size, sign in chain.known), 0j)
-    arrows: dict[str, Value] = {}
-    for unknown in chain.unknown:
-        if unknown.slide:
-            name, arrow = slide_key(unknown.slide), unknown.sign * plot.guide_direction(unknown.slide)
-        else:
-            name, arrow = plot.facts.turns[unknown.link].base, unknown.sign * 1j * plot.arm(unknown.tail, unknown.head)
-            # what the link turns against its base link
-            known = known + arrow * plot.facts.relative_rate(unknown.link, _order_of(plane))
-        arrows[name] = arrows.get(name, 0.0) + arrow
-    return known, arrows
+    rows, turns = list[Row](), plot.facts.turns
+    for chain in step.chains:
+        known: Value = sum((sign * plot.arrow(size, plane) for size, sign in chain.known), 0j)
+        arrows: dict[str, Value] = {}  # of each unknown at 1
+        for unknown in chain.unknown:
+            if unknown.slide:
+                name, arrow = slide_key(unknown.slide), unknown.sign * plot.guide_direction(unknown.slide)
+            else:
+                name, arrow = turns[unknown.link].base, unknown.sign * 1j * plot.arm(unknown.tail, unknown.head)
+                # what the link turns against its base link
+                known = known + arrow * plot.facts.relative_rate(unknown.link, _order_of(plane))
+            arrows[name] = arrows.get(name, 0.0) + arrow
+        rows += two(known, arrows)
+    return rows + [in_step(contact, plot, plane, {*step.angles}, {*step.slides}) for contact in step.contacts]

@@ -118,9 +118,8 @@ def draw(
                 points.update(dict.fromkeys(also, FIXED))
             case kinds.LayOff(term, start, tip, backwards):
                 assert term.size is not None
-                arrow = plot.arrow(term.size, plane)
-                end = points[start] - arrow if backwards else points[start] + arrow
-                points[tip] = hand.laid(plot, plane, step, arrow, end)
+                arrow, end = plot.arrow(term.size, plane), points[start]
+                points[tip] = hand.laid(plot, plane, step, arrow, end - arrow if backwards else end + arrow)
             case kinds.Ray() | kinds.Arc():
                 pass  # alone it fixes no point
             case kinds.Meet(point=point):
@@ -129,8 +128,9 @@ def draw(
                     points.update({n: 0j * place if z is FIXED or n == pole else z - place for n, z in points.items()})
             case kinds.Swing():
                 _swing(step, plot, sides, compass)
-            case kinds.Image(base=(tail, head), point=point):
-                corner = compass.image(points[tail], points[head], _ratio(step, plot, plane))
+            case kinds.Image(base=(tail, head), point=point, corners=(a, b, c)):
+                shape = plot.facts.shapes[step.link] if plane == "position" else plot.position
+                corner = compass.image(points[tail], points[head], (shape[c] - shape[a]) / (shape[b] - shape[a]))
                 points[point] = hand.image(plot, plane, step, corner)
             case kinds.Measure():
                 _measure(step, plot, plane, hand)
@@ -161,14 +161,12 @@ def _meet(
             )  # fmt: skip
             point, sine = compass.lines(p, u, q, w)
         case kinds.Ray(p, u), kinds.Arc(c, reach):
-            point, sine, miss = compass.line_circle(
-                points[p], plot.direction(u), points[c], np.abs(plot.span(reach)), side
-            )
+            radius = np.abs(plot.span(reach))
+            point, sine, miss = compass.line_circle(points[p], plot.direction(u), points[c], radius, side)
             plot.misses[step.point] = miss.real
         case kinds.Arc(c, reach), kinds.Arc(d, other_reach):
-            point, sine, miss = compass.circles(
-                points[c], np.abs(plot.span(reach)), points[d], np.abs(plot.span(other_reach)), side
-            )
+            radii = np.abs(plot.span(reach)), np.abs(plot.span(other_reach))
+            point, sine, miss = compass.circles(points[c], radii[0], points[d], radii[1], side)
             plot.misses[step.point] = miss.real
         case _:
             raise AssertionError("a line comes before a circle")
@@ -190,13 +188,6 @@ def _swing(step: kinds.Swing, plot: Plot, sides: Mapping[int, Value], compass: C
     plot.settle("theta", base, np.angle(arm) - np.angle(plot.span(step.span)))
     plot.misses[step.slide] = np.abs(offset) - distance
     plot.sines["position", step.slide] = half / distance
-
-
-def _ratio(step: kinds.Image, plot: Plot, plane: Plane) -> Value:
-    """Of two sides of a link, from the first corner; in the position plane by the link itself."""
-    first, second, third = step.corners
-    shape = plot.facts.shapes[step.link] if plane == "position" else plot.position
-    return (shape[third] - shape[first]) / (shape[second] - shape[first])
 
 
 def _measure(step: kinds.Measure, plot: AnyPlot, plane: Plane, hand: Hand[AnyPlot]) -> None:

@@ -92,8 +92,7 @@ class MechanismNotes:
     def _arc(self, rotation: Rotation, free: FreeRoom) -> list[Mark]:
         """An arc in the sense in which the link turns, about one of its points, with its letter."""
         (letter, plane), link = _LETTERS[rotation.word], rotation.link
-        table = self.reading.plot.omega if plane == "velocity" else self.reading.plot.alpha
-        value = float(table[link])
+        value = float((self.reading.plot.omega if plane == "velocity" else self.reading.plot.alpha)[link])
         driven = any(driver.link == link for driver in self.reading.mechanism.drivers)
         if driven or not self.reading.usual.rate(value, plane):
             return []
@@ -104,9 +103,10 @@ class MechanismNotes:
             at, shows = self.skeleton.at(point), Shows(link, form, (point,))
             middle = start * cmath.rect(1, -sense * SWEEP / 2)
             want = LabelRequest(label, at + middle * radius, gap=0.9, away=middle, step=step)
-            arc = [_accented(mark, plane) for mark in spin(at, start, sense, radius, step, shows)]
-            if letters := free.letters_with(arc, want):
-                marks = [*arc, *(_accented(mark, plane) for mark in letters)]
+            arc = spin(at, start, sense, radius, step, shows)
+            if letters := free.letters_with(arc, want):  # in the colour of the polygon
+                marks = [replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark
+                         for mark in (*arc, *letters)]  # fmt: skip
                 free.add(marks)
                 return marks
         return []
@@ -122,8 +122,3 @@ class MechanismNotes:
             clear = free.free((middle - _HALF).reshape(-1, 2), (middle + _HALF).reshape(-1, 2)).reshape(around.shape)
             for radius, places in zip(_RADII, clear, strict=True):
                 yield from ((point, radius, _TURNS[k]) for k in np.flatnonzero(places[swept].all(axis=1)))
-
-
-def _accented(mark: Mark, plane: Plane) -> Mark:
-    """In the colour of a polygon."""
-    return replace(mark, accent=plane) if isinstance(mark, ArcMark | Stroke | Text) else mark

@@ -14,6 +14,11 @@ import numpy as np
 from graphkin.base.geometry import Array
 
 
+def xy(places: Array) -> Array:
+    """Complex places (n,) as x and y of each (2, n)."""
+    return np.array([places.real, places.imag])
+
+
 def overlap(low: Array, high: Array, other_low: Array, other_high: Array) -> Array:
     """True where boxes overlap others; those that only touch do not."""
     both = (low < other_high) & (high > other_low)

@@ -176,18 +176,6 @@ class SheetContents:
         return roomless
 
     @cached_property
-    def _notes(self) -> dict[Plane, Label]:
-        """Planes that hold what ruler and compass do not give, with a word of how it was found."""
-        notes: dict[Plane, Label] = {}
-        for plane in self.planes if self.drawing.style != "given" else ():
-            steps = [*self.drawing.construction(plane).steps]
-            if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
-                notes[plane] = plain(_FITTED[self.drawing.lang])
-            elif any(isinstance(step, Simultaneous) for step in steps):
-                notes[plane] = plain(_TOGETHER[self.drawing.lang])
-        return notes
-
-    @cached_property
     def height(self) -> Height:
         """The height of the strip on a paper [mm], reckoned once for each."""
         height = partial(strip_height, found=self.tables, equations=self.in_strip)
@@ -209,8 +197,15 @@ class SheetContents:
         """Everything on a divided paper; with `stages`, over the lines of the pencil and without results."""
         drawing = self.drawing
         panels = [self._panel(layout, plane, stages, details) for plane in self.planes]
+        notes: dict[Plane, Label] = {}  # how that was found which ruler and compass do not give
+        for plane in self.planes if drawing.style != "given" else ():
+            steps = drawing.construction(plane).steps
+            if any(isinstance(step, Fit) and step.closures for step in steps):  # else a train's ratios give it
+                notes[plane] = plain(_FITTED[drawing.lang])
+            elif any(isinstance(step, Simultaneous) for step in steps):
+                notes[plane] = plain(_TOGETHER[drawing.lang])
         tables, equations = ([], []) if stages else (self.tables, self.in_strip)
-        strip = None if self.tight else Strip(layout.strip, tables, self._notes, equations=equations)
+        strip = None if self.tight else Strip(layout.strip, tables, notes, equations=equations)
         return Page(layout.paper, panels, drawing.method.mechanism, drawing.plot.facts.values, drawing.lang, strip)
 
     def _panel(self, layout: Layout, plane: Plane, stages: bool, details: bool) -> Panel:

@@ -9,9 +9,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections import defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from functools import cached_property
 from itertools import pairwise
 
 from graphkin.base.geometry import place
@@ -79,8 +77,8 @@ class PolygonConstruction:
         added = Annotations()
         marked: list[tuple[_Line, Place]] = []
         for line in self._lines():
-            tip = _lay(line, free, added)
-            marked += [(line, tip)] if tip is not None else []
+            if (tip := _lay(line, free, added)) is not None:
+                marked.append((line, tip))
         for square in self._squares():  # where no letters stand
             first, middle, last = square.places
             sides = ((first, middle), (last, middle))
@@ -183,17 +181,9 @@ class PolygonConstruction:
                 yield LabelRequest(label, end, gap=0.8, size=LEAST, step=act.page)
             case Meet(point=point) | Image(point=point) if point in points:
                 yield LabelRequest(label, points[point], gap=0.8, size=LEAST, step=act.page)
-                for start, end in self._arrows_of_acts[act.page]:
-                    yield LabelRequest(label, start, end, gap=0.6, size=LEAST, step=act.page)
-
-    @cached_property
-    def _arrows_of_acts(self) -> Mapping[int | None, list[tuple[Place, Place]]]:
-        """The ends of the arrows that come with each act."""
-        ends: dict[int | None, list[tuple[Place, Place]]] = defaultdict(list)
-        for vector in self.polygon.vectors():
-            if vector.length > _NOTHING:
-                ends[vector.step].append((vector.start, vector.end))
-        return ends
+                for vector in self.polygon.vectors():
+                    if vector.step == act.page and vector.length > _NOTHING:
+                        yield LabelRequest(label, vector.start, vector.end, gap=0.6, size=LEAST, step=act.page)
 
 
 def _lay(line: _Line, free: FreeRoom, added: Annotations) -> Place | None:

@@ -56,13 +56,6 @@ class _Circle:
         """True where what a label names lies in it wholly."""
         return self.holds(want.start, want.start if want.end is None else want.end)
 
-    @property
-    def room(self) -> Room:
-        """Its room with that of letters around it."""
-        far = self.radius + _AROUND
-        left, top = self.centre.real - far, self.centre.imag - far
-        return Room(left, top, left + 2 * far, top + 2 * far)
-
     def piece(self, start: Place, end: Place) -> tuple[Place, Place] | None:
         """The piece of a line that lies in it."""
         along = end - start
@@ -121,20 +114,15 @@ class _DetailDrawing:
         if not views or sum(self.burdens) < _SAVED:
             return None
 
-        def burden(view: _View) -> float:
-            labels = zip(self.panel.figure.wanted, self.burdens, strict=True)
-            return sum(burden for want, burden in labels if view.part.names(want))
-
-        views = views if len(self.burdens) <= _CROWD else [max(views, key=burden)]
-        others = [other for other in map(self._with, views) if not other.emptied]
-        best = min(others, key=lambda other: sum(other.burdens), default=self)
+        if len(self.burdens) > _CROWD:
+            labels = [*zip(self.panel.figure.wanted, self.burdens, strict=True)]
+            views = [max(views, key=lambda view: sum(burden for want, burden in labels if view.part.names(want)))]
+        best = self
+        for other in map(self._with, views):
+            own = [sum(map(view.shown.names, other.panel.figure.wanted)) for view in other.views]
+            if min(own) >= _OWN and (best is self or sum(other.burdens) < sum(best.burdens)):
+                best = other  # no detail loses its own letters to another
         return best if sum(best.burdens) + _SAVED <= sum(self.burdens) else None
-
-    @property
-    def emptied(self) -> bool:
-        """True where some detail has no letters of its own, because another shows what it shows."""
-        wanted = self.panel.figure.wanted
-        return any(sum(map(view.shown.names, wanted)) < _OWN for view in self.views)
 
     @property
     def burdens(self) -> Sequence[float]:
@@ -156,11 +144,8 @@ class _DetailDrawing:
         return None
 
     def _with(self, view: _View) -> _DetailDrawing:
-        """The letters of one circle left to the other, where that part is drawn once more.
-
-        Labels that are left out are a burden less, those that the detail has for itself a burden more; that all others
-        have more room then is not counted, so that not all must be lettered anew for each detail that is tried.
-        """
+        """The letters of one circle left to the other, where that part is drawn once more. That all other labels have
+        more room then is not counted, so that not all must be lettered anew for each detail that is tried."""
         whole, figure = self.draw(view.window), self.panel.figure
         marks = [mark for each in whole.marks for mark in _clipped(each, view.shown)]
         named = [want for want in whole.wanted if view.shown.names(want)]
@@ -173,7 +158,10 @@ class _DetailDrawing:
         heading = plain(f"{numeral}  ({view.times:g} : 1)")
         top = view.shown.centre - 1j * (view.shown.radius + _AROUND - 1.0)  # over what is written around it
         marks.append(Text(heading, top - width(heading, BODY) / 2, BODY, step))
-        alone = Panel(Figure(marks, named), view.window, view.shown.room)
+        side = 2 * (view.shown.radius + _AROUND)  # with the room of letters around it
+        corner = view.shown.centre - complex(side, side) / 2
+        room = Room(corner.real, corner.imag, corner.real + side, corner.imag + side)
+        alone = Panel(Figure(marks, named), view.window, room)
         known = [*compress(self.burdens, stay), *_burdens(alone, _EASIER), 0.0]
         drawn = Figure([*figure.marks, *marks], [*compress(figure.wanted, stay), *named, sign])
         return replace(self, panel=replace(self.panel, figure=drawn), views=(*self.views, view), known=known)

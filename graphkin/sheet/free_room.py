@@ -51,11 +51,6 @@ class FreeSpots(NamedTuple):
     marks: int
     letters: int
 
-    @property
-    def boxes(self) -> tuple[Array, Array]:
-        """Their corners (n, 2)."""
-        return _corners(self.middle, np.asarray(self.half))
-
 
 class FreeRoom:
     """A figure with its labels, and what has been added since."""
@@ -133,7 +128,7 @@ class FreeRoom:
 
     def place(self, spots: FreeSpots) -> Place | None:
         """The middle of the best one that is still free; None where there is none without a leader."""
-        low, high = spots.boxes
+        low, high = _corners(spots.middle, np.asarray(spots.half))
         free = _clear(~_beside(low, high, self._letters[spots.letters :]), low, high, self._added(spots.marks))
         if not free.any():
             return None
@@ -151,8 +146,7 @@ class FreeRoom:
         free = np.flatnonzero(self.free(low - _EDGE, low + np.array((size.real, size.imag)) + _EDGE))
         if not len(free):
             return None
-        best = free[np.argmax(low[free, 1])] if from_below else free[0]
-        return complex(*low[best])
+        return complex(*low[free[np.argmax(low[free, 1])] if from_below else free[0]])
 
     def letters(self, wanted: Sequence[LabelRequest]) -> Iterator[list[Mark]]:
         """Each label where there is room for it, one after the other, else nothing."""

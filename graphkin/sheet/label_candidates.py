@@ -15,7 +15,7 @@ import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import filled
-from graphkin.sheet.boxes import OccupiedSquares
+from graphkin.sheet.boxes import OccupiedSquares, xy
 from graphkin.sheet.label_requests import CRAMMED, LabelCandidates, LabelRequest, lettering
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import Mark, Place, Text, VectorMark
@@ -24,7 +24,6 @@ from graphkin.sheet.paper import Room
 
 _NEARER = 0.3  # by so much, to the eye [mm]
 _SHORTEST = 0.1  # shorter arrows are points [mm]
-
 
 NEAR, LED, FAR, FARTHEST = range(4)
 """Places at what a label names, on a leader about that, and farther off."""
@@ -46,16 +45,13 @@ class Boxes(NamedTuple):
 
     @classmethod
     def of(cls, spots: LabelCandidates, half: Array) -> Boxes:
-        middle, half = _xy(spots.middle), _xy(half)
-        low, high, anchor = middle - half, middle + half, _xy(np.where(spots.led, spots.anchor, spots.middle))
+        middle, half = xy(spots.middle), xy(half)
+        low, high, anchor = middle - half, middle + half, xy(np.where(spots.led, spots.anchor, spots.middle))
         return cls(np.array([low, high, np.clip(anchor, low, high), anchor]), spots.led)
 
     def taken(self, rows: Array | list[int]) -> Boxes:
         """Some of them; numpy takes numbered columns several times as fast as it indexes them."""
         return Boxes(self.places.take(rows, axis=2), self.led.take(rows))
-
-    def part(self, begin: int, end: int) -> Boxes:
-        return Boxes(self.places[:, :, begin:end], self.led[begin:end])
 
     def some(self, rows: Array) -> Boxes:
         """The same; a single one is that of all rows."""
@@ -115,13 +111,8 @@ class Rated(NamedTuple):
     def parted(self, counts: Array | list[int]) -> Iterator[Rated]:
         """So many of them each time."""
         for end, count in zip(np.cumsum(counts), counts, strict=True):
-            yield Rated(self.boxes.part(end - count, end), *(each[end - count : end] for each in self[1:]))
-
-    @property
-    def in_room(self) -> Rated:
-        """Those in the room, where there are such."""
-        some = self.inside.any() and not self.inside.all()
-        return self.taken(np.flatnonzero(self.inside)) if some else self
+            boxes = Boxes(self.boxes.places[:, :, end - count : end], self.boxes.led[end - count : end])
+            yield Rated(boxes, *(each[end - count : end] for each in self[1:]))
 
     @property
     def free(self) -> Array:
@@ -202,7 +193,10 @@ class LabelScene:
             self._see([label for label in labels if (label, each) not in self._seen], each)
             if lines and each != NEAR:
                 self._cross([label for label in labels if (label, each) not in self._crossing], each)
-        return [Rated.joined([self._seen[label, each] for each in range(tier + 1)]).in_room for label in labels]
+        every = [Rated.joined([self._seen[label, each] for each in range(tier + 1)]) for label in labels]
+        # those in the room, where there are such
+        return [rated.taken(np.flatnonzero(rated.inside)) if rated.inside.any() and not rated.inside.all() else rated
+                for rated in every]  # fmt: skip
 
     def _see(self, labels: Sequence[int], tier: int) -> None:
         """Candidates of one tier of some labels, all at once."""
@@ -301,11 +295,6 @@ class Arrows:
             across = np.maximum(np.maximum(left - end.real, end.real - right), 0.0)
             distances.append(np.hypot(across, np.maximum(np.maximum(top - end.imag, end.imag - bottom), 0.0)))
         return np.asarray(np.minimum.reduce(distances))
-
-
-def _xy(places: Array) -> Array:
-    """Complex places (n,) as x and y of each (2, n)."""
-    return np.array([places.real, places.imag])
 
 
 def _middle(values: list[float]) -> float:

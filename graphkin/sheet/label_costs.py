@@ -91,8 +91,8 @@ def under(led: Boxes, other: Boxes, keep: float = _PASSING) -> Array:
     lying = np.zeros(max(len(led.led), len(other.led)), dtype=bool)
     if not led.led.any():
         return lying
-    low, high, (start, end) = other.low - keep, other.high + keep, led.leader
-    around = overlap(np.minimum(start, end), np.maximum(start, end), low, high)
+    start, end = led.leader
+    around = overlap(np.minimum(start, end), np.maximum(start, end), other.low - keep, other.high + keep)
     rows = np.flatnonzero(led.led & around)
     if len(rows):
         led, other = led.some(rows), other.some(rows)
@@ -105,8 +105,7 @@ def _near(low: Array, high: Array, least: Array, most: Array) -> tuple[Array, Ar
     """Pairs of the boxes low..high (2, n) that lie together and others that overlap: their rows, and the others'."""
     others = np.flatnonzero(overlap(least, most, low.min(axis=1, keepdims=True), high.max(axis=1, keepdims=True)))
     least, most = least.take(others, axis=1), most.take(others, axis=1)
-    near = overlap(low[..., None], high[..., None], least[:, None], most[:, None])
-    rows, columns = np.nonzero(near)
+    rows, columns = np.nonzero(overlap(low[..., None], high[..., None], least[:, None], most[:, None]))
     return rows, others[columns]
 
 
@@ -165,11 +164,6 @@ class LabelTable:
         near[label * width : label * width + width] = False
         numbers = np.flatnonzero(near)
         return numbers, Boxes(self._places.take(numbers, axis=2), self._led[numbers])
-
-    def raise_(self, numbers: Array, more: Array, taken: Array) -> None:
-        """Some places cost more; and some of these are no longer free."""
-        self.cost.ravel()[numbers] += more
-        self.free.ravel()[numbers[taken]] = False
 
     def copy(self) -> LabelTable:
         """The same, that can be changed by itself."""

@@ -106,7 +106,14 @@ class LabelRequest:
         """Its places at what it names; half: of the width and height of its box [mm]."""
         if self.end is None or abs(self.end - self.start) <= _POINT:
             return _around(self.start, half, self, _RINGS)
-        return _beside(self.start, self.end, half, self)
+        along = self.end - self.start  # both sides of the line, at several places along it
+        away = self.away / abs(self.away) if self.away else 0j
+        normal = np.array([along / abs(along) * -1j, along / abs(along) * 1j])[:, None, None]
+        support = np.abs(normal.real) * half.real + np.abs(normal.imag) * half.imag
+        liking = 0.6 * (1 - (normal * away.conjugate()).real) if away else np.where(normal.imag <= 0, 0.0, 0.1)
+        middle = self.start + along * _ALONG + normal * (support + self.gap + _OFF)
+        cost = 1.2 * _OFF + 2.5 * np.abs(_ALONG - 0.5) + liking
+        return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, _NOWHERE))
 
     def led(self, half: complex) -> LabelCandidates:
         """Its places on a leader about what it names."""
@@ -150,15 +157,3 @@ def _around(point: Place, half: complex, want: LabelRequest, rings: Array) -> La
 def _sides(leaning: Array, half: complex) -> Array:
     """From what a box touches to its middle, in each direction."""
     return leaning.real * half.real + 1j * (leaning.imag * half.imag)
-
-
-def _beside(start: Place, end: Place, half: complex, want: LabelRequest) -> LabelCandidates:
-    """Both sides of a line, at several places along it."""
-    along = (end - start) / abs(end - start)
-    away = want.away / abs(want.away) if want.away else 0j
-    normal = np.array([along * -1j, along * 1j])[:, None, None]
-    support = np.abs(normal.real) * half.real + np.abs(normal.imag) * half.imag
-    liking = 0.6 * (1 - (normal * away.conjugate()).real) if away else np.where(normal.imag <= 0, 0.0, 0.1)
-    middle = start + (end - start) * _ALONG + normal * (support + want.gap + _OFF)
-    cost = 1.2 * _OFF + 2.5 * np.abs(_ALONG - 0.5) + liking
-    return LabelCandidates(middle.ravel(), cost.ravel(), np.full(middle.size, _NOWHERE))

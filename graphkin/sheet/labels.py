@@ -1,15 +1,15 @@
 """Labels find their places: none lies on a line, a vector or another label where there is room.
 
-Each label has candidate places around its point or along its vector. All are held against everything drawn
-at once; then the label with the fewest free places left chooses first, and takes the one
-nearest to what it names. The same marks give the same places. Where nothing near is free, a thin leader
-goes to a place farther off. In a crowd that leaves no place at all, leaders go much farther (`far`), labels
-make way for one another, and at last those that say nothing new are left out.
+Each label has candidate places around its point or along its vector. All are held against everything drawn at once;
+then the label with the fewest free places left chooses first, and takes the one nearest to what it names. The same
+marks give the same places. Where nothing near is free, a thin leader goes to a place farther off. In a crowd that
+leaves no place at all, leaders go much farther (`far`), labels make way for one another, and at last those that say
+nothing new are left out.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -65,7 +65,8 @@ class LabelPlacing:
         choices = self._alone(labels, tier)
         if not self.stands.any():
             return choices if tier == NEAR else [choice.cheapest(self._many) for choice in choices]
-        beside = self.prices.beside_others([choice.boxes for choice in choices], self._standing)
+        others = self.boxes.taken(np.flatnonzero(self.stands))
+        beside = self.prices.beside_others([choice.boxes for choice in choices], others)
         return [
             choice._replace(cost=choice.cost + more, free=choice.free & ~clash).cheapest(self._many)
             for choice, (more, clash) in zip(choices, beside, strict=True)
@@ -78,11 +79,6 @@ class LabelPlacing:
             choice = LabelChoice(rated.boxes, self.prices.alone(rated), rated.free)
             self._liked[label, tier] = choice.cheapest(3 * self._many)
         return [self._liked[label, tier] for label in labels]
-
-    @property
-    def _standing(self) -> Boxes:
-        """Labels that stand."""
-        return self.boxes.taken(np.flatnonzero(self.stands))
 
     # --- farther and farther ----------------------------------------------------------------------
 
@@ -107,7 +103,8 @@ class LabelPlacing:
         one = self.boxes.taken([label])
         numbers, others = self._table.about(*self.prices.reach(one), label)
         more, clash = self.prices.together(others, one)
-        self._table.raise_(numbers, sign * more, clash)
+        self._table.cost.ravel()[numbers] += sign * more
+        self._table.free.ravel()[numbers[clash]] = False
 
     def _put(self, label: int, spot: int | None = None) -> None:
         """A label takes one of its places, the cheapest."""
@@ -144,9 +141,9 @@ class LabelPlacing:
             for label in map(int, bad if len(bad) <= _FEW else ()):
                 if self._bad()[label] and self._patience:
                     self._patience -= 1
-                    self._tried(label)
+                    self._claim_by_turns(label)
 
-    def _tried(self, label: int) -> None:
+    def _claim_by_turns(self, label: int) -> None:
         """A label claims its place, and who loses its own by that does the same, if that leaves all better."""
         before, bad, table = self._badness(), self._bad(), self._table.copy()
         kept = [each.copy() for each in (*self.boxes, self.stands, self._spot, self._tier)]
@@ -174,7 +171,7 @@ class LabelPlacing:
         self._lift(label)
         self._tier[label] = self._last
         [choice] = self._alone([label], self._last)
-        [(more, _)] = self.prices.beside_others([choice.boxes], self._standing)
+        [(more, _)] = self.prices.beside_others([choice.boxes], self.boxes.taken(np.flatnonzero(self.stands)))
         liking = choice.cost + _YIELDING * more
         liked = np.sort(np.argsort(liking)[: self._many])
         self._table.write(label, choice._replace(cost=choice.cost + more).taken(liked))
@@ -183,12 +180,11 @@ class LabelPlacing:
         more, _ = self.prices.together(self.boxes.taken(others), self.boxes.taken([label]))
         self._look_again(others[more > self.prices.strange])
 
-    def _look_again(self, labels: Iterable[int]) -> None:
+    def _look_again(self, labels: Array) -> None:
         """Some labels leave their places and look on from there; then all move to better ones."""
-        labels = [int(label) for label in labels]
-        for label in labels:
+        for label in labels.tolist():
             self._lift(label)
-        self._look_on(labels)
+        self._look_on(labels.tolist())
         self._move()
 
     def _now(self) -> Array:

@@ -1,8 +1,7 @@
 """Layouts: a paper, the rooms of the figures on it, and their scales.
 
 A figure is as large as its points at the scale, plus what its signs and letters reach beyond them (`Extent.reach`).
-Divisions of the paper are tried, all shares at once (`Rooms`); the one with the
-largest figures is taken.
+Divisions of the paper are tried, all shares at once (`Rooms`); the one with the largest figures is taken.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE
 from graphkin.sheet.page import HEAD_WIDTH
-from graphkin.sheet.paper import (
+from graphkin.sheet.paper import (  # fmt: skip
     KEYS,
     LARGE,
     PAPERS,
@@ -42,7 +41,6 @@ _NARROWEST = 46.0  # a heading wants at least so much [mm]
 _MECHANISM = 1.3  # the weight of the mechanism: its signs keep their size and need room between them
 _INK = 2.0  # the worth of paper that is used
 _LARGE_ENOUGH = 130.0  # a figure of this size alone on its paper needs no larger one [mm]
-
 
 Height = Callable[[Paper], float]  # the height that the tables and the title need on a paper [mm]
 Divisions = Callable[[Rooms, tuple[Plane, ...]], Iterator[dict[Plane, Rooms]]]
@@ -69,8 +67,7 @@ class Layout:
 
 def under_heading(room: Room, over: Over | None = None) -> Room:
     """The part of a room that its heading, and what stands under that over the figure, leave."""
-    head = float(_head_height(np.asarray(room.right - room.left), over))
-    return Room(room.left, room.top + head, room.right, room.bottom)
+    return replace(room, top=room.top + float(_head_height(np.asarray(room.right - room.left), over)))
 
 
 def _head_height(wide: Array, over: Over | None) -> Array:
@@ -88,9 +85,8 @@ def papers_for(name: str | None) -> list[Paper]:
 
 def divided(paper: Paper, height: float) -> tuple[Room, Room]:
     """The field for figures, and under it a strip of that height [mm]."""
-    whole = paper.frame
-    edge = whole.bottom - height
-    return Room(whole.left, whole.top, whole.right, edge), Room(whole.left, edge, whole.right, whole.bottom)
+    whole, edge = paper.frame, paper.frame.bottom - height
+    return replace(whole, bottom=edge), replace(whole, top=edge)
 
 
 def alone(extent: Extent, strip_height: Height, paper: str | None) -> Layout:

@@ -1,7 +1,7 @@
 """Letters: how the field writes its names (b₃′, a^n_CB), and how wide that is.
 
-A label is a tuple of runs. Widths are those of Times (equal to Liberation Serif and Tinos), so a box
-around a label is right on every machine that has one of them; Chinese characters are one em wide.
+A label is a tuple of runs. Widths are those of Times (equal to Liberation Serif and Tinos), so a box around a label is
+right on every machine that has one of them; Chinese characters are one em wide.
 """
 
 from __future__ import annotations
@@ -35,7 +35,6 @@ _OTHERS = (
     "ω658,706 α524,525 μ536,502 θ479,491 φ577,553 ψ626,621 γ442,394 °400,400 ·250,250 →1000,1000 "
     "×564,675 ²300,300 ³300,300 ′219,219 −564,675 ⊥1000,1000 ∥1000,1000 √1000,1000 ṡ389,389 \u03080,0"
 )
-
 
 _ALL = (
     *((chr(32 + k), *pair) for k, pair in enumerate(zip(_ROMAN.split(), _ITALIC.split(), strict=True))),
@@ -132,11 +131,7 @@ def plain(text: str, italic: bool = False) -> Label:
 
 def joined(labels: list[Label], between: str = ", ") -> Label:
     """`p, a, d`: several names of one place."""
-    runs: list[Run] = []
-    for k, label in enumerate(labels):
-        runs += [Run(between)] if k else []
-        runs += label
-    return tuple(runs)
+    return tuple(run for k, label in enumerate(labels) for run in ((Run(between), *label) if k else label))
 
 
 def _mixed(text: str, place: Literal["base", "sub", "sup"]) -> Label:

@@ -17,21 +17,20 @@ from graphkin.construction import Plane, Plot
 from graphkin.errors import Lang
 from graphkin.planning import Method
 from graphkin.planning.drawn_position import shown
-from graphkin.planning.method import Act
 from graphkin.say.catalogue import say
 from graphkin.say.entry import Sentence
 from graphkin.say.explained import derivation
 from graphkin.say.numbers import circled
-from graphkin.say.reading import Reading
 from graphkin.sheet.composition import Planes, SheetContents, Style
+from graphkin.sheet.label_requests import CRAMMED
 from graphkin.sheet.layout import Layout, cut_to, papers_for
 from graphkin.sheet.lettering import formula, plain
 from graphkin.sheet.marks import Place, Text
 from graphkin.sheet.page import Lettered, Page, Sheet
-from graphkin.sheet.paper import BODY, LARGE, Paper, Room, TooLargeForPaper
+from graphkin.sheet.paper import BODY, LARGE, Paper, TooLargeForPaper
 from graphkin.sheet.path_figure import NONE, Paths
 from graphkin.sheet.results import given_tables, tables
-from graphkin.sheet.text_blocks import LINE, EquationBlock, broken
+from graphkin.sheet.text_blocks import LINE, broken
 from graphkin.sheet.titleblock import tables_room
 from graphkin.sheet.window import PLANES
 
@@ -138,7 +137,8 @@ class Arrangement:
     def overfull(self) -> float:
         """The part of its room for letters that the labels of the fullest figure take; above 1 some cannot
         but lie on others, and no care helps."""
-        return max(self.contents.extents[plane].fullness(self.layout.rooms[plane]) for plane in self.contents.planes)
+        rooms = {plane: self.layout.rooms[plane].size for plane in self.contents.planes}
+        return max(self.contents.extents[p].lettering / (CRAMMED * room.real * room.imag) for p, room in rooms.items())
 
     @cached_property
     def cost(self) -> tuple[float, float]:
@@ -159,16 +159,14 @@ class Arrangement:
         """With the equations in the strip for which figures, and then their letters, leave no room."""
         arrangement = self
         for _ in range(0 if self.contents.tight else _TRIALS):
-            out = arrangement.contents.without_room(arrangement.layout) or arrangement.left_out
+            contents, layout = arrangement.contents, arrangement.layout
+            out = contents.without_room(layout)
+            if not out:
+                out = contents.without_head(layout) if arrangement.cost[0] else arrangement.lettered.left_out
             if not out:
                 break
-            arrangement = replace(arrangement, contents=arrangement.contents.moved(out))
+            arrangement = replace(arrangement, contents=contents.moved(out))
         return arrangement
-
-    @property
-    def left_out(self) -> Sequence[EquationBlock]:
-        """Equations for which there is no room among the letters."""
-        return self.contents.without_head(self.layout) if self.cost[0] else self.lettered.left_out
 
 
 def cheapest(contents: SheetContents, paper: str | None) -> Arrangement:
@@ -200,36 +198,21 @@ def _staged(contents: SheetContents, paper: str | None, numbers: Sequence[int] =
     arrangement, drawing = cheapest(contents, paper), contents.drawing
     layout, whole = arrangement.layout, replace(arrangement, stages=True).lettered.sheet
     others = {} if contents.planes == PLANES else scales_of(drawing.method, drawing.plot, drawing.lang)
-    captions = Captions.of(drawing.reading({**others, **layout.scales}), contents.planes)
-    strip = None if contents.tight else layout.strip
-    return (captions.sheet(whole, number, strip) for number in numbers or range(1, len(captions.acts) + 1))
-
-
-@frozen
-class Captions:
-    """The sentence of each act, in a strip. acts: those that are drawn."""
-
-    acts: Sequence[Act]
-    texts: Mapping[Act, str]
-    lang: Lang
-
-    @classmethod
-    def of(cls, reading: Reading, planes: Sequence[Plane]) -> Captions:
-        entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
-        texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
-        return cls([act for act in reading.method.acts if act.plane in planes], texts, reading.lang)
-
-    def sheet(self, whole: Sheet, number: int, strip: Room | None) -> Sheet:
-        """The drawing as far as one of the acts, counted from 1, with its sentence in the strip if there is one."""
-        act, drawn = self.acts[number - 1], whole.upto(self.acts[number - 1].page)
-        if strip is None:
-            return drawn
-        below, *others = drawn.layers
-        at: Place = complex(strip.left + 3, strip.top + 6)
-        marks = [Text(plain(say("sheet.step", self.lang, number=number, count=len(self.acts))), at, BODY)]
-        sign = f"{circled(act.number)} " if act.numbered else ""
-        for line in broken(sign + self.texts.get(act, ""), tables_room(whole.paper), BODY):
-            at += 1j * LINE * BODY
-            if at.imag < strip.bottom - 9:
-                marks.append(Text(formula(line), at, BODY))
-        return replace(drawn, layers=(replace(below, marks=(*below.marks, *marks)), *others))
+    reading = drawing.reading({**others, **layout.scales})
+    entries = derivation(reading.method, reading.plot, reading.scales, reading.lang, as_planned=True)
+    texts = {entry.act: entry.text for entry in entries if isinstance(entry, Sentence) and entry.act is not None}
+    acts, strip = [act for act in drawing.method.acts if act.plane in contents.planes], layout.strip
+    for number in numbers or range(1, len(acts) + 1):
+        act = acts[number - 1]
+        sheet = whole.upto(act.page)
+        if not contents.tight:
+            below, *above = sheet.layers
+            at: Place = complex(strip.left + 3, strip.top + 6)
+            marks = [Text(plain(say("sheet.step", drawing.lang, number=number, count=len(acts))), at, BODY)]
+            sign = f"{circled(act.number)} " if act.numbered else ""
+            for line in broken(sign + texts.get(act, ""), tables_room(sheet.paper), BODY):
+                at += 1j * LINE * BODY
+                if at.imag < strip.bottom - 9:
+                    marks.append(Text(formula(line), at, BODY))
+            sheet = replace(sheet, layers=(replace(below, marks=(*below.marks, *marks)), *above))
+        yield sheet

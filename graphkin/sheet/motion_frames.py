@@ -281,8 +281,7 @@ def _leaning(x: float) -> float:
 
 
 def _boxes(middles: np.ndarray, half: complex) -> Boxes:
-    places = np.stack([middles.real, middles.imag], axis=1)
-    reach = np.array([half.real + _CLEAR, half.imag + _CLEAR])
+    places, reach = np.stack([middles.real, middles.imag], axis=1), np.array([half.real, half.imag]) + _CLEAR
     return places - reach, places + reach
 
 

@@ -11,12 +11,11 @@ from itertools import pairwise
 import numpy as np
 
 from graphkin.base.geometry import Array
-from graphkin.sheet.boxes import Blocks, Edges, beyond, through
+from graphkin.sheet.boxes import Blocks, Edges, beyond, through, xy
 from graphkin.sheet.lettering import box
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text, VectorMark
 
 _SIDES = 4  # an area of no more sides, all level or upright, is a rectangle
-
 _ROUNDED = 1e-9  # a touch is not lost by rounding [mm]
 
 
@@ -31,7 +30,7 @@ class Areas:
         """areas: the corners of each."""
         corners = np.array([place for area in areas for place in area], dtype=complex)
         nexts = np.array([place for area in areas for place in (*area[1:], area[0])], dtype=complex)
-        self._edges, self._way = Edges.of(_xy(corners), _xy(nexts)), nexts - corners
+        self._edges, self._way = Edges.of(xy(corners), xy(nexts)), nexts - corners
         self._count = np.array([len(area) for area in areas], dtype=np.intp)
         self._first = np.cumsum(self._count) - self._count
         self._low, self._high, slanted = self._edges.low, self._edges.high, self._edges.across.all(axis=0)
@@ -43,9 +42,19 @@ class Areas:
 
     @cached_property
     def _shapes(self) -> tuple[Array, Array, list[int]]:
-        """The sides that edges face; areas that bulge nowhere inwards, and the numbers of their edges."""
-        out, round_ = _outwards(self._way, self._first, self._count)
-        return out, round_, sorted(set(self._count[round_ & ~self._plain].tolist()))
+        """On which side of each edge its area does not lie, 1 where that is the left as it goes down, else -1; which
+        areas bulge nowhere inwards, nor go round twice, and the numbers of their edges."""
+        way, first, count = self._way, self._first, self._count
+        after = np.arange(1, len(way) + 1)
+        after[first + count - 1] = first
+        turn = np.angle(way[after] * way.conj())
+        whole = np.add.reduceat(turn, first) if len(first) else turn
+        owner = np.repeat(np.arange(len(first)), count)
+        inwards = (turn * whole[owner] <= 0) | (way == 0)
+        odd = np.bincount(owner, inwards, len(first)) > 0
+        round_ = ~odd & (abs(abs(whole) - math.tau) < 1)
+        out = np.where((way.imag >= 0) == (whole[owner] > 0), -1.0, 1.0)
+        return out, round_, sorted(set(count[round_ & ~self._plain].tolist()))
 
     def touched(self, blocks: Blocks) -> Iterator[tuple[Array, Array]]:
         """Boxes (where they stand in blocks) that touch an area, once for each, and by how much they would have to
@@ -91,17 +100,13 @@ class Areas:
             corners = low.take(rows, axis=1)[:, None], high.take(rows, axis=1)[:, None]
             growth[rows] = self._edges.outside(edges, out.take(edges), *corners).max(axis=0)
         rows = np.flatnonzero(~round_[areas])
-        if len(rows):
-            growth[rows] = self._from_edges(areas[rows], low.take(rows, axis=1), high.take(rows, axis=1))
+        if len(rows):  # of any shape: what holds a box's middle, or has an edge there, is reached
+            first, owner, edges = self._spread(areas[rows])
+            low, high = low.take(rows[owner], axis=1), high.take(rows[owner], axis=1)
+            apart = np.minimum.reduceat(self._edges.apart(edges, low, high), first)
+            odd = np.add.reduceat(self._edges.passed(edges, (low + high) / 2), first, dtype=np.intp) & 1
+            growth[rows] = np.where(odd, -np.inf, apart)
         return growth
-
-    def _from_edges(self, areas: Array, low: Array, high: Array) -> Array:
-        """The same of areas of any shape: what holds a box's middle, or has an edge there, is reached."""
-        first, owner, edges = self._spread(areas)
-        low, high = low.take(owner, axis=1), high.take(owner, axis=1)
-        apart = np.minimum.reduceat(self._edges.apart(edges, low, high), first)
-        odd = np.add.reduceat(self._edges.passed(edges, (low + high) / 2), first, dtype=np.intp) & 1
-        return np.where(odd, -np.inf, apart)
 
     def _spread(self, areas: Array) -> tuple[Array, Array, Array]:
         """All edges of some areas: where those of each begin, of which of them they are, and which edges."""
@@ -109,24 +114,6 @@ class Areas:
         first = np.cumsum(count) - count
         owner = np.repeat(np.arange(len(areas)), count)
         return first, owner, np.arange(len(owner)) + (self._first[areas] - first)[owner]
-
-
-def _outwards(way: Array, first: Array, count: Array) -> tuple[Array, Array]:
-    """On which side of each edge its area does not lie, 1 where that is the left as it goes down, else -1; and which
-    areas bulge nowhere inwards, nor go round twice."""
-    after = np.arange(1, len(way) + 1)
-    after[first + count - 1] = first
-    turn = np.angle(way[after] * way.conj())
-    whole = np.add.reduceat(turn, first) if len(first) else turn
-    owner = np.repeat(np.arange(len(first)), count)
-    inwards = (turn * whole[owner] <= 0) | (way == 0)
-    odd = np.bincount(owner, inwards, len(first)) > 0
-    return np.where((way.imag >= 0) == (whole[owner] > 0), -1.0, 1.0), ~odd & (abs(abs(whole) - math.tau) < 1)
-
-
-def _xy(places: Array) -> Array:
-    """Complex places (n,) as x and y of each (2, n)."""
-    return np.array([places.real, places.imag])
 
 
 _TIP, _TIP_HALF = 2.8, 0.5
@@ -203,11 +190,10 @@ def obstacles(drawn: Iterable[Mark]) -> Obstacles:
             if filled:
                 areas.append(places[:-1] if abs(places[-1] - places[0]) < _SAME else places)
             else:
-                for ends in pairwise(places):
-                    lines += ends
-    corners = np.array(lines, dtype=complex)
-    xy = np.array([corners.real, corners.imag])
-    return Obstacles(xy[:, ::2], xy[:, 1::2], areas)
+                for pair in pairwise(places):
+                    lines += pair
+    ends = xy(np.array(lines, dtype=complex))
+    return Obstacles(ends[:, ::2], ends[:, 1::2], areas)
 
 
 def _outlines(mark: Mark) -> Iterator[tuple[tuple[Place, ...], bool]]:
@@ -252,5 +238,4 @@ def places(drawn: Iterable[Mark]) -> Array:
     end = np.array([place for outline in outlines for place in outline[1:]], dtype=complex)
     count = np.ceil(abs(end - start) / _LETTER).astype(np.intp) + 1
     number = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
-    along = np.repeat(start, count) + np.repeat((end - start) / np.maximum(count - 1, 1), count) * number
-    return np.array([along.real, along.imag])
+    return xy(np.repeat(start, count) + np.repeat((end - start) / np.maximum(count - 1, 1), count) * number)

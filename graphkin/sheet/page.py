@@ -22,7 +22,7 @@ from graphkin.sheet.free_room import Annotations, FreeRoom
 from graphkin.sheet.label_candidates import LabelScene
 from graphkin.sheet.labels import Settled, settle
 from graphkin.sheet.lettering import plain, width
-from graphkin.sheet.marks import Mark, Place, Stroke, Text
+from graphkin.sheet.marks import Mark, Place, Text
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import LABEL, Paper, Room, written
 from graphkin.sheet.text_blocks import EquationBlock
@@ -79,11 +79,11 @@ class Sheet:
     def upto(self, step: int) -> Sheet:
         """The drawing after a step of the construction, whose own marks are new."""
 
-        def drawn(mark: Mark) -> Mark | None:
+        def as_of_step(mark: Mark) -> Mark | None:
             later = mark.step is not None and mark.step > step
             return None if later else replace(mark, new=True) if mark.step == step else mark
 
-        return self.redrawn(drawn)
+        return self.redrawn(as_of_step)
 
     def redrawn(self, change: Callable[[Mark], Mark | None]) -> Sheet:
         """Every mark changed, or left out."""
@@ -229,7 +229,7 @@ class Lettered:
     @cached_property
     def crowded(self) -> int:
         """The number of labels that stand off from what they name, at the end of a leader."""
-        return sum(map(_leaders, self.labels))
+        return sum(len(settled.led) for settled in self.labels)
 
     @cached_property
     def finished(self) -> list[tuple[Settled, Annotations]]:
@@ -288,13 +288,9 @@ class Lettered:
         yield Layer("labels", tuple(accented))
 
 
-def _leaders(settled: Settled) -> int:
-    return sum(isinstance(mark, Stroke) for mark in settled.marks)
-
-
 def _worth(settled: Settled) -> tuple[int, int, int]:
     """Labels without a place, labels left out, leaders: the less the better."""
-    return settled.clashes, -sum(isinstance(mark, Text) for mark in settled.marks), _leaders(settled)
+    return settled.clashes, -sum(isinstance(mark, Text) for mark in settled.marks), len(settled.led)
 
 
 def heading(text: str, plane: Plane, scale: float, room: Room) -> tuple[Mark, ...]:

@@ -179,41 +179,27 @@ def finest(size: complex, room: complex) -> float:
     size  width + i height in SI units; room  the same in mm. A figure of no size takes 1 per mm of its room's
     hundredth, so that a mechanism at rest has a scale too.
     """
-    return _next(max(size.real / room.real, size.imag / room.imag))
+    least = max(size.real / room.real, size.imag / room.imag)
+    if not least > _NONE:
+        return 0.01
+    power = math.floor(math.log10(least))
+    steps = _series(power, power)
+    return next((scale for scale in steps if scale >= least * _CLOSE), steps[-1])
 
 
 def finest_each(least: Array) -> Array:
     """The scale of the series next above each of many values (0.01 where there is none), as `finest` takes it."""
-    finest, coarsest = float(least.min()), float(least.max())
-    if not finest > _NONE:
-        return np.full(least.shape, _next(0.0))
-    series = _series(_power(finest), _power(coarsest))
-    return series[np.searchsorted(series, least * _CLOSE)]
+    if not least.min() > _NONE:
+        return np.full(least.shape, 0.01)
+    series = _series(*(math.floor(math.log10(float(end))) for end in (least.min(), least.max())))
+    return np.array(series)[np.searchsorted(series, least * _CLOSE)]
 
 
 @lru_cache(64)
-def _series(first: int, last: int) -> Array:
+def _series(first: int, last: int) -> tuple[float, ...]:
     """All scales from one power of ten to the one after another, the finest first."""
-    return np.array(sorted({scale for power in range(first, last + 1) for scale in _steps(power)}))
-
-
-def _next(least: float) -> float:
-    """The scale of the series next above a value."""
-    if not least > _NONE:
-        return 0.01
-    steps = _steps(_power(least))
-    return next((scale for scale in steps if scale >= least * _CLOSE), steps[-1])
-
-
-def _power(value: float) -> int:
-    """The power of ten next below it."""
-    return math.floor(math.log10(value))
-
-
-@lru_cache(64)
-def _steps(power: int) -> tuple[float, ...]:
-    """The scales of the series from a power of ten to the next."""
-    return (*(float(f"{step}e{power}") for step in SERIES), float(f"1e{power + 1}"))
+    scales = [float(f"{step}e{power}") for power in range(first, last + 1) for step in SERIES]
+    return (*scales, float(f"1e{last + 1}"))
 
 
 def finer(scale: float) -> float:

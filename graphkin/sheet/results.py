@@ -45,14 +45,11 @@ class _Results:
     lang: Lang
     usual: Usual
 
-    def asked(self, name: str, *quantities: str) -> bool:
-        """True where the problem asks for one of these quantities of what bears the name."""
-        texts = [text.replace("/", " ").split() for text in self.method.mechanism.ask]
-        return any(pair[0] in quantities and pair[1] == name for words in texts for pair in pairwise(words))
-
     def emphasised(self, name: str, label: Label, *quantities: str) -> Label:
-        """A value, in bold where it is asked for."""
-        return bold(label) if self.asked(name, *quantities) else label
+        """A value, in bold where the problem asks for one of these quantities of what bears the name."""
+        texts = [text.replace("/", " ").split() for text in self.method.mechanism.ask]
+        pairs = {pair for words in texts for pair in pairwise(words)}
+        return bold(label) if any((quantity, name) in pairs for quantity in quantities) else label
 
     def size(self, value: float, plane: Plane) -> Label:
         """A speed or an acceleration as a figure."""

@@ -245,8 +245,7 @@ def _words(
 ) -> list[Mark]:
     """Title, source, scales, and the program's name; each line shrunk or broken to the block."""
     marks: list[Mark] = []
-    pen = complex(room.left, room.top) + 1.2j
-    title = machine.headline(lang)
+    pen, title = complex(room.left, room.top) + 1.2j, machine.headline(lang)
     large = TITLE if width(plain(title), TITLE) <= _WIDE - 6 else 0.85 * TITLE
     for text, size in ((title, large), (machine.credit(lang), LEAST + 0.2)):
         for line in two_lines(text, size, _WIDE - 6):
@@ -276,8 +275,6 @@ def two_lines(text: str, size: float, room: float) -> list[str]:
 
 def _fitting(text: str, size: float, room: float) -> str:
     """The longest beginning that fits, to a space if there is one."""
-    end = len(text)
-    while end > 1 and width(plain(text[:end]), size) > room:
-        end -= 1
+    end = next(end for end in range(len(text), -1, -1) if end <= 1 or width(plain(text[:end]), size) <= room)
     space = text.rfind(" ", 0, end + 1)
     return text[:end] if space < end // 2 else text[: space + 1]

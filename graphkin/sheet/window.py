@@ -12,7 +12,7 @@ from graphkin.base.geometry import Array
 from graphkin.base.value import filled, frozen
 from graphkin.construction import Construction, Plane
 from graphkin.planning import Method
-from graphkin.sheet.label_requests import CRAMMED, LabelRequest, lettering
+from graphkin.sheet.label_requests import LabelRequest, lettering
 from graphkin.sheet.marks import Mark, Place
 from graphkin.sheet.obstacles import bounds
 from graphkin.sheet.paper import Room, Rooms, finest, finest_each
@@ -138,10 +138,6 @@ class Extent:
     def reach(self) -> complex:
         return complex(self.left + self.right, self.top + self.bottom)
 
-    def fullness(self, room: Room) -> float:
-        """The part of a room's space for letters that its labels take; above 1 some of them will lie on others."""
-        return self.lettering / (CRAMMED * room.size.real * room.size.imag)
-
     def scale(self, room: Room) -> float:
         """The given scale where it fits one room at that, else the finest at which it does."""
         return self.given if self.given is not None and self.fits(self.given, room) else self.finest(room)
@@ -193,14 +189,10 @@ def corners(places: Sequence[complex]) -> tuple[complex, complex]:
 
 def enlarged(places: Sequence[complex], more: Iterable[complex], factor: float) -> list[complex]:
     """The places, and of more, in their order, those that leave the figure at most `factor` times as large."""
-    every = list(places)
-    size = _diagonal(every) or 1.0
+    every, (low, high) = list(places), corners(places)
+    most = factor * (abs(high - low) or 1.0)
     for place in more:
-        if cmath.isfinite(place) and _diagonal([*every, place]) <= factor * size:
+        low, high = corners([*every, place])
+        if cmath.isfinite(place) and abs(high - low) <= most:
             every.append(place)
     return every
-
-
-def _diagonal(places: Sequence[complex]) -> float:
-    low, high = corners(places)
-    return abs(high - low)

@@ -20,11 +20,6 @@ Homogeneous = Array  # three coordinates (3,) or (3, n)
 INFINITE = 1e-9  # a point farther off than the unit of coordinates divided by this counts as at infinity
 
 
-def proper(at: Value) -> Homogeneous:
-    """A point at a finite place."""
-    return np.array([np.real(at), np.imag(at), np.ones_like(np.real(at))])
-
-
 def improper(direction: Value) -> Homogeneous:
     """The point at infinity in a direction (unit vector)."""
     return np.array([np.real(direction), np.imag(direction), np.zeros_like(np.real(direction))])
@@ -48,26 +43,11 @@ def joined(one: Homogeneous, other: Homogeneous) -> Homogeneous:
     return np.where(np.linalg.norm(line, axis=0) > INFINITE, line, np.nan)
 
 
-def located(point: Homogeneous, origin: complex = 0j, size: float = 1.0) -> Value:
-    """The place of a point; infinite at infinity, NaN where it is nowhere."""
-    x, y, w = point
-    with np.errstate(divide="ignore", invalid="ignore"):
-        far = np.abs(w) <= INFINITE * np.hypot(x, y)
-        return scalar(np.where(far, np.where(np.hypot(x, y) > 0, np.inf, np.nan), origin + size * (x + 1j * y) / w))
-
-
 def along(line: Homogeneous) -> Value:
     """The direction of a line (unit vector), from the first to the second of two points that it joins."""
     a, b, _ = line
     with np.errstate(divide="ignore", invalid="ignore"):
         return scalar((b - 1j * a) / np.hypot(a, b))
-
-
-def foot(line: Homogeneous) -> Value:
-    """The point of a line that is nearest to the origin of coordinates."""
-    a, b, c = line
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return scalar(-c * (a + 1j * b) / (a * a + b * b))
 
 
 def scalar(value: Value) -> Value:
@@ -107,7 +87,10 @@ class Board:
 
     def at(self, point: str) -> Value:
         """The place of a point [m]; infinite at infinity, NaN where what should give it does not meet."""
-        return located(self.points[point], self.origin, self.size)
+        x, y, w = self.points[point]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            far, infinite = np.abs(w) <= INFINITE * np.hypot(x, y), np.where(np.hypot(x, y) > 0, np.inf, np.nan)
+            return scalar(np.where(far, infinite, self.origin + self.size * (x + 1j * y) / w))
 
     @property
     def places(self) -> dict[str, Value]:
@@ -119,8 +102,7 @@ class Board:
         x, y, _ = self.points[point]
         angle = np.arctan2(y, x)
         raised = np.where(angle <= -np.pi / 2, angle + np.pi, angle)
-        upright: Real = np.where(angle > np.pi / 2, angle - np.pi, raised)[()]
-        return upright
+        return np.asarray(np.where(angle > np.pi / 2, angle - np.pi, raised))[()]
 
     def toward(self, at: str, point: str) -> Value:
         """Unit vector from a point to another, +x where there is none; NaN where both are at one place."""
@@ -135,12 +117,16 @@ class Board:
         return unit(x + 1j * y)
 
     def line(self, name: str) -> tuple[Value, Value]:
-        """A point of a line [m], and its direction (unit vector)."""
-        return self.origin + self.size * foot(self.lines[name]), along(self.lines[name])
+        """The point of a line that is nearest to the origin [m], and its direction (unit vector)."""
+        a, b, c = self.lines[name]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            foot = scalar(-c * (a + 1j * b) / (a * a + b * b))
+        return self.origin + self.size * foot, along(self.lines[name])
 
     def seen(self, at: Value) -> Homogeneous:
         """A place [m] in the coordinates of the board."""
-        return proper((at - self.origin) / self.size)
+        near = (at - self.origin) / self.size
+        return np.array([np.real(near), np.imag(near), np.ones_like(np.real(near))])
 
     def sloping(self, at: Value, direction: Value) -> Homogeneous:
         """The line through a place [m] in a direction (unit vector)."""

@@ -8,18 +8,9 @@ from typing import assert_never
 
 import numpy as np
 
-from graphkin.base.geometry import Real, Value, cross, meet_circles, meet_line_circle
+from graphkin.base.geometry import Real, cross, meet_circles, meet_line_circle
 from graphkin.construction.drafting import steps
-from graphkin.construction.drafting.board import (  # fmt: skip
-    Board,
-    Homogeneous,
-    along,
-    balanced,
-    improper,
-    joined,
-    product,
-    scalar,
-)
+from graphkin.construction.drafting.board import Board, Homogeneous, along, balanced, improper, joined, product, scalar
 from graphkin.construction.plot import length
 
 # --- sums done beside the drawing: angles [rad], lengths [m] ----------------------------------
@@ -59,9 +50,6 @@ RULES: Mapping[str, Callable[..., Real]] = {
 }
 
 
-# --- steps ------------------------------------------------------------------------------------
-
-
 def replay(construction: steps.Drafting, board: Board | None = None) -> Board:
     """Do all steps, on a new board or on one that lies over a drawing.
 
@@ -80,45 +68,42 @@ def replay(construction: steps.Drafting, board: Board | None = None) -> Board:
 
 def draw(stage: steps.Stage, board: Board) -> None:
     """Do the steps of one stage."""
+    numbers = board.numbers
     with np.errstate(divide="ignore", invalid="ignore"):
         for step in stage.steps:
-            _do(step, board)
-
-
-def _do(step: steps.Step, board: Board) -> None:
-    numbers, name = board.numbers, step.name
-    if isinstance(step, steps.LineStep):
-        board.lines[name] = ruled(step, board)
-        return
-    match step:
-        case steps.ChosenPoint(_, at):
-            board.points[name] = board.seen(at)
-        case steps.Pricked(_, point):
-            board.points[name] = board.underlay.points[point]
-        case steps.Far(_, line):
-            board.points[name] = improper(1j * along(board.lines[line]))
-        case steps.DraftLayOff(_, about, size, toward, angle, sense):
-            turn = sense * numbers[angle] if angle else 0.0
-            direction = board.toward(about, toward) * np.exp(1j * turn)
-            board.points[name] = board.seen(board.at(about) + numbers[size] * direction)
-        case steps.MarkOn(_, circle, turn):
-            centre, radius = board.circles[circle]
-            board.points[name] = board.seen(centre + radius * np.exp(1j * turn))
-        case steps.DraftTurn(_, of, about, angle):
-            arm = board.at(of) - board.at(about)
-            board.points[name] = board.seen(board.at(about) + arm * np.exp(1j * numbers[angle]))
-        case steps.DraftMeet():
-            _meet(step, board)
-        case steps.CircleThrough() | steps.CircleAbout():
-            _circle(step, board)
-        case steps.Reckon(_, rule, of):
-            numbers[name] = RULES[rule](*(numbers[one] for one in of))
-        case steps.DraftMeasure(_, first, second):
-            numbers[name] = board.read(length(board.at(second) - board.at(first)))
-        case steps.MeasureAngle(_, corner, toward, to):
-            numbers[name] = scalar(np.angle(board.toward(corner, to) / board.toward(corner, toward))).real
-        case _:
-            assert_never(step)
+            name = step.name
+            if isinstance(step, steps.LineStep):
+                board.lines[name] = ruled(step, board)
+                continue
+            match step:
+                case steps.ChosenPoint(_, at):
+                    board.points[name] = board.seen(at)
+                case steps.Pricked(_, point):
+                    board.points[name] = board.underlay.points[point]
+                case steps.Far(_, line):
+                    board.points[name] = improper(1j * along(board.lines[line]))
+                case steps.DraftLayOff(_, about, size, toward, angle, sense):
+                    turn = sense * numbers[angle] if angle else 0.0
+                    direction = board.toward(about, toward) * np.exp(1j * turn)
+                    board.points[name] = board.seen(board.at(about) + numbers[size] * direction)
+                case steps.MarkOn(_, circle, turn):
+                    centre, radius = board.circles[circle]
+                    board.points[name] = board.seen(centre + radius * np.exp(1j * turn))
+                case steps.DraftTurn(_, of, about, angle):
+                    arm = board.at(of) - board.at(about)
+                    board.points[name] = board.seen(board.at(about) + arm * np.exp(1j * numbers[angle]))
+                case steps.DraftMeet():
+                    _meet(step, board)
+                case steps.CircleThrough() | steps.CircleAbout():
+                    _circle(step, board)
+                case steps.Reckon(_, rule, of):
+                    numbers[name] = RULES[rule](*(numbers[one] for one in of))
+                case steps.DraftMeasure(_, first, second):
+                    numbers[name] = board.read(length(board.at(second) - board.at(first)))
+                case steps.MeasureAngle(_, corner, toward, to):
+                    numbers[name] = scalar(np.angle(board.toward(corner, to) / board.toward(corner, toward))).real
+                case _:
+                    assert_never(step)
 
 
 def ruled(step: steps.LineStep, board: Board) -> Homogeneous:
@@ -162,27 +147,21 @@ def _circle(step: steps.CircleThrough | steps.CircleAbout, board: Board) -> None
     board.circles[step.name] = centre, radius
 
 
-# --- where two things meet --------------------------------------------------------------------
-
-
 def _meet(step: steps.DraftMeet, board: Board) -> None:
     if step.first in board.lines and step.second in board.lines:
         crossing = product(board.lines[step.first], board.lines[step.second])
         board.lean[step.name] = np.linalg.norm(crossing, axis=0)
         board.points[step.name] = balanced(crossing)
         return
-    one, other = _crossings(step, board)
+    # both crossings of two things of which one at least is a circle
+    first, *others = [board.circles[name] for name in (step.first, step.second) if name in board.circles]
+    if others:
+        one, other = (meet_circles(*first, *others[0], side)[0] for side in (1.0, -1.0))
+    else:
+        line = board.line(step.first if step.first in board.lines else step.second)
+        one, other = (meet_line_circle(*line, *first, side)[0] for side in (1.0, -1.0))
     if step.near or step.far:
         known = board.at(step.near or step.far)
         far, farther = length(one - known), length(other - known)
         one = scalar(np.where(far <= farther if step.near else far >= farther, one, other))
     board.points[step.name] = board.seen(one)
-
-
-def _crossings(step: steps.DraftMeet, board: Board) -> tuple[Value, Value]:
-    """Both crossings of two things of which one at least is a circle."""
-    first, *others = [board.circles[name] for name in (step.first, step.second) if name in board.circles]
-    if others:
-        return meet_circles(*first, *others[0], 1.0)[0], meet_circles(*first, *others[0], -1.0)[0]
-    line = board.line(step.first if step.first in board.lines else step.second)
-    return meet_line_circle(*line, *first, 1.0)[0], meet_line_circle(*line, *first, -1.0)[0]

@@ -229,9 +229,6 @@ def drawn_through(step: LineStep) -> tuple[str, ...]:
             assert_never(step)
 
 
-# --- what they make up ------------------------------------------------------------------------
-
-
 @frozen
 class Stage:
     """The steps that one sentence speaks of; `say` is its key among the sentences."""
