@@ -130,8 +130,6 @@ class _CentreCommand:
             raise UnknownPoint(Where("--bobillier"), self.point, points)
         return bobillier(pole, self.point)
 
-    # --- words ----------------------------------------------------------------------------------
-
     def _lines(self, found: Centres) -> Iterator[str]:
         from graphkin.studies.centres import as_json
 
@@ -169,8 +167,6 @@ class _CentreCommand:
         if self.point:
             yield ""
             yield from bobillier_words(self._bobillier(found, pole), self.lang)
-
-    # --- drawings -------------------------------------------------------------------------------
 
     def _pole_of_two_velocities(self) -> None:
         from graphkin.outputs import svg

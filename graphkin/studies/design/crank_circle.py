@@ -16,20 +16,8 @@ import numpy as np
 
 from graphkin.base.geometry import Array, Real, Value, number
 from graphkin.base.value import frozen
-from graphkin.construction.drafting import (
-    Bisector,
-    CircleAbout,
-    CircleThrough,
-    DraftMeet,
-    MarkOn,
-    Parallel,
-    Perpendicular,
-    Reckon,
-    Slanted,
-    Stage,
-    Step,
-    Through,
-)  # fmt: skip
+from graphkin.construction.drafting import Bisector, CircleAbout, CircleThrough, DraftMeet
+from graphkin.construction.drafting.steps import MarkOn, Parallel, Perpendicular, Reckon, Slanted, Stage, Step, Through
 from graphkin.studies.design.model import CentreArc, Family, Reason
 from graphkin.studies.linkages.triangles import greatest_between
 
@@ -138,9 +126,6 @@ def _roots(size: Callable[[Real], Real], arc: CentreArc) -> list[float]:
             low, high = (middle, high) if (number(size(middle)) < 0) == first else (low, middle)
         roots.append((low + high) / 2)
     return roots
-
-
-# --- steps to A -------------------------------------------------------------------------------
 
 
 def steps_to_centre(

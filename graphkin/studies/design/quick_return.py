@@ -21,23 +21,9 @@ import numpy as np
 
 from graphkin.base import geometry
 from graphkin.base.geometry import Array, Real, Value, cross, number
-from graphkin.construction.drafting import (
-    Board,
-    ChosenPoint,
-    Drafting,
-    DraftLayOff,
-    DraftMeasure,
-    DraftMeet,
-    Parallel,
-    Perpendicular,
-    Reckon,
-    Slanted,
-    Stage,
-    Step,
-    Through,
-    replay,
-    theta_of,
-)  # fmt: skip
+from graphkin.construction.drafting import Board, ChosenPoint, Drafting, DraftLayOff, DraftMeasure, DraftMeet, replay
+from graphkin.construction.drafting.pencil import theta_of
+from graphkin.construction.drafting.steps import Parallel, Perpendicular, Reckon, Slanted, Stage, Step, Through
 from graphkin.studies.design import model
 from graphkin.studies.design.crank_circle import Chord, bounds, family, steps_to_centre, worth_of
 from graphkin.studies.design.model import Design, Family, Kind, Reason, Solution
@@ -172,9 +158,6 @@ def _design(
     return Design(kind, values, valid, rejected, families, () if valid else bounds(name, families, chord))
 
 
-# --- judging ----------------------------------------------------------------------------------
-
-
 def angle_between(one: complex, other: complex) -> float:
     """0 to pi [rad]."""
     return abs(cmath.phase(one.conjugate() * other))
@@ -255,9 +238,6 @@ def _against(worth: str, a: float, size: float, gamma: float) -> tuple[Reason, .
 
 def _notes(gamma: float, why: tuple[Reason, ...]) -> tuple[Reason, ...]:
     return (Reason("low gamma", (("gamma", gamma),)),) if gamma < LOW and not why else ()
-
-
-# --- guide bar --------------------------------------------------------------------------------
 
 
 def guide_bar(k: float, *, frame: float | None = None, crank: float | None = None) -> Design:

@@ -109,9 +109,6 @@ def some_found_in(mechanism: Mechanism) -> list[FoundLinkage]:
     raise NoLinkage(mechanism.where())
 
 
-# --- loops ------------------------------------------------------------------------------------
-
-
 def loops(mechanism: Mechanism) -> Iterator[LinkLoop]:
     """Every loop of the frame and three other links with four hinges, or with three and a slide."""
     table = _pairs_between(mechanism)
@@ -176,9 +173,6 @@ def _inner(mechanism: Mechanism, loop: LinkLoop) -> bool:
 def _drives(mechanism: Mechanism, link: str) -> bool:
     """True if a driver turns a link against the frame."""
     return any(driver.link == link and driver.from_link == FRAME for driver in mechanism.drivers)
-
-
-# --- measuring --------------------------------------------------------------------------------
 
 
 @frozen

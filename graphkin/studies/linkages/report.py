@@ -291,9 +291,6 @@ def _timed(alone: Report, first: Report) -> Report:
     return replace(alone, theta=theta, k=k, slow=slow, timed_by=first.driver)
 
 
-# --- plain data -------------------------------------------------------------------------------
-
-
 def as_json(report: Report) -> dict[str, Plain]:
     """`{"format": 1, "kind": .., "grashof": .., ..}`: angles in rad, lengths in m.
 
