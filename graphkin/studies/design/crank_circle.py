@@ -116,9 +116,8 @@ def _highest(size: Callable[[Real], Real], arc: CentreArc) -> tuple[float, float
 
 def _roots(size: Callable[[Real], Real], arc: CentreArc) -> list[float]:
     """Directions on an arc at which a function is 0: between steps of different sign, halved until nothing is left."""
-    turns = sorted([*_inside(arc).tolist(), _highest(size, arc)[0]])
+    turns, roots = sorted([*_inside(arc).tolist(), _highest(size, arc)[0]]), []
     below = np.asarray(size(np.array(turns))) < 0
-    roots = []
     for (low, first), (high, last) in pairwise(zip(turns, below.tolist())):
         if first == last:
             continue

@@ -137,13 +137,12 @@ def intervals(sides: Difference, sign: str) -> tuple[Interval, ...]:
     zeros = np.searchsorted(crossings(curve), curve.t)
     jumps = [float(curve.t[j]) for j in changes if zeros[j] == zeros[j + 1]]  # a quotient goes through infinity
     cuts = sorted({stretch.low, *stretch.within(crossings(curve)), *jumps, stretch.high})
-    inside = []
-    for begin, end in pairwise(cuts):
+    parts, inside = [(a, b) for a, b in pairwise(cuts) if b - a > 1e-9 * (stretch.high - stretch.low)], []
+    for begin, end in parts:
         values = curve.function(begin + (end - begin) * np.array([0.2, 0.5, 0.8]))
         with np.errstate(invalid="ignore"):
-            mostly = np.sum(up * values > 0) >= 2
-        if mostly and end - begin > 1e-9 * (stretch.high - stretch.low):
-            inside.append((begin, end))
+            if np.sum(up * values > 0) >= 2:  # in most of the part
+                inside.append((begin, end))
     return tuple(_interval(stretch, curve, up, a, b) for a, b in _joined(stretch, inside))
 
 

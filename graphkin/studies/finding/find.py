@@ -87,8 +87,7 @@ def check_limit(mechanism: Mechanism, text: str) -> None:
 
 def _proved_stretch(method: Method, ranges: Sequence[str], names: tuple[str, ...], by: Road) -> CourseStretch:
     """The stretch of some ranges, on which the two roads agree."""
-    moved = course(method, ranges)
-    prove(moved)
+    prove(moved := course(method, ranges))
     return stretch(moved, tuple(ranges), names, by)
 
 
@@ -182,8 +181,7 @@ class SearchPoints:
 def _single_positions(method: Method, ranges: Sequence[str], by: Road) -> SearchPoints:
     """The drawn position; with `AB=30` (no steps) that one; with ranges all of theirs."""
     if any(":" in text for text in ranges):
-        moved = course(method, ranges)
-        prove(moved)
+        prove(moved := course(method, ranges))
         return SearchPoints(moved.path, moved.swept, moved.t, moving(method, moved.path, moved.t, by))
     values = _driver_values(method, ranges)
     agreement.proved(method, values)
