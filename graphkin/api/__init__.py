@@ -138,10 +138,10 @@ def replay_many(
     from graphkin.proof import roads as agreement
     from graphkin.running import variants
 
-    found = variants.replay_many(method, mechanisms, values)
+    drawn = variants.replay_many(method, mechanisms, values)
     if held:
-        agreement.hold_rows(method, mechanisms, values, found)
-    return found
+        agreement.hold_rows(method, mechanisms, values, drawn)
+    return drawn
 
 
 def motion(mechanism: Mechanism, values: Sequence[ArrayLike] | None = None) -> State:
@@ -296,24 +296,21 @@ class Drawing(Readable):
 
         scales = scales_of(self.method, self.plot, lang)
         keys: dict[str, Plane] = {"length": "position", "velocity": "velocity", "acceleration": "acceleration"}
-        found = {key: scales[plane] for key, plane in keys.items()}
-        if not as_drawn:
-            return explain(self.method, self.plot, found, lang, everything, only)
-        from graphkin.marking.ruler import as_drawn as read_off
+        on_paper, plot, ruler = {key: scales[plane] for key, plane in keys.items()}, self.plot, None
+        if as_drawn:
+            from graphkin.marking.ruler import as_drawn as read_off
 
-        plot, ruler = read_off(self.method, self.plot, scales)
-        return explain(self.method, plot, found, lang, everything, only, ruler)
+            plot, ruler = read_off(self.method, plot, scales)
+        return explain(self.method, plot, on_paper, lang, everything, only, ruler)
 
     def answers(self) -> dict[str, Answer | None]:
         """What the file asks for, read off the drawing; None for a text that is only shown."""
         from graphkin.model.quantities import Centre, read
-        from graphkin.proof.readings import readings
 
-        motions = readings(self.method, self.plot)
-        wanted = {question: read(self.mechanism, question) for question in self.mechanism.ask}
+        questions = {text: read(self.mechanism, text) for text in self.mechanism.ask}
         return {
-            question: None if quantity is None or isinstance(quantity, Centre) else quantity.answer(motions)
-            for question, quantity in wanted.items()
+            text: None if quantity is None or isinstance(quantity, Centre) else quantity.answer(self._motions)
+            for text, quantity in questions.items()
         }
 
     def _repr_svg_(self) -> str:

@@ -82,8 +82,6 @@ class _CentreCommand:
     def run(self, mechanisms: tuple[str, ...]) -> None:
         draws = self.output is not None or self.steps is not None
         if self.velocities:
-            if self.steps is not None:
-                raise click.UsageError("--velocities draws one sheet: leave out --steps")
             self._pole_of_two_velocities()
             return
         if self.animate and not self.pair:
@@ -130,8 +128,6 @@ class _CentreCommand:
             raise UnknownPoint(Where("--bobillier"), self.point, points)
         return bobillier(pole, self.point)
 
-    # --- words ----------------------------------------------------------------------------------
-
     def _lines(self, found: Centres) -> Iterator[str]:
         from graphkin.studies.centres import as_json
 
@@ -170,38 +166,34 @@ class _CentreCommand:
             yield ""
             yield from bobillier_words(self._bobillier(found, pole), self.lang)
 
-    # --- drawings -------------------------------------------------------------------------------
-
     def _pole_of_two_velocities(self) -> None:
         from graphkin.outputs import svg
         from graphkin.say.centre_about import pole_words
         from graphkin.sheet.pole_sheet import pole_sheet
         from graphkin.studies.centres.two_velocities import from_text
 
+        if self.steps is not None:
+            raise click.UsageError("--velocities draws one sheet: leave out --steps")
         pole = from_text(self.velocities)
         if self.output is None:
             click.echo("\n".join(pole_words(pole, self.lang)))
-            return
-        pages: Pages = [(self.output, svg.svg(pole_sheet(pole, self.lang, paper=self.paper)))]
-        shared.write_drawings(pages, self.output, None, self.force)
+        else:
+            page = svg.svg(pole_sheet(pole, self.lang, paper=self.paper))
+            shared.write_drawings([(self.output, page)], self.output, None, self.force)
 
     def _pages(self, found: Centres) -> Pages:
         """The sheet, and one sheet a step."""
         from graphkin.outputs import svg
 
-        if self.pair or self.centre:
-            return self._rolling_pages(found)
-        whole, steps, kind = self._sheets(found)
-        pages: Pages = [(self.output, svg.svg(whole))] if self.output is not None else []
-        return pages + self._step_pages(found, kind, steps)
-
-    def _step_pages(self, found: Centres, kind: str, sheets: Iterable[Sheet]) -> Pages:
-        from graphkin.outputs import svg
-
+        rolling = bool(self.pair or self.centre)
+        whole, sheets, kind = self._rolling_sheets(found) if rolling else self._sheets(found)
         name = found.method.mechanism.name
-        if self.steps is None:
-            return []
-        return [(self.steps / f"{name}-{kind}-{k:02d}.svg", svg.svg(page)) for k, page in enumerate(sheets, 1)]
+        pages: Pages = []
+        if self.output is not None:
+            pages.append((self.output, whole if isinstance(whole, str) else svg.svg(whole)))
+        if self.steps is not None:
+            pages += [(self.steps / f"{name}-{kind}-{k:02d}.svg", svg.svg(page)) for k, page in enumerate(sheets, 1)]
+        return pages
 
     def _sheets(self, found: Centres) -> tuple[Sheet, Iterable[Sheet], str]:
         """The sheet that the options name, one for each step, and what they are called."""
@@ -225,16 +217,15 @@ class _CentreCommand:
         steps = bobillier_step_sheets(pole, curvature, paper=self.paper, lang=self.lang)
         return whole, steps, f"bobillier-{self.point}"
 
-    def _rolling_pages(self, found: Centres) -> Pages:
-        from graphkin.outputs import svg
+    def _rolling_sheets(self, found: Centres) -> tuple[Sheet | str, Iterable[Sheet], str]:
+        """The same of centrodes: the sheet, or the drawing that moves."""
         from graphkin.outputs.animation import animation
         from graphkin.sheet.centrode_sheet import centrode_frames, centrode_sheet
 
         curves = self._curves(found)
         moving = self.animate or self.steps is not None
         frames = list(centrode_frames(curves, paper=self.paper, lang=self.lang)) if moving else []
-        pages: Pages = []
+        whole: Sheet | str = ""
         if self.output is not None:
-            still = "" if self.animate else svg.svg(centrode_sheet(curves, paper=self.paper, lang=self.lang))
-            pages.append((self.output, still or animation(frames)))
-        return pages + self._step_pages(found, "centrodes", frames)
+            whole = animation(frames) if self.animate else centrode_sheet(curves, paper=self.paper, lang=self.lang)
+        return whole, frames, "centrodes"

@@ -70,7 +70,9 @@ def draw(
     machine = shared.read(mechanism)
     output = _file(output, machine.name)
     if animate:
-        _refuse_beside_motion(steps is not None or tight or style != "construction" or bool(paths or at))
+        if steps is not None or tight or style != "construction" or paths or at:
+            others = "--steps, --tight, --style, --path, --angle and --at"
+            raise click.UsageError(f"--animate shows the motion: leave out {others}")
         _write_motion(output, shared.plan(machine, coincident, method), paper, only, dpi or 100.0, ink, force, lang)
         return
     drawing = shared.position(machine, at, coincident, method).drawing
@@ -103,25 +105,17 @@ def _check_paths(paths: tuple[str, ...], arrows: bool, style: Style, only: Plane
         raise click.UsageError("in GeoGebra each figure moves with the one before: leave out --only")
 
 
-def _refuse_beside_motion(refused: bool) -> None:
-    if refused:
-        raise click.UsageError(
-            "--animate shows the motion: leave out --steps, --tight, --style, --path, --angle and --at"
-        )
-
-
 def _write_motion(
     output: Path, method: Method, paper: str | None, only: Plane | None, dpi: float, ink: Ink, force: bool, lang: Lang
 ) -> None:
     """The whole motion, one sheet a position, as a file that moves."""
     from graphkin.outputs import drawings
-    from graphkin.outputs.drawings import refuse_edited
     from graphkin.sheet.motion_frames import motion_frames
 
     if (moving := drawings.MOVING.get(output.suffix.lower())) is None:
         raise click.UsageError(f"{output}: what moves must end in {' or '.join(drawings.MOVING)}")
     drawings.refuse(output, force)
-    refuse_edited(output, force)
+    drawings.refuse_edited(output, force)
     frames = motion_frames(method, paper=paper, lang=lang, only=only)
     drawings.write(output, moving(frames, dpi, ink), force)
     click.echo(str(output))

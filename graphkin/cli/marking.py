@@ -23,21 +23,15 @@ if TYPE_CHECKING:
 
 _Record = TypeVar("_Record")
 
-PLATFORMS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "pages", "report")
+RESULT_FORMATS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "pages", "report")
 MARKS = "marks.json"  # in a folder of results graphkin's own records, from which everything else there is made
 
-pencil_option = click.option(
-    "--pencil", default="0.25,0.25", metavar="MM,DEG", show_default=True,
-    help="What a pencil errs by: a length on paper, and a direction (standard deviations).",
-)  # fmt: skip
-sigmas_option = click.option(
-    "--sigmas", type=click.FloatRange(0.1, 100), default=3.0, show_default=True,
-    help="How many standard deviations are right.",
-)  # fmt: skip
-relative_option = click.option(
-    "--relative", type=click.FloatRange(0, 1), default=0.0, metavar="PART",
-    help="Allow this part of the right value instead, such as 0.02.",
-)  # fmt: skip
+pencil_option = click.option("--pencil", default="0.25,0.25", metavar="MM,DEG", show_default=True,
+    help="What a pencil errs by: a length on paper, and a direction (standard deviations).")  # fmt: skip
+sigmas_option = click.option("--sigmas", type=click.FloatRange(0.1, 100), default=3.0, show_default=True,
+    help="How many standard deviations are right.")  # fmt: skip
+relative_option = click.option("--relative", type=click.FloatRange(0, 1), default=0.0, metavar="PART",
+    help="Allow this part of the right value instead, such as 0.02.")  # fmt: skip
 
 
 @click.command()
@@ -46,7 +40,7 @@ relative_option = click.option(
 @click.option("--json", "as_json", is_flag=True, help="One JSON line a student's submission; SI units and radians.")
 @click.option("-o", "--output", type=click.Path(path_type=Path),
               help="Write all records into a .json file; with --format, a folder of results.")
-@click.option("--format", "kinds", type=click.Choice(PLATFORMS), multiple=True,
+@click.option("--format", "kinds", type=click.Choice(RESULT_FORMATS), multiple=True,
               help="What to write into the folder beside the records; again for each further one.")
 @click.option("--reveal", type=click.Choice(["hint", "mistake", "answer"]), default="answer", show_default=True,
               help="With --format: how much students are told.")

@@ -14,8 +14,6 @@ from graphkin.errors import Lang, TooManyRows, Where
 if TYPE_CHECKING:
     import numpy as np
 
-    from graphkin.planning import Method
-    from graphkin.studies.finding import Findings
     from graphkin.studies.sweeps import Course, Road, Sweep
 
 PRINTED, IN_ONE = 100_000, 1_000_000
@@ -62,7 +60,10 @@ def sweep(
         finding.check_limit(method.mechanism, text)
     names = sweeps.asked(method.mechanism, sweeps.split(of))
     course = sweeps.course(method, ranges)
-    _refuse_rows(course.t.size, output)
+    # text held whole in memory has its limit; files that are written row by row, and diagrams, have none
+    most = PRINTED if output is None else IN_ONE if output.suffix.lower() == ".json" else course.t.size
+    if course.t.size > most:
+        raise TooManyRows(Where("--driver"), course.t.size, most)
     sweeps.prove(course)
     if output is None:
         whole = sweeps.sweep_over(course, names, by)
@@ -75,13 +76,6 @@ def sweep(
     for text in limits:
         for line in lines(finding.limit(course, text, ranges, by), lang):
             click.echo(line, err=table or output is not None)
-
-
-def _refuse_rows(rows: int, output: Path | None) -> None:
-    """Text held whole in memory has its limit; files that are written row by row, and diagrams, have none."""
-    most = PRINTED if output is None else IN_ONE if output.suffix.lower() == ".json" else rows
-    if rows > most:
-        raise TooManyRows(Where("--driver"), rows, most)
 
 
 def _write_sweep(
@@ -157,21 +151,14 @@ def find(
             raise click.UsageError("-o draws the positions of one mechanism; leave out --vary")
         table = finding.vary(machine, dimensions[0], condition, ranges, by, plan=api.plan)
         click.echo(shared.json_line(finding.table_json(table)) if as_json else "\n".join(finding_table(table, lang)))
-        if all(row.error for row in table.rows):
-            sys.exit(3)
-        return
+        sys.exit(3 if all(row.error for row in table.rows) else 0)
     method = api.plan(machine)
     solution = finding.find(method, condition, ranges, by)
     click.echo(shared.json_line(finding.as_json(solution)) if as_json else "\n".join(lines(solution, lang)))
     if output is not None:
-        _draw(output, method, solution, paper, force, lang)
+        from graphkin.outputs import drawings, svg
+        from graphkin.sheet.finding_sheet import drawn
 
-
-def _draw(output: Path, method: Method, solution: Findings, paper: str | None, force: bool, lang: Lang) -> None:
-    from graphkin.outputs import drawings, svg
-    from graphkin.sheet.finding_sheet import drawn
-
-    if (drawing := drawn(method, solution, lang, paper=paper)) is not None:
-        sheet, left_out = drawing
-        drawings.write(output, svg.svg(sheet), force)
-        click.echo(str(output) + (f"  (+{left_out})" if left_out else ""), err=True)
+        if (drawing := drawn(method, solution, lang, paper=paper)) is not None:
+            drawings.write(output, svg.svg(drawing[0]), force)
+            click.echo(str(output) + (f"  (+{drawing[1]})" if drawing[1] else ""), err=True)

@@ -9,7 +9,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
@@ -53,26 +53,18 @@ lang_option = click.option(
     "--lang", type=click.Choice(["en", "zh"]), default=user_language, show_default="of your system",
     help="Language of texts and messages.", callback=streams.spoken,
 )  # fmt: skip
-angle_option = click.option(
-    "--angle", "angles", type=float, multiple=True, metavar="DEG",
-    help="Draw at this driver angle instead; once for each driver that has an angle, in order.",
-)  # fmt: skip
-displacement_option = click.option(
-    "--at", "displacements", type=float, multiple=True, metavar="MM",
-    help="Draw at this driven displacement instead; once for each driven slide, in order.",
-)  # fmt: skip
-coincident_option = click.option(
-    "--coincident", default="", metavar="POINT",
-    help="Look at sliding pairs in this point of theirs instead of the usual one.",
-)  # fmt: skip
+angle_option = click.option("--angle", "angles", type=float, multiple=True, metavar="DEG",
+    help="Draw at this driver angle instead; once for each driver that has an angle, in order.")  # fmt: skip
+displacement_option = click.option("--at", "displacements", type=float, multiple=True, metavar="MM",
+    help="Draw at this driven displacement instead; once for each driven slide, in order.")  # fmt: skip
+coincident_option = click.option("--coincident", default="", metavar="POINT",
+    help="Look at sliding pairs in this point of theirs instead of the usual one.")  # fmt: skip
 method_option = click.option(
     "--method", type=click.Choice(["special", "centre"]), default="special", show_default=True,
     help="Velocities of Class III groups: special point, or instant centre where two legs stand on the frame.",
 )  # fmt: skip
-ranges_option = click.option(
-    "--driver", "ranges", multiple=True, metavar="[NAME=]FROM:TO:STEP",
-    help="Driver values, deg or mm; again for each further driver; NAME=VALUE holds one still.",
-)  # fmt: skip
+ranges_option = click.option("--driver", "ranges", multiple=True, metavar="[NAME=]FROM:TO:STEP",
+    help="Driver values, deg or mm; again for each further driver; NAME=VALUE holds one still.")  # fmt: skip
 by_option = click.option(
     "--by", type=click.Choice(["construction", "analysis"]), default="construction", show_default=True,
     help="Replay the construction at every position, or solve the loop equations there.",
@@ -269,7 +261,7 @@ def json_line(value: object) -> str:
 
 def wants_json(as_json: bool, output: Path | None, count: int) -> bool:
     """True where texts of `count` mechanisms are JSON: `-o` says so, too."""
-    kind = "" if output is None else output.suffix.lower()
+    kind = output.suffix.lower() if output is not None else ""
     if kind == ".json" and count > 1:
         raise click.UsageError("several mechanisms make several JSON objects: name a .jsonl file")
     if kind == ".txt" and as_json:
@@ -329,7 +321,6 @@ def write_drawings(
 ) -> None:
     """A sheet and its steps; all are made, and may be written, before the first is. `err`: their names on stderr."""
     from graphkin.outputs import drawings
-    from graphkin.outputs.drawings import refuse_edited
 
     if printed := str(output) == "-":
         first = pages.pop(0)[1]
@@ -339,7 +330,7 @@ def write_drawings(
     for path, _ in pages:
         drawings.refuse(path, force)
     if output is not None:
-        refuse_edited(output, force)
+        drawings.refuse_edited(output, force)
     for path, content in pages:
         drawings.write(path, content, force)
         click.echo(str(path), err=err or printed)
@@ -358,15 +349,10 @@ def quantity(option: str, dimension: Dimension, text: str) -> float:
     from graphkin.errors import Where
     from graphkin.files.values import read_quantity
 
+    written: float | str = text
+    with suppress(ValueError):
+        written = float(text)
     try:
-        return read_quantity(plain(text), dimension)
+        return read_quantity(written, dimension)
     except GraphkinError as error:
         raise error.at(Where(option)) from None
-
-
-def plain(text: str) -> float | str:
-    """A number, where a text is one; else the text, which may carry a unit."""
-    try:
-        return float(text)
-    except ValueError:
-        return text

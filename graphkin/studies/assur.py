@@ -125,7 +125,11 @@ def groups(method: Method) -> tuple[Together, ...]:
             case Group() if len(stage.loops) == 1 and not stage.contacts and not stage.bodies:  # it floats
                 solved.append(_dyad(method, stage.loops[0]))
             case Group():
-                solved.append(_group(method, stage))
+                ternary, bodies = method.ternaries.get(stage), stage.bodies
+                kind, point, link = ("triad", ternary.name, ternary.link) if ternary is not None else ("higher", "", "")
+                cls = 3 if ternary is not None else min(2 + len(stage.loops), 5)  # two loops close a four-sided figure
+                links, added, merged = _links_of_file(method, bodies), _added(method, bodies), _merged(method, stage)
+                solved.append(Together(kind, cls, links, "", point, link, added, merged))
             case Mesh():
                 wheels = tuple(method.mechanism.called(wheel) for wheel in stage.contact.wheels)
                 solved.append(Together("wheel", 1, wheels))
@@ -150,15 +154,6 @@ def _dyad(method: Method, stage: Loop) -> Together:
         bodies, letters[k] = (*bodies, ends[k]), "RP" if k == 0 else "PR"
     links, added, merged = _links_of_file(method, bodies), _added(method, bodies), _merged(method, stage)
     return Together("dyad", 2, links, "".join(letters), added=added, merged=merged)
-
-
-def _group(method: Method, stage: Group) -> Together:
-    bodies = stage.bodies
-    links, added, merged = _links_of_file(method, bodies), _added(method, bodies), _merged(method, stage)
-    if (ternary := method.ternaries.get(stage)) is not None:
-        return Together("triad", 3, links, point=ternary.name, ternary=ternary.link, added=added, merged=merged)
-    cls = 4 if len(stage.loops) == 2 and not stage.contacts else 3 + len(stage.loops) - 1
-    return Together("higher", min(cls, 5), links, added=added, merged=merged)
 
 
 def _letter(method: Method, joint: Joint) -> str:

@@ -18,7 +18,7 @@ from click.testing import CliRunner
 from defusedxml.ElementTree import fromstring
 
 from graphkin.cli import main as graphkin
-from graphkin.cli.marking import PLATFORMS
+from graphkin.cli.marking import RESULT_FORMATS
 from graphkin.errors import CannotWrite, NoFile, NotAnOverride, NotAResult, Unreadable, Where
 from graphkin.homework.platforms import (
     RESULTS,
@@ -537,7 +537,7 @@ def grade(folder: Path, *options: str):
 
 
 def test_the_command_writes_every_format(tmp_path: Path):
-    done = grade(tmp_path, *(word for kind in PLATFORMS for word in ("--format", kind)))
+    done = grade(tmp_path, *(word for kind in RESULT_FORMATS for word in ("--format", kind)))
     assert done.exit_code == 0, done.output
     out = tmp_path / "out"
     assert {path.name for path in out.iterdir()} == {
@@ -569,7 +569,7 @@ def test_overrides_survive_the_command(tmp_path: Path):
 
 
 def test_use_of_the_command(tmp_path: Path):
-    assert set(PLATFORMS) == {"json", *RESULTS}
+    assert set(RESULT_FORMATS) == {"json", *RESULTS}
     assert grade(tmp_path).exit_code == 2
     assert CliRunner().invoke(graphkin, ["grade", "ex3-1", "x", "--format", "csv"]).exit_code == 2
     (tmp_path / "out").write_text("a file")

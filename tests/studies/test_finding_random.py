@@ -14,7 +14,7 @@ from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning import Method, plan
 from graphkin.studies import finding
 from graphkin.studies.finding.search import differences
-from graphkin.studies.finding.stretch import Stretch, stretch
+from graphkin.studies.finding.stretch import CourseStretch, stretch
 from graphkin.studies.sweeps import course
 
 KINDS: dict[str, Callable[[int], Mechanism]] = {
@@ -41,20 +41,20 @@ def quantities(mechanism: Mechanism) -> list[str]:
     return [f"omega {link}", f"v {point}", f"x {point}", f"a_x {point}"]
 
 
-def exactly(over: Stretch, t: np.ndarray) -> list[np.ndarray]:
+def exactly(over: CourseStretch, t: np.ndarray) -> list[np.ndarray]:
     """All quantities by the analysis."""
-    other = Stretch(over.course, "analysis", over.names, over.low, over.high, over.stopped)
+    other = CourseStretch(over.course, "analysis", over.names, over.low, over.high, over.stopped)
     return [entry.signed for entry in other.read(t)]
 
 
 @cache
-def scan(kind: str, seed: int) -> tuple[Method, Stretch, np.ndarray, list[np.ndarray]] | None:
+def scan(kind: str, seed: int) -> tuple[Method, CourseStretch, np.ndarray, list[np.ndarray]] | None:
     """A random mechanism with its scan; None where it has none."""
     method = planned(kind, seed)
     return method and (method, *scanned(method))
 
 
-def scanned(method: Method) -> tuple[Stretch, np.ndarray, list[np.ndarray]]:
+def scanned(method: Method) -> tuple[CourseStretch, np.ndarray, list[np.ndarray]]:
     """All quantities by the analysis, evenly over the inside of what is looked at."""
     over = stretch(course(method), (), tuple(quantities(method.mechanism)), "construction")
     t = np.linspace(over.low, over.high, ROWS)[2:-2]

@@ -180,9 +180,7 @@ class About:
     @property
     def returning(self) -> Circle | None:
         """The return circle: the inflection circle's mirror image in the pole tangent."""
-        if self.diameter is None:
-            return None
-        return Circle(self.pole - self.diameter / 2, abs(self.diameter) / 2)
+        return None if self.diameter is None else Circle(self.pole - self.diameter / 2, abs(self.diameter) / 2)
 
     # --- points -------------------------------------------------------------------------------
 
@@ -203,13 +201,12 @@ class About:
         return points
 
     def _moved(self, place: complex, velocity: complex, acceleration: complex) -> CarriedPoint:
-        speed = abs(velocity)
+        speed, centre = abs(velocity), INFINITY
         if speed <= STILL * _pace(self.found, self.plot) * self.size:
-            return CarriedPoint(place, velocity, acceleration, place if self.diameter else NOWHERE)
-        curvature = number(cross(velocity, acceleration)) / speed**3
-        if abs(curvature) * self.size <= INFINITE:
-            return CarriedPoint(place, velocity, acceleration, INFINITY)
-        return CarriedPoint(place, velocity, acceleration, place + 1j * velocity / speed / curvature)
+            centre = place if self.diameter else NOWHERE
+        elif abs(curvature := number(cross(velocity, acceleration)) / speed**3) * self.size > INFINITE:
+            centre = place + 1j * velocity / speed / curvature
+        return CarriedPoint(place, velocity, acceleration, centre)
 
     def savary(self, place: complex) -> complex:
         """The centre of curvature of the path of a point by the inflection circle alone (Euler-Savary) [m].
@@ -274,9 +271,6 @@ def _pace(centres: Centres, plot: Plot) -> float:
     return float(np.max([*turning, *sliding, 1e-300]))
 
 
-# --- plain data -------------------------------------------------------------------------------
-
-
 def about_json(seen: About) -> dict[str, Plain]:
     """One object: poles, circles, and of each point its motion and the centre of curvature of its path.
 
@@ -286,32 +280,24 @@ def about_json(seen: About) -> dict[str, Plain]:
     inflection, pole = seen.inflection, seen.pole
     line = inflection if isinstance(inflection, InflectionLine) else None
     return {
-        "format": 1,
-        "name": seen.found.method.mechanism.name,
-        "link": seen.called,
-        "speeds_assumed": seen.assumed,
+        "format": 1, "name": seen.found.method.mechanism.name, "link": seen.called, "speeds_assumed": seen.assumed,
         "pole": {"direction": _pair(seen.towards)} if cmath.isinf(pole) else _pair(pole),
-        "omega": seen.omega,
-        "alpha": seen.alpha,
-        "acceleration_pole": _pair(seen.acceleration_pole),
-        "pole_velocity": _pair(seen.pole_velocity),
-        "tangent": _pair(seen.tangent),
+        "omega": seen.omega, "alpha": seen.alpha, "acceleration_pole": _pair(seen.acceleration_pole),
+        "pole_velocity": _pair(seen.pole_velocity), "tangent": _pair(seen.tangent),
         "inflection_circle": _circle(inflection) if isinstance(inflection, Circle) else None,
         "inflection_line": {"through": _pair(line.through), "direction": _pair(line.direction)} if line else None,
         "return_circle": _circle(seen.returning) if seen.returning else None,
         "points": {name: _point(carried) for name, carried in seen.points.items()},
-    }
+    }  # fmt: skip
 
 
 def _point(carried: CarriedPoint) -> dict[str, Plain]:
     straight = cmath.isinf(carried.centre)
     return {
-        "at": _pair(carried.place),
-        "velocity": _pair(carried.velocity),
-        "acceleration": _pair(carried.acceleration),
+        "at": _pair(carried.place), "velocity": _pair(carried.velocity), "acceleration": _pair(carried.acceleration),
         "centre": "infinity" if straight else _pair(carried.centre),
         "radius": None if straight or cmath.isnan(carried.centre) else carried.radius,
-    }
+    }  # fmt: skip
 
 
 def _circle(circle: Circle) -> dict[str, Plain]:
@@ -320,6 +306,4 @@ def _circle(circle: Circle) -> dict[str, Plain]:
 
 def _pair(value: complex | None) -> list[float] | None:
     """[x, y]; None for nothing, and for what is nowhere."""
-    if value is None or not cmath.isfinite(value):
-        return None
-    return [value.real + 0.0, value.imag + 0.0]
+    return None if value is None or not cmath.isfinite(value) else [value.real + 0.0, value.imag + 0.0]

@@ -68,9 +68,6 @@ class Bobillier:
         return complex(self.board.at(self.answer))
 
 
-# --- guided points ----------------------------------------------------------------------------
-
-
 def guided(seen: About) -> list[Guided]:
     """Points of the link that a pivoted link, a fixed guide or a wheel on a fixed track leads; then measured ones."""
     led = {entry.point: entry for entry in _led(seen)}
@@ -92,32 +89,27 @@ def _infinite(direction: complex) -> tuple[float, float, float]:
 
 
 def _led(seen: About) -> Iterator[Guided]:
-    machine, position = seen.found.method.mechanism, seen.plot.position
-    for link, written, centre in _leads(seen):
-        for point in machine.links[link].points:
-            if link != seen.link and point in machine.links[seen.link].points and point in position:
-                yield Guided(point, written or f"{point}0", complex(position[point]), centre, pivoted=bool(written))
-    for slide in machine.slides:
-        if slide.guide == FRAME and slide.point in machine.links[seen.link].points:
-            centre = _infinite(1j * complex(seen.plot.guide_direction(slide.name)))
-            yield Guided(slide.point, f"{slide.point}0", complex(position[slide.point]), centre)
-
-
-def _leads(seen: About) -> Iterator[tuple[str, str, tuple[float, float, float]]]:
-    """Links that turn about a fixed point, or slide along a fixed line: link, the centre's letter, the centre."""
-    plot, centring = seen.plot, seen.found.centring
+    """Points on links that turn about a fixed point or slide along a fixed line, and those on fixed guides."""
+    machine, plot, centring = seen.found.method.mechanism, seen.plot, seen.found.centring
+    own, position = machine.links[seen.link].points, plot.position
     for stage in centring.stages:
-        step, links = stage.last, centring.links[stage.last.name]
-        if FRAME not in links:
+        step, links, written = stage.last, centring.links[stage.last.name], ""
+        if FRAME not in links or seen.link in links:
             continue
-        link = next(name for name in links if name != FRAME)
-        if isinstance(step, Pricked) and stage.say == "hinge" and step.point in plot.position:
-            yield link, step.point, _finite(complex(plot.position[step.point]))
+        if isinstance(step, Pricked) and stage.say == "hinge" and step.point in position:
+            written, centre = step.point, _finite(complex(position[step.point]))
         elif isinstance(step, Far):
-            yield link, "", _infinite(1j * complex(plot.guide_direction(step.line)))
-
-
-# --- the construction -------------------------------------------------------------------------
+            centre = _infinite(1j * complex(plot.guide_direction(step.line)))
+        else:
+            continue
+        for link in links:
+            for point in machine.links[link].points if link != FRAME else ():
+                if point in own and point in position:
+                    yield Guided(point, written or f"{point}0", complex(position[point]), centre, pivoted=bool(written))
+    for slide in machine.slides:
+        if slide.guide == FRAME and slide.point in own:
+            centre = _infinite(1j * complex(plot.guide_direction(slide.name)))
+            yield Guided(slide.point, f"{slide.point}0", complex(position[slide.point]), centre)
 
 
 def bobillier(seen: About, point: str | complex) -> Bobillier:
@@ -149,7 +141,7 @@ def bobillier(seen: About, point: str | complex) -> Bobillier:
         reason = "cusp"
     if reason:
         raise NoBobillier(seen.found.method.mechanism.where("links", seen.link), seen.called, reason)
-    first, second = map(lettered, _pair(seen, place))
+    first, second = map(lettered, _clearest_pair(seen, place))
     points = {entry.point: _finite(entry.place) for entry in (first, second)} | {letter: _finite(place)}
     points |= {first.written: first.centre, second.written: second.centre}
     pole, q, qc, answer = (free(name) for name in ("P", "Q", f"Q_{letter}", f"K_{letter}"))
@@ -157,7 +149,7 @@ def bobillier(seen: About, point: str | complex) -> Bobillier:
     return Bobillier(Drafting({}, stages, points), (first, second), letter, pole, (q, qc), answer)
 
 
-def _pair(seen: About, place: complex) -> tuple[Guided, Guided]:
+def _clearest_pair(seen: About, place: complex) -> tuple[Guided, Guided]:
     """Two guided points on different rays, the first on another ray than the point; guides before measured ones.
 
     Rays are far from being one, and the first point far from the pole, where its lines would say nothing.

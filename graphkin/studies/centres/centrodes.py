@@ -100,22 +100,19 @@ class Centrodes:
     @cached_property
     def is_point(self) -> bool:
         """True if the centre stays at one place of each link, as on a hinge."""
-        small = CLOSE * self.found.board.size
         places = np.concatenate([piece.places for piece in self.pieces], axis=1)
-        return bool(np.all(np.abs(places - places[:, :1]) <= small))
+        return bool(np.all(np.abs(places - places[:, :1]) <= CLOSE * self.found.board.size))
 
     def standing(self, link: str, t: Value) -> tuple[Value, Value]:
         """The axes of a link at t, scalar or (n,): origin [m] and unit vector of the x axis."""
         plot = along(self.found.method, self.path, np.atleast_1d(np.asarray(t, dtype=float)))
-        origin, turn = carried_to(plot, link)
-        shape = np.shape(t)
-        count = np.atleast_1d(t).shape
-        return np.broadcast_to(origin, count).reshape(shape)[()], np.broadcast_to(turn, count).reshape(shape)[()]
+        shape, count = np.shape(t), np.atleast_1d(t).shape
+        origin, turn = (np.broadcast_to(axes, count).reshape(shape)[()] for axes in carried_to(plot, link))
+        return origin, turn
 
     def lengths(self, piece: int) -> tuple[np.ndarray, np.ndarray]:
         """Lengths of the fixed and of the moving curve from a piece's first place to the end of each cell [m]."""
-        one = self.pieces[piece]
-        return arc_length(one, 0), arc_length(one, len(self.axes) - 1)
+        return arc_length(self.pieces[piece], 0), arc_length(self.pieces[piece], len(self.axes) - 1)
 
 
 def whole(course: Coursed) -> tuple[float, float]:
@@ -252,8 +249,6 @@ def joined(parts: Sequence[CentrodePiece], turn: float, near: float) -> list[Cen
     A single piece that meets itself is closed.
     turn  the extent of t; near  places closer than this are one [m]
     """
-    if not parts:
-        return []
     first, last = parts[0], parts[-1]
     if np.abs(first.places[:, 0] - last.places[:, -1]).max() > near:
         return list(parts)
@@ -264,17 +259,11 @@ def joined(parts: Sequence[CentrodePiece], turn: float, near: float) -> list[Cen
     return [CentrodePiece(t, places), *parts[1:-1]]
 
 
-# --- plain data -------------------------------------------------------------------------------
-
-
 def centrodes_json(curves: Centrodes) -> dict[str, Plain]:
     """One object: of each piece of the curves the drivers' values [rad, m] and the places [m] in each link's axes."""
     machine = curves.found.method.mechanism
     return {
-        "format": 1,
-        "name": machine.name,
-        "centre": curves.name,
-        "axes": [machine.called(link) for link in curves.axes],
+        "format": 1, "name": machine.name, "centre": curves.name, "axes": [*map(machine.called, curves.axes)],
         "drivers": [driver.name for driver in machine.drivers],
         "pieces": [
             {
@@ -284,4 +273,4 @@ def centrodes_json(curves: Centrodes) -> dict[str, Plain]:
             }
             for piece in curves.pieces
         ],
-    }
+    }  # fmt: skip

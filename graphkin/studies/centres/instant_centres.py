@@ -155,9 +155,6 @@ def carried_to(plot: Plot, link: str) -> tuple[Value, Value]:
     return plot.position[point] - shape[point] * turn, turn
 
 
-# --- plain data -------------------------------------------------------------------------------
-
-
 class CentreEntry(TypedDict, total=False):
     """A centre as data: its links, its place [m] or, at infinity, its direction [rad], and how it is found."""
 
@@ -271,13 +268,10 @@ def _needs(stage: Stage, needs: Mapping[str, frozenset[str]]) -> frozenset[str]:
 def _crossings(centres: Centres, name: str) -> list[Stage]:
     """Every two lines that give a centre and lie well apart."""
     by_links = {frozenset(pair): each for each, pair in centres.centring.links.items()}
-    lines = []
-    for line in lines_to(centres.method.mechanism, by_links, centres.centring.links[name]):
-        place = np.asarray(ruled(line, centres.board))
-        if np.isfinite(place).all():
-            lines.append((line, place))
+    lines = lines_to(centres.method.mechanism, by_links, centres.centring.links[name])
+    rulings = [(line, ruling) for line in lines if np.isfinite(ruling := np.asarray(ruled(line, centres.board))).all()]
     return [
         Stage("two lines", (one, other, DraftMeet(name, one.name, other.name)))
-        for (one, first), (other, second) in combinations(lines, 2)
+        for (one, first), (other, second) in combinations(rulings, 2)
         if float(np.linalg.norm(product(first, second))) > WELL_APART
     ]

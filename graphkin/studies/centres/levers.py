@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import cmath
 import heapq
-from collections.abc import Collection, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import pairwise
 from math import inf, isfinite, log10
@@ -99,11 +99,9 @@ class Levers(LeverBoard):
         if target in self.turning:
             return [target]
         resting = {link for link in self.turning if self.stands(link)}
-        return self._cheapest([link for link in self.turning if link not in resting], resting, target)
-
-    def _cheapest(self, moving: Collection[str], resting: Collection[str], target: str) -> list[str] | None:
-        """Dijkstra's search from links whose motion is known; from resting ones none is carried on."""
-        best, queue = dict.fromkeys(moving, 0.0), [(0.0, link, [link]) for link in moving]
+        # Dijkstra's search from links whose motion is known; from resting ones none is carried on
+        best = {link: 0.0 for link in self.turning if link not in resting}
+        queue = [(0.0, link, [link]) for link in best]
         heapq.heapify(queue)
         while queue:
             cost, base, path = heapq.heappop(queue)
@@ -200,9 +198,6 @@ def _cost(centres: Centres, size: float, base: str, link: str) -> float:
     if abs(other - common) < 1e-4 * size:
         return inf
     return 1.0 + badness(other, common) + (badness(own, common) if own is not None else 0.0)
-
-
-# --- exact motions ----------------------------------------------------------------------------
 
 
 def carried_through(centres: Centres, scale: float = 0.0) -> Levers:

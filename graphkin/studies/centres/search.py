@@ -19,19 +19,9 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plot, replay
-from graphkin.construction.drafting import Board, draw, ruled
+from graphkin.construction.drafting import Board, Drafting, DraftMeet, draw, ruled
 from graphkin.construction.drafting.board import Homogeneous, product
-from graphkin.construction.drafting.steps import (
-    Drafting,
-    DraftMeet,
-    Far,
-    LineStep,
-    Pricked,
-    Stage,
-    Through,
-    Traced,
-    drawn_through,
-)
+from graphkin.construction.drafting.steps import Far, LineStep, Pricked, Stage, Through, Traced, drawn_through
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.planning import Method
 from graphkin.proof.readings import readings

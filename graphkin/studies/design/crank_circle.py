@@ -16,20 +16,8 @@ import numpy as np
 
 from graphkin.base.geometry import Array, Real, Value, number
 from graphkin.base.value import frozen
-from graphkin.construction.drafting import (
-    Bisector,
-    CircleAbout,
-    CircleThrough,
-    DraftMeet,
-    MarkOn,
-    Parallel,
-    Perpendicular,
-    Reckon,
-    Slanted,
-    Stage,
-    Step,
-    Through,
-)  # fmt: skip
+from graphkin.construction.drafting import Bisector, CircleAbout, CircleThrough, DraftMeet
+from graphkin.construction.drafting.steps import MarkOn, Parallel, Perpendicular, Reckon, Slanted, Stage, Step, Through
 from graphkin.studies.design.model import CentreArc, Family, Reason
 from graphkin.studies.linkages.triangles import greatest_between
 
@@ -128,9 +116,8 @@ def _highest(size: Callable[[Real], Real], arc: CentreArc) -> tuple[float, float
 
 def _roots(size: Callable[[Real], Real], arc: CentreArc) -> list[float]:
     """Directions on an arc at which a function is 0: between steps of different sign, halved until nothing is left."""
-    turns = sorted([*_inside(arc).tolist(), _highest(size, arc)[0]])
+    turns, roots = sorted([*_inside(arc).tolist(), _highest(size, arc)[0]]), []
     below = np.asarray(size(np.array(turns))) < 0
-    roots = []
     for (low, first), (high, last) in pairwise(zip(turns, below.tolist())):
         if first == last:
             continue
@@ -138,9 +125,6 @@ def _roots(size: Callable[[Real], Real], arc: CentreArc) -> list[float]:
             low, high = (middle, high) if (number(size(middle)) < 0) == first else (low, middle)
         roots.append((low + high) / 2)
     return roots
-
-
-# --- steps to A -------------------------------------------------------------------------------
 
 
 def steps_to_centre(

@@ -130,9 +130,6 @@ class Design:
         return min(self.solutions, key=lambda one: (not one.valid, -(one.gamma_min or 0.0)), default=None)
 
 
-# --- transmission angles ----------------------------------------------------------------------
-
-
 def gamma_four(a: Real, b: Real, c: Real, d: Real) -> Real:
     """Least transmission angle of a crank-rocker over a turn: with the crank in line with the frame [rad]."""
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -145,9 +142,6 @@ def gamma_slider(a: Real, b: Real, e: Real) -> Real:
     """Least transmission angle of a slider-crank over a turn: with the crank at right angles to the guide [rad]."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return math.pi / 2 - np.arcsin(np.minimum((a + np.abs(e)) / b, 1.0))[()]
-
-
-# --- conditions -------------------------------------------------------------------------------
 
 
 def positive(**lengths: float | None) -> None:

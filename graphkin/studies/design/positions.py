@@ -22,22 +22,8 @@ import numpy as np
 from graphkin.base import geometry
 from graphkin.base.geometry import Array, cross, dot, number, unit
 from graphkin.base.tolerances import ROUNDED
-from graphkin.construction.drafting import (
-    Bisector,
-    Board,
-    ChosenPoint,
-    CircleThrough,
-    Drafting,
-    DraftLayOff,
-    DraftMeasure,
-    DraftMeet,
-    DraftTurn,
-    MeasureAngle,
-    Reckon,
-    Stage,
-    Step,
-    replay,
-)  # fmt: skip
+from graphkin.construction.drafting import Bisector, Board, ChosenPoint, CircleThrough, Drafting, DraftLayOff, replay
+from graphkin.construction.drafting.steps import DraftMeasure, DraftMeet, DraftTurn, MeasureAngle, Reckon, Stage, Step
 from graphkin.errors import CouplerChanges, NotOnBisector, SameWanted, WantedRange, WrongNumber
 from graphkin.studies.design.model import Design, Reason, Solution, gamma_four, positive
 from graphkin.studies.design.passing import passing, shown
@@ -159,9 +145,6 @@ def _worth(at: Array, pivot: Array, points: Hinges) -> Array:
     crank = np.where(a == shortest, gamma, gamma - 2)
     worth = np.where(one_branch & turning, crank, np.where(one_branch, here - 4, here - 6))
     return np.where(shortest < _SMALL * longest, worth - 9, worth)
-
-
-# --- pairs of angles --------------------------------------------------------------------------
 
 
 def angle_pairs(

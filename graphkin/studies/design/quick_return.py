@@ -21,23 +21,9 @@ import numpy as np
 
 from graphkin.base import geometry
 from graphkin.base.geometry import Array, Real, Value, cross, number
-from graphkin.construction.drafting import (
-    Board,
-    ChosenPoint,
-    Drafting,
-    DraftLayOff,
-    DraftMeasure,
-    DraftMeet,
-    Parallel,
-    Perpendicular,
-    Reckon,
-    Slanted,
-    Stage,
-    Step,
-    Through,
-    replay,
-    theta_of,
-)  # fmt: skip
+from graphkin.construction.drafting import Board, ChosenPoint, Drafting, DraftLayOff, DraftMeasure, DraftMeet, replay
+from graphkin.construction.drafting.pencil import theta_of
+from graphkin.construction.drafting.steps import Parallel, Perpendicular, Reckon, Slanted, Stage, Step, Through
 from graphkin.studies.design import model
 from graphkin.studies.design.crank_circle import Chord, bounds, family, steps_to_centre, worth_of
 from graphkin.studies.design.model import Design, Family, Kind, Reason, Solution
@@ -172,9 +158,6 @@ def _design(
     return Design(kind, values, valid, rejected, families, () if valid else bounds(name, families, chord))
 
 
-# --- judging ----------------------------------------------------------------------------------
-
-
 def angle_between(one: complex, other: complex) -> float:
     """0 to pi [rad]."""
     return abs(cmath.phase(one.conjugate() * other))
@@ -186,9 +169,8 @@ def _solution(construction: Drafting, chord: Chord, side: float) -> Solution | N
     at = geometry.place(board.at("A"))
     if not math.isfinite(abs(at)):
         return None
-    worth = worth_of(chord, side, at)
     judge = _crank_rocker if "D" in board.points else _slider_crank
-    return judge(construction, board, worth)
+    return judge(construction, board, worth_of(chord, side, at))
 
 
 def _crank_rocker(construction: Drafting, board: Board, worth: str) -> Solution:
@@ -257,9 +239,6 @@ def _notes(gamma: float, why: tuple[Reason, ...]) -> tuple[Reason, ...]:
     return (Reason("low gamma", (("gamma", gamma),)),) if gamma < LOW and not why else ()
 
 
-# --- guide bar --------------------------------------------------------------------------------
-
-
 def guide_bar(k: float, *, frame: float | None = None, crank: float | None = None) -> Design:
     """The oscillating guide bar that returns k times as fast; the length of the frame or of the crank is given [m].
 
@@ -283,20 +262,15 @@ def guide_bar(k: float, *, frame: float | None = None, crank: float | None = Non
         pivots = (ChosenPoint("A", 0j), DraftLayOff("C", "A", "frame"))
         sides = (Slanted("m", "C", "A", "halved", 1.0), Slanted("n", "C", "A", "halved", -1.0))
         limits = Stage("guide pivots", pivots), Stage("guide limits", sides)
-    else:
-        limits = _limits_by_crank()
+    else:  # C and both limits first; A is where the crank's length fits between them
+        placed: tuple[Step, ...] = (
+            Reckon("straight", "straight", ()), ChosenPoint("C", 0j), Reckon("one", "same", ("crank",)),
+            DraftLayOff("X", "C", "one", "", "straight"),
+            Slanted("m", "C", "X", "halved", 1.0), Slanted("n", "C", "X", "halved", -1.0), Through("CX", "C", "X"),
+        )  # fmt: skip
+        fitted = (Parallel("beside", "m", "crank", -1.0), DraftMeet("A", "beside", "CX"))
+        limits = Stage("guide limits alone", placed), Stage("guide crank fits", fitted)
     return Design("guide-bar", values, (_bar_solution(Drafting(values, (swing, *limits, lengths))),))
-
-
-def _limits_by_crank() -> tuple[Stage, Stage]:
-    """C and both limits first; A is where the crank's length fits between them."""
-    limits: tuple[Step, ...] = (
-        Reckon("straight", "straight", ()), ChosenPoint("C", 0j), Reckon("one", "same", ("crank",)),
-        DraftLayOff("X", "C", "one", "", "straight"),
-        Slanted("m", "C", "X", "halved", 1.0), Slanted("n", "C", "X", "halved", -1.0), Through("CX", "C", "X"),
-    )  # fmt: skip
-    fitted = (Parallel("beside", "m", "crank", -1.0), DraftMeet("A", "beside", "CX"))
-    return Stage("guide limits alone", limits), Stage("guide crank fits", fitted)
 
 
 def _bar_solution(construction: Drafting) -> Solution:

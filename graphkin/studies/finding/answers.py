@@ -141,18 +141,12 @@ class Findings:
         return tuple(drawable[t] for t in sorted(drawable))
 
 
-# --- plain data -------------------------------------------------------------------------------
-
-
 def as_json(found: Findings) -> dict[str, Plain]:
     """One object; parts that have nothing to say are left out."""
     data: dict[str, Plain] = {
-        "format": 1,
-        "name": found.mechanism.name,
-        "condition": found.condition.text,
-        "drivers": [driver.name for driver in found.drivers],
-        "units": dict(zip(found.quantities, found.units)),
-    }
+        "format": 1, "name": found.mechanism.name, "condition": found.condition.text,
+        "drivers": [driver.name for driver in found.drivers], "units": dict(zip(found.quantities, found.units)),
+    }  # fmt: skip
     if found.looked is not None:
         low, high = found.looked
         data["looked"] = {
@@ -167,32 +161,29 @@ def as_json(found: Findings) -> dict[str, Plain]:
         ],
         "nearest": _position(found, found.nearest) if found.nearest else None,
         "range": found.swing,
-        "slowest": [_slow(entry) for entry in found.slow],
+        "slowest": [
+            {
+                "drivers": list(slow.position.drivers), "line": list(slow.points), "from_first": slow.along,
+                "length": slow.length, "place": [slow.place.real, slow.place.imag], "speed": slow.speed,
+            }
+            for slow in found.slow
+        ],
         "speeds": [_speeds(found, entry) for entry in found.speeds],
         "notes": list(found.notes),
-    }
+    }  # fmt: skip
     if found.stroke is not None:
-        advance, retreat = _phase(found.stroke.advance), _phase(found.stroke.retreat)
-        data["stroke"] = {"advance": advance, "return": retreat, "K": found.stroke.ratio}
+        phases: dict[str, Plain] = {
+            key: {"growing": phase.up, "angle": phase.angle, "time": phase.time, "mean_speed": phase.mean}
+            for key, phase in (("advance", found.stroke.advance), ("return", found.stroke.retreat))
+        }
+        data["stroke"] = phases | {"K": found.stroke.ratio}
     return data | {key: part for key, part in parts.items() if part not in (None, [])}
 
 
 def _position(found: Findings, position: Position) -> Plain:
-    values = {
-        name: value if math.isfinite(value) else None for name, value in zip(found.quantities, position.values)
-    }  # fmt: skip
+    finite = (value if math.isfinite(value) else None for value in position.values)
+    values: dict[str, Plain] = dict(zip(found.quantities, finite))
     return {"drivers": list(position.drivers), "values": values, "kind": position.kind}
-
-
-def _phase(phase: Phase) -> Plain:
-    return {"growing": phase.up, "angle": phase.angle, "time": phase.time, "mean_speed": phase.mean}
-
-
-def _slow(entry: SlowPoint) -> Plain:
-    return {
-        "drivers": list(entry.position.drivers), "line": list(entry.points), "from_first": entry.along,
-        "length": entry.length, "place": [entry.place.real, entry.place.imag], "speed": entry.speed,
-    }  # fmt: skip
 
 
 def _speeds(found: Findings, entry: Speeds) -> Plain:

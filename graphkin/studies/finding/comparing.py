@@ -16,7 +16,7 @@ from graphkin.studies.finding import conditions
 from graphkin.studies.finding.answers import Interval, Kind, OutputStroke, Phase, Position
 from graphkin.studies.finding.conditions import Comparison
 from graphkin.studies.finding.search import Curve, Function, crossings, differences, followed, tops, touches, vanishing
-from graphkin.studies.finding.stretch import ROUNDING, Stretch
+from graphkin.studies.finding.stretch import ROUNDING, CourseStretch
 from graphkin.studies.sweeps import Series
 from graphkin.studies.sweeps.ranges import TURN
 
@@ -34,14 +34,14 @@ class Difference:
     everywhere both sides are equal throughout
     """
 
-    stretch: Stretch
+    stretch: CourseStretch
     target: float | None
     vanishing: bool
     curve: Curve
     everywhere: bool
 
 
-def difference(stretch: Stretch, condition: Comparison, drawn: tuple[Series, ...], where: Where) -> Difference:
+def difference(stretch: CourseStretch, condition: Comparison, drawn: tuple[Series, ...], where: Where) -> Difference:
     """The two sides held against each other. Raises OtherUnits, NegativeSize, and what a wrong value raises."""
     first, size, target = drawn[0], condition.size, None
     unsigned = first.vectors is not None and first.along is None
@@ -97,7 +97,7 @@ def holding(sides: Difference) -> tuple[Position, ...]:
     return tuple(stretch.position(t, kinds[t]) for t in sorted(kinds))
 
 
-def _vectors(stretch: Stretch) -> tuple[np.ndarray, Function]:
+def _vectors(stretch: CourseStretch) -> tuple[np.ndarray, Function]:
     def function(t: np.ndarray) -> np.ndarray:
         vectors = stretch.read(t)[0].vectors
         assert vectors is not None
@@ -137,19 +137,16 @@ def intervals(sides: Difference, sign: str) -> tuple[Interval, ...]:
     zeros = np.searchsorted(crossings(curve), curve.t)
     jumps = [float(curve.t[j]) for j in changes if zeros[j] == zeros[j + 1]]  # a quotient goes through infinity
     cuts = sorted({stretch.low, *stretch.within(crossings(curve)), *jumps, stretch.high})
-    parts = [(a, b) for a, b in pairwise(cuts) if b - a > 1e-9 * (stretch.high - stretch.low)]
-    inside = [(a, b) for a, b in parts if _mostly(curve, up, a, b)]
+    parts, inside = [(a, b) for a, b in pairwise(cuts) if b - a > 1e-9 * (stretch.high - stretch.low)], []
+    for begin, end in parts:
+        values = curve.function(begin + (end - begin) * np.array([0.2, 0.5, 0.8]))
+        with np.errstate(invalid="ignore"):
+            if np.sum(up * values > 0) >= 2:  # in most of the part
+                inside.append((begin, end))
     return tuple(_interval(stretch, curve, up, a, b) for a, b in _joined(stretch, inside))
 
 
-def _mostly(curve: Curve, up: float, begin: float, end: float) -> bool:
-    """True if the condition holds in most of a part."""
-    values = curve.function(begin + (end - begin) * np.array([0.2, 0.5, 0.8]))
-    with np.errstate(invalid="ignore"):
-        return bool(np.sum(up * values > 0) >= 2)
-
-
-def _joined(stretch: Stretch, parts: list[tuple[float, float]]) -> list[tuple[float, float]]:
+def _joined(stretch: CourseStretch, parts: list[tuple[float, float]]) -> list[tuple[float, float]]:
     """Neighbours are one; on a full turn the last goes on in the first."""
     joined: list[tuple[float, float]] = []
     for begin, end in parts:
@@ -163,19 +160,18 @@ def _joined(stretch: Stretch, parts: list[tuple[float, float]]) -> list[tuple[fl
     return joined
 
 
-def _interval(stretch: Stretch, curve: Curve, up: float, begin: float, end: float) -> Interval:
+def _interval(stretch: CourseStretch, curve: Curve, up: float, begin: float, end: float) -> Interval:
     inner = tops(curve, up)
     inner = np.concatenate([inner, inner + TURN]) if end > stretch.high else inner
     places = np.concatenate([[begin], inner[(inner > begin) & (inner < end)], [end]])
     here = np.where(places > stretch.high, places - TURN, places)
     with np.errstate(invalid="ignore"):
         high = up * np.nan_to_num(curve.function(here), nan=-up * np.inf)
-    k = int(np.argmax(high))
-    most = _position_at(stretch, float(places[k]), "max" if up > 0 else "min")
+    most = _position_at(stretch, float(places[np.argmax(high)]), "max" if up > 0 else "min")
     return Interval(_end(stretch, begin), _end(stretch, end), most)
 
 
-def _end(stretch: Stretch, t: float) -> Position:
+def _end(stretch: CourseStretch, t: float) -> Position:
     """An end of an interval: of the condition, of the stretch, or at a dead point."""
     close = 1e-9 * (stretch.high - stretch.low)
     for place, stop in zip((stretch.low, stretch.high), stretch.stopped):
@@ -184,7 +180,7 @@ def _end(stretch: Stretch, t: float) -> Position:
     return _position_at(stretch, t, "zero")
 
 
-def _position_at(stretch: Stretch, t: float, kind: Kind) -> Position:
+def _position_at(stretch: CourseStretch, t: float, kind: Kind) -> Position:
     """A position that may lie a turn on: read on the stretch itself."""
     here = t - TURN if t > stretch.high else t
     if kind == "stop" or (any(stretch.stopped) and here in (stretch.low, stretch.high)):
@@ -219,7 +215,7 @@ class Extremes:
         return swing if math.isfinite(swing) else None
 
 
-def extremes(stretch: Stretch, *, size: bool = False) -> Extremes:
+def extremes(stretch: CourseStretch, *, size: bool = False) -> Extremes:
     """The extremes of the stretch's first quantity; `size`: of its size, whatever its sense."""
     curve = followed(stretch.values(size=size), stretch.slope(size=size), stretch.places)
     finite = curve.values[np.isfinite(curve.values)]
@@ -233,10 +229,13 @@ def extremes(stretch: Stretch, *, size: bool = False) -> Extremes:
 Candidate = tuple[float, float, Kind]  # a value, its place t, and its kind
 
 
-def _best(stretch: Stretch, curve: Curve, sign: float, kind: Kind) -> tuple[Position, ...]:
+def _best(stretch: CourseStretch, curve: Curve, sign: float, kind: Kind) -> tuple[Position, ...]:
     """The positions of the greatest (sign 1) or least (-1) value; an end beside an extreme is the same one."""
     inner = stretch.within(tops(curve, sign))
-    candidates = [_pole_or(curve, sign, float(v), float(t), kind) for v, t in zip(curve.function(inner), inner)]
+    candidates: list[Candidate] = []
+    for value, t in zip(curve.function(inner).tolist(), inner.tolist()):
+        endless = abs(value) > BOUNDLESS * curve.size > 0  # the quantity grows without limit there
+        candidates.append((sign * math.inf, t, "pole") if endless else (value, t, kind))
     candidates += _ends(stretch, curve, sign)
     if not candidates:
         return ()
@@ -254,14 +253,7 @@ def _best(stretch: Stretch, curve: Curve, sign: float, kind: Kind) -> tuple[Posi
     return tuple(positions)
 
 
-def _pole_or(curve: Curve, sign: float, value: float, t: float, kind: Kind) -> Candidate:
-    """An extreme, or a pole: the quantity grows without limit there."""
-    if abs(value) > BOUNDLESS * curve.size and curve.size > 0:
-        return sign * math.inf, t, "pole"
-    return value, t, kind
-
-
-def _ends(stretch: Stretch, curve: Curve, sign: float) -> list[Candidate]:
+def _ends(stretch: CourseStretch, curve: Curve, sign: float) -> list[Candidate]:
     """The ends of the stretch, where they are not one; of an angle that goes round they differ by turns."""
     if stretch.closed and not _goes_round(stretch):
         return []
@@ -284,10 +276,7 @@ def _limit(curve: Curve, t: float, span: float) -> float | None:
     return float((near[0] - 6 * near[1] + 8 * near[2]) / 3)
 
 
-# --- stroke -----------------------------------------------------------------------------------
-
-
-def stroke(stretch: Stretch, ends: Extremes) -> tuple[OutputStroke | None, tuple[str, ...]]:
+def stroke(stretch: CourseStretch, ends: Extremes) -> tuple[OutputStroke | None, tuple[str, ...]]:
     """Advance and return of an output over a full turn of its driver, or notes on why there are none."""
     if ends.swing is None:
         return None, ()
@@ -309,7 +298,7 @@ def stroke(stretch: Stretch, ends: Extremes) -> tuple[OutputStroke | None, tuple
     return OutputStroke(advance, retreat, advance.angle / retreat.angle), ()
 
 
-def _goes_round(stretch: Stretch) -> bool:
+def _goes_round(stretch: CourseStretch) -> bool:
     """True if an angle is another one, by turns, after a turn of the driver."""
     both = stretch.read(np.array([stretch.low, stretch.high]))[0]
     return both.unit == "rad" and abs(float(np.ptp(both.values))) > 1.0

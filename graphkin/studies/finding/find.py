@@ -24,7 +24,7 @@ from graphkin.running.path import DriverPath
 from graphkin.studies.finding import comparing, conditions
 from graphkin.studies.finding.answers import Findings, Position, SlowPoint, Speeds
 from graphkin.studies.finding.conditions import WHERE, Comparison, Condition, Extreme, Scaling, Slowest
-from graphkin.studies.finding.stretch import Reader, Stretch, checked, quantity_of, stretch
+from graphkin.studies.finding.stretch import CourseStretch, Reader, checked, quantity_of, stretch
 from graphkin.studies.sweeps import Course, Road, Series, course, prove
 from graphkin.studies.sweeps.roads import moving
 from graphkin.studies.sweeps.sweep import series
@@ -85,10 +85,9 @@ def check_limit(mechanism: Mechanism, text: str) -> None:
         raise errors.NegativeSize(where, parsed.quantity, parsed.other)
 
 
-def _proved_stretch(method: Method, ranges: Sequence[str], names: tuple[str, ...], by: Road) -> Stretch:
+def _proved_stretch(method: Method, ranges: Sequence[str], names: tuple[str, ...], by: Road) -> CourseStretch:
     """The stretch of some ranges, on which the two roads agree."""
-    moved = course(method, ranges)
-    prove(moved)
+    prove(moved := course(method, ranges))
     return stretch(moved, tuple(ranges), names, by)
 
 
@@ -102,14 +101,14 @@ def _blank(
     )  # fmt: skip
 
 
-def _blank_on(condition: Condition, drawn: tuple[Series, ...], over: Stretch) -> Findings:
+def _blank_on(condition: Condition, drawn: tuple[Series, ...], over: CourseStretch) -> Findings:
     """Findings on a stretch, without an answer."""
     blank = _blank(over.course.method, condition, over.course.swept, over.names, drawn)
     ends = number(over.course.value(over.low)), number(over.course.value(over.high))
     return replace(blank, looked=ends, turn=over.closed, stopped=over.stopped)
 
 
-def _compared(condition: Comparison, drawn: tuple[Series, ...], over: Stretch, where: Where = WHERE) -> Findings:
+def _compared(condition: Comparison, drawn: tuple[Series, ...], over: CourseStretch, where: Where = WHERE) -> Findings:
     sides = comparing.difference(over, condition, drawn, where)
     blank = _blank_on(condition, drawn, over)
     if sides.everywhere:
@@ -123,7 +122,7 @@ def _compared(condition: Comparison, drawn: tuple[Series, ...], over: Stretch, w
     return replace(blank, positions=positions, nearest=None if positions else comparing.nearest(sides))
 
 
-def _with_factors(over: Stretch, positions: tuple[Position, ...]) -> tuple[Position, ...]:
+def _with_factors(over: CourseStretch, positions: tuple[Position, ...]) -> tuple[Position, ...]:
     """Positions at which a Coriolis acceleration `a_k B3B2` is 0, each with the factors that are; others as they are.
 
     It is 0 because its link does not turn, or because nothing slides.
@@ -143,7 +142,7 @@ def _with_factors(over: Stretch, positions: tuple[Position, ...]) -> tuple[Posit
     return tuple(replace(each, factors=zeros) for each, zeros in zip(positions, factors, strict=True))
 
 
-def _extreme(condition: Extreme, drawn: tuple[Series, ...], over: Stretch) -> Findings:
+def _extreme(condition: Extreme, drawn: tuple[Series, ...], over: CourseStretch) -> Findings:
     ends, blank = comparing.extremes(over), _blank_on(condition, drawn, over)
     if ends.level:
         zero = float(np.nanmax(np.abs(ends.curve.values), initial=0.0)) <= over.noise(drawn[0].unit)
@@ -165,9 +164,6 @@ def _extreme(condition: Extreme, drawn: tuple[Series, ...], over: Stretch) -> Fi
     return replace(blank, stroke=strokes, notes=notes)
 
 
-# --- single positions -------------------------------------------------------------------------
-
-
 @frozen
 class SearchPoints:
     """Positions t (n,) on a path, and the motions there."""
@@ -185,8 +181,7 @@ class SearchPoints:
 def _single_positions(method: Method, ranges: Sequence[str], by: Road) -> SearchPoints:
     """The drawn position; with `AB=30` (no steps) that one; with ranges all of theirs."""
     if any(":" in text for text in ranges):
-        moved = course(method, ranges)
-        prove(moved)
+        prove(moved := course(method, ranges))
         return SearchPoints(moved.path, moved.swept, moved.t, moving(method, moved.path, moved.t, by))
     values = _driver_values(method, ranges)
     agreement.proved(method, values)

@@ -56,7 +56,13 @@ class Curve:
     @cached_property
     def zeros(self) -> np.ndarray:
         """Places at which it changes sign through zero (not through infinity)."""
-        return _crossings(self)
+        left, right = self.values[:-1], self.values[1:]
+        with np.errstate(invalid="ignore"):
+            k = np.flatnonzero(left * right < 0)
+        zeros = bisected(self.function, self.t[k], self.t[k + 1])
+        ends = np.abs(left[k]) + np.abs(right[k])
+        small = np.abs(self.function(zeros)) <= 1e-6 * ends + 1e-12 * self.size
+        return np.sort(np.concatenate([zeros[small], self.t[self.values == 0], _hidden(self)]))
 
 
 def followed(function: Function, slope: Function, t: np.ndarray, rounds: int = 3) -> Curve:
@@ -123,19 +129,13 @@ def bisected(function: Function, low: np.ndarray, high: np.ndarray) -> np.ndarra
         share = width / np.maximum(np.abs(b - a), 1e-300)
         if np.all((share > 0.5) | (fa == 0) | (fb == 0)):
             break
-        part = _cut(a, fa, b, fb, c, fc, np.minimum(share, 0.5))
+        with np.errstate(all="ignore"):  # the part of the interval from a to b at which to cut next
+            xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
+            sure = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)
+            cut = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
+        least = np.minimum(share, 0.5)
+        part = np.clip(np.where(sure & np.isfinite(cut), cut, 0.5), least, 1 - least)
     return np.asarray(np.where(fa == 0, a, best))
-
-
-def _cut(
-    a: np.ndarray, fa: np.ndarray, b: np.ndarray, fb: np.ndarray, c: np.ndarray, fc: np.ndarray, least: np.ndarray
-) -> np.ndarray:
-    """The part of the interval from a to b at which to cut next."""
-    with np.errstate(all="ignore"):
-        xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
-        sure = (phi**2 < xi) & ((1 - phi) ** 2 < 1 - xi)
-        cut = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb)
-    return np.clip(np.where(sure & np.isfinite(cut), cut, 0.5), least, 1 - least)
 
 
 # --- zeros ------------------------------------------------------------------------------------
@@ -144,16 +144,6 @@ def _cut(
 def crossings(curve: Curve) -> np.ndarray:
     """Places at which the curve changes sign through zero (not through infinity)."""
     return curve.zeros
-
-
-def _crossings(curve: Curve) -> np.ndarray:
-    left, right = curve.values[:-1], curve.values[1:]
-    with np.errstate(invalid="ignore"):
-        k = np.flatnonzero(left * right < 0)
-    zeros = bisected(curve.function, curve.t[k], curve.t[k + 1])
-    ends = np.abs(left[k]) + np.abs(right[k])
-    small = np.abs(curve.function(zeros)) <= 1e-6 * ends + 1e-12 * curve.size
-    return np.sort(np.concatenate([zeros[small], curve.t[curve.values == 0], _hidden(curve)]))
 
 
 def _hidden(curve: Curve) -> np.ndarray:
@@ -215,9 +205,6 @@ def _sectioned(function: Function, sign: float, low: np.ndarray, high: np.ndarra
         left = sign * function(one) >= sign * function(two)
         low, high = np.where(left, low, one), np.where(left, two, high)
     return np.asarray((low + high) / 2)
-
-
-# --- vectors ----------------------------------------------------------------------------------
 
 
 def vanishing(t: np.ndarray, vectors: np.ndarray, function: Function) -> tuple[np.ndarray, np.ndarray]:

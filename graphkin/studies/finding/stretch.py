@@ -163,7 +163,7 @@ def _velocity_change(motions: Motions, site: Seen) -> Value:
 
 
 @frozen
-class Stretch:
+class CourseStretch:
     """A part of a course.
 
     low, high   its ends; stopped: whether each is a dead point, which is not reached itself
@@ -288,7 +288,7 @@ def _greatest(values: Iterable[Real]) -> float:
     return max((float(np.percentile(size, 75)) for size in finite if size.size), default=0.0)
 
 
-def stretch(course: Course, ranges: tuple[str, ...], names: tuple[str, ...], by: Road) -> Stretch:
+def stretch(course: Course, ranges: tuple[str, ...], names: tuple[str, ...], by: Road) -> CourseStretch:
     """The stretch of a course: from the first to the last position, and on to a dead point that is close behind."""
     t = np.unique(course.t)
     low, high, path = float(t[0]), float(t[-1]), course.path
@@ -306,4 +306,4 @@ def stretch(course: Course, ranges: tuple[str, ...], names: tuple[str, ...], by:
     turn = course.angular and not course.path.stops and sum(map(bool, course.path.pace)) == 1
     if turn and not course.method.structure.contacts and high - low > TURN:
         high = low + TURN
-    return Stretch(course, by, names, low, high, (before, after))
+    return CourseStretch(course, by, names, low, high, (before, after))

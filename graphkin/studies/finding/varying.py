@@ -51,11 +51,8 @@ def dimension(mechanism: Mechanism, name: str) -> DimensionPlace:
     A length of a link that `AB` names goes before a driver of that name: the angle of AB is swept, not varied.
     """
     name = tidy(name.strip())
-    single = {
-        path: each.dimension
-        for path, each in mechanism.given.items()
-        if each.dimension is not None and isinstance(path[-1], str)
-    }
+    kinds = {path: each.dimension for path, each in mechanism.given.items() if isinstance(path[-1], str)}
+    single = {path: kind for path, kind in kinds.items() if kind is not None}
     places = [DimensionPlace(path, kind) for path, kind in single.items() if _is_called(path, name)]
     if len(places) == 1:
         return places[0]
@@ -175,8 +172,7 @@ def _with_driver_held(
         raise NoDimension(WHERE, driver.name, ())
     if any(text.partition("=")[0].strip() == driver.name for text in ranges):
         raise NoSuchDriver(WHERE, driver.name, ())
-    held = [(float(value), f"{driver.name}={float(value)!r} {unit}") for value in values]
-    return [_row(value, method, condition, (*ranges, text), by) for value, text in held]
+    return [_row(at, method, condition, (*ranges, f"{driver.name}={at!r} {unit}"), by) for at in values.tolist()]
 
 
 def _with_measures(
@@ -194,7 +190,10 @@ def _with_measures(
         for k in order:
             value = float(values[k])
             try:
-                method = plan(_sketched(mechanism, replaced(mechanism, place, value), sketch))
+                # the mechanism of a changed text, sketched as it stood before
+                changed = loading.loads(replaced(mechanism, place, value), name=mechanism.name, file=mechanism.file)
+                fixed = changed.links[FRAME].points
+                method = plan(replace(changed, sketch={p: z for p, z in sketch.items() if p not in fixed}))
             except GraphkinError as error:
                 rows[k] = VaryingRow(value, None, error)
                 continue
@@ -204,17 +203,9 @@ def _with_measures(
     return [rows[k] for k in sorted(rows)]
 
 
-def _sketched(mechanism: Mechanism, text: str, sketch: dict[str, complex]) -> Mechanism:
-    """The mechanism of a changed text, sketched as it stood before."""
-    changed = loading.loads(text, name=mechanism.name, file=mechanism.file)
-    fixed = changed.links[FRAME].points
-    return replace(changed, sketch={point: z for point, z in sketch.items() if point not in fixed})
-
-
 def _positions(method: Method) -> dict[str, complex]:
     """The moving points at the drawn position [m]."""
-    mechanism = method.mechanism
-    plot = replay_all(method)
+    mechanism, plot = method.mechanism, replay_all(method)
     fixed = mechanism.links[FRAME].points
     return {p: place_of(plot.position[p]) for p in mechanism.points if p not in fixed and p in plot.position}
 

@@ -78,9 +78,6 @@ def free_names(names: Collection[str], count: int) -> list[str]:
     return [name for name in every if name not in names][:count]
 
 
-# --- positions --------------------------------------------------------------------------------
-
-
 @frozen
 class Placement:
     """Points [m] and angles of links [rad] at one position; points that only end a line are left out."""

@@ -153,11 +153,14 @@ class FourBar:
     def limits(self) -> tuple[LinkagePosition, ...]:
         """The two ends of the output link's swing, the stretched one first; none where it turns fully."""
         bar = self._from_driver()
-        other = bar._swapped()
-        span = other._range()
-        if span.full:
-            return ()
-        ends = [bar._limit(other._base + angle) for angle in (span.low, span.high)]
+        other, a, d, ends = bar._swapped(), bar.places[0], bar.places[3], []
+        span, crank, coupler = other._range(), bar.crank, bar.coupler
+        for angle in () if span.full else (span.low, span.high):  # DC there, AB and BC in line
+            c = d + cmath.rect(bar.rocker, other._base + angle)
+            stretched = abs(abs(c - a) - crank - coupler) < abs(abs(c - a) - abs(crank - coupler))
+            sense = 1.0 if stretched or crank > coupler else -1.0
+            b = a + sense * crank * (c - a) / abs(c - a)
+            ends.append(bar._position((a, b, c, d), "stretched" if stretched else "folded"))
         return self._lettered(sorted(ends, key=lambda end: end.how != "stretched"))
 
     def critical(self) -> tuple[LinkagePosition, ...]:
@@ -208,9 +211,8 @@ class FourBar:
 
     def _lettered(self, ends: Iterable[LinkagePosition]) -> tuple[LinkagePosition, ...]:
         """Places in the order of the linkage's own names."""
-        if self.driver != "rocker":
-            return tuple(ends)
-        return tuple(replace(end, places=end.places[::-1]) for end in ends)
+        turned = self.driver == "rocker"
+        return tuple(replace(end, places=end.places[::-1]) if turned else end for end in ends)
 
     @property
     def _base(self) -> float:
@@ -228,15 +230,6 @@ class FourBar:
         a, b, _, d = self.places
         least, greatest = triangles.angles(self.crank, self.frame, self.coupler, self.rocker)
         return triangles.spanned(least, greatest, cmath.phase((b - a) / (d - a)))
-
-    def _limit(self, direction: float) -> LinkagePosition:
-        """DC at a direction at which AB and BC lie in line."""
-        a, d = self.places[0], self.places[3]
-        c = d + cmath.rect(self.rocker, direction)
-        stretched = abs(abs(c - a) - self.crank - self.coupler) < abs(abs(c - a) - abs(self.crank - self.coupler))
-        sense = 1.0 if stretched or self.crank > self.coupler else -1.0
-        b = a + sense * self.crank * (c - a) / abs(c - a)
-        return self._position((a, b, c, d), "stretched" if stretched else "folded")
 
     def _at(self, angle: float, side: float, how: str) -> LinkagePosition:
         """AB at an angle against AD, C to the left of BD (side 1), to the right (-1), or on it (0)."""

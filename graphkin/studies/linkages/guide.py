@@ -130,7 +130,11 @@ class GuideBar:
 
     def driver_range(self) -> triangles.MotionRange:
         if self.driver == "slide":
-            low, high = sorted(along if self.scale is None else self.scale(along) for along in self._slide_range())
+            r, d, e = self.crank, self.frame, abs(self.offset)
+            far, near = math.sqrt((d + r - e) * (d + r + e)), abs(d - r)  # of B along the bar from the foot of C
+            last = -far if triangles.even(near - e, d + r) <= 0 else math.sqrt((near - e) * (near + e))
+            ends = self._ahead * far, self._ahead * last
+            low, high = sorted(along if self.scale is None else self.scale(along) for along in ends)
             return triangles.MotionRange(low, high)
         return self._directions(self.driver)
 
@@ -225,14 +229,6 @@ class GuideBar:
         least = math.acos(triangles.limited((r - e) / d)) if over else 0.0
         greatest = math.acos(triangles.limited((-r - e) / d)) if under else math.pi
         return triangles.spanned(least, greatest, self.turn + math.pi / 2 - self._base)
-
-    def _slide_range(self) -> tuple[float, float]:
-        """The ends of B's motion along the bar from the foot of C: farthest end first."""
-        r, d, e = self.crank, self.frame, abs(self.offset)
-        far, near = math.sqrt((d + r - e) * (d + r + e)), abs(d - r)
-        if triangles.even(near - e, d + r) <= 0:
-            return far, -far
-        return self._ahead * far, self._ahead * math.sqrt((near - e) * (near + e))
 
     def _tangent(self, normal: float, how: str) -> LinkagePosition:
         """The bar's left normal at an angle against AC, and B on it where the crank reaches it, on the side drawn."""

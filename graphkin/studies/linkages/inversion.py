@@ -41,8 +41,8 @@ class _Inversion:
         self.points = {
             name: {self.names[p]: self._place(p, name) for p in link.points} for name, link in mechanism.links.items()
         }
-        reach = max((abs(z) for link in mechanism.links.values() for z in link.points.values()), default=0.0)
-        self.reach = reach or 0.05
+        places = (z for link in mechanism.links.values() for z in link.points.values())
+        self.reach = max(map(abs, places), default=0.0) or 0.05
 
     def _renamed(self) -> dict[str, str]:
         """Points of lines, which had no name of their own, get one: that of a point of the link at the same place."""
@@ -70,8 +70,11 @@ class _Inversion:
         return FRAME if link == self.fixed else self.old.called(link)
 
     def machine(self) -> Mechanism:
-        for slide in self.old.slides:
-            self._reach_along(slide)
+        for slide in self.old.slides:  # a line of a moving link goes towards a point of it: one is added for none
+            points, origin, along = self.points[slide.guide], self.names[slide.line.origin], self._along(slide)
+            if slide.guide != self.fixed and not ahead_on(points, origin, along):
+                ahead = ((place_of(self.now.position[slide.point]) - points[origin]) * along.conjugate()).real
+                self._added(slide.guide, points[origin] + along * max(ahead, 0.25 * self.reach))
         drivers = tuple(self._driver(driver) for driver in self.old.drivers)
         order = sorted(self.points, key=lambda name: (name != self.fixed, name == FRAME))
         links = {self.called(name): self.points[name] for name in order}
@@ -85,14 +88,6 @@ class _Inversion:
 
     def _along(self, slide: Slide) -> complex:
         return slide.line.direction * cmath.rect(1, number(self.now.theta[slide.guide]))
-
-    def _reach_along(self, slide: Slide) -> None:
-        """A line of a moving link goes towards a point of it; one is added, as far out as what slides, for none."""
-        points, origin, along = self.points[slide.guide], self.names[slide.line.origin], self._along(slide)
-        if slide.guide == self.fixed or ahead_on(points, origin, along):
-            return
-        ahead = ((place_of(self.now.position[slide.point]) - points[origin]) * along.conjugate()).real
-        self._added(slide.guide, points[origin] + along * max(ahead, 0.25 * self.reach))
 
     def _added(self, link: str, place: complex) -> str:
         """The name of a point that a link gets at a place."""

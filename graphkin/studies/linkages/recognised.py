@@ -87,7 +87,7 @@ def found_in(mechanism: Mechanism) -> list[FoundLinkage]:
     moved |= {_slid(mechanism, driver) for driver in mechanism.drivers if driver.kind == "slide"} - {""}
     linkages: list[FoundLinkage] = []
     while waiting:
-        loop = next((loop for loop in waiting if _entry(loop, moved) or _inner(mechanism, loop)), waiting[0])
+        loop = next((loop for loop in waiting if _entry(loop, moved) or _driven_inside(mechanism, loop)), waiting[0])
         waiting.remove(loop)
         ring = _Ring(mechanism, now, loop, _entry(loop, moved))
         try:
@@ -107,9 +107,6 @@ def some_found_in(mechanism: Mechanism) -> list[FoundLinkage]:
     if linkages := found_in(mechanism):
         return linkages
     raise NoLinkage(mechanism.where())
-
-
-# --- loops ------------------------------------------------------------------------------------
 
 
 def loops(mechanism: Mechanism) -> Iterator[LinkLoop]:
@@ -165,7 +162,7 @@ def _entry(loop: LinkLoop, moved: set[str]) -> str:
     return beside[0] if len(beside) == 1 else ""
 
 
-def _inner(mechanism: Mechanism, loop: LinkLoop) -> bool:
+def _driven_inside(mechanism: Mechanism, loop: LinkLoop) -> bool:
     """True if a driver acts inside the loop: on its coupler, or between two of its links."""
     return any(
         driver.link in loop.links[1:] or (loop.slide is not None and driver.link == loop.slide.name)
@@ -176,9 +173,6 @@ def _inner(mechanism: Mechanism, loop: LinkLoop) -> bool:
 def _drives(mechanism: Mechanism, link: str) -> bool:
     """True if a driver turns a link against the frame."""
     return any(driver.link == link and driver.from_link == FRAME for driver in mechanism.drivers)
-
-
-# --- measuring --------------------------------------------------------------------------------
 
 
 @frozen

@@ -207,23 +207,24 @@ def _restricted(alone: Report, first: Report) -> Report:
     turns = round((drawn - (swing.low + swing.high) / 2) / math.tau)
     low = linkage.direction(linkage.drawn) + (swing.low + turns * math.tau) - drawn
     span = MotionRange(low, low + swing.width)
-    ends = _end(linkage, span.low), _end(linkage, span.high)
+    # in which the first linkage stops the driven link
+    ends = replace(linkage.position_at(span.low), how="end"), replace(linkage.position_at(span.high), how="end")
     inner = [end for end in alone.critical if _reached(linkage, end, span)]
     stops = [end for end in alone.limits if _reached(linkage, end, span)]
     values = _unwound(linkage, span, [*ends, *stops])
     lowest, highest = min(values, key=lambda pair: pair[0]), max(values, key=lambda pair: pair[0])
     limits = (lowest[1], highest[1])
+    # dead points of the driven link that it reaches; the output is dead at all its limits, if a crank makes them
+    dead = dict(alone.dead)
+    dead[alone.driver] = tuple(v for v in dead.get(alone.driver, ()) if whole(v - span.low) <= span.width)
+    outer = limits if first.driver_range.full or first.timed_by else stops
+    dead[alone.output] = tuple(sorted(end.output for end in outer))
     restricted = replace(
         alone, driver_range=span, output_range=MotionRange(lowest[0], highest[0]), limits=limits,
         stroke=highest[0] - lowest[0] if alone.output_slides else None, theta=None, k=None, slow=None,
-        critical=(*inner, *ends), dead=_dead_behind(alone, first, span, limits), timed_by="",
+        critical=(*inner, *ends), dead=dead, timed_by="",
     )  # fmt: skip
     return _as_first(restricted, first, ends)
-
-
-def _end(linkage: Linkage, direction: float) -> LinkagePosition:
-    """The position in which the first linkage stops the driven link."""
-    return replace(linkage.position_at(direction), how="end")
 
 
 def _reached(linkage: Linkage, end: LinkagePosition, span: MotionRange) -> bool:
@@ -255,18 +256,6 @@ def _unwound(
     return counted
 
 
-def _dead_behind(
-    alone: Report, first: Report, span: MotionRange, limits: tuple[LinkagePosition, LinkagePosition]
-) -> dict[str, tuple[float, ...]]:
-    """Dead points of the driven link that it reaches; the output is dead at all its limits, if a crank makes them."""
-    dead = dict(alone.dead)
-    dead[alone.driver] = tuple(v for v in dead.get(alone.driver, ()) if whole(v - span.low) <= span.width)
-    crank = first.driver_range.full or first.timed_by
-    ends = limits if crank else [end for end in alone.limits if _reached(alone.linkage, end, span)]
-    dead[alone.output] = tuple(sorted(end.output for end in ends))
-    return dead
-
-
 def _as_first(second: Report, first: Report, ends: tuple[LinkagePosition, LinkagePosition]) -> Report:
     """theta and K of the first linkage, where the output's limits are those of the first linkage's swing."""
     if first.k is None or first.theta is None or not all(end in ends for end in second.limits):
@@ -291,9 +280,6 @@ def _timed(alone: Report, first: Report) -> Report:
     return replace(alone, theta=theta, k=k, slow=slow, timed_by=first.driver)
 
 
-# --- plain data -------------------------------------------------------------------------------
-
-
 def as_json(report: Report) -> dict[str, Plain]:
     """`{"format": 1, "kind": .., "grashof": .., ..}`: angles in rad, lengths in m.
 
@@ -304,30 +290,18 @@ def as_json(report: Report) -> dict[str, Plain]:
     least, advantage, span = report.least, report.advantage, report.driver_span
     at = least[0].driver if least else None
     return {
-        "format": 1,
-        "kind": report.kind,
-        "family": report.family or None,
-        "grashof": report.grashof,
-        "lengths": dict(report.linkage.sizes),
-        "driver": report.driver,
-        "output": report.output,
+        "format": 1, "kind": report.kind, "family": report.family or None, "grashof": report.grashof,
+        "lengths": dict(report.linkage.sizes), "driver": report.driver, "output": report.output,
         "driver_range": None if span.full else [span.low, span.high],
         "full_turns": [[turn.first, turn.second] for turn in report.turns if turn.full],
-        "swing": report.swing,
-        "stroke": report.stroke,
-        "limits": [_position(report, end) for end in report.limits],
-        "theta": report.theta,
-        "K": report.k,
-        "slow": None if report.slow is None else list(report.slow),
-        "gamma_min": report.gamma_min,
-        "gamma_min_at": at,
-        "alpha_max": report.alpha_max,
-        "alpha_max_at": at,
+        "swing": report.swing, "stroke": report.stroke, "limits": [_position(report, end) for end in report.limits],
+        "theta": report.theta, "K": report.k, "slow": None if report.slow is None else list(report.slow),
+        "gamma_min": report.gamma_min, "gamma_min_at": at, "alpha_max": report.alpha_max, "alpha_max_at": at,
         "critical": [_position(report, end) for end in report.critical],
         "dead_points": {driver: list(values) for driver, values in report.dead.items()},
         "advantage_min": None if advantage is None else advantage.least,
         "advantage_min_at": None if advantage is None else advantage.at,
-    }
+    }  # fmt: skip
 
 
 def _position(report: Report, end: LinkagePosition) -> dict[str, Plain]:

@@ -247,8 +247,6 @@ class SliderCrank:
         """The slider's place as a driver counts it."""
         return along if self.scale is None else self.scale(along)
 
-    # --- as a mechanism -----------------------------------------------------------------------
-
     def mechanism(self, omega: float = 10.0) -> Mechanism:
         """The slider on a guide of the frame; or a bar through a block that stands on the frame, at the foot of A."""
         (a, b, c), (pa, pb, pc) = self.names, self.places

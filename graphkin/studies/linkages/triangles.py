@@ -39,9 +39,6 @@ def even(difference: float, size: float) -> float:
     return 0.0 if abs(difference) <= EVEN * size else difference
 
 
-# --- lengths ----------------------------------------------------------------------------------
-
-
 def check_parts(links: Mapping[str, float], driver: str, drivers: tuple[str, ...], offset: float = 0.0) -> None:
     """Raises NotALength for links [m] and an offset, CannotDriveBy."""
     for name, length in links.items():
@@ -60,9 +57,6 @@ def check_closing(long: str, length: float, others: list[str], rest: float) -> N
         raise OnlyStretched(NOWHERE, long, " + ".join(others), length * 1e3)
     if gap > 0:
         raise CannotClose(NOWHERE, long, length * 1e3, " + ".join(others), rest * 1e3)
-
-
-# --- angles and corners -----------------------------------------------------------------------
 
 
 def apex(first: complex, second: complex, near: float, far: float, side: float) -> complex:
@@ -135,9 +129,6 @@ def whole(angle: float) -> float:
 def phase(vector: complex) -> float:
     """The direction of a vector, 0 to 2 pi."""
     return whole(cmath.phase(vector))
-
-
-# --- a first position -------------------------------------------------------------------------
 
 
 def well_drawn(positions: Sequence[tuple[complex, ...]], sine: Callable[..., float]) -> tuple[complex, ...]:

@@ -23,7 +23,7 @@ def _lines(machine: Mechanism, notes: Sequence[str]) -> Iterator[str]:
     yield from (f"title = {{ {titles} }}", "", "[frame]", f"name = {_quoted(machine.frame)}")
     yield from (f"{_key(point)} = {_pair(place)}" for point, place in fixed.items() if point in named)
     for link in machine.moving:
-        yield from ("", f"[links.{_key(link)}]", *_link(machine.links[link].points))
+        yield from ("", f"[links.{_key(link)}]", _link(machine.links[link].points))
     for slide in machine.slides:
         yield from ("", "[[slide]]", *(f"{key} = {value}" for key, value in _slide(machine, slide).items()))
     for driver in machine.drivers:
@@ -34,16 +34,15 @@ def _lines(machine: Mechanism, notes: Sequence[str]) -> Iterator[str]:
         yield from ("", "[scales]", f"length = {machine.scales['length']:g}")
 
 
-def _link(points: Mapping[str, complex]) -> Iterator[str]:
+def _link(points: Mapping[str, complex]) -> str:
     """One point is listed, two have a distance, more have coordinates in the link's axes."""
     names = list(points)
     if len(names) < 2:
-        yield f"points = [{', '.join(_quoted(name) for name in names)}]"
-    elif len(names) == 2:
-        yield f"{_key(names[0] + names[1])} = {_mm(abs(points[names[1]] - points[names[0]]))}"
-    else:
-        places = (f"{_key(name)} = {_pair(place)}" for name, place in points.items())
-        yield f"shape = {{ {', '.join(places)} }}"
+        return f"points = [{', '.join(map(_quoted, names))}]"
+    if len(names) == 2:
+        return f"{_key(names[0] + names[1])} = {_mm(abs(points[names[1]] - points[names[0]]))}"
+    places = (f"{_key(name)} = {_pair(place)}" for name, place in points.items())
+    return f"shape = {{ {', '.join(places)} }}"
 
 
 def _slide(machine: Mechanism, slide: Slide) -> dict[str, str]:

@@ -151,12 +151,12 @@ def _over(
     if path.stops and driver.kind != "slide" and not method.structure.contacts and sum(map(bool, path.pace)) == 1:
         # positions whole turns away are the same ones
         t = np.where(path.leads_to(t), t, t - TURN * np.round((t - (path.first + path.last) / 2) / TURN))
-    whole = Course(method, path, swept, t, values, values[:0])
-    return _as_far_as_reached(whole, np.broadcast_to(path.leads_to(t), t.shape))
+    return _as_far_as_reached(Course(method, path, swept, t, values, values[:0]))
 
 
-def _as_far_as_reached(whole: Course, on_path: np.ndarray) -> Course:
+def _as_far_as_reached(whole: Course) -> Course:
     """The course without the positions that are not reached; most often all are, and no array is copied."""
+    on_path = np.broadcast_to(whole.path.leads_to(whole.t), whole.t.shape)
     if on_path.all():
         return whole
     if on_path.any():
@@ -194,11 +194,8 @@ def _together(method: Method, spans: dict[int, DriverValues], moving: list[int])
         raise BadRange(WHERE, ", ".join(str(count) for count in sorted(counts)))
     spans = aligned(method, spans, moving)
     begin = [spans[k].begin if k in spans else value for k, value in enumerate(method.facts(None).values)]
-    before = reached(method, begin)
-    t = spans[swept].values - spans[swept].begin
-    length = spans[swept].end - spans[swept].begin
+    t, length = spans[swept].values - spans[swept].begin, spans[swept].end - spans[swept].begin
     paces = [(spans[k].end - spans[k].begin) / length if k in moving else 0.0 for k in range(len(begin))]
-    path = trace(method, paces, min(0.0, float(t.min())), max(0.0, float(t.max())), before)
+    path = trace(method, paces, min(0.0, float(t.min())), max(0.0, float(t.max())), reached(method, begin))
     values = t + spans[swept].begin
-    whole = Course(method, path, swept, t, values, values[:0])
-    return _as_far_as_reached(whole, np.broadcast_to(path.leads_to(t), t.shape))
+    return _as_far_as_reached(Course(method, path, swept, t, values, values[:0]))

@@ -100,7 +100,13 @@ def point_path(method: Method, point: str, values: tuple[float, ...] | None = No
     if size <= _SAME * method.size:
         raise StandsStill(where, point)
     closed = course.full_turn and abs(places[-1] - places[0]) <= _SAME * size
-    step, every = _steps(course, abs(high - low))
+    length = abs(high - low)
+    if course.angular:  # the step from tick to tick, and every how many of them one is numbered
+        steps = map(math.radians, _DEGREES)
+        step, every = next((step for step in steps if length >= _ENOUGH * step), math.radians(_DEGREES[-1])), 3
+    else:
+        power = 10.0 ** math.floor(math.log10(length / _ENOUGH))
+        step, every = power * next(k for k in (5, 2, 1) if k * power * _ENOUGH <= length), 2
     ticks = tuple(_ticks(course, point, (low, high), closed, step, every))
     return PointPath(course, point, places, closed, step, ticks)
 
@@ -145,16 +151,6 @@ def _vectors(course: Course, name: str, t: np.ndarray) -> np.ndarray:
 
 def _places(course: Course, point: str, t: np.ndarray) -> np.ndarray:
     return _vectors(course, f"path {point}", t)
-
-
-def _steps(course: Course, length: float) -> tuple[float, int]:
-    """The step from tick to tick, and every how many of them one is numbered."""
-    if course.angular:
-        steps = (math.radians(step) for step in _DEGREES)
-        return next((step for step in steps if length >= _ENOUGH * step), math.radians(_DEGREES[-1])), 3
-    power = 10.0 ** math.floor(math.log10(length / _ENOUGH))
-    factor = next(k for k in (5, 2, 1) if k * power * _ENOUGH <= length)
-    return factor * power, 2
 
 
 def _ticks(

@@ -94,9 +94,6 @@ def _beside(method: Method, path: DriverPath, t: np.ndarray, centre: float) -> P
     return Patch(rows, neighbours, numbers, weights_of((t[rows] - centre) / aside, PLACES))
 
 
-# --- special points far off -------------------------------------------------------------------
-
-
 def _by_other_points(method: Method, path: DriverPath, t: np.ndarray, plot: Plot) -> list[Patch]:
     """Rows at which the lines of a special point hardly meet, by other special points."""
     if not method.ternaries:
@@ -174,9 +171,6 @@ def centre_path(method: Method, path: DriverPath, t: np.ndarray, links: tuple[st
     """The instant centre of two links at t (n,) on the path, by construction [m]; infinite at infinity."""
     there = over(centres(method, replay_all(method)), path, t)
     return np.array(np.broadcast_to(there.place(*links), t.shape))
-
-
-# --- proof ------------------------------------------------------------------------------------
 
 
 def prove(course: Course) -> float:

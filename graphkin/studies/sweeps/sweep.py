@@ -233,8 +233,7 @@ def in_parts(course: Course, names: Sequence[str], by: Road = "construction", si
 
 def _defined(whole: Sweep) -> Sweep:
     """Without positions at which some quantity has no value; quotients and centres may lie at infinity."""
-    own = [entry.values for entry in whole.series if not isinstance(entry.quantity, Centre | Quotient)]
-    finite = [np.isfinite(values) for values in own]
+    finite = [np.isfinite(entry.values) for entry in whole.series if not isinstance(entry.quantity, Centre | Quotient)]
     if all(each.all() for each in finite):
         return whole
     good = np.all(finite, axis=0)
