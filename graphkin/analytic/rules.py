@@ -27,6 +27,7 @@ class Unknown(NamedTuple):
 
 
 def theta(link: str) -> Unknown:
+    """The angle of a link as an unknown."""
     return Unknown("theta", link)
 
 

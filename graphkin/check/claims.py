@@ -98,6 +98,7 @@ def _as_written(text: str, scale: float) -> bool:
 
 
 def claimed_letters(drawing: DrawingFile) -> list[Letters]:
+    """The letters of a drawing that state a number, with what they state."""
     given = drawing.claims.get("letters")
     found = []
     for entry in given if isinstance(given, list) else ():

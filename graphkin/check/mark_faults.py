@@ -25,6 +25,7 @@ _THICK = 1.5  # no line of a mark is thicker; one that is counts as a surface [m
 
 
 def name_of(mark: ShownMark) -> str:
+    """The name of a link, or the name that the file gives a mark."""
     return link_name(mark.attributes) if "link" in mark.kind else mark.attributes.get("data-name", "")
 
 
@@ -163,6 +164,7 @@ def wrong_heads(drawing: DrawingFile) -> Iterator[Fault]:
 
 
 def place_of(element: ShownMark) -> str:
+    """The place of a mark on paper in mm, as text."""
     x, y = element.lines[0][0].real, -element.lines[0][0].imag
     return f"({x:.1f}, {y:.1f})"
 

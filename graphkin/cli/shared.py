@@ -19,6 +19,7 @@ import click
 from graphkin.base.value import frozen
 from graphkin.cli import streams
 from graphkin.errors import GraphkinError, Lang
+from graphkin.outputs import drawings
 
 if TYPE_CHECKING:
     from click.shell_completion import CompletionItem
@@ -31,7 +32,7 @@ if TYPE_CHECKING:
 _Command = TypeVar("_Command", bound=Callable[..., object])
 
 PAPERS = ("A4", "A4-landscape", "A3", "A3-landscape", "letter", "letter-landscape")
-DRAWN_AS = (".svg", ".pdf", ".png", ".dxf", ".ggb", ".tex")
+DRAWN_AS = tuple(drawings.WRITERS)
 """The kinds of files that a position is drawn as: those of `outputs.drawings`."""
 
 

@@ -81,6 +81,7 @@ def watch(files: Sequence[str], act: Callable[[str], None]) -> None:
 
 
 def wait() -> None:
+    """Sleep until files are looked at again."""
     time.sleep(PAUSE)
 
 

@@ -20,7 +20,7 @@ from graphkin.construction.terms import Plane, Slid
 
 FIXED = complex(0.0)  # what a fixed point of the mechanism is in a polygon: on the pole, wherever that is found
 
-AnyPlot = TypeVar("AnyPlot", bound=Plot)
+PlotT = TypeVar("PlotT", bound=Plot)
 DrawnPlot = TypeVar("DrawnPlot", bound=Plot, contravariant=True)
 
 
@@ -78,9 +78,9 @@ EXACT: Hand[Plot] = Hand()
 
 
 def replay(
-    construction: Construction, plot: AnyPlot, sides: Mapping[int, Value] | None = None, compass: Compass = COMPASS,
-    hand: Hand[AnyPlot] = EXACT,
-) -> AnyPlot:  # fmt: skip
+    construction: Construction, plot: PlotT, sides: Mapping[int, Value] | None = None, compass: Compass = COMPASS,
+    hand: Hand[PlotT] = EXACT,
+) -> PlotT:  # fmt: skip
     """Do what the steps say, on top of what the plot already holds; scalars or arrays alike.
 
     plot    the acceleration plane needs a plot with positions and velocities, and so on
@@ -106,8 +106,8 @@ def begin(plot: Plot, plane: Plane) -> None:
 
 
 def draw(
-    steps: Iterable[kinds.Step], plot: AnyPlot, plane: Plane, sides: Mapping[int, Value], compass: Compass = COMPASS,
-    pole: str = "", hand: Hand[AnyPlot] = EXACT,
+    steps: Iterable[kinds.Step], plot: PlotT, plane: Plane, sides: Mapping[int, Value], compass: Compass = COMPASS,
+    pole: str = "", hand: Hand[PlotT] = EXACT,
 ) -> None:  # fmt: skip
     """Some steps of a replay that has begun; `pole`: that of their plane, where one of them may find it."""
     points = plot.points(plane)
@@ -148,7 +148,7 @@ def draw(
 
 
 def _meet(
-    step: kinds.Meet, plot: AnyPlot, plane: Plane, sides: Mapping[int, Value], compass: Compass, hand: Hand[AnyPlot]
+    step: kinds.Meet, plot: PlotT, plane: Plane, sides: Mapping[int, Value], compass: Compass, hand: Hand[PlotT]
 ) -> Value:
     points = plot.points(plane)
     side = step.side if step.choice is None else sides.get(step.choice, step.side)
@@ -190,7 +190,7 @@ def _swing(step: kinds.Swing, plot: Plot, sides: Mapping[int, Value], compass: C
     plot.sines["position", step.slide] = half / distance
 
 
-def _measure(step: kinds.Measure, plot: AnyPlot, plane: Plane, hand: Hand[AnyPlot]) -> None:
+def _measure(step: kinds.Measure, plot: PlotT, plane: Plane, hand: Hand[PlotT]) -> None:
     points, base = plot.points(plane), plot.facts.turns[step.of].base if step.of in plot.facts.turns else ""
     arrow = points[step.head] - points[step.tail]
     if step.quantity == "theta":

@@ -333,6 +333,7 @@ def cross(first: Sum, second: Sum) -> Sum:
 
 
 def dot(first: Sum, second: Sum) -> Sum:
+    """The scalar product of two sums."""
     return (first.conjugate * second).real
 
 

@@ -61,6 +61,7 @@ class System:
 
 
 def rates_of(entries: Sequence[Sequence[Sum]]) -> Entries:
+    """The matrix with the rate of each entry."""
     return tuple(tuple(entry.rate if entry.terms else entry for entry in row) for row in entries)
 
 

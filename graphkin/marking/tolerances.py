@@ -135,6 +135,7 @@ def spread(values: np.ndarray, around: np.ndarray, sorts: Sequence[Sort]) -> np.
 
 
 def pencil_of(marking: Marking) -> Pencil:
+    """The pencil of a student: its errors of length by plane [mm], and of angles [deg]."""
     return Pencil({plane: marking.lengths[plane] for plane in ("position", "velocity", "acceleration")}, marking.angle)
 
 

@@ -35,6 +35,7 @@ def stated(mark: Mark) -> dict[str, str]:
 
 
 def kind(mark: Mark) -> str:
+    """The class of a mark in the file: vector, point or link."""
     return {VectorMark: "vector", PointMark: "point"}.get(type(mark), "link")
 
 

@@ -265,4 +265,5 @@ class NotebookSheet(Sheet):
 
 
 def shown(sheet: Sheet) -> NotebookSheet:
+    """The sheet as a notebook shows it."""
     return NotebookSheet(**vars(sheet))

@@ -288,4 +288,5 @@ def contact_letters(structure: Topology) -> dict[str, str]:
 
 
 def in_step(contact: Contact) -> kinds.InStep:
+    """The law by which the bodies of a contact move in step."""
     return kinds.InStep(contact.name, contact.angles, contact.slide, contact.on_slide, contact.way)

@@ -150,6 +150,7 @@ def figures(*values: float) -> tuple[Formula, ...]:
 
 
 def squared(value: float) -> Formula:
+    """A figure with a raised 2."""
     return Operand(value, square=True)
 
 

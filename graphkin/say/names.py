@@ -63,6 +63,7 @@ def triangle(*corners: str) -> str:
 
 
 def arrow(tail: str, head: str) -> str:
+    """A direction from one point to another: A→B."""
     return f"{point(tail)}→{point(head)}"
 
 
@@ -111,6 +112,7 @@ def relative(symbol: str, link: str, seen_from: str) -> str:
 
 
 def of_slide(symbol: str, slide: str) -> str:
+    """The symbol of a displacement, or of its rate, with the slide's name."""
     return f"{symbol}_{slide}"
 
 

@@ -87,6 +87,7 @@ def run_size(run: Run, size: float) -> float:
 
 
 def bold(label: Label) -> Label:
+    """The label in bold."""
     return tuple(run._replace(bold=True) for run in label)
 
 
@@ -126,6 +127,7 @@ def box(label: Label, size: float) -> tuple[float, float, float]:
 
 
 def plain(text: str, italic: bool = False) -> Label:
+    """A text as a label, upright or italic."""
     return (Run(text, italic),) if text else ()
 
 

@@ -43,6 +43,7 @@ def pictured(positions: Row, draw: Callable[[Window], Figure], caption: Caption)
 
 
 def on_paper(position: LinkagePosition, window: Window) -> list[Place]:
+    """The points of a linkage on paper [mm]."""
     return [window(place) for place in position.places]
 
 

@@ -65,6 +65,7 @@ class Figure:
 
 
 def constructions(method: Method) -> dict[Plane, Construction]:
+    """The three constructions of a method, by plane."""
     return {"position": method.position, "velocity": method.velocity, "acceleration": method.acceleration}
 
 

@@ -35,6 +35,7 @@ class Feedback:
 
 
 def title(page: Feedback) -> str:
+    """The title of a student's page."""
     return say("feedback.title for", page.lang, student=one_line(page.result.student))
 
 

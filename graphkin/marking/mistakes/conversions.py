@@ -35,6 +35,7 @@ def factors(unit: str, scales: Mapping[str, float]) -> dict[str, float]:
 
 @mistake("conversion", "unit", "3-2.1")
 def conversion(scene: Scene) -> Iterator[Rewrite]:
+    """A unit or a scale is converted wrongly: rpm as rad/s, deg as rad, a thousand times."""
     asked = [q for q in scene.quantities if isinstance(q, Moving) or (isinstance(q, Rotation) and q.word != "theta")]
     yield from _written(scene, asked)
     yield from _throughout(scene)

@@ -63,6 +63,7 @@ def tangential_along(scene: Scene) -> Iterator[Rewrite]:
 
 @mistake("sliding-across", "velocity-direction", "3-2.1 (3-3)")
 def sliding_across(scene: Scene) -> Iterator[Rewrite]:
+    """A sliding velocity is drawn across its guide."""
     for meet, ray, name in rays(scene, "velocity"):
         if isinstance(ray.direction, AlongGuide):
             yield Rewrite("sliding-across", name, edits=(Edit(("line", "velocity", meet, ray), Times(1j)),))

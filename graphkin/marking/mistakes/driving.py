@@ -24,6 +24,7 @@ def reversed_(scene: Scene) -> Iterator[Rewrite]:
 
 @mistake("driver-along-crank", "driver", "3-2.1 (3-1)")
 def along_crank(scene: Scene) -> Iterator[Rewrite]:
+    """The velocity of a crank pin is drawn along the crank."""
     turning = [(size, name) for size, name in scene.sized("velocity", Turning).items() if scene.driven(size.link)]
     relative = [(size, name) for size, name in scene.sized("velocity", Relative).items() if size.part == ""]
     for size, name in (*turning, *relative):
@@ -33,6 +34,7 @@ def along_crank(scene: Scene) -> Iterator[Rewrite]:
 
 @mistake("driver-acceleration-dropped", "driver", "3-2.1 (3-2)")
 def acceleration_dropped(scene: Scene) -> Iterator[Rewrite]:
+    """The angular acceleration of a driver is taken for 0."""
     for k, driver in enumerate(scene.method.drivers):
         if driver.acceleration:
             yield Rewrite("driver-acceleration-dropped", driver.name, edits=(Edit(("acceleration", k), Times(0.0)),))
@@ -58,6 +60,7 @@ def _alone(word: str, k: int) -> Change:
 
 @mistake("angle-clockwise", "position", "3-2.1")
 def angle_clockwise(scene: Scene) -> Iterator[Rewrite]:
+    """The angle of a driver is laid off clockwise."""
     if scene.method.fits:
         return
     for k, driver in enumerate(scene.method.drivers):
@@ -67,6 +70,7 @@ def angle_clockwise(scene: Scene) -> Iterator[Rewrite]:
 
 @mistake("other-assembly", "position", "3-2.1")
 def other_assembly(scene: Scene) -> Iterator[Rewrite]:
+    """The mechanism is drawn in its other assembly."""
     if scene.method.fits:
         return
     for step in scene.method.position.steps:

@@ -40,6 +40,7 @@ def _of_every_image(scene: Scene, swapped: bool) -> dict[tuple[str, Plane], list
 
 @mistake("image-mirrored", "image", RULE_OF_IMAGES)
 def image_mirrored(scene: Scene) -> Iterator[Rewrite]:
+    """The image of a link is drawn with its corners the other way round."""
     yield from _in_each_plane(scene, "image-mirrored", "", _of_every_image(scene, False))
     yield from _in_each_plane(scene, "image-mirrored", "swapped", _of_every_image(scene, True))
 

@@ -21,6 +21,7 @@ def measured(scene: Scene, plane: Plane) -> Iterator[tuple[Measure, str]]:
 
 
 def reading(plane: Plane, step: Measure, change: Change) -> tuple[Edit, ...]:
+    """Another reading of a measured quantity."""
     return (Edit(("read", plane, step.quantity, step.of), change),)
 
 
@@ -64,6 +65,7 @@ def absolute_for_relative(scene: Scene) -> Iterator[Rewrite]:
 
 @mistake("wrong-length", "rotation", "3-2.1 (3-1)")
 def wrong_length(scene: Scene) -> Iterator[Rewrite]:
+    """A rotation is read off with another length of the link."""
     for step, name in measured(scene, "velocity"):
         for form, length in scene.other_lengths(step.of, step.lever).items():
             edits = reading("velocity", step, Times(scene.length(*step.lever) / length))

@@ -62,6 +62,7 @@ def letters() -> list[str]:
 
 
 def has_chinese(text: str) -> bool:
+    """True where a text has Chinese letters."""
     return _WIDE.search(text) is not None
 
 

@@ -41,18 +41,21 @@ def grouped(formula: str) -> str:
 
 
 def plus(one: str, other: str) -> str:
+    """A sum as GeoGebra writes it."""
     if one == "0" or other == "0":
         return one if other == "0" else other
     return f"{one} + {grouped(other)}"
 
 
 def minus(one: str, other: str) -> str:
+    """A difference as GeoGebra writes it."""
     if other == "0":
         return one
     return f"-{grouped(other)}" if one == "0" else f"{one} - {grouped(other)}"
 
 
 def product(one: str, other: str) -> str:
+    """A product as GeoGebra writes it."""
     if "0" in (one, other):
         return "0"
     if "1" in (one, other):
