@@ -237,8 +237,7 @@ def rolling(arrows: LinkVectorMaker, contact: Contact, motion: Motion) -> Rollin
         for slide, share in contact.way or ((contact.slide, 1.0),):  # other pairs may keep the centre on its path
             moving += one(arrows.displacement(slide)).times(share * contact.on_slide)
         moving += rolled
-    entries = arrows.legend.entries
-    value = number(moving.at({symbol: entries[symbol].read(motion) for symbol in moving.symbols}))
+    value = number(moving.at({symbol: arrows.legend.entries[symbol].read(motion) for symbol in moving.symbols}))
     names = [arrows.bodies.called(wheel) for wheel in contact.wheels]
     text = meaning("equations.rolling constant", first=names[0], second=names[1])
     low = "".join(names) if all(map(str.isdigit, names)) else names[1]

@@ -18,7 +18,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.sheet.composition import Style
-from graphkin.sheet.lettering import Label, formula, joined, plain
+from graphkin.sheet.lettering import formula, joined, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import written
@@ -102,8 +102,7 @@ def _problem(problem: HandoutProblem) -> Iterator[Block]:
     yield _figure(problem, "position", "given")
     yield document.HandoutHeading(plain(say("handouts.scales", problem.lang)))
     planes: tuple[Plane, ...] = ("position", *problem.polygons)
-    scales = [written(plane, problem.scales[plane]) for plane in planes]
-    yield document.Paragraph(joined(scales, ";  "))
+    yield document.Paragraph(joined([written(plane, problem.scales[plane]) for plane in planes], ";  "))
     if problem.goal.wanted:
         yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang)))
         yield blank.boxes(problem)
@@ -177,10 +176,8 @@ def blocks_of(entries: Sequence[entry.Entry], lang: Lang) -> Iterator[Block]:
 def rows(equation: entry.VectorEquation, lang: Lang) -> document.TermRows:
     """A vector equation as it is printed."""
     heads = [plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row")]
-    columns: list[tuple[Label, Label, Label]] = []
-    for term, direction, size in equation.columns:
-        sign = plain(term) if term in ("=", "+") else formula(term)
-        columns.append((sign, formula(direction), formula(size)))
+    columns = ((plain(term) if term in ("=", "+") else formula(term), formula(direction), formula(size))
+               for term, direction, size in equation.columns)  # fmt: skip
     return document.TermRows((heads[0], heads[1]), tuple(columns))
 
 

@@ -109,23 +109,21 @@ class EditedByHand(GraphkinError):
 
 
 def refuse_edited(path: Path, force: bool) -> None:
-    """Raises EditedByHand for an SVG of graphkin's that somebody has changed."""
-    if not force and path.suffix.lower() == ".svg" and path.is_file() and path.stat().st_size and _edited(path):
-        raise EditedByHand(str(path))
-
-
-def _edited(path: Path) -> bool:
-    """True for a drawing that no longer measures, or has other signs and letters than it was drawn with. One that
-    cannot be measured (a problem without answers, a drawing that moves, one of an older version) counts as it was
-    drawn."""
-    if b"<animate" in path.read_bytes():
-        return False
+    """Raises EditedByHand for an SVG of graphkin's that no longer measures, or has other signs and letters than it was
+    drawn with. One that cannot be measured (a problem without answers, a drawing that moves, one of an older version)
+    counts as it was drawn."""
+    if force or path.suffix.lower() != ".svg" or not path.is_file():
+        return
+    if not (content := path.read_bytes()) or b"<animate" in content:
+        return
     from graphkin.check import measure
 
     try:
         report = measure(path)
+        edited = not report.passed(0.01) or any(note.kind in _ADDED for note in report.notes)
     except BadDrawing as error:
-        return error.reason in ("shown", "xml")
+        edited = error.reason in ("shown", "xml")
     except GraphkinError:
-        return False
-    return not report.passed(0.01) or any(note.kind in _ADDED for note in report.notes)
+        edited = False
+    if edited:
+        raise EditedByHand(str(path))

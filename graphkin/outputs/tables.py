@@ -103,8 +103,7 @@ def _others(part: Sweep) -> Iterator[tuple[str, str, Array]]:
     course = part.course
     for k, driver in enumerate(course.method.drivers):
         if k != course.swept and course.path.pace[k]:
-            unit = driven(driver.kind == "slide")
-            yield driver.name, unit, course.path.start[k] + course.path.pace[k] * part.t
+            yield driver.name, driven(driver.kind == "slide"), course.path.start[k] + course.path.pace[k] * part.t
 
 
 def csv_lines(course: Course, parts: Iterator[Sweep]) -> Iterator[str]:

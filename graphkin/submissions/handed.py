@@ -72,7 +72,14 @@ def handed_in(paths: Iterable[str | Path], limits: Limits) -> Iterator[Handed]:
 
 def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
     if path.is_dir():
-        yield from _of_folder(path, limits)
+        names = sorted(_walked(path))  # as an archive that was unpacked; links out of it are not followed
+        if not names:
+            raise errors.NoAnswers(where)
+        if _is_class_table(names):
+            yield from _of_path(path / names[0], Where(f"{path}/{names[0]}"), limits)
+        else:
+            limits.check(where, "members", len(names))
+            yield from _of_students(names, f"{path}/", lambda k, inner: _content(path / names[k], inner, limits))
     elif not path.exists():
         raise errors.NoFile(where, path.name, ())
     elif not path.is_file():
@@ -123,18 +130,6 @@ def _of_table(rows: Iterator[TableRow], by_file: Owner, where: Where, limits: Li
 def _of_row(row: TableRow, by_file: Owner, file: str) -> Handed:
     student = Owner(tidy_id(row.student), (), str(row.line)) if row.student.strip() else by_file
     return Handed(student, file, str(row.line), row=row)
-
-
-def _of_folder(path: Path, limits: Limits) -> Iterator[Handed]:
-    """A folder as an archive that was unpacked; links out of it are not followed."""
-    names = sorted(_walked(path))
-    if not names:
-        raise errors.NoAnswers(Where(str(path)))
-    if _is_class_table(names):
-        yield from _of_path(path / names[0], Where(f"{path}/{names[0]}"), limits)
-        return
-    limits.check(Where(str(path)), "members", len(names))
-    yield from _of_students(names, f"{path}/", lambda k, where: _content(path / names[k], where, limits))
 
 
 def _of_archive(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:

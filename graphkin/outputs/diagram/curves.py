@@ -146,8 +146,7 @@ class Curves:
 
     def like(self, k: int) -> float:
         """The greatest size among quantities of one unit."""
-        unit = self.series[k].unit
-        same = [j for j, entry in enumerate(self.series) if entry.unit == unit]
+        same = [j for j, entry in enumerate(self.series) if entry.unit == self.series[k].unit]
         return max((abs(end) for j in same for end in self.bounds(j)), default=0.0)
 
     def _polished(self, brackets: Sequence[tuple[int, int, float, float]]) -> list[Peak]:
@@ -184,8 +183,7 @@ def curves(course: Course, names: Sequence[str], by: Road = "construction") -> C
             t = np.append(t[t < high], high - NEAR * size)
     t = np.unique(t)
     for _ in range(4):
-        series = sweeps.quantities_at(course, names, t, by).series
-        more = _where_bent(Curves(course, by, low, high, t, series))
+        more = _where_bent(Curves(course, by, low, high, t, sweeps.quantities_at(course, names, t, by).series))
         if not more.size or t.size + more.size > max(MOST, 2 * t.size):
             break
         t = np.union1d(t, more)

@@ -191,5 +191,4 @@ def _tried(note: Note, frame: Bbox, point: float) -> Iterator[tuple[float, Bbox]
 
 def _distance(at: tuple[float, float], box: Bbox) -> float:
     """From a place to a box, 0 inside it."""
-    across = max(box.x0 - at[0], 0.0, at[0] - box.x1)
-    return math.hypot(across, max(box.y0 - at[1], 0.0, at[1] - box.y1))
+    return math.hypot(max(box.x0 - at[0], 0.0, at[0] - box.x1), max(box.y0 - at[1], 0.0, at[1] - box.y1))
