@@ -55,8 +55,9 @@ class Split:
 
 def quotients(split: Split, order: int) -> Iterator[tuple[Symbol, Sum, Sum]]:
     """The first (order 1) or second (2) derivatives of the unknowns, symbol, top and bottom of each: (3-13), (3-14),
-    (3-16), (3-17) for every dyad. The polygon derived is linear in them: c1 x1 + c2 x2 + rest = 0 with plane vectors c. Multiplied crosswise by c2 it
-    gives x1. A displacement beside an angle is projected on its own line, as the angle's rate is known by then."""
+    (3-16), (3-17) for every dyad. The polygon derived is linear in them: c1 x1 + c2 x2 + rest = 0 with plane vectors c.
+    Multiplied crosswise by c2 it gives x1. A displacement beside an angle is projected on its own line, as the angle's
+    rate is known by then."""
     derived = split.sum.rate if order == 1 else split.sum.rate.rate
     unknowns = (*split.angles, *split.slides)
     rates = {symbol: symbol.derivative(order) for symbol in unknowns}

@@ -27,15 +27,11 @@ _SI: Mapping[str, str] = {"mm": "m", "mm rad": "m", "deg": "rad"}
 
 @frozen
 class Task:
-    """One stage of the solution: polygons and rolling contacts with their unknowns.
-
-    known  bodies solved before
-    """
+    """One stage of the solution: polygons and rolling contacts with their unknowns."""
 
     polygons: tuple[ClosedPolygon, ...]
     rollings: tuple[RollingSum, ...]
     unknowns: tuple[Symbol, ...]
-    known: frozenset[str]
 
     @property
     def equations(self) -> tuple[Sum, ...]:
@@ -96,8 +92,7 @@ def model_of(method: Method) -> Model:
 
 
 def _task(stage: Stage, arrows: LinkVectorMaker, known: frozenset[str], motion: Motion) -> Task | None:
-    """A stage with its unknowns: displacements along moving guides, then angles, then displacements on the frame, as
-    the book lists them."""
+    """A stage; its unknowns as the book lists them: displacements along moving guides, angles, those on the frame."""
     polygons: tuple[ClosedPolygon, ...] = ()
     rollings: tuple[RollingSum, ...] = ()
     angles: tuple[str, ...]
@@ -122,7 +117,7 @@ def _task(stage: Stage, arrows: LinkVectorMaker, known: frozenset[str], motion: 
     moving = [arrows.displacement(name) for name, guide in guides.items() if guide != FRAME]
     fixed = [arrows.displacement(name) for name, guide in guides.items() if guide == FRAME]
     thetas = [base for body in angles if (base := arrows.bodies.base[body]) is not None]
-    return Task(polygons, rollings, (*moving, *dict.fromkeys(thetas), *fixed), known)
+    return Task(polygons, rollings, (*moving, *dict.fromkeys(thetas), *fixed))
 
 
 @frozen

@@ -81,7 +81,6 @@ class LinkVectorMaker:
     arms: dict[tuple[str, frozenset[str]], LinkVector] = field(default_factory=dict)
     slides: dict[str, Symbol] = field(default_factory=dict)
     radii: dict[tuple[str, str], Symbol] = field(default_factory=dict)
-    sizes: dict[str, float] = field(default_factory=dict)
 
     @property
     def structure(self) -> Topology:
@@ -90,9 +89,8 @@ class LinkVectorMaker:
     def along(self, body: str, start: str, end: str) -> Iterator[LinkVector]:
         """The arrow on one body from a point to another; none where they lie at one place."""
         shape = self.structure.shapes[body]
-        if body not in self.sizes:
-            self.sizes[body] = max((abs(p - q) for p in shape.values() for q in shape.values()), default=0.0)
-        if start == end or abs(shape[end] - shape[start]) <= 1e-12 * self.sizes[body]:
+        size = max((abs(p - q) for p in shape.values() for q in shape.values()), default=0.0)
+        if start == end or abs(shape[end] - shape[start]) <= 1e-12 * size:
             return
         key = body, frozenset((start, end))
         if key not in self.arms:

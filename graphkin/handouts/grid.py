@@ -37,8 +37,7 @@ b7abca1fc962d958d3d5cc98c7a0c537e95df925fbbbee2af74d35758aad76170acf064b2dc149d8
 """
 MARKERS = tuple(int(word, 16) for word in re.findall("....", _BITS))
 """Rows of four bits, 1 is white, inside a black rim; one number a marker."""
-SIZE, EDGE = 12.0, 8.0
-"""Of a marker, and how far it stands from the paper's edge [mm]."""
+SIZE, EDGE = 12.0, 8.0  # of a marker, and how far it stands from the paper's edge [mm]
 _DOTS, _DOT, _WHITE = 10.0, 0.7, 2.5
 _CORNERS = 4
 DIGITS = len(MARKERS) - _CORNERS  # the count of markers that are digits of numbers

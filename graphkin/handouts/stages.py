@@ -84,7 +84,15 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
             yield from _problem(problem)
         case "blank":
             yield from _problem(problem)
-            yield from _blank(problem)
+            for plane in problem.polygons:  # an empty equation, gridded paper with the pole, a table to measure into
+                yield document.NewPage()
+                yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
+                for _ in problem.construction(plane).equations[: blank.MOST_EQUATIONS]:
+                    yield blank.empty_rows(problem, terms=blank.TERMS[plane])
+                before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
+                yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
+                yield blank.room(problem, plane)
+                yield blank.measured(problem)
         case "half":
             yield from _problem(problem)
             yield from _half(problem, upto)
@@ -106,19 +114,6 @@ def _problem(problem: HandoutProblem) -> Iterator[Block]:
     if problem.goal.wanted:
         yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang)))
         yield blank.boxes(problem)
-
-
-def _blank(problem: HandoutProblem) -> Iterator[Block]:
-    """For each polygon an empty equation, gridded paper with the pole, and a table to measure into."""
-    for plane in problem.polygons:
-        yield document.NewPage()
-        yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
-        for _ in problem.construction(plane).equations[: blank.MOST_EQUATIONS]:
-            yield blank.empty_rows(problem, terms=blank.TERMS[plane])
-        before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
-        yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
-        yield blank.room(problem, plane)
-        yield blank.measured(problem)
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:

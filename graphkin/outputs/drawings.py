@@ -103,8 +103,7 @@ class EditedByHand(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{path} was changed by hand since graphkin drew it (`graphkin check` tells where). Choose another name, "
         "or replace it with --force.",
-        "zh": "{path} 在 graphkin 绘制之后被手工修改过（`graphkin check` 可查看何处）。"
-        "请换文件名，或用 --force 覆盖。",
+        "zh": "{path} 在 graphkin 绘制之后被手工修改过（`graphkin check` 可查看何处）。请换文件名，或用 --force 覆盖。",
     }
 
 

@@ -177,8 +177,7 @@ def _walked(path: Path) -> Iterator[str]:
 
 
 def _is_class_table(names: list[str]) -> bool:
-    """True where all there is is a table, which bears no student's name as platforms give them: nobody else's work
-    stands beside it. Among others it is one student's."""
+    """True where all there is is a table, which bears no student's name as platforms give them."""
     name = PurePosixPath(names[0])
     is_table = len(names) == 1 and name.suffix.lower() in (*PLAIN_TABLES, *SHEETS)
     return is_table and owner(names[0], _root(names)).student == tidy_id(name.stem)
@@ -234,8 +233,7 @@ class FirstOnes:
 
     @cached_property
     def _named(self) -> frozenset[str]:
-        """The names of students that files, folders and members of archives bear; looked for where a line inside says
-        another."""
+        """The names of students that files, folders and members of archives bear."""
         students: set[str] = set()
         for path in map(Path, self._paths):
             with suppress(GraphkinError, OSError):

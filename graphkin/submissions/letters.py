@@ -195,6 +195,7 @@ class _Layout:
                 if all(move in self.far for move in moved.items()) and len(set(moved.values())) == len(moved):
                     yield moved
 
+
 def _cell(place: complex) -> tuple[float, float]:
     return round(place.real, 3), round(place.imag, 3)
 

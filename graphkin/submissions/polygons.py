@@ -74,9 +74,7 @@ def polygons(mechanism: Mechanism, questions: Questions) -> tuple[PaperPolygon, 
     return tuple(polygons)
 
 
-def _vectors(
-    construction: Construction, on_pole: Collection[str], questions: Questions
-) -> Iterator[PolygonVector]:
+def _vectors(construction: Construction, on_pole: Collection[str], questions: Questions) -> Iterator[PolygonVector]:
     """Those of the equations, then the absolute motions that are not among them."""
 
     def question(text: str) -> str:

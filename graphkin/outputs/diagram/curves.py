@@ -22,8 +22,7 @@ NEAR = 10.0 ** np.linspace(-8, -2.6, 55)
 """Distances from a stop at which positions are put, as parts of the range: velocities grow without bound there."""
 BEND = 0.06  # where a curve turns by more than this between two positions, as drawn, more are put in [rad]
 MOST = 8000
-ROUNDS, PLACES = 7, 33
-"""Rounds in which a greatest value is closed in on, and positions looked at in each."""
+ROUNDS, PLACES = 7, 33  # rounds in which a greatest value is closed in on, and positions looked at in each
 ZERO = 1e-9  # differences smaller than this part of the size of like quantities are rounding
 CLEAR = 0.05
 """Distance from a stop, as a part of the range, from which values count for the scale where they grow without bound."""
@@ -167,6 +166,7 @@ class Curves:
             rounded = 0.0 if abs(value) <= ZERO * self.like(k) else value
             peaks.append(Peak(float(t[row, best[row]]), rounded, int(sign[row])))
         return peaks
+
 
 def curves(course: Course, names: Sequence[str], by: Road = "construction") -> Curves:
     """Quantities over the shown part of a course, finely sampled whatever the steps of its table are. First evenly, and

@@ -16,7 +16,7 @@ import numpy as np
 from graphkin import construction as kinds
 from graphkin.base.geometry import number, place
 from graphkin.base.value import frozen
-from graphkin.construction import Construction, Fit, InStep, Measure, Plane, Plot, slide_key
+from graphkin.construction import Construction, Fit, InStep, Measure, Plot, slide_key
 from graphkin.outputs.geogebra.protocol import Colour, FormulaPair, Protocol, grouped, minus, plus, product, value
 from graphkin.outputs.geogebra.state import ORDERS, GeogebraState
 from graphkin.planning import Method
