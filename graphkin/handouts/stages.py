@@ -56,8 +56,7 @@ def handout(
     title = " / ".join(problem.title for problem in problems)
     digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
     words = say("handouts.seed", lang, seed=seed) if seed else ""
-    bar = say("handouts.bar", lang)
-    foot = Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, words, bar)
+    foot = Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, words, say("handouts.bar", lang))
     return Handout(title, lang, tuple(blocks), foot, contents)
 
 

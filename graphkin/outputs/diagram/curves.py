@@ -140,8 +140,7 @@ class Curves:
         summits = 1 + np.flatnonzero((rise[:-1] > 0) & (rise[1:] <= 0))
         if not summits.size:
             return None
-        best = heights[summits].max()
-        return int(summits[heights[summits] >= best - rounding][0])
+        return int(summits[heights[summits] >= heights[summits].max() - rounding][0])
 
     def like(self, k: int) -> float:
         """The greatest size among quantities of one unit."""
