@@ -137,8 +137,7 @@ class Bodies:
         angle, *rates = (meaning(f"equations.relative {rate}", **words) for rate in _RATES)
         if driver.vector is not None and driver.from_vector is not None and driver.value is not None:
             words |= {"vector": "".join(driver.vector), "seen": "".join(driver.from_vector)}
-            degrees = f"{math.degrees(driver.value):.6g}"
-            angle = meaning("equations.relative direction given", **words, angle=degrees)
+            angle = meaning("equations.relative direction given", **words, angle=f"{math.degrees(driver.value):.6g}")
         both = (angle_readers(self.structure, link, self.motion) for link in (driver.link, driver.from_link))
         readers = difference(*both)
         self.drivers[number] = self.legend.variable(symbol, (angle, *rates), ("deg", "rad/s", "rad/s^2"), readers)

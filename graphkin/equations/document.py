@@ -96,8 +96,7 @@ class EquationPage:
         pushes = (without_push(symbol) for of in sums for symbol in of.moving)
         zeros = [is_zero(push) for push in dict.fromkeys(pushes) if push is not None]
         if zeros:
-            key = "equations.derived again steady" if again else "equations.derived steady"
-            self.say(key, zero=listed(zeros))
+            self.say("equations.derived again steady" if again else "equations.derived steady", zero=listed(zeros))
         else:
             self.say("equations.derived again" if again else "equations.derived")
 

@@ -52,51 +52,36 @@ class Split:
         turning = tuple(term for term in self.sum.terms if term.has(angle) and term not in sliding)
         return Sum(turning) * unit_vector(-AngleSum.of(angle))
 
-    @property
-    def turns_with(self) -> bool:
-        """True where the unknown displacement's own direction turns with the unknown angle."""
-        return bool(self.angles and self.slides and self.slid(self.slides[0]).angle.has(self.angles[0]))
 
-
-@frozen
-class RateQuotient:
-    """symbol = top / bottom."""
-
-    symbol: Symbol
-    top: Sum
-    bottom: Sum
-
-    @property
-    def signed(self) -> RateQuotient:
-        """Factors of bare numbers put into the top."""
-        term = self.bottom.only
-        if term is not None and not term.symbols and not term.waves:
-            return RateQuotient(self.symbol, self.top.times(1 / term.factor), ONE)
-        negative = bool(self.bottom.terms) and self.bottom.terms[0].factor < 0
-        return RateQuotient(self.symbol, -self.top, -self.bottom) if negative else self
-
-
-def quotients(split: Split, order: int) -> Iterator[RateQuotient]:
-    """The first (order 1) or second (2) derivatives of the unknowns: (3-13), (3-14), (3-16), (3-17) for every dyad. The
-    polygon derived is linear in them: c1 x1 + c2 x2 + rest = 0 with plane vectors c. Multiplied crosswise by c2 it
-    gives x1. A displacement beside an angle is projected on its own line, as the angle's rate is known by then."""
+def quotients(split: Split, order: int) -> Iterator[tuple[Symbol, Sum, Sum]]:
+    """The first (order 1) or second (2) derivatives of the unknowns, symbol, top and bottom of each: (3-13), (3-14),
+    (3-16), (3-17) for every dyad. The polygon derived is linear in them: c1 x1 + c2 x2 + rest = 0 with plane vectors c.
+    Multiplied crosswise by c2 it gives x1. A displacement beside an angle is projected on its own line, as the angle's
+    rate is known by then."""
     derived = split.sum.rate if order == 1 else split.sum.rate.rate
     unknowns = (*split.angles, *split.slides)
     rates = {symbol: symbol.derivative(order) for symbol in unknowns}
     rest = derived.lacking(*rates.values())
     columns = {symbol: split.sum.partial(symbol) for symbol in unknowns}
     for symbol in (*reversed(split.angles), *split.slides):
-        rate, others = rates[symbol], [other for other in unknowns if other != symbol]
+        others = [other for other in unknowns if other != symbol]
         if symbol in split.slides and split.angles:
             term = split.slid(symbol)
-            top = -dot(unit_vector(term.angle), derived.lacking(rate))
-            yield RateQuotient(rate, top, Sum((SymbolProduct(term.factor),))).signed
+            top = dot(unit_vector(term.angle), derived.lacking(rates[symbol]))
+            bottom = Sum((SymbolProduct(term.factor),))
         elif others:
             across = _unit_along(columns[others[0]])
-            yield RateQuotient(rate, -cross(across, rest), cross(across, columns[symbol])).signed
+            top, bottom = cross(across, rest), cross(across, columns[symbol])
         else:
             along = _unit_along(columns[symbol])
-            yield RateQuotient(rate, -dot(along, rest), dot(along, columns[symbol])).signed
+            top, bottom = dot(along, rest), dot(along, columns[symbol])
+        only = bottom.only
+        if only is not None and not only.symbols and not only.waves:  # a bare number is put into the top
+            yield rates[symbol], (-top).times(1 / only.factor), ONE
+        elif bottom.terms and bottom.terms[0].factor < 0:
+            yield rates[symbol], top, -bottom
+        else:
+            yield rates[symbol], -top, bottom
 
 
 def _unit_along(column: Sum) -> Sum:
@@ -128,7 +113,7 @@ class Solver:
                 rest = squared(lever) - squared(arm) - squared(known)
                 self._half_angle(angle, turned.imag.times(2.0), turned.real.times(-2.0), rest)
                 self._direction(other, lever, known + arm * unit_vector(AngleSum.of(angle)))
-            case 1, 1 if split.turns_with:
+            case 1, 1 if split.slid(split.slides[0]).angle.has(split.angles[0]):  # its line turns with the angle
                 self._turning_slide(split)
             case 1, 1:
                 self._angle_and_slide(split)
@@ -210,8 +195,7 @@ class Solver:
         if lever.only is None:
             self.page.show((Letter(angle), Row((self._direction_of(-rest), Op("−"), self._direction_of(lever)))))
         else:
-            theta = AngleSum.of(angle) + lever.only.angle
-            self.page.show((self.pretty.angle(theta), self._direction_of(-rest)))
+            self.page.show((self.pretty.angle(AngleSum.of(angle) + lever.only.angle), self._direction_of(-rest)))
 
     def _direction_of(self, vector: Sum) -> Node:
         return Call("atan2", (self.pretty.sum(vector.imag), self.pretty.sum(vector.real)))

@@ -154,10 +154,6 @@ class SymbolProduct:
         return replace(self, factor=factor, waves=(*self.waves, Wave("exp", AngleSum(angle.parts, angle.quarters % 2))))
 
     @property
-    def key(self) -> tuple[object, ...]:
-        return self.symbols, self.waves, self.turns
-
-    @property
     def plain(self) -> SymbolProduct:
         """The term without its e^i."""
         return replace(self, waves=tuple(wave for wave in self.waves if wave.kind != "exp"))
@@ -187,8 +183,9 @@ class Sum:
         """Like terms together, in the order of their first."""
         sums: dict[tuple[object, ...], SymbolProduct] = {}
         for term in terms:
-            like = sums.get(term.key)
-            sums[term.key] = term if like is None else replace(like, factor=like.factor + term.factor)
+            key = term.symbols, term.waves, term.turns
+            like = sums.get(key)
+            sums[key] = term if like is None else replace(like, factor=like.factor + term.factor)
         return cls(tuple(term for term in sums.values() if term.factor != 0))
 
     def __add__(self, other: Sum) -> Sum:
@@ -271,7 +268,8 @@ class Sum:
             for symbol, power in term.symbols:
                 product = product * values[symbol] ** power
             for each in term.waves:
-                angle = angle_value(each.angle, values)
+                start: Value = each.angle.quarters * np.pi / 2
+                angle = sum((count * values[symbol] for symbol, count in each.angle.parts), start=start)
                 product = product * (np.exp(1j * angle) if each.kind == "exp" else getattr(np, each.kind)(angle))
             total = total + product
         return total
@@ -344,8 +342,3 @@ def squared(vector: Sum) -> Sum:
     pairs = [term for k, arrow in enumerate(arrows) for other in arrows[k + 1 :]
              for term in dot(other, arrow).times(2.0).terms]  # fmt: skip
     return Sum.of((*squares, *pairs))
-
-
-def angle_value(angle: AngleSum, values: Values) -> Value:
-    """[rad]"""
-    return sum((count * values[symbol] for symbol, count in angle.parts), start=angle.quarters * np.pi / 2)

@@ -151,7 +151,6 @@ def slide_readers(structure: Topology, slide: Slide) -> Three:
 
     def push(motion: Motion) -> Real:
         turning = 2j * (0.0 if guide == FRAME else motion.omega[guide]) * seen(motion)
-        whole = motion.acceleration[point] - motion.acceleration_at(point, guide)
-        return np.real(along(motion) * (whole - turning))
+        return np.real(along(motion) * (motion.acceleration[point] - motion.acceleration_at(point, guide) - turning))
 
     return displacement, rate, push

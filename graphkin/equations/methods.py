@@ -47,8 +47,7 @@ def write_complex(model: Model, page: EquationPage) -> None:
             number += 1
             page.head("equations.polygon", number=number, names=_corners(model, polygon))
             if len(task.polygons) == 1 and not task.rollings:
-                solver = Solver(page, pretty, model.legend, values, str(number) if polygons > 1 else "")
-                _solve(solver, task, polygon)
+                _solve(Solver(page, pretty, model.legend, values, str(number) if polygons > 1 else ""), task, polygon)
             else:
                 _close(page, pretty, polygon)
         for rolling in task.rollings:
@@ -107,8 +106,7 @@ def _solve(solver: Solver, task: Task, polygon: ClosedPolygon) -> None:
             page.say_derived([polygon.sum], again=True)
         page.show(_complex_sides(pretty, polygon, derived))
         page.say("equations.rates")
-        rates = quotients(split, order)
-        page.show(*((Letter(each.symbol), pretty.quotient(each.top, each.bottom)) for each in rates))
+        page.show(*((Letter(rate), pretty.quotient(top, bottom)) for rate, top, bottom in quotients(split, order)))
 
 
 def _roll(page: EquationPage, pretty: Pretty, rolling: RollingSum) -> None:

@@ -27,15 +27,11 @@ _SI: Mapping[str, str] = {"mm": "m", "mm rad": "m", "deg": "rad"}
 
 @frozen
 class Task:
-    """One stage of the solution: polygons and rolling contacts with their unknowns.
-
-    known  bodies solved before
-    """
+    """One stage of the solution: polygons and rolling contacts with their unknowns."""
 
     polygons: tuple[ClosedPolygon, ...]
     rollings: tuple[RollingSum, ...]
     unknowns: tuple[Symbol, ...]
-    known: frozenset[str]
 
     @property
     def equations(self) -> tuple[Sum, ...]:
@@ -96,39 +92,32 @@ def model_of(method: Method) -> Model:
 
 
 def _task(stage: Stage, arrows: LinkVectorMaker, known: frozenset[str], motion: Motion) -> Task | None:
+    """A stage; its unknowns as the book lists them: displacements along moving guides, angles, those on the frame."""
     polygons: tuple[ClosedPolygon, ...] = ()
     rollings: tuple[RollingSum, ...] = ()
-    match stage:
-        case Loop():
-            polygons = (closed(arrows, known, stage.bodies, stage.joints),)
-        case Bridge():
-            polygons = (closed(arrows, known, (stage.body,), [Hinge(point) for point in stage.points]),)
-        case Mesh():
-            rollings = (rolling(arrows, stage.contact, motion),)
-        case Group():
-            polygons = tuple(closed(arrows, known, loop.bodies, loop.joints) for loop in stage.loops)
-            rollings = tuple(rolling(arrows, contact, motion) for contact in stage.contacts)
-        case Carry():
-            return None
-    return Task(polygons, rollings, _unknowns(stage, arrows), known)
-
-
-def _unknowns(stage: Loop | Bridge | Mesh | Group, arrows: LinkVectorMaker) -> tuple[Symbol, ...]:
-    """Displacements along moving guides, then angles, then displacements on the frame, as the book lists them."""
     angles: tuple[str, ...]
     slides: tuple[str, ...] = ()
     match stage:
+        case Loop():
+            polygons = (closed(arrows, known, stage.bodies, stage.joints),)
+            angles, slides = stage.angles, stage.slides
         case Bridge():
+            polygons = (closed(arrows, known, (stage.body,), [Hinge(point) for point in stage.points]),)
             angles = (stage.body,)
         case Mesh():
+            rollings = (rolling(arrows, stage.contact, motion),)
             angles, slides = tuple(filter(None, (stage.angle,))), tuple(filter(None, (stage.slide,)))
-        case _:
+        case Group():
+            polygons = tuple(closed(arrows, known, loop.bodies, loop.joints) for loop in stage.loops)
+            rollings = tuple(rolling(arrows, contact, motion) for contact in stage.contacts)
             angles, slides = stage.angles, stage.slides
+        case Carry():
+            return None
     guides = {name: arrows.structure.slides[name].guide for name in slides}
     moving = [arrows.displacement(name) for name, guide in guides.items() if guide != FRAME]
     fixed = [arrows.displacement(name) for name, guide in guides.items() if guide == FRAME]
     thetas = [base for body in angles if (base := arrows.bodies.base[body]) is not None]
-    return (*moving, *dict.fromkeys(thetas), *fixed)
+    return Task(polygons, rollings, (*moving, *dict.fromkeys(thetas), *fixed))
 
 
 @frozen
@@ -182,8 +171,7 @@ def _arm(model: Model, body: str, start: str, end: str, low: str) -> Sum:
     """The vector between two points of a body: a known link vector, or a along the link and b across it."""
     arrows, shape = model.arrows, model.method.structure.shapes[body]
     arm = shape[end] - shape[start]
-    is_known = (body, frozenset((start, end))) in arrows.arms or start == end
-    if is_known or quarters(cmath.phase(arm)) is not None:
+    if start == end or (body, frozenset((start, end))) in arrows.arms or quarters(cmath.phase(arm)) is not None:
         return Sum.of(term for arrow in arrows.along(body, start, end) for term in arrow.sum.terms)
     words, theta = {"ends": start + end, "link": model.bodies.called(body)}, model.bodies.angles[body]
     a = model.legend.constant("a", low, meaning("equations.part along", **words), "mm", arm.real)

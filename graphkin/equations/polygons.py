@@ -81,7 +81,6 @@ class LinkVectorMaker:
     arms: dict[tuple[str, frozenset[str]], LinkVector] = field(default_factory=dict)
     slides: dict[str, Symbol] = field(default_factory=dict)
     radii: dict[tuple[str, str], Symbol] = field(default_factory=dict)
-    sizes: dict[str, float] = field(default_factory=dict)
 
     @property
     def structure(self) -> Topology:
@@ -90,9 +89,8 @@ class LinkVectorMaker:
     def along(self, body: str, start: str, end: str) -> Iterator[LinkVector]:
         """The arrow on one body from a point to another; none where they lie at one place."""
         shape = self.structure.shapes[body]
-        if body not in self.sizes:
-            self.sizes[body] = max((abs(p - q) for p in shape.values() for q in shape.values()), default=0.0)
-        if start == end or abs(shape[end] - shape[start]) <= 1e-12 * self.sizes[body]:
+        size = max((abs(p - q) for p in shape.values() for q in shape.values()), default=0.0)
+        if start == end or abs(shape[end] - shape[start]) <= 1e-12 * size:
             return
         key = body, frozenset((start, end))
         if key not in self.arms:
@@ -237,8 +235,7 @@ def rolling(arrows: LinkVectorMaker, contact: Contact, motion: Motion) -> Rollin
         for slide, share in contact.way or ((contact.slide, 1.0),):  # other pairs may keep the centre on its path
             moving += one(arrows.displacement(slide)).times(share * contact.on_slide)
         moving += rolled
-    entries = arrows.legend.entries
-    value = number(moving.at({symbol: entries[symbol].read(motion) for symbol in moving.symbols}))
+    value = number(moving.at({symbol: arrows.legend.entries[symbol].read(motion) for symbol in moving.symbols}))
     names = [arrows.bodies.called(wheel) for wheel in contact.wheels]
     text = meaning("equations.rolling constant", first=names[0], second=names[1])
     low = "".join(names) if all(map(str.isdigit, names)) else names[1]

@@ -83,36 +83,33 @@ class Pretty:
 
     def _renamed(self, of: AngleSum) -> list[tuple[Symbol, int]]:
         """Its symbols, sums that have a name of their own replaced by it, the longest first."""
-        counts, last = dict(of.parts), -1
-        queue = [k for symbol in counts for k in self._naming.get(symbol, ())]
+        counts, last, (longest_first, naming) = dict(of.parts), -1, self._names
+        queue = [k for symbol in counts for k in naming.get(symbol, ())]
         heapify(queue)
         while queue:
             if (at := heappop(queue)) == last:
                 continue
-            (name, meaning), last = self._longest_first[at], at
+            (name, meaning), last = longest_first[at], at
             times = {counts.get(symbol, 0) * sign for symbol, sign in meaning.parts if abs(sign) == 1}
             if len(times) == 1 and times != {0} and len(meaning.parts) > 1:
                 count = times.pop()
                 for symbol, sign in meaning.parts:
                     counts[symbol] -= count * sign
                 counts[name] = count
-                for later in self._naming.get(name, ()):
+                for later in naming.get(name, ()):
                     heappush(queue, max(later, last))
         return [(symbol, count) for symbol, count in counts.items() if count]
 
     @cached_property
-    def _naming(self) -> dict[Symbol, list[int]]:
-        """By symbol, which of the names below stand for a sum with it."""
+    def _names(self) -> tuple[list[tuple[Symbol, AngleSum]], dict[Symbol, list[int]]]:
+        """The names of sums, of long ones before those of a part of them; and the numbers of those in which each symbol
+        stands."""
+        longest_first = sorted(self.alias.items(), key=lambda each: -len(each[1].parts))
         naming: dict[Symbol, list[int]] = {}
-        for k, (_, meaning) in enumerate(self._longest_first):
+        for k, (_, meaning) in enumerate(longest_first):
             for symbol, _ in meaning.parts:
                 naming.setdefault(symbol, []).append(k)
-        return naming
-
-    @cached_property
-    def _longest_first(self) -> list[tuple[Symbol, AngleSum]]:
-        """The names of sums, of long ones before those of a part of them."""
-        return sorted(self.alias.items(), key=lambda each: -len(each[1].parts))
+        return longest_first, naming
 
     def _product(self, term: SymbolProduct) -> Node:
         """A term without its sign."""

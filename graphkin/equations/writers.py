@@ -18,12 +18,11 @@ from graphkin.say.text_table import aligned, padded, width
 
 def _has_grid(nodes: Sequence[Node]) -> bool:
     """True where a matrix stands among the nodes, or among those of a row of them."""
-    for node in nodes:
-        if isinstance(node, Grid) or (isinstance(node, Minus) and isinstance(node.of, Grid)):
-            return True
-        if isinstance(node, Row) and _has_grid(node.items):
-            return True
-    return False
+    return any(
+        isinstance(node.of if isinstance(node, Minus) else node, Grid)
+        or (isinstance(node, Row) and _has_grid(node.items)) for node in nodes
+    )  # fmt: skip
+
 
 _NUMBERED_AT = 88
 _PIECES = re.compile(r"[\u4e00-\u9fff][，。；：、）]*\s*|[^\s\u4e00-\u9fff]+\s*")
@@ -91,6 +90,7 @@ def _side_by_side(nodes: Sequence[Node]) -> list[str]:
             lines[k] += (" " if lines[k] else "") + padded(text, wide)
     return [line.rstrip() for line in lines] if height == 1 else lines
 
+
 _STYLE = """
 body { max-width: 60rem; margin: 2rem auto; padding: 0 1rem; font-family: "Times New Roman", "Liberation Serif",
   "Noto Serif CJK SC", "Songti SC", SimSun, serif; line-height: 1.5; color: #000; background: #fff; }
@@ -148,6 +148,7 @@ def _block_html(block: Block) -> str:
 
 def _html(part: str | Node) -> str:
     return escaped(part) if isinstance(part, str) else f"<math>{in_notation(part, MATHML)}</math>"
+
 
 _PREAMBLE = "\n".join(LIBRARIES) + r"""
 \usepackage[margin=20mm]{geometry}

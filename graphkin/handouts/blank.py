@@ -17,8 +17,7 @@ from graphkin.sheet.lettering import Label, formula, plain, point_label
 from graphkin.sheet.window import corners
 
 _MORE = 1.2
-_EDGE, _GRID = 4.0, 5.0
-"""Distance of the polygon from the edge; the pole stands on a line of the grid [mm]."""
+_EDGE, _GRID = 4.0, 5.0  # distance of the polygon from the edge; the pole stands on a line of the grid [mm]
 _STEP = 10.0  # rooms are so many millimetres, or a multiple of it
 MOST_EQUATIONS, TERMS = 3, {"velocity": 3, "acceleration": 5}  # of a polygon; of an equation
 

@@ -37,8 +37,7 @@ b7abca1fc962d958d3d5cc98c7a0c537e95df925fbbbee2af74d35758aad76170acf064b2dc149d8
 """
 MARKERS = tuple(int(word, 16) for word in re.findall("....", _BITS))
 """Rows of four bits, 1 is white, inside a black rim; one number a marker."""
-SIZE, EDGE = 12.0, 8.0
-"""Of a marker, and how far it stands from the paper's edge [mm]."""
+SIZE, EDGE = 12.0, 8.0  # of a marker, and how far it stands from the paper's edge [mm]
 _DOTS, _DOT, _WHITE = 10.0, 0.7, 2.5
 _CORNERS = 4
 DIGITS = len(MARKERS) - _CORNERS  # the count of markers that are digits of numbers
@@ -60,7 +59,10 @@ def room_svg(room: GridRoom) -> str:
     drawing.add(drawing.circle(_xy(room.pole), "0.6", fill="#000000"))
     far = room.pole + 30 * along
     inside = 8 < far.real < room.width - 12 and 8 < far.imag < room.height - 4
-    right, left = _beside(along)
+    forward = along if along.real >= 0 else -along  # letters begin clear of the line, to the right or the left of it
+    rises = forward.imag <= 0
+    off = _OFF * (forward * 1j if rises else forward * -1j)
+    right, left = off + (1j * _HIGH if rises else 0), -off - _WIDE + (0 if rises else 1j * _HIGH)
     _letters(drawing, room.name, room.pole + left)
     _letters(drawing, room.mark, room.pole + 22 * (along if inside else -along) + right)
     return str(drawing.tostring())
@@ -89,14 +91,6 @@ def _border(room: GridRoom, along: complex) -> complex:
         if abs(step) > 1e-9:
             reach.append(((most if step > 0 else 0.0) - place) / step)
     return room.pole + along * min(reach)
-
-
-def _beside(along: complex) -> tuple[complex, complex]:
-    """From a place on a line to where letters begin that stand clear of it: to the right of it, and to the left."""
-    forward = along if along.real >= 0 else -along
-    rises = forward.imag <= 0
-    off = _OFF * (forward * 1j if rises else forward * -1j)
-    return off + (1j * _HIGH if rises else 0), -off - _WIDE + (0 if rises else 1j * _HIGH)
 
 
 def _letters(drawing: Any, label: Label, at: complex) -> None:

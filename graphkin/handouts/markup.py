@@ -36,8 +36,6 @@ def solution(drawing: Drawing, lang: Lang, *, everything: bool = False, only: Pl
     return Handout(drawing.mechanism.headline(lang), lang, tuple(blocks_of([*entries], lang)), foot)
 
 
-# --- web page ---------------------------------------------------------------------------------
-
 _STYLE = """@page{{size:{width}mm {height}mm;margin:15mm 20mm 20mm}}
 body,mi,mn,mtext{{font-family:"Times New Roman","Liberation Serif",Tinos,"Noto Serif CJK SC","Source Han Serif SC",
 SimSun,serif}}body{{font-size:10.5pt;line-height:1.45;max-width:{room}mm;margin:0 auto}}
@@ -128,8 +126,6 @@ def _token(run: Run) -> str:
     return f"<{kind}>{escape(run.text)}</{kind}>"
 
 
-# --- LaTeX ------------------------------------------------------------------------------------
-
 _TEX_PAGE = r"""\usepackage[margin=25mm]{geometry}
 \raggedright
 \newsavebox{\wide}
@@ -163,9 +159,6 @@ def _latex(block: Block) -> str:
             raise TypeError(f"{type(block).__name__} has no place in a solution of words alone")
         case _:
             assert_never(block)
-
-
-# --- Markdown ---------------------------------------------------------------------------------
 
 
 def markdown(handout: Handout) -> str:

@@ -57,8 +57,7 @@ def mistakes(problem: HandoutProblem) -> Iterator[Block]:
     key = _key(problem)
     if key is None:
         return
-    with np.errstate(divide="ignore", invalid="ignore"):
-        moved: np.ndarray = shifts(columns(key.entries), key.singles.values) > 3  # by more than a pencil may
+    moved = _moved(key)
     asked = [k for k, entry in enumerate(key.entries) if entry.points]
     first: dict[str, int] = {}
     for row, made in enumerate(key.singles.names):
@@ -69,6 +68,12 @@ def mistakes(problem: HandoutProblem) -> Iterator[Block]:
         yield HandoutHeading(plain(say("handouts.common", problem.lang)))
     for row in common:
         yield Paragraph(_given_by(problem, key, row, [k for k in asked if moved[row][k]]))
+
+
+def _moved(key: Key) -> np.ndarray:
+    """Flags (mistakes, quantities): what each mistake moves by more than a pencil may."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(shifts(columns(key.entries), key.singles.values) > 3)
 
 
 def _given_by(problem: HandoutProblem, key: Key, row: int, moved: list[int]) -> Label:

@@ -18,7 +18,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.sheet.composition import Style
-from graphkin.sheet.lettering import Label, formula, joined, plain
+from graphkin.sheet.lettering import formula, joined, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import written
@@ -56,8 +56,7 @@ def handout(
     title = " / ".join(problem.title for problem in problems)
     digest = _digest(mechanisms) if len(mechanisms) == 1 else ""
     words = say("handouts.seed", lang, seed=seed) if seed else ""
-    bar = say("handouts.bar", lang)
-    foot = Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, words, bar)
+    foot = Foot(say(f"handouts.stage {stage}", lang), graphkin.__version__, digest, words, say("handouts.bar", lang))
     return Handout(title, lang, tuple(blocks), foot, contents)
 
 
@@ -84,7 +83,15 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
             yield from _problem(problem)
         case "blank":
             yield from _problem(problem)
-            yield from _blank(problem)
+            for plane in problem.polygons:  # an empty equation, gridded paper with the pole, a table to measure into
+                yield document.NewPage()
+                yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
+                for _ in problem.construction(plane).equations[: blank.MOST_EQUATIONS]:
+                    yield blank.empty_rows(problem, terms=blank.TERMS[plane])
+                before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
+                yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
+                yield blank.room(problem, plane)
+                yield blank.measured(problem)
         case "half":
             yield from _problem(problem)
             yield from _half(problem, upto)
@@ -102,24 +109,10 @@ def _problem(problem: HandoutProblem) -> Iterator[Block]:
     yield _figure(problem, "position", "given")
     yield document.HandoutHeading(plain(say("handouts.scales", problem.lang)))
     planes: tuple[Plane, ...] = ("position", *problem.polygons)
-    scales = [written(plane, problem.scales[plane]) for plane in planes]
-    yield document.Paragraph(joined(scales, ";  "))
+    yield document.Paragraph(joined([written(plane, problem.scales[plane]) for plane in planes], ";  "))
     if problem.goal.wanted:
         yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang)))
         yield blank.boxes(problem)
-
-
-def _blank(problem: HandoutProblem) -> Iterator[Block]:
-    """For each polygon an empty equation, gridded paper with the pole, and a table to measure into."""
-    for plane in problem.polygons:
-        yield document.NewPage()
-        yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
-        for _ in problem.construction(plane).equations[: blank.MOST_EQUATIONS]:
-            yield blank.empty_rows(problem, terms=blank.TERMS[plane])
-        before, after = say("handouts.draw here", problem.lang, scale="\0").split("\0")
-        yield document.Paragraph((*plain(before), *written(plane, problem.scales[plane]), *plain(after)))
-        yield blank.room(problem, plane)
-        yield blank.measured(problem)
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:
@@ -177,10 +170,8 @@ def blocks_of(entries: Sequence[entry.Entry], lang: Lang) -> Iterator[Block]:
 def rows(equation: entry.VectorEquation, lang: Lang) -> document.TermRows:
     """A vector equation as it is printed."""
     heads = [plain(say(key, lang)) for key in ("derivation.direction row", "derivation.size row")]
-    columns: list[tuple[Label, Label, Label]] = []
-    for term, direction, size in equation.columns:
-        sign = plain(term) if term in ("=", "+") else formula(term)
-        columns.append((sign, formula(direction), formula(size)))
+    columns = ((plain(term) if term in ("=", "+") else formula(term), formula(direction), formula(size))
+               for term, direction, size in equation.columns)  # fmt: skip
     return document.TermRows((heads[0], heads[1]), tuple(columns))
 
 

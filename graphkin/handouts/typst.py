@@ -24,8 +24,7 @@ _WIDE = re.compile(r"[\u2e80-\u9fff\uff00-\uffef]")
 _MISSING = re.compile(r'the text `"(.+?)"` could not be displayed')
 _ACCENTED = re.compile(r"(.[\u0300-\u036f]+)")
 _BETWEEN_TAGS = re.compile(r">[^<]*[\\u0300-\\u036f][^<]*")
-_MARGIN, _BOTTOM, _CLEAR = 20.0, 26.0, 5.0
-"""At the sides of a page, at its foot, and between a drawing and words [mm]."""
+_MARGIN, _BOTTOM, _CLEAR = 20.0, 26.0, 5.0  # at the sides of a page, at its foot, and between a drawing and words [mm]
 _HEAD = """#set document(title: {title}, author: "graphkin handout", date: none)
 #set text(font: ({families}), size: 10.5pt, lang: {lang}, region: none)
 #set par(justify: false, leading: 0.62em)
@@ -119,10 +118,7 @@ def pages(content: bytes) -> int:
 
 
 def _fonts(named: Path | None, chinese: bool) -> tuple[tuple[str, ...], list[str]]:
-    """Families in the order in which they are tried, and folders to look in beside the system's.
-
-    From a file that is named, from the environment's, or from the system. Raises NoFont, NoChineseLetters.
-    """
+    """Families in the order in which they are tried, folders beside the system's. Raises NoFont, NoChineseLetters."""
     from matplotlib.ft2font import FT2Font
 
     from graphkin.outputs.diagram.fonts import chinese_font
@@ -228,5 +224,4 @@ def _run(run: Run) -> str:
 
 
 def _string(text: str) -> str:
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", " ")
-    return f'"{escaped}"'
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", " ") + '"'

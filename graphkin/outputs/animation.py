@@ -95,9 +95,8 @@ def _kind(mark: Mark) -> tuple[object, ...]:
 
 
 def _element(pen: SvgPen, layer: Layer, row: Row, seconds: float) -> ET.Element:
-    """A mark as it is first, with all that changes of it; hidden where it is not there. There it stays as it was last;
-    before it first comes, as it will be. The size of a vector in words, which is another one in each position, is left
-    out."""
+    """A mark as it is first, with all that changes of it; hidden where it is not there: it stays as it was last, or
+    will be first. The size of a vector in words, which is another one in each position, is left out."""
     elements: list[ET.Element] = []
     last = shown = next(mark for mark in row if mark is not None)
     for mark in row:

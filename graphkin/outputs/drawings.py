@@ -103,29 +103,26 @@ class EditedByHand(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {
         "en": "{path} was changed by hand since graphkin drew it (`graphkin check` tells where). Choose another name, "
         "or replace it with --force.",
-        "zh": "{path} 在 graphkin 绘制之后被手工修改过（`graphkin check` 可查看何处）。"
-        "请换文件名，或用 --force 覆盖。",
+        "zh": "{path} 在 graphkin 绘制之后被手工修改过（`graphkin check` 可查看何处）。请换文件名，或用 --force 覆盖。",
     }
 
 
 def refuse_edited(path: Path, force: bool) -> None:
-    """Raises EditedByHand for an SVG of graphkin's that somebody has changed."""
-    if not force and path.suffix.lower() == ".svg" and path.is_file() and path.stat().st_size and _edited(path):
-        raise EditedByHand(str(path))
-
-
-def _edited(path: Path) -> bool:
-    """True for a drawing that no longer measures, or has other signs and letters than it was drawn with. One that
-    cannot be measured (a problem without answers, a drawing that moves, one of an older version) counts as it was
-    drawn."""
-    if b"<animate" in path.read_bytes():
-        return False
+    """Raises EditedByHand for an SVG of graphkin's that no longer measures, or has other signs and letters than it was
+    drawn with. One that cannot be measured (a problem without answers, a drawing that moves, one of an older version)
+    counts as it was drawn."""
+    if force or path.suffix.lower() != ".svg" or not path.is_file():
+        return
+    if not (content := path.read_bytes()) or b"<animate" in content:
+        return
     from graphkin.check import measure
 
     try:
         report = measure(path)
+        edited = not report.passed(0.01) or any(note.kind in _ADDED for note in report.notes)
     except BadDrawing as error:
-        return error.reason in ("shown", "xml")
+        edited = error.reason in ("shown", "xml")
     except GraphkinError:
-        return False
-    return not report.passed(0.01) or any(note.kind in _ADDED for note in report.notes)
+        edited = False
+    if edited:
+        raise EditedByHand(str(path))

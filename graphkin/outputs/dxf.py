@@ -99,6 +99,5 @@ class _DxfPage:
 
     def _look(self, pen: PenName, plane: str) -> dict[str, object]:
         """Layer and width [hundredths of a millimetre, of the widths that DXF knows]."""
-        width = round(100 * PENS[pen].width)
-        known = (13, 18, 25, 35, 50, 70, 100)
-        return {"layer": _NAMES.get(plane, plane) or "0", "lineweight": min(known, key=lambda w: abs(w - width))}
+        weight = min((13, 18, 25, 35, 50, 70, 100), key=lambda weight: abs(weight - round(100 * PENS[pen].width)))
+        return {"layer": _NAMES.get(plane, plane) or "0", "lineweight": weight}

@@ -33,7 +33,12 @@ def key_text(key: Key) -> str:
 def key_data(key: Key) -> Json:
     """As plain data."""
     marking, singles = key.marking, key.singles
-    mistakes = zip(singles.names, singles.values, singles.scatters, _correlations(singles), strict=True)
+    tables: list[dict[str, str]] = [{} for _ in singles.names]  # a mistake without one scatters as right values do
+    if singles.together is not None:  # the correlations above the diagonal, in hundredths, a byte each, as base64
+        above = np.triu_indices(singles.values.shape[1], 1)
+        rows = np.round(100 * singles.together[:, *above]).astype(np.int8)
+        tables = [{"together": base64.b64encode(row.tobytes()).decode()} for row in rows]
+    mistakes = zip(singles.names, singles.values, singles.scatters, tables, strict=True)
     return {
         "kind": KIND, "format": FORMAT, "name": key.name, "title": dict(key.title), "coincident": key.coincident,
         "mechanism": key.text,
@@ -61,16 +66,6 @@ def key_data(key: Key) -> Json:
 
 def _row(values: Array) -> list[float | None]:
     return [float(f"{x:.12g}") if np.isfinite(x) else None for x in values]
-
-
-def _correlations(mistakes: Hypotheses) -> list[dict[str, str]]:
-    """The correlations of each mistake's values: the part of the table above its diagonal, row by row, in hundredths, a
-    byte each, as base64. A mistake without it scatters as right values do."""
-    if mistakes.together is None:
-        return [{} for _ in mistakes.names]
-    above = np.triu_indices(mistakes.values.shape[1], 1)
-    rows = np.round(100 * mistakes.together[:, *above]).astype(np.int8)
-    return [{"together": base64.b64encode(row.tobytes()).decode()} for row in rows]
 
 
 def _line(value: object) -> str:

@@ -14,8 +14,7 @@ from typing import Any, get_args
 from graphkin.base.plain import Plain
 from graphkin.construction import Plane
 from graphkin.errors import Lang
-from graphkin.marking.diagnosis import Explanation
-from graphkin.marking.records import Graded, Judged
+from graphkin.marking.records import Graded
 from graphkin.outputs.files import beside
 
 FORMAT = 1
@@ -32,27 +31,34 @@ _MISTAKE = ("ids", "probability", "margin", "explains")
 
 def line(graded: Graded, lang: Lang = "en") -> Json:
     """The data that programs get of one submission; one that was not marked has a `reason` and no score."""
-    marked = graded.marked
-    quantities = {} if marked is None else {one.text: _quantity(one) for one in marked.judged}
-    mistakes = [] if marked is None else [_mistake(one) for one in marked.diagnosis.explanations]
-    return _line(graded, lang, quantities, mistakes)
+    return line_of(record(graded, lang))
 
 
 def record(graded: Graded, lang: Lang = "en") -> Json:
     """All of one submission: the line's, with the arithmetic, the mistakes' places, and what was passed over."""
     marked = graded.marked
-    quantities: dict[str, Json] = {}
+    whole: Json = {"format": FORMAT, "student": graded.student, "file": graded.file}
+    if marked is None:
+        reason = "" if graded.reason is None else graded.reason.message(lang)
+        whole |= {"status": "not marked", "reason": reason, "score": None}
+    else:
+        whole |= {"status": "marked", "score": None if marked.score is None else _rounded(marked.score)}
+    quantities: Json = {}
     for one in () if marked is None else marked.judged:
-        quantities[one.text] = _quantity(one) | {
+        own: Json = {name: getattr(one, name) for name in _QUANTITY}
+        quantities[one.text] = own | {
             "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
             "points": one.points, "credit": one.credit, **({"measured": True} if one.measured else {}),
         }  # fmt: skip
-    mistakes: list[Json] = []
+    mistakes: list[Plain] = []
     for each in () if marked is None else marked.diagnosis.explanations:
         sites = [[dict(zip(("id", "way", "of", "form"), name, strict=True)) for name in names] for names in each.names]
-        mistakes.append(_mistake(each) | {"names": sites})
-    whole = _line(graded, lang, quantities, mistakes)
-    whole |= {"place": graded.place, "notes": [note.message(lang) for note in graded.notes]}
+        mistakes.append({
+            "ids": list(each.ids), "probability": _rounded(each.probability), "margin": _rounded(each.margin),
+            "explains": list(each.explains), "names": sites,
+        })  # fmt: skip
+    notes = [note.message(lang) for note in graded.notes]
+    whole |= {"quantities": quantities, "mistakes": mistakes, "place": graded.place, "notes": notes}
     if marked is not None:
         whole["evidence"] = {id: _rounded(weight) for id, weight in marked.diagnosis.evidence.items()}
     if marked is not None and graded.drawn:
@@ -61,27 +67,6 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
             for plane, points in graded.drawn.items()
         }
     return whole | ({"fingerprints": list(graded.prints)} if graded.prints else {})
-
-
-def _line(graded: Graded, lang: Lang, quantities: Mapping[str, Plain], mistakes: Iterable[Plain]) -> Json:
-    start: Json = {"format": FORMAT, "student": graded.student, "file": graded.file}
-    rest: Json = {"quantities": dict(quantities), "mistakes": list(mistakes)}
-    if graded.marked is None:
-        reason = "" if graded.reason is None else graded.reason.message(lang)
-        return {**start, "status": "not marked", "reason": reason, "score": None, **rest}
-    score = graded.marked.score
-    return {**start, "status": "marked", "score": None if score is None else _rounded(score), **rest}
-
-
-def _quantity(one: Judged) -> Json:
-    return {name: getattr(one, name) for name in _QUANTITY}
-
-
-def _mistake(one: Explanation) -> Json:
-    return {
-        "ids": list(one.ids), "probability": _rounded(one.probability), "margin": _rounded(one.margin),
-        "explains": list(one.explains),
-    }  # fmt: skip
 
 
 def _rounded(number: float) -> float:

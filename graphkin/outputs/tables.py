@@ -103,8 +103,7 @@ def _others(part: Sweep) -> Iterator[tuple[str, str, Array]]:
     course = part.course
     for k, driver in enumerate(course.method.drivers):
         if k != course.swept and course.path.pace[k]:
-            unit = driven(driver.kind == "slide")
-            yield driver.name, unit, course.path.start[k] + course.path.pace[k] * part.t
+            yield driver.name, driven(driver.kind == "slide"), course.path.start[k] + course.path.pace[k] * part.t
 
 
 def csv_lines(course: Course, parts: Iterator[Sweep]) -> Iterator[str]:
@@ -141,9 +140,8 @@ def json_text(course: Course, parts: Iterator[Sweep]) -> str:
         name: {"unit": unit, "values": _all(part[k][2] for part in others)}
         for k, (name, unit, _) in enumerate(others[0])
     }
-    events: list[list[Plain]] = []
-    for some in (course.stops, course.changes):
-        events.append([{"at": number(course.value(e.at)), "kind": e.kind, "links": list(e.links)} for e in some])
+    events: list[list[Plain]] = [[{"at": number(course.value(e.at)), "kind": e.kind, "links": list(e.links)}
+                                  for e in some] for some in (course.stops, course.changes)]  # fmt: skip
     quantities: dict[str, dict[str, Plain]] = {}
     for k, first in enumerate(collected[0].series):
         each = [part.series[k] for part in collected]

@@ -109,8 +109,7 @@ def decoded(content: bytes, where: Where) -> str:
 
 def lines_of(stream: IO[bytes], where: Where) -> Iterator[str]:
     """Line after line of a seekable stream, in flat memory; lines far too long are given in pieces."""
-    encoding = _encoding(stream)
-    with io.TextIOWrapper(stream, encoding, newline="") as text:
+    with io.TextIOWrapper(stream, _encoding(stream), newline="") as text:
         try:
             while line := text.readline(_PIECE):
                 yield line

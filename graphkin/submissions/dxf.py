@@ -31,7 +31,8 @@ def read_dxf(content: bytes, where: Where, limits: Limits) -> PagePicture:
         raise TooMuch(where, "elements", limits.elements)
     try:
         document, _ = recover.read(io.BytesIO(content))
-        marks = list(_DxfReader(document, where, limits).marks())
+        reader = _DxfReader(document, where, limits)
+        marks = [mark for entity in document.modelspace() for mark in reader.marks(entity, 0)]
     except (GraphkinError, MemoryError):
         raise
     except Exception as problem:  # ezdxf raises whatever it meets in a file that is none
@@ -46,16 +47,12 @@ class _DxfReader:
     """Walks the entities once; blocks are followed as often as the limits allow."""
 
     def __init__(self, document: _Dxf, where: Where, limits: Limits) -> None:
-        self.document, self.where, self.limits = document, where, limits
+        self.where, self.limits = where, limits
         self.mm = _MM.get(int(document.header.get("$INSUNITS", 0) or 0), 1.0)
         self.walked = 0
         self.hidden = {layer.dxf.name.lower() for layer in document.layers if layer.is_off() or layer.is_frozen()}
 
-    def marks(self) -> Iterator[_Mark]:
-        for entity in self.document.modelspace():
-            yield from self._marks(entity, 0)
-
-    def _marks(self, entity: _Dxf, depth: int) -> Iterator[_Mark]:
+    def marks(self, entity: _Dxf, depth: int) -> Iterator[_Mark]:
         self.walked += 1
         self.limits.check(self.where, "elements", self.walked)
         if entity.dxf.get("layer", "0").lower() in self.hidden or entity.dxf.get("invisible", 0):
@@ -67,14 +64,14 @@ class _DxfReader:
                 self.limits.check(self.where, "copies", entity.mcount)
                 for single in entity.multi_insert() if entity.mcount > 1 else (entity,):
                     for inner in single.virtual_entities():
-                        yield from self._marks(inner, depth + 1)
+                        yield from self.marks(inner, depth + 1)
                 for attribute in entity.attribs:
-                    yield from self._marks(attribute, depth + 1)
+                    yield from self.marks(attribute, depth + 1)
             case "LINE":
                 yield self._place(entity.dxf.start), self._place(entity.dxf.end)
             case "LWPOLYLINE" | "POLYLINE":
                 lines = (piece for piece in entity.virtual_entities() if piece.dxftype() == "LINE")
-                yield from (mark for piece in lines for mark in self._marks(piece, 0))
+                yield from (mark for piece in lines for mark in self.marks(piece, 0))
             case "POINT":
                 yield Dot(self._place(entity.dxf.location))
             case "CIRCLE":

@@ -93,8 +93,7 @@ def _ends(
             yield made.get("a0", ""), (ends[0], ends[1])
     for label, text in written.items():
         if (vector := _VECTOR.fullmatch(text.strip())) is not None:
-            parts = re.split(r",(?![^(]*\))", vector[1])
-            ends = [_point(part, places) for part in parts]
+            ends = [_point(part, places) for part in re.split(r",(?![^(]*\))", vector[1])]
             if len(ends) == 2 and ends[0] is not None and ends[1] is not None:
                 yield label, (ends[0], ends[1])
 

@@ -72,7 +72,14 @@ def handed_in(paths: Iterable[str | Path], limits: Limits) -> Iterator[Handed]:
 
 def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
     if path.is_dir():
-        yield from _of_folder(path, limits)
+        names = sorted(_walked(path))  # as an archive that was unpacked; links out of it are not followed
+        if not names:
+            raise errors.NoAnswers(where)
+        if _is_class_table(names):
+            yield from _of_path(path / names[0], Where(f"{path}/{names[0]}"), limits)
+        else:
+            limits.check(where, "members", len(names))
+            yield from _of_students(names, f"{path}/", lambda k, inner: _content(path / names[k], inner, limits))
     elif not path.exists():
         raise errors.NoFile(where, path.name, ())
     elif not path.is_file():
@@ -125,18 +132,6 @@ def _of_row(row: TableRow, by_file: Owner, file: str) -> Handed:
     return Handed(student, file, str(row.line), row=row)
 
 
-def _of_folder(path: Path, limits: Limits) -> Iterator[Handed]:
-    """A folder as an archive that was unpacked; links out of it are not followed."""
-    names = sorted(_walked(path))
-    if not names:
-        raise errors.NoAnswers(Where(str(path)))
-    if _is_class_table(names):
-        yield from _of_path(path / names[0], Where(f"{path}/{names[0]}"), limits)
-        return
-    limits.check(Where(str(path)), "members", len(names))
-    yield from _of_students(names, f"{path}/", lambda k, where: _content(path / names[k], where, limits))
-
-
 def _of_archive(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
     with archives.opened(path, where) as archive:
         infos = list(archives.members(archive, where, limits))
@@ -182,8 +177,7 @@ def _walked(path: Path) -> Iterator[str]:
 
 
 def _is_class_table(names: list[str]) -> bool:
-    """True where all there is is a table, which bears no student's name as platforms give them: nobody else's work
-    stands beside it. Among others it is one student's."""
+    """True where all there is is a table, which bears no student's name as platforms give them."""
     name = PurePosixPath(names[0])
     is_table = len(names) == 1 and name.suffix.lower() in (*PLAIN_TABLES, *SHEETS)
     return is_table and owner(names[0], _root(names)).student == tidy_id(name.stem)
@@ -239,8 +233,7 @@ class FirstOnes:
 
     @cached_property
     def _named(self) -> frozenset[str]:
-        """The names of students that files, folders and members of archives bear; looked for where a line inside says
-        another."""
+        """The names of students that files, folders and members of archives bear."""
         students: set[str] = set()
         for path in map(Path, self._paths):
             with suppress(GraphkinError, OSError):

@@ -105,8 +105,7 @@ def _candidates(picture: PagePicture, texts: Sequence[PictureText]) -> list[Plac
             distance = text.distance(end)  # a line that begins at a text and at nothing else leads to its far end
             if distance <= _TOUCHES and abs(far - end) <= 2 * _REACH:
                 others = (place for other in picture.lines if other is not line for place in other)
-                marks = (dot.place for dot in picture.dots)
-                if all(abs(end - mark) > _SAME for mark in chain(marks, others)):
+                if all(abs(end - mark) > _SAME for mark in chain((dot.place for dot in picture.dots), others)):
                     near.append((_LEADER + distance, far))
         near += [(_CROSSING + _far(text, place, _NEAR), place) for place in _crossings(picture, text)]
         for distance, place in sorted((pair for pair in near if pair[0] < math.inf), key=lambda pair: pair[0]):
@@ -195,6 +194,7 @@ class _Layout:
                 moved = {letter: self.chosen[after] for letter, after in zip(letters, (*letters[1:], letters[0]))}
                 if all(move in self.far for move in moved.items()) and len(set(moved.values())) == len(moved):
                     yield moved
+
 
 def _cell(place: complex) -> tuple[float, float]:
     return round(place.real, 3), round(place.imag, 3)

@@ -6,7 +6,7 @@ Letters are written in drawings as `b₃`, `b_{3}'`, `p′(a′, d′)`, and in 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from graphkin import construction as kinds
 from graphkin import planning, running
@@ -51,13 +51,16 @@ def polygons(mechanism: Mechanism, questions: Questions) -> tuple[PaperPolygon, 
     polygons = []
     for construction in (method.velocity, method.acceleration):
         values = plot.points(construction.plane)
-        on_pole = _on_pole(construction)
+        # the pole and the fixed points that sit on it; another point may be the first to be drawn
+        given = (step for step in construction.steps if isinstance(step, kinds.Given))
+        fixed = [name for step in given if step.point == construction.pole for name in step.also]
+        on_pole = dict.fromkeys([construction.pole, *fixed])
         prime = "'" if construction.plane == "acceleration" else ""
         names = [name for name in construction.nodes if name not in on_pole and name[0].isalpha()]
         pole = dict.fromkeys([construction.pole, *(letter + prime for letter in "poq"), *on_pole])
         letters = {construction.pole: tuple(name for name in pole if name not in names)}
         letters |= {name: tuple(dict.fromkeys((name, name.rstrip("'") + prime))) for name in names}
-        vectors = tuple(_vectors(construction, questions))
+        vectors = tuple(_vectors(construction, on_pole, questions))
         known = []  # laid off from the givens alone: motions of driven links, and driven sliding
         by_ends = {(vector.tail, vector.head): vector for vector in vectors}
         for step in (step for step in construction.steps if isinstance(step, kinds.LayOff)):
@@ -71,13 +74,7 @@ def polygons(mechanism: Mechanism, questions: Questions) -> tuple[PaperPolygon, 
     return tuple(polygons)
 
 
-def _on_pole(construction: Construction) -> dict[str, None]:
-    """The pole and the fixed points that sit on it; another point may be the first to be drawn."""
-    given = [step for step in construction.steps if isinstance(step, kinds.Given) and step.point == construction.pole]
-    return dict.fromkeys([construction.pole, *(name for step in given for name in step.also)])
-
-
-def _vectors(construction: Construction, questions: Questions) -> Iterator[PolygonVector]:
+def _vectors(construction: Construction, on_pole: Collection[str], questions: Questions) -> Iterator[PolygonVector]:
     """Those of the equations, then the absolute motions that are not among them."""
 
     def question(text: str) -> str:
@@ -85,7 +82,6 @@ def _vectors(construction: Construction, questions: Questions) -> Iterator[Polyg
         return read[0] if read is not None else ""
 
     letter, drawn = LETTER[construction.plane], set[tuple[str, str]]()
-    on_pole = _on_pole(construction)
     for term in construction.vectors().values():
         tail = construction.pole if term.tail in on_pole else term.tail
         drawn.add((tail, term.head))

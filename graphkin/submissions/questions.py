@@ -85,6 +85,7 @@ class Questions:
         asked = [texts for name, texts in self._words.items() if name.replace("_", "") == word]
         return _quietly(self.mechanism, asked[0][0]) if len(asked) == 1 and len(asked[0]) == 1 else None
 
+
 def begins_like_one(text: str) -> bool:
     """True where a text begins as quantities do, of whatever mechanism: `ω3`, `aB3B2k`, `v_C`; and no id such as s1."""
     bare = plain(text[:LONGEST]).translate(_GREEK)

@@ -94,6 +94,7 @@ class MeasuredDrawing:
         return {plane: {letter: at - first for letter, at in points.items()}
                 for plane, points in places.items() for first in [next(iter(points.values()))]}  # fmt: skip
 
+
 @frozen
 class Submission:
     """The answers of one student, or why they cannot be read.

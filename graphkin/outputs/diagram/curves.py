@@ -22,8 +22,7 @@ NEAR = 10.0 ** np.linspace(-8, -2.6, 55)
 """Distances from a stop at which positions are put, as parts of the range: velocities grow without bound there."""
 BEND = 0.06  # where a curve turns by more than this between two positions, as drawn, more are put in [rad]
 MOST = 8000
-ROUNDS, PLACES = 7, 33
-"""Rounds in which a greatest value is closed in on, and positions looked at in each."""
+ROUNDS, PLACES = 7, 33  # rounds in which a greatest value is closed in on, and positions looked at in each
 ZERO = 1e-9  # differences smaller than this part of the size of like quantities are rounding
 CLEAR = 0.05
 """Distance from a stop, as a part of the range, from which values count for the scale where they grow without bound."""
@@ -141,13 +140,11 @@ class Curves:
         summits = 1 + np.flatnonzero((rise[:-1] > 0) & (rise[1:] <= 0))
         if not summits.size:
             return None
-        best = heights[summits].max()
-        return int(summits[heights[summits] >= best - rounding][0])
+        return int(summits[heights[summits] >= heights[summits].max() - rounding][0])
 
     def like(self, k: int) -> float:
         """The greatest size among quantities of one unit."""
-        unit = self.series[k].unit
-        same = [j for j, entry in enumerate(self.series) if entry.unit == unit]
+        same = [j for j, entry in enumerate(self.series) if entry.unit == self.series[k].unit]
         return max((abs(end) for j in same for end in self.bounds(j)), default=0.0)
 
     def _polished(self, brackets: Sequence[tuple[int, int, float, float]]) -> list[Peak]:
@@ -169,6 +166,7 @@ class Curves:
             peaks.append(Peak(float(t[row, best[row]]), rounded, int(sign[row])))
         return peaks
 
+
 def curves(course: Course, names: Sequence[str], by: Road = "construction") -> Curves:
     """Quantities over the shown part of a course, finely sampled whatever the steps of its table are. First evenly, and
     ever closer to where the path stops, never on a stop itself; then more where curves bend."""
@@ -184,8 +182,7 @@ def curves(course: Course, names: Sequence[str], by: Road = "construction") -> C
             t = np.append(t[t < high], high - NEAR * size)
     t = np.unique(t)
     for _ in range(4):
-        series = sweeps.quantities_at(course, names, t, by).series
-        more = _where_bent(Curves(course, by, low, high, t, series))
+        more = _where_bent(Curves(course, by, low, high, t, sweeps.quantities_at(course, names, t, by).series))
         if not more.size or t.size + more.size > max(MOST, 2 * t.size):
             break
         t = np.union1d(t, more)

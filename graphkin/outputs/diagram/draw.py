@@ -25,16 +25,13 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
 
-MM, POINT = 1 / 25.4, 25.4 / 72
-"""Inches in a millimetre, millimetres in a point."""
+MM, POINT = 1 / 25.4, 25.4 / 72  # inches in a millimetre, millimetres in a point
 WIDTH, A4 = 180.0, 267.0
-LEFT, PLAIN_RIGHT, SIDE = 16.0, 5.0, 14.0
-"""Room left of the panels, right of them, and for each axis on the right [mm]."""
+LEFT, PLAIN_RIGHT, SIDE = 16.0, 5.0, 14.0  # room left of the panels, right of them, and for each axis on the right [mm]
 HIGH, LOW = 58.0, 34.0
 TOP, FOOT, LINE, BETWEEN = 14.0, 10.5, 4.0, 3.5
 ROW = 4.8  # height of a row of a legend [mm]
-BROAD, THIN = 0.35, 0.18
-"""Lines after ISO 128 [mm]."""
+BROAD, THIN = 0.35, 0.18  # lines after ISO 128 [mm]
 GREY = "#d8d8d8"
 Style = tuple[str, str | tuple[float, tuple[float, ...]]]
 STYLES: tuple[Style, ...] = (

@@ -27,12 +27,10 @@ if TYPE_CHECKING:
     from matplotlib.text import Text
     from matplotlib.transforms import Bbox
 
-ON_A_CURVE, ON_A_NOTE = 60.0, 1000.0
-"""The cost of standing on a curve, or on another text, in points of distance."""
+ON_A_CURVE, ON_A_NOTE = 60.0, 1000.0  # the cost of standing on a curve, or on another text, in points of distance
 WRONG_SIDE = 8.0
 STEPS = (4.0, 7.0, 11.0, 16.0, 22.0, 29.0, 37.0, 46.0)  # distances from its dot at which a text is tried [pt]
-GAP, CLOSE = 1.5, 3.0
-"""Room kept around a text, and between it and its dot [pt]."""
+GAP, CLOSE = 1.5, 3.0  # room kept around a text, and between it and its dot [pt]
 FAR = 10.0  # from here on a thin line leads from the dot to its text [pt]
 SIZE = 7.5
 THIN_PT = 0.18 * 72 / 25.4
@@ -191,5 +189,4 @@ def _tried(note: Note, frame: Bbox, point: float) -> Iterator[tuple[float, Bbox]
 
 def _distance(at: tuple[float, float], box: Bbox) -> float:
     """From a place to a box, 0 inside it."""
-    across = max(box.x0 - at[0], 0.0, at[0] - box.x1)
-    return math.hypot(across, max(box.y0 - at[1], 0.0, at[1] - box.y1))
+    return math.hypot(max(box.x0 - at[0], 0.0, at[0] - box.x1), max(box.y0 - at[1], 0.0, at[1] - box.y1))

@@ -59,7 +59,7 @@ def ggb(method: Method, plot: Plot, scales: Mapping[Plane, float], lang: Lang) -
     drives = _drives(method, plot, protocol, scales)
     near = {link: number(angle) for link, angle in plot.theta.items()}
     state = GeogebraState(protocol, plot.facts, drives, scales, near)
-    nearly = Nearly.of(method, protocol, drives.values[0]) if fitted else None
+    nearly = Nearly.of(method, protocol, drives[0][0]) if fitted else None
     for construction in method.constructions:
         plane = construction.plane
         captions = {
@@ -113,7 +113,7 @@ def _drives(method: Method, plot: Plot, protocol: Protocol, scales: Mapping[Plan
         values.append(protocol.number(f"{slider} {factor}"))
         rates.append(protocol.constant(f"{speed} {driver.name}", driver.rate, f"{unit}/s"))
         accelerations.append(protocol.constant(f"{gain} {driver.name}", driver.acceleration, f"{unit}/s²"))
-    return Drives(tuple(values), tuple(rates), tuple(accelerations))
+    return values, rates, accelerations
 
 
 def _links(method: Method, state: GeogebraState, plot: Plot) -> None:
@@ -129,8 +129,7 @@ def _links(method: Method, state: GeogebraState, plot: Plot) -> None:
             state.protocol.segment(points[names[one]], points[names[other]])
     for slide in machine.slides:
         if slide.line.origin in points:
-            direction = state.protocol.direction(state.guide(slide.name).point)
-            state.protocol.line(points[slide.line.origin], direction)
+            state.protocol.line(points[slide.line.origin], state.protocol.direction(state.guide(slide.name).point))
 
 
 def _notes(method: Method, plot: Plot, state: GeogebraState, origins: Mapping[Plane, complex]) -> None:
@@ -138,8 +137,7 @@ def _notes(method: Method, plot: Plot, state: GeogebraState, origins: Mapping[Pl
     heights = {plane: [place(at).imag / state.scales[plane] for at in plot.points(plane).values()] for plane in PLANES}
     for plane in PLANES:
         at = complex(origins[plane].real, origins[plane].imag + max(heights[plane]) + _GAP / 2)
-        scale = f"μ_{LETTERS[plane]} = {state.scales[plane]:.6g} {UNITS[plane]}"
-        state.protocol.note(f'"{scale}"', at)
+        state.protocol.note(f'"μ_{LETTERS[plane]} = {state.scales[plane]:.6g} {UNITS[plane]}"', at)
     for order, (letter, unit) in enumerate((("ω", "rad/s"), ("α", "rad/s²")), 1):
         plane = PLANES[order]
         at = complex(origins[plane].real, origins[plane].imag + min(heights[plane]) - _GAP / 2)

@@ -163,8 +163,7 @@ class Protocol:
     def vector(self, name: str, tail: str, head: str, colour: Colour) -> str:
         """An arrow between two points, with its name."""
         width = '<lineStyle thickness="5" type="0" typeHidden="1"/>'
-        shown = _seen(name, colour) if name else _UNSEEN
-        return self._command("Vector", (tail, head), "u", "vector", shown + width)
+        return self._command("Vector", (tail, head), "u", "vector", (_seen(name, colour) if name else _UNSEEN) + width)
 
     def direction(self, formula: str) -> str:
         """A direction that is not drawn, as a vector from the origin."""

@@ -7,20 +7,13 @@ from collections.abc import Mapping
 from typing import assert_never
 
 from graphkin import construction as kinds
-from graphkin.base.value import frozen
 from graphkin.construction import Arm, Plane, Span
 from graphkin.outputs.geogebra.protocol import FormulaPair, Protocol, grouped, minus, plus, product, value
 
 ORDERS: Mapping[Plane, int] = {"position": 0, "velocity": 1, "acceleration": 2}
 
 
-@frozen
-class Drives:
-    """The labels of each driver's value [rad, m], rate and acceleration."""
-
-    values: tuple[str, ...]
-    rates: tuple[str, ...]
-    accelerations: tuple[str, ...]
+Drives = tuple[list[str], list[str], list[str]]  # labels of each driver's value [rad, m], rate and acceleration
 
 
 class GeogebraState:
@@ -33,8 +26,7 @@ class GeogebraState:
         self, protocol: Protocol, facts: kinds.Facts, drives: Drives, scales: Mapping[Plane, float],
         near: Mapping[str, float],
     ) -> None:  # fmt: skip
-        self.protocol, self.facts, self.scales, self.near = protocol, facts, scales, near
-        self.drives = (drives.values, drives.rates, drives.accelerations)
+        self.protocol, self.facts, self.drives, self.scales, self.near = protocol, facts, drives, scales, near
         self.points: dict[Plane, dict[str, str]] = {plane: {} for plane in kinds.LETTER}
         self._turns: tuple[dict[str, str], ...] = ({facts.frame: "0"}, {facts.frame: "0"}, {facts.frame: "0"})
         self.slides: tuple[dict[str, str], ...] = tuple(
@@ -92,16 +84,14 @@ class GeogebraState:
         total = FormulaPair()
         for part in span.parts:
             if isinstance(part, Arm):
-                arm = FormulaPair.of(self.own_arm(part))
-                total += arm.by(FormulaPair.along(self.relative(part.link, 0)))
+                total += self.own_arm(part).by(FormulaPair.along(self.relative(part.link, 0)))
             elif part.slide != without:
                 total += self.slide_line(part.slide).times(product(str(part.sign), self.slides[0][part.slide]))
         return total
 
-    def own_arm(self, part: Arm) -> complex:
+    def own_arm(self, part: Arm) -> FormulaPair:
         """An arm in the axes of its link [m]."""
-        shape = self.facts.shapes[part.link]
-        return shape[part.head] - shape[part.tail]
+        return FormulaPair.of(self.facts.shapes[part.link][part.head] - self.facts.shapes[part.link][part.tail])
 
     def arrow(self, size: kinds.Size, plane: Plane) -> FormulaPair:
         """A known term [SI]."""
@@ -152,8 +142,7 @@ class GeogebraState:
         if kinds.Slid(slide) not in span.parts:
             line = line.times("-1")
         fixed = self.span(span, without=slide)
-        offset = self.protocol.number(line.cross(fixed))
-        half = f"sqrt({arm.dot(arm)} - {offset}^2)"
+        half = f"sqrt({arm.dot(arm)} - {self.protocol.number(line.cross(fixed))}^2)"
         self.displace(0, slide, minus(product(str(side), half), line.dot(fixed)))
         return minus(arm.angle, self.bound(self.span(span)).angle)
 

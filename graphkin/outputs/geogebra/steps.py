@@ -16,7 +16,7 @@ import numpy as np
 from graphkin import construction as kinds
 from graphkin.base.geometry import number, place
 from graphkin.base.value import frozen
-from graphkin.construction import Construction, Fit, InStep, Measure, Plane, Plot, slide_key
+from graphkin.construction import Construction, Fit, InStep, Measure, Plot, slide_key
 from graphkin.outputs.geogebra.protocol import Colour, FormulaPair, Protocol, grouped, minus, plus, product, value
 from graphkin.outputs.geogebra.state import ORDERS, GeogebraState
 from graphkin.planning import Method
@@ -76,7 +76,6 @@ def _unknowns(step: Fit | kinds.Simultaneous) -> tuple[str, ...]:
     return (*step.angles, *map(slide_key, step.slides))
 
 
-@frozen
 class Draughtsman:
     """Draws one plane.
 
@@ -84,33 +83,14 @@ class Draughtsman:
     nearly    where links that are fitted lie
     """
 
-    construction: Construction
-    plot: Plot
-    state: GeogebraState
-    captions: Mapping[str, str]
-    colour: Colour
-    origin: complex
-    nearly: Nearly | None = None
-
-    @property
-    def plane(self) -> Plane:
-        return self.construction.plane
-
-    @property
-    def order(self) -> int:
-        return ORDERS[self.plane]
-
-    @property
-    def scale(self) -> float:
-        return self.state.scales[self.plane]
-
-    @property
-    def points(self) -> dict[str, str]:
-        return self.state.points[self.plane]
-
-    @property
-    def protocol(self) -> Protocol:
-        return self.state.protocol
+    def __init__(
+        self, construction: Construction, plot: Plot, state: GeogebraState, captions: Mapping[str, str],
+        colour: Colour, origin: complex, nearly: Nearly | None = None,
+    ) -> None:  # fmt: skip
+        self.construction, self.plot, self.state, self.captions = construction, plot, state, captions
+        self.colour, self.origin, self.nearly = colour, origin, nearly
+        self.plane, self.protocol = construction.plane, state.protocol
+        self.order, self.scale, self.points = ORDERS[self.plane], state.scales[self.plane], state.points[self.plane]
 
     def draw(self) -> None:
         """Every step in order; a line or an arc alone fixes no point."""
@@ -156,8 +136,7 @@ class Draughtsman:
         return self.origin + place(self.plot.points(self.plane)[name]) / self.scale
 
     def _point(self, name: str, formula: str) -> None:
-        caption = self.captions.get(name, "")
-        self.points[name] = self.protocol.point(caption, formula, self._at(name), self.colour)
+        self.points[name] = self.protocol.point(self.captions.get(name, ""), formula, self._at(name), self.colour)
 
     def _put_fixed_on(self, point: str) -> None:
         """All that never moves is on the pole, once that is there."""
@@ -214,8 +193,7 @@ class Draughtsman:
         arrow = state.bound(FormulaPair.between(self.points[step.tail], self.points[step.head]))
         if step.quantity == "theta":
             assert step.span is not None
-            span = state.bound(state.span(step.span))
-            state.settle(0, state.base(step.of), minus(arrow.angle, span.angle))
+            state.settle(0, state.base(step.of), minus(arrow.angle, state.bound(state.span(step.span)).angle))
         elif step.quantity in ("omega", "alpha"):
             arm = state.bound(state.arm(*step.lever))
             rate = f"{product(value(self.scale), arm.cross(arrow))} / {grouped(arm.dot(arm))}"
@@ -296,7 +274,7 @@ class Draughtsman:
         for part in closure.parts:
             if isinstance(part, kinds.Arm):
                 link = part.link
-                arrow = FormulaPair.of(state.own_arm(part)).by(state.bound(FormulaPair.along(state.turn(link, 0))))
+                arrow = state.own_arm(part).by(state.bound(FormulaPair.along(state.turn(link, 0))))
             else:
                 link = state.facts.lines[part.slide][0]
                 guide = state.guide(part.slide).times(str(part.sign))
