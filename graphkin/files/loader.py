@@ -52,7 +52,7 @@ class MechanismFile(mechanism.Mechanism):
         >>> graphkin.load("ex3-1").with_({"omega AB": "95 rpm", "slide.0.angle": 95}, D=(80, 0)).links["frame"].points
         {'A': 0j, 'D': (0.08+0j)}
         """
-        from graphkin.files.changing import changed_text
+        from graphkin.files.builder import changed_text
 
         return loads(changed_text(self, {**(values or {}), **more}), name=self.name, file=self.file)
 
@@ -118,10 +118,9 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
     """The tables by themselves, then against each other."""
     from pydantic_core import ValidationError
 
-    from graphkin.files.drivers import read_drivers, read_poses
     from graphkin.files.lines import as_sketched
     from graphkin.files.links import frame_problems, read_links, read_measures
-    from graphkin.files.pairs import read_pairs
+    from graphkin.files.pairs import read_drivers, read_pairs, read_poses
     from graphkin.files.schema import complaints, read_tables, stated_values
 
     draft.problems.extend(frame_problems(document.get("frame"), draft.where))

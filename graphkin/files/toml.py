@@ -51,7 +51,8 @@ def toml(document: Mapping[str, object]) -> str:
     omega = 10
     <BLANKLINE>
     """
-    plain = {name: value for name, value in document.items() if not _has_header(name, value)}
+    plain = {name: value for name, value in document.items()
+             if not _several(value) and (name == "title" or not isinstance(value, Mapping))}  # fmt: skip
     lines = [f"{key_text(name)} = {value_text(value, name)}" for name, value in plain.items()]
     for name, value in document.items():
         if name not in plain:
@@ -91,10 +92,9 @@ def value_text(value: object, place: str = "") -> str:
     raise WrongType(Where("", None, place), "quantity", shown_value(value))
 
 
-def _has_header(name: str, value: object) -> bool:
-    """True of a table, or of tables; a title of two languages stands on one line."""
-    several = isinstance(value, list | tuple) and bool(value) and all(isinstance(entry, Mapping) for entry in value)
-    return several or (isinstance(value, Mapping) and name != "title")
+def _several(value: object) -> bool:
+    """True of a list of tables."""
+    return isinstance(value, list | tuple) and bool(value) and all(isinstance(entry, Mapping) for entry in value)
 
 
 def _with_header(name: str, value: object) -> Iterator[str]:
@@ -251,23 +251,20 @@ class _TextWalk:
             at += 1
 
     def _value(self, at: int, path: KeyPath) -> int:
-        """The end of the value that begins here; it and what is in it are noted."""
+        """The end of the value that begins here; it and what is in it are noted, an item of a list as a key, too."""
+        self.keys.setdefault(path, at)
         at = self._after(_SPACE, at)
         match self.text[at]:
             case '"' | "'":
                 end = self._after(_STRING, at)
             case "[":
-                end = self._items(at + 1, "]", lambda item, n: self._item(item, (*path, n)))
+                end = self._items(at + 1, "]", lambda item, n: self._value(item, (*path, n)))
             case "{":
                 end = self._items(at + 1, "}", lambda item, _: self._key_and_value(item, path))
             case _:
                 end = self._after(_PLAIN, at)
         self.values[path] = at, at + len(self.text[at:end].rstrip())
         return end
-
-    def _item(self, at: int, path: KeyPath) -> int:
-        self.keys.setdefault(path, at)
-        return self._value(at, path)
 
     def _items(self, at: int, close: str, read: Callable[[int, int], int]) -> int:
         """The end of what stands between brackets, separated by commas."""

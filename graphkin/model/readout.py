@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar, assert_never
+from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar, assert_never, cast
 
 import numpy as np
 
@@ -45,14 +45,10 @@ class NamedValues(Mapping[str, _M]):
         return mechanism.moving if self._word in _TURNS else mechanism.points
 
     def __getitem__(self, name: str) -> _M:
-        value: _M = self._value(name)
-        return value
-
-    def _value(self, name: str) -> Any:
         if name == FRAME and self._word in _TURNS:
-            return measured(0.0, _TURNS[self._word])
+            return cast(_M, measured(0.0, _TURNS[self._word]))
         try:
-            return self._owner.quantity(f"{self._word} {name}")
+            return cast(_M, self._owner.quantity(f"{self._word} {name}"))
         except GraphkinError as problem:
             if isinstance(problem, KeyError) or not hasattr(problem, "possible"):
                 raise

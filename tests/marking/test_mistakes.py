@@ -6,6 +6,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from graphkin.say.phrases.mistakes import PHRASES
 
 from graphkin import files as loading
 from graphkin.base.geometry import Value
@@ -31,7 +32,6 @@ from graphkin.model.quantities import Moving, Quantity, read
 from graphkin.planning import Method, plan
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
-from graphkin.say.phrases.mistakes import PHRASES
 
 ASKED = {
     "ex3-1": ("omega 2", "omega 3", "v B3", "v B3B2", "a B2", "a_n B3D", "a_t B3D", "a_k B3B2", "a_r B3B2", "a B3",

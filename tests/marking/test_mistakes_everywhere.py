@@ -9,6 +9,7 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 from every_family import FAMILIES
+from graphkin.say.phrases.mistakes import PHRASES
 
 from graphkin.construction import Plot
 from graphkin.errors import DeadPoint
@@ -18,7 +19,6 @@ from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import Quantity, read
 from graphkin.planning import Method, plan
 from graphkin.running import replay_all
-from graphkin.say.phrases.mistakes import PHRASES
 
 COUNT = max(1, int(os.environ.get("GRAPHKIN_RANDOM", "800")) // 400)
 """Random mechanisms of each family; more of them with GRAPHKIN_RANDOM=8000 in the environment."""

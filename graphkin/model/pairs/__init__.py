@@ -1,4 +1,4 @@
-"""The kinds of kinematic pair, one file each, against one contract.
+"""The kinds of kinematic pair, against one contract.
 
 A pair is a frozen value that names links and points and holds lengths in metres and angles in radians. It says in
 plain data which links it joins, which circles and lines touch, what rolls, and which lower pairs do the same (`Pair`).
@@ -7,7 +7,7 @@ Two roads that never meet read these data: `graphkin.planning` makes bodies and 
 
 How to add a pair kind; `tests/model/test_pairs.py` names the table in which it is still missing:
 
-    here      a file with a frozen class on `Pair`, and its class in `PAIRS`
+    here      a frozen class on `Pair` in `kinds`, and the same in `PAIRS`
     files     its keys in `schema` (and `graphkin.schema.json`, by `json_schema_text`), its reader in `pairs.READERS`
               or, where it shares a table of the file, in that table's reader; what may be wrong, in `errors.pairs`
     analytic  its rule in `rules.RULES`; `replaced` where its lower-pair equivalent is all there is to it
@@ -23,13 +23,8 @@ How to add a pair kind; `tests/model/test_pairs.py` names the table in which it 
 
 from __future__ import annotations
 
-from graphkin.model.pairs.cam import Cam, Profile
-from graphkin.model.pairs.circular_slot import CircularSlot
-from graphkin.model.pairs.gear import Gear
+from graphkin.model.pairs.kinds import Cam, CircularSlot, Gear, Profile, Revolute, RollingContact, Slide
 from graphkin.model.pairs.pair import Circle, Line, Pair, Rod, Rolling, Slot, pin_name, rod_name, start_name
-from graphkin.model.pairs.revolute import Revolute
-from graphkin.model.pairs.roll import RollingContact
-from graphkin.model.pairs.slide import Slide
 
 __all__ = [
     "PAIRS", "Cam", "Circle", "CircularSlot", "Gear", "Line", "Pair", "Profile", "Revolute", "Rod", "Rolling",

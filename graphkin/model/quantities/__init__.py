@@ -5,37 +5,11 @@ from. To add one: a class in `kinds`, also in the union `Quantity` there, and it
 readers that do not know it yet. Units at the edge are one table, in `graphkin.model.units`.
 """
 
-from graphkin.model.quantities.kinds import (
-    Answer,
-    Centre,
-    Component,
-    Displacement,
-    Moving,
-    Place,
-    Quantity,
-    Quotient,
-    Rotation,
-    Track,
-    on_axis,
-    relative,
-)
-from graphkin.model.quantities.reading import (
-    SHAPE,
-    WORDS,
-    at_position,
-    centre_of,
-    formed,
-    meant,
-    named,
-    parts,
-    position_of,
-    read,
-    split,
-)
+from graphkin.model.quantities.kinds import Answer, Centre, Moving, Quantity, Quotient, Rotation
+from graphkin.model.quantities.reading import at_position, centre_of, formed, meant, named, parts, position_of, read
 from graphkin.model.units import EDGE, GRAVITY, IN_GRAVITY, Unit, driven
 
 __all__ = [
-    "EDGE", "GRAVITY", "IN_GRAVITY", "SHAPE", "WORDS", "Answer", "Centre", "Component", "Displacement", "Moving",
-    "Place", "Quantity", "Quotient", "Rotation", "Track", "Unit", "at_position", "centre_of", "driven", "formed",
-    "meant", "named", "on_axis", "parts", "position_of", "read", "relative", "split",
+    "EDGE", "GRAVITY", "IN_GRAVITY", "Answer", "Centre", "Moving", "Quantity", "Quotient", "Rotation", "Unit",
+    "at_position", "centre_of", "driven", "formed", "meant", "named", "parts", "position_of", "read",
 ]  # fmt: skip
