@@ -205,8 +205,8 @@ def derivation(
     parts = [partial(polygon_entries, reading, plane, steps) for plane, steps in goal.parts.items()]
     if not as_planned and (centres := goal.centred) is not None:
         parts.insert(1 if centres.from_velocities and parts else 0, centres.entries)
-    for number, part in enumerate(parts, start=2):
-        body += part(number=number)
+    for count, part in enumerate(parts, start=2):
+        body += part(number=count)
     acts = [entry.act for entry in body if isinstance(entry, Sentence) and entry.act is not None]
     steps = {act.number for act in acts if act.numbered}
     yield from problem_data(reading)

@@ -178,9 +178,10 @@ def _moving(mechanism: Mechanism, where: Where, word: str, of: str) -> kinds.Mov
         alone = None
     if alone is not None:
         # the frame's guide on which the point stays
-        blocks = {slide.name: mechanism.links[slide.block].points for slide in mechanism.slides if slide.block is not None}
-        held = (slide.line.direction for slide in mechanism.slides if slide.guide == FRAME and not alone.explicit
-                and (alone.point == slide.point or alone.point in blocks.get(slide.name, ())))  # fmt: skip
+        guides = [slide for slide in mechanism.slides if slide.guide == FRAME and not alone.explicit]
+        blocks = (() if slide.block is None else mechanism.links[slide.block].points for slide in guides)
+        held = (slide.line.direction for slide, block in zip(guides, blocks, strict=True)
+                if alone.point == slide.point or alone.point in block)  # fmt: skip
         return kinds.Moving(word, of, alone, guide=next(held, None))
     if two is None:
         raise errors.UnknownPoint(where, of, _meant_points(mechanism, of, word))
