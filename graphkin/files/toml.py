@@ -31,9 +31,6 @@ def parsed(text: str) -> Document:
     return tomllib.loads(text)
 
 
-# --- data as text -----------------------------------------------------------------------------
-
-
 def toml(document: Mapping[str, object]) -> str:
     """The text of a mechanism's data: titles and questions, then a table with a header each.
 
@@ -114,9 +111,6 @@ def _rows(table: Mapping[str, object], place: str) -> Iterator[str]:
     return (f"{key_text(str(key))} = {value_text(value, f'{place}.{key}')}" for key, value in table.items())
 
 
-# --- other values in a text -------------------------------------------------------------------
-
-
 def replaced_values(text: str, values: Mapping[KeyPath, object]) -> str:
     """The text with other values at these places; a key that is not there is added at the end of its table. Comments
     and layout stay, unless a whole table is missing."""
@@ -169,8 +163,6 @@ def tidied(path: KeyPath) -> KeyPath:
     """A path with the primes of its names as typed on a keyboard."""
     return tuple(tidy(part) if isinstance(part, str) else part for part in path)
 
-
-# --- where keys stand -------------------------------------------------------------------------
 
 _BLANK = r"(?:[ \t\r\n]|#[^\n]*)*"
 _SPACE = r"[ \t]*"
