@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
 from graphkin.errors import Lang
-from graphkin.files.draft import Draft, check_joints, check_questions, check_sizes, check_sketch
+from graphkin.files.draft import Draft, check_joints, check_questions, check_sizes
 from graphkin.files.source import Deferred, decoded_text, mechanism_name, read_bytes, read_text, read_toml
 from graphkin.files.toml import Document
 from graphkin.model import mechanism
@@ -136,7 +136,9 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
     drivers, poses = read_drivers(draft, file.driver, len(file.pose)), read_poses(draft, file.pose)
     check_joints(draft, pairs, len(file.driver))
     check_sizes(draft)
-    check_sketch(draft, list(file.sketch))
+    for point in file.sketch:
+        with draft.noting():
+            draft.known(point, "sketch", point)
     draft.stop_if_wrong()
     scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}
     sketch = {point: complex(*place) for point, place in file.sketch.items()}

@@ -29,12 +29,6 @@ def read_pairs(draft: Draft, file: File) -> tuple[Pair, ...]:
     return tuple(pairs)
 
 
-def _slide(draft: Draft, table: SlideTable, path: KeyPath, before: Sequence[Pair]) -> Slide | CircularSlot:
-    """A block or a pin on a line, or a pin on a circle if any key of a circle is there."""
-    on_circle = table.centre is not None or table.radius is not None
-    return _circular(draft, table, path) if on_circle else _straight(draft, table, before, path)
-
-
 def _circular(draft: Draft, table: SlideTable, path: KeyPath) -> CircularSlot:
     """A pin in a circular slot. A block there would turn about the slot's centre: that is a hinge."""
     guide = draft.link(table.guide, *path, "guide")
@@ -49,25 +43,23 @@ def _circular(draft: Draft, table: SlideTable, path: KeyPath) -> CircularSlot:
     point = _pin(draft, table, table.pin, guide, path)
     if guide in draft.owners(point):
         raise errors.SlidesOnItself(draft.where(*path, "pin"), guide)
-    centre = _slot_centre(draft, table.centre, guide, path)
+    if isinstance(table.centre, str):
+        centre = draft.point(guide, table.centre, *path, "centre")
+    elif guide != FRAME:
+        raise errors.UnknownPoint(draft.where(*path, "centre"), "[x, y]", draft.named(guide))
+    else:  # a place of the frame that has no point gets one: O, O', ..
+        place = complex(*table.centre)
+        there = (point for point in draft.named(FRAME) if draft.frame_points[point] == place)
+        free = (name for primes in count() if not draft.owners(name := "O" + "'" * primes))
+        centre = next(there, None) or next(free)
+        draft.frame_points[centre] = place
     return CircularSlot(draft.numbered("c"), guide, centre, table.radius, draft.owners(point)[0], point)
 
 
-def _slot_centre(draft: Draft, centre: str | Sequence[float], guide: str, path: KeyPath) -> str:
-    """The point of the guide; a place of the frame that has no point gets one: O, O', .."""
-    if isinstance(centre, str):
-        return draft.point(guide, centre, *path, "centre")
-    if guide != FRAME:
-        raise errors.UnknownPoint(draft.where(*path, "centre"), "[x, y]", draft.named(guide))
-    place = complex(*centre)
-    there = (point for point in draft.named(FRAME) if draft.frame_points[point] == place)
-    free = (name for primes in count() if not draft.owners(name := "O" + "'" * primes))
-    point = next(there, None) or next(free)
-    draft.frame_points[point] = place
-    return point
-
-
-def _straight(draft: Draft, table: SlideTable, before: Sequence[Pair], path: KeyPath) -> Slide:
+def _slide(draft: Draft, table: SlideTable, path: KeyPath, before: Sequence[Pair]) -> Slide | CircularSlot:
+    """A block or a pin on a line, or a pin on a circle if any key of a circle is there."""
+    if table.centre is not None or table.radius is not None:
+        return _circular(draft, table, path)
     name = draft.name(table.name, f"s{path[1]}", *path)
     draft.unnamed.add(name)
     guide = draft.link(table.guide, *path, "guide")
@@ -318,8 +310,8 @@ def _meant_slide(draft: Draft, table: PoseTable, path: KeyPath) -> str:
     """The name of a pair whose displacement is meant."""
     assert table.slide is not None
     _refuse(draft, {"angle": table.angle, "from": table.from_}, "slide", path)
-    if not draft.can_be_driven(table.slide):
-        raise errors.UnknownSlide(draft.where(*path, "slide"), table.slide, draft.pair_names)
+    if table.slide not in draft.used_names | draft.unnamed:
+        raise errors.UnknownSlide(draft.where(*path, "slide"), table.slide, tuple(sorted(draft.used_names)))
     return table.slide
 
 

@@ -106,21 +106,6 @@ class Readable:
     position, v, a = _Vectorial("path"), _Vectorial("v"), _Vectorial("a")
 
 
-class ReadableAt(Readable):
-    """A `Readable` of one position: its values are numbers and vectors."""
-
-    if TYPE_CHECKING:
-        theta: NamedValues[Number]
-        omega: NamedValues[Number]
-        alpha: NamedValues[Number]
-        s: NamedValues[Number]
-        position: NamedValues[Vector]
-        x: NamedValues[Number]
-        y: NamedValues[Number]
-        v: NamedValues[Vector]
-        a: NamedValues[Vector]
-
-
 @frozen
 class State(Readable):
     """Positions, velocities and accelerations at one position or at many, by one of the two roads.
