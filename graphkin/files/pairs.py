@@ -138,30 +138,25 @@ def _roll(draft: Draft, table: RollTable, path: KeyPath, before: Sequence[Pair])
         raise errors.SameTwice(draft.where(*path, "on"), table.wheel)
     centre = draft.point(wheel, table.centre, *path, "centre")
     if not on_line:
-        rim, internal = _track_circle(draft, table, track, path), bool(table.internal)
-        return RollingContact(own, False, wheel, centre, table.radius, track, None, True, *rim, internal)
+        if has_line(table):
+            raise errors.CircleOrLine(draft.where(*path), "on_centre, on_radius", _LINE_KEYS)
+        for key, value in (("name", table.name), ("side", table.side)):
+            if value is not None:
+                raise errors.NoMeaning(draft.where(*path, key), key, "circle")
+        if table.on_centre is None or table.on_radius is None:
+            raise errors.MissingKey(draft.where(*path), "on_radius" if table.on_radius is None else "on_centre")
+        rim, internal = draft.point(track, table.on_centre, *path, "on_centre"), bool(table.internal)
+        if rim == table.centre:
+            raise errors.SameTwice(draft.where(*path, "on_centre"), rim)
+        if internal and table.radius == table.on_radius:
+            raise errors.SameCircles(draft.where(*path, "on_radius"))
+        circle = (rim, table.on_radius, internal)
+        return RollingContact(own, False, wheel, centre, table.radius, track, None, True, *circle)
     if table.internal is not None:
         raise errors.NoMeaning(draft.where(*path, "internal"), "internal", "line")
     line = read_line(draft, table, track, own, path)
     left, named = table.side != "right", table.name is not None
     return RollingContact(name, named, wheel, centre, table.radius, track, line, left, None, 0.0, False)
-
-
-def _track_circle(draft: Draft, table: RollTable, track: str, path: KeyPath) -> tuple[str, float]:
-    """Centre and radius of the circle a wheel rolls on."""
-    if has_line(table):
-        raise errors.CircleOrLine(draft.where(*path), "on_centre, on_radius", _LINE_KEYS)
-    for key, value in (("name", table.name), ("side", table.side)):
-        if value is not None:
-            raise errors.NoMeaning(draft.where(*path, key), key, "circle")
-    if table.on_centre is None or table.on_radius is None:
-        raise errors.MissingKey(draft.where(*path), "on_radius" if table.on_radius is None else "on_centre")
-    centre = draft.point(track, table.on_centre, *path, "on_centre")
-    if centre == table.centre:
-        raise errors.SameTwice(draft.where(*path, "on_centre"), centre)
-    if table.internal and table.radius == table.on_radius:
-        raise errors.SameCircles(draft.where(*path, "on_radius"))
-    return centre, table.on_radius
 
 
 def _cam(draft: Draft, table: CamTable, path: KeyPath, before: Sequence[Pair]) -> Cam:
