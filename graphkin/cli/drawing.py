@@ -257,7 +257,7 @@ def check(drawings: tuple[Path, ...], tolerance: float, as_json: bool, lang: Lan
       graphkin draw ex3-1 -o - | graphkin check -
     """
     from graphkin.check import measure
-    from graphkin.say.checks import check_json, check_lines
+    from graphkin.say.results import check_json, check_lines
 
     if not math.isfinite(tolerance):
         raise click.UsageError("--tolerance takes a finite number")

@@ -32,7 +32,8 @@ class Draft:
                   tables can still be checked
     starts        points that nobody named, where lines begin that are given by coordinates, and where those stand
     problems      all that is wrong; `stop_if_wrong` raises it
-    given_names   the names that the file gives to pairs; `unnamed`: those of pairs with a displacement, given or not
+    given_names   the names that the file gives to pairs; `unnamed`: those of pairs with a displacement, given or not;
+                  `used_names`: those given so far
     slides        the tables of slides, which say how a link of one point is turned; `tracing`: links now looked up
     """
 
@@ -47,7 +48,7 @@ class Draft:
     unnamed: set[str] = field(default_factory=set)
     slides: Sequence[SlideTable] = ()
     tracing: list[str] = field(default_factory=list)
-    _used_names: set[str] = field(default_factory=set)
+    used_names: set[str] = field(default_factory=set)
     _numbers: dict[str, int] = field(default_factory=dict)
     _moving: dict[str, list[str]] = field(default_factory=dict)
     """The moving links of each point, listed when there were `_counted` links: points have names before places."""
@@ -125,23 +126,15 @@ class Draft:
             while default in self.given_names:
                 default += "_"
             return default
-        if given in self._used_names:
+        if given in self.used_names:
             raise errors.DuplicateName(self.where(*path, "name"), given)
-        self._used_names.add(given)
+        self.used_names.add(given)
         return given
 
     def numbered(self, letter: str) -> str:
         """A name for a pair that has none, by the next number: c0, c1, .."""
         self._numbers[letter] = self._numbers.get(letter, -1) + 1
         return f"{letter}{self._numbers[letter]}"
-
-    def can_be_driven(self, given: str) -> bool:
-        """True of the name of a sliding or rolling pair."""
-        return given in self._used_names or given in self.unnamed
-
-    @property
-    def pair_names(self) -> tuple[str, ...]:
-        return tuple(sorted(self._used_names))
 
 
 def check_joints(draft: Draft, pairs: Sequence[Pair], drivers: int) -> None:
@@ -188,13 +181,6 @@ def check_sizes(draft: Draft) -> None:
     for path, size in places.items():
         if size > UNEVEN * shortest:
             draft.problems.append(errors.OutOfRange(draft.where(*path), f"{size * 1e3:.6g} mm"))
-
-
-def check_sketch(draft: Draft, points: list[str]) -> None:
-    """Note every sketched point that no link has."""
-    for point in points:
-        with draft.noting():
-            draft.known(point, "sketch", point)
 
 
 def check_questions(draft: Draft, mechanism: Mechanism) -> None:

@@ -8,7 +8,7 @@ imported: with pydantic's models around it, reading a file would take ten times 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import MISSING, Field, field, fields
+from dataclasses import MISSING, Field, field, fields, is_dataclass
 from typing import TYPE_CHECKING, Any, TypeVar, dataclass_transform
 
 from pydantic_core import PydanticCustomError
@@ -38,9 +38,6 @@ class FieldKind:
     core: Schema
     json: Schema
     dimension: Dimension | None = None
-
-
-# --- checking ---------------------------------------------------------------------------------
 
 
 def _guarded(read: Callable[..., _T]) -> Callable[..., _T]:
@@ -80,9 +77,6 @@ def _of_type(kind: str, expected: type, inner: Schema) -> Schema:
 def anything(json: Schema) -> FieldKind:
     """A value that is looked at later."""
     return FieldKind({"type": "any"}, json)
-
-
-# --- single values ----------------------------------------------------------------------------
 
 
 def quantity_of(dimension: Dimension, check: Callable[[float], float] = float) -> FieldKind:
@@ -143,9 +137,6 @@ SIDE = _text("name", _side)
 SIDE.json["enum"] = ["left", "right"]
 
 
-# --- several values ---------------------------------------------------------------------------
-
-
 def list_of(item: FieldKind, kind: str = "list", count: int | None = None) -> FieldKind:
     """A list of values, of any or of one certain length."""
     length = {} if count is None else {"min_length": count, "max_length": count}
@@ -166,14 +157,6 @@ def mapping(names: FieldKind, kind: FieldKind) -> FieldKind:
     return FieldKind(core, json, kind.dimension)
 
 
-def _point_or_place() -> FieldKind:
-    """A point's name, or a place."""
-    name = _text("anchor", name_reader(values.POINT, "point"), **POINT_NAME.json)
-    core = {"type": "tagged-union", "choices": {"a point": name.core, "a place": PLACE.core},
-            "discriminator": lambda value: "a place" if isinstance(value, list) else "a point"}  # fmt: skip
-    return FieldKind(core, {"oneOf": [name.json, PLACE.json]})
-
-
 def _as_triples(value: object) -> object:
     """One triple or a list of them: a list of them."""
     if not isinstance(value, list):
@@ -182,23 +165,24 @@ def _as_triples(value: object) -> object:
 
 
 PLACE = list_of(LENGTH, "place", 2)
-ANCHOR = _point_or_place()
+_ANCHOR_POINT = _text("anchor", name_reader(values.POINT, "point"), **POINT_NAME.json)
+ANCHOR = FieldKind({"type": "tagged-union", "choices": {"a point": _ANCHOR_POINT.core, "a place": PLACE.core},
+                    "discriminator": lambda value: "a place" if isinstance(value, list) else "a point"},
+                   {"oneOf": [_ANCHOR_POINT.json, PLACE.json]})  # fmt: skip
 _TRIPLE = list_of(POINT_NAME, "triple", 3)
 TRIPLES = FieldKind(_before(_as_triples, {"type": "list", "items_schema": _TRIPLE.core}),
                     {"type": "array", "items": {"anyOf": [POINT_NAME.json, _TRIPLE.json]}})  # fmt: skip
 
 
-# --- tables -----------------------------------------------------------------------------------
-
 _KINDS: dict[type, FieldKind] = {}  # by the class of a table, the kind of value that becomes an instance of it
 
 
-def key(kind: FieldKind, *, default: Any = MISSING, default_factory: Any = MISSING) -> Any:
-    """A key of a table; it may be left out where there is a default."""
-    return field(default=default, default_factory=default_factory, metadata={"kind": kind})
+def key(kind: FieldKind, **default: Any) -> Any:
+    """A key of a table; it may be left out where there is a `default` or a `default_factory`."""
+    return field(**default, metadata={"kind": kind})
 
 
-def further(pattern: str, kind: FieldKind) -> Any:
+def further(pattern: str, kind: FieldKind) -> dict[str, _T]:
     """All keys of a table that are not named, by a dictionary; an editor expects this pattern of them."""
     return field(default_factory=dict, metadata={"further": kind, "pattern": pattern})
 
@@ -225,8 +209,8 @@ def kind_of(cls: type) -> FieldKind:
 
 
 def _fields(cls: type) -> tuple[Field[object], ...]:
-    declared: Any = cls  # a dataclass, which `type` does not say
-    return fields(declared)
+    assert is_dataclass(cls)
+    return fields(cls)
 
 
 def keys(cls: type) -> dict[str, Field[object]]:
@@ -236,7 +220,7 @@ def keys(cls: type) -> dict[str, Field[object]]:
 
 def one_table(cls: type) -> FieldKind:
     """A value that is such a table."""
-    return FieldKind(_of_type("table", dict, kind_of(cls).core), _reference(cls))
+    return FieldKind(_of_type("table", dict, kind_of(cls).core), entry(cls).json)
 
 
 def tables(cls: type) -> FieldKind:
@@ -246,11 +230,7 @@ def tables(cls: type) -> FieldKind:
 
 def entry(cls: type) -> FieldKind:
     """A table among others of its kind."""
-    return FieldKind(kind_of(cls).core, _reference(cls))
-
-
-def _reference(cls: type) -> Schema:
-    return {"$ref": f"#/$defs/{cls.__name__}"}
+    return FieldKind(kind_of(cls).core, {"$ref": f"#/$defs/{cls.__name__}"})
 
 
 def title(cls: type) -> FieldKind:

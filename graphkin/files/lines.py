@@ -43,7 +43,12 @@ def read_line(draft: Draft, table: LineTable, link: str, own_point: str, path: K
                     raise NoMeaning(draft.where(*path, key), key, "own line")
             return Line(link, point, 1 + 0j)
         return Line(link, point, _turn(table.angle or 0.0) * _base(draft, table, guide, path) / along, base=table.from_)
-    origin = _origin(draft, table, link, own_point, path)
+    if table.through is None:
+        raise MissingKey(draft.where(*path), "through")
+    if link != FRAME or isinstance(table.through, str):
+        origin = _point_of(draft, link, table.through, path)
+    else:
+        origin, draft.frame_points[own_point], draft.starts[own_point] = own_point, complex(*table.through), path
     base = (origin, table.toward) if table.toward is not None else table.from_
     return Line(link, origin, _direction(draft, table, link, origin, path), origin not in draft.starts, base)
 
@@ -72,16 +77,6 @@ def _base(draft: Draft, table: LineTable, guide: str, path: KeyPath) -> complex:
     if beyond is None:
         raise NeedsDirection(draft.where(*path), guide)
     return _base(draft, table, beyond, path) / along
-
-
-def _origin(draft: Draft, table: LineTable, link: str, own_point: str, path: KeyPath) -> str:
-    """The point the line goes through."""
-    if table.through is None:
-        raise MissingKey(draft.where(*path), "through")
-    if link != FRAME or isinstance(table.through, str):
-        return _point_of(draft, link, table.through, path)
-    draft.frame_points[own_point], draft.starts[own_point] = complex(*table.through), path
-    return own_point
 
 
 def _point_of(draft: Draft, link: str, through: str | Sequence[float], path: KeyPath) -> str:
@@ -158,7 +153,7 @@ class _RoughLayout:
         self, links: Mapping[str, Link], slides: Sequence[Slide], held: Sequence[Driver | Pose],
         sketch: Mapping[str, complex],
     ) -> None:  # fmt: skip
-        self.links, self.slides, self.held, self.sketch = links, slides, held, sketch
+        self.links, self.slides, self.held = links, slides, held
         self.turns: dict[str, complex] = {FRAME: 1 + 0j}
         self.places: dict[str, complex] = dict(links[FRAME].points)
         self.listed = [*links.values()]
@@ -168,19 +163,8 @@ class _RoughLayout:
                 self.links_at.setdefault(point, []).append(number)
         self.rules = Rounds(self._exact())
         self.open = Waiting(len(links))
-        self._settle()
-
-    def on_left(self, line: Line, centre: str) -> bool:
-        """Left, where the sketch does not say otherwise."""
-        if line.link not in self.turns or line.origin not in self.places or centre not in self.places:
-            return True
-        along = self.turns[line.link] * line.direction
-        return ((self.places[centre] - self.places[line.origin]) / along).imag > -_CLOSE
-
-    def _settle(self) -> None:
-        """Learn what is exact first; then point by point what the sketch says."""
-        more = iter(self.sketch.items())
-        while True:
+        more = iter(sketch.items())
+        while True:  # what is exact comes first; then point by point what the sketch says
             for rule in self.rules:
                 self._learn(rule())
             turned = self.open.first(self._by_two_points)
@@ -191,6 +175,13 @@ class _RoughLayout:
             if not point:
                 return
             self._learn([(self.places, point, place)])
+
+    def on_left(self, line: Line, centre: str) -> bool:
+        """Left, where the sketch does not say otherwise."""
+        if line.link not in self.turns or line.origin not in self.places or centre not in self.places:
+            return True
+        along = self.turns[line.link] * line.direction
+        return ((self.places[centre] - self.places[line.origin]) / along).imag > -_CLOSE
 
     def _learn(self, news: Iterable[Learnt]) -> None:
         """Note what is new; it calls for the rules that may go on from it."""

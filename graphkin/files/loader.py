@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING
 
 from graphkin.errors import Lang
-from graphkin.files.draft import Draft, check_joints, check_questions, check_sizes, check_sketch
+from graphkin.files.draft import Draft, check_joints, check_questions, check_sizes
 from graphkin.files.source import Deferred, decoded_text, mechanism_name, read_bytes, read_text, read_toml
 from graphkin.files.toml import Document
 from graphkin.model import mechanism
@@ -52,7 +52,7 @@ class MechanismFile(mechanism.Mechanism):
         >>> graphkin.load("ex3-1").with_({"omega AB": "95 rpm", "slide.0.angle": 95}, D=(80, 0)).links["frame"].points
         {'A': 0j, 'D': (0.08+0j)}
         """
-        from graphkin.files.changing import changed_text
+        from graphkin.files.builder import changed_text
 
         return loads(changed_text(self, {**(values or {}), **more}), name=self.name, file=self.file)
 
@@ -118,10 +118,9 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
     """The tables by themselves, then against each other."""
     from pydantic_core import ValidationError
 
-    from graphkin.files.drivers import read_drivers, read_poses
     from graphkin.files.lines import as_sketched
     from graphkin.files.links import frame_problems, read_links, read_measures
-    from graphkin.files.pairs import read_pairs
+    from graphkin.files.pairs import read_drivers, read_pairs, read_poses
     from graphkin.files.schema import complaints, read_tables, stated_values
 
     draft.problems.extend(frame_problems(document.get("frame"), draft.where))
@@ -137,7 +136,9 @@ def _drawn_up(draft: Draft, document: Document, name: str, text: str) -> Mechani
     drivers, poses = read_drivers(draft, file.driver, len(file.pose)), read_poses(draft, file.pose)
     check_joints(draft, pairs, len(file.driver))
     check_sizes(draft)
-    check_sketch(draft, list(file.sketch))
+    for point in file.sketch:
+        with draft.noting():
+            draft.known(point, "sketch", point)
     draft.stop_if_wrong()
     scales = {key: scale for key, scale in vars(file.scales).items() if scale is not None}
     sketch = {point: complex(*place) for point, place in file.sketch.items()}

@@ -1,16 +1,16 @@
-"""The tables of pairs: `[[slide]]`, `[[gear]]`, `[[roll]]`, `[[cam]]`; `READERS` has one reader a kind of table."""
+"""The tables of pairs, `[[slide]]`, `[[gear]]`, `[[roll]]`, `[[cam]]`, by a reader each in `READERS`; `[[driver]]` and
+`[[pose]]`: what moves the mechanism, and what fixes its drawn position."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from itertools import count
-from typing import Any
 
 from graphkin import errors
 from graphkin.files.draft import Draft
 from graphkin.files.lines import has_line, read_line
-from graphkin.files.schema import CamTable, File, GearTable, ProfileTable, RollTable, SlideTable
-from graphkin.model.mechanism import FRAME, KeyPath
+from graphkin.files.schema import CamTable, DriverTable, File, GearTable, PoseTable, ProfileTable, RollTable, SlideTable
+from graphkin.model.mechanism import FRAME, Driver, KeyPath, Pose
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Pair, Profile, RollingContact, Slide
 
 _LINE_KEYS = "through, toward, from, angle"
@@ -29,12 +29,6 @@ def read_pairs(draft: Draft, file: File) -> tuple[Pair, ...]:
     return tuple(pairs)
 
 
-def _slide(draft: Draft, table: SlideTable, path: KeyPath, before: Sequence[Pair]) -> Slide | CircularSlot:
-    """A block or a pin on a line, or a pin on a circle if any key of a circle is there."""
-    on_circle = table.centre is not None or table.radius is not None
-    return _circular(draft, table, path) if on_circle else _straight(draft, table, before, path)
-
-
 def _circular(draft: Draft, table: SlideTable, path: KeyPath) -> CircularSlot:
     """A pin in a circular slot. A block there would turn about the slot's centre: that is a hinge."""
     guide = draft.link(table.guide, *path, "guide")
@@ -49,25 +43,23 @@ def _circular(draft: Draft, table: SlideTable, path: KeyPath) -> CircularSlot:
     point = _pin(draft, table, table.pin, guide, path)
     if guide in draft.owners(point):
         raise errors.SlidesOnItself(draft.where(*path, "pin"), guide)
-    centre = _slot_centre(draft, table.centre, guide, path)
+    if isinstance(table.centre, str):
+        centre = draft.point(guide, table.centre, *path, "centre")
+    elif guide != FRAME:
+        raise errors.UnknownPoint(draft.where(*path, "centre"), "[x, y]", draft.named(guide))
+    else:  # a place of the frame that has no point gets one: O, O', ..
+        place = complex(*table.centre)
+        there = (point for point in draft.named(FRAME) if draft.frame_points[point] == place)
+        free = (name for primes in count() if not draft.owners(name := "O" + "'" * primes))
+        centre = next(there, None) or next(free)
+        draft.frame_points[centre] = place
     return CircularSlot(draft.numbered("c"), guide, centre, table.radius, draft.owners(point)[0], point)
 
 
-def _slot_centre(draft: Draft, centre: str | Sequence[float], guide: str, path: KeyPath) -> str:
-    """The point of the guide; a place of the frame that has no point gets one: O, O', .."""
-    if isinstance(centre, str):
-        return draft.point(guide, centre, *path, "centre")
-    if guide != FRAME:
-        raise errors.UnknownPoint(draft.where(*path, "centre"), "[x, y]", draft.named(guide))
-    place = complex(*centre)
-    there = (point for point in draft.named(FRAME) if draft.frame_points[point] == place)
-    free = (name for primes in count() if not draft.owners(name := "O" + "'" * primes))
-    point = next(there, None) or next(free)
-    draft.frame_points[point] = place
-    return point
-
-
-def _straight(draft: Draft, table: SlideTable, before: Sequence[Pair], path: KeyPath) -> Slide:
+def _slide(draft: Draft, table: SlideTable, path: KeyPath, before: Sequence[Pair]) -> Slide | CircularSlot:
+    """A block or a pin on a line, or a pin on a circle if any key of a circle is there."""
+    if table.centre is not None or table.radius is not None:
+        return _circular(draft, table, path)
     name = draft.name(table.name, f"s{path[1]}", *path)
     draft.unnamed.add(name)
     guide = draft.link(table.guide, *path, "guide")
@@ -146,30 +138,25 @@ def _roll(draft: Draft, table: RollTable, path: KeyPath, before: Sequence[Pair])
         raise errors.SameTwice(draft.where(*path, "on"), table.wheel)
     centre = draft.point(wheel, table.centre, *path, "centre")
     if not on_line:
-        rim, internal = _track_circle(draft, table, track, path), bool(table.internal)
-        return RollingContact(own, False, wheel, centre, table.radius, track, None, True, *rim, internal)
+        if has_line(table):
+            raise errors.CircleOrLine(draft.where(*path), "on_centre, on_radius", _LINE_KEYS)
+        for key, value in (("name", table.name), ("side", table.side)):
+            if value is not None:
+                raise errors.NoMeaning(draft.where(*path, key), key, "circle")
+        if table.on_centre is None or table.on_radius is None:
+            raise errors.MissingKey(draft.where(*path), "on_radius" if table.on_radius is None else "on_centre")
+        rim, internal = draft.point(track, table.on_centre, *path, "on_centre"), bool(table.internal)
+        if rim == table.centre:
+            raise errors.SameTwice(draft.where(*path, "on_centre"), rim)
+        if internal and table.radius == table.on_radius:
+            raise errors.SameCircles(draft.where(*path, "on_radius"))
+        circle = (rim, table.on_radius, internal)
+        return RollingContact(own, False, wheel, centre, table.radius, track, None, True, *circle)
     if table.internal is not None:
         raise errors.NoMeaning(draft.where(*path, "internal"), "internal", "line")
     line = read_line(draft, table, track, own, path)
     left, named = table.side != "right", table.name is not None
     return RollingContact(name, named, wheel, centre, table.radius, track, line, left, None, 0.0, False)
-
-
-def _track_circle(draft: Draft, table: RollTable, track: str, path: KeyPath) -> tuple[str, float]:
-    """Centre and radius of the circle a wheel rolls on."""
-    if has_line(table):
-        raise errors.CircleOrLine(draft.where(*path), "on_centre, on_radius", _LINE_KEYS)
-    for key, value in (("name", table.name), ("side", table.side)):
-        if value is not None:
-            raise errors.NoMeaning(draft.where(*path, key), key, "circle")
-    if table.on_centre is None or table.on_radius is None:
-        raise errors.MissingKey(draft.where(*path), "on_radius" if table.on_radius is None else "on_centre")
-    centre = draft.point(track, table.on_centre, *path, "on_centre")
-    if centre == table.centre:
-        raise errors.SameTwice(draft.where(*path, "on_centre"), centre)
-    if table.internal and table.radius == table.on_radius:
-        raise errors.SameCircles(draft.where(*path, "on_radius"))
-    return centre, table.on_radius
 
 
 def _cam(draft: Draft, table: CamTable, path: KeyPath, before: Sequence[Pair]) -> Cam:
@@ -204,8 +191,126 @@ def _profile(draft: Draft, table: ProfileTable, link: str, number: int, path: Ke
     return Profile(draft.point(link, table.centre, *path, "centre"), table.radius, None, True)
 
 
-READERS: Mapping[str, Callable[[Draft, Any, KeyPath, Sequence[Pair]], Pair]] = {
+READERS: Mapping[str, Callable[..., Pair]] = {
     "slide": _slide, "gear": _gear, "roll": _roll, "cam": _cam,
 }  # fmt: skip
 """By table, in the order in which a mechanism lists its pairs; each reader has the place in the file and the pairs
 before."""
+
+
+def read_drivers(draft: Draft, tables: Sequence[DriverTable], poses: int) -> tuple[Driver, ...]:
+    """The drivers; as many may leave their value out as there are poses."""
+    drivers: list[Driver] = []
+    freedoms: set[tuple[str, str]] = set()  # a slide's displacement, or the turning of one link against another
+    for number, table in enumerate(tables):
+        with draft.noting():
+            driver = _driver(draft, table, ("driver", number))
+            freedom = ("slide", driver.link) if driver.kind == "slide" else (driver.link, driver.from_link)
+            if freedom in freedoms:
+                raise errors.DrivenTwice(draft.where("driver", number), driver.name)
+            freedoms.add(freedom)
+            if driver.value is None and driver.kind != "spin":
+                poses -= 1
+                if poses < 0:
+                    raise errors.SayValue(draft.where("driver", number), "at" if driver.kind == "slide" else "angle")
+            drivers.append(driver)
+    return tuple(drivers)
+
+
+def read_poses(draft: Draft, tables: Sequence[PoseTable]) -> tuple[Pose, ...]:
+    poses = []
+    for number, table in enumerate(tables):
+        with draft.noting():
+            path = ("pose", number)
+            if _only(draft, {"vector": table.vector, "slide": table.slide}, path) == "slide":
+                slide = _meant_slide(draft, table, path)
+                if table.at is None:
+                    raise errors.MissingKey(draft.where(*path), "at")
+                poses.append(Pose("slide", slide, table.at))
+                continue
+            link, vector, from_link = _turning(draft, table, path)
+            if table.angle is None:
+                raise errors.MissingKey(draft.where(*path), "angle")
+            poses.append(Pose("angle", link, table.angle, vector, from_link, table.from_))
+    return tuple(poses)
+
+
+def _driver(draft: Draft, table: DriverTable, path: KeyPath) -> Driver:
+    match _only(draft, {"vector": table.vector, "link": table.link, "slide": table.slide}, path):
+        case "vector":
+            link, vector, from_link = _turning(draft, table, path)
+            length = abs(draft.links[link].arm(*vector))
+            rates = (("omega", table.omega, "velocity", table.velocity),
+                     ("alpha", table.alpha, "acceleration", table.acceleration))  # fmt: skip
+            for key, turning, other, tip in rates:
+                if turning is not None and tip is not None:
+                    raise errors.KeyClash(draft.where(*path, other), key, other)
+            rate, acceleration = (turning or (tip or 0.0) / length for _, turning, _, tip in rates)
+            also = tuple(table.also)
+            return Driver("angle", link, vector, from_link, table.from_, table.angle, rate, acceleration, also)
+        case "link":
+            # a wheel whose own direction does not matter
+            assert table.link is not None
+            others = {"angle": table.angle, "from": table.from_, "at": table.at, "also": table.also or None}
+            _refuse(draft, others | {"velocity": table.velocity, "acceleration": table.acceleration}, "spin", path)
+            link = draft.link(table.link, *path, "link")
+            if link == FRAME:
+                raise errors.DrivenFrame(draft.where(*path, "link"), table.link)
+            return Driver("spin", link, rate=table.omega or 0.0, acceleration=table.alpha or 0.0)
+        case _:
+            _refuse(draft, {"omega": table.omega, "alpha": table.alpha}, "slide", path)
+            rate, acceleration = table.velocity or 0.0, table.acceleration or 0.0
+            slide, also = _meant_slide(draft, table, path), tuple(table.also)
+            return Driver("slide", slide, value=table.at, rate=rate, acceleration=acceleration, also=also)
+
+
+def _only(draft: Draft, subjects: Mapping[str, object], path: KeyPath) -> str:
+    """The one of these keys that is there."""
+    stated = [key for key, value in subjects.items() if value is not None]
+    if not stated:
+        raise errors.WhatIsDriven(draft.where(*path), tuple(subjects))
+    if len(stated) > 1:
+        raise errors.KeyClash(draft.where(*path, stated[1]), stated[0], stated[1])
+    return stated[0]
+
+
+def _turning(draft: Draft, table: PoseTable, path: KeyPath) -> tuple[str, tuple[str, str], str]:
+    """The link a vector belongs to, the vector, and the link it is measured from."""
+    assert table.vector is not None
+    if table.at is not None:
+        raise errors.NoMeaning(draft.where(*path, "at"), "at", "vector")
+    owners = _owners(draft, table.vector, (*path, "vector"))
+    if owners[0] == FRAME:
+        raise errors.DrivenFrame(draft.where(*path, "vector"), "".join(table.vector))
+    if table.from_ is None:
+        return owners[0], table.vector, FRAME
+    others = [link for link in _owners(draft, table.from_, (*path, "from")) if link != owners[0]]
+    if not others:
+        raise errors.SameLink(draft.where(*path, "from"), owners[0])
+    return owners[0], table.vector, others[0]
+
+
+def _owners(draft: Draft, vector: tuple[str, str], path: KeyPath) -> list[str]:
+    """The links that have both points at different places, moving ones first."""
+    for point in vector:
+        draft.known(point, *path)
+    owners = [link for link in draft.owners(*vector) if abs(draft.links[link].arm(*vector)) > 1e-12]
+    if not owners:
+        arms = ("".join(draft.named(link)[:2]) for link in draft.links if len(draft.named(link)) > 1)
+        raise errors.NoVector(draft.where(*path), "".join(vector), tuple(arms))
+    return owners
+
+
+def _meant_slide(draft: Draft, table: PoseTable, path: KeyPath) -> str:
+    """The name of a pair whose displacement is meant."""
+    assert table.slide is not None
+    _refuse(draft, {"angle": table.angle, "from": table.from_}, "slide", path)
+    if table.slide not in draft.used_names | draft.unnamed:
+        raise errors.UnknownSlide(draft.where(*path, "slide"), table.slide, tuple(sorted(draft.used_names)))
+    return table.slide
+
+
+def _refuse(draft: Draft, keys: Mapping[str, object], why: str, path: KeyPath) -> None:
+    for key, value in keys.items():
+        if value is not None:
+            raise errors.NoMeaning(draft.where(*path, key), key, why)

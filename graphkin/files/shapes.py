@@ -207,7 +207,9 @@ class _LayoutSearch:
         for one, other in combinations(options[:MOST_CURVES], 2):
             places = [place for a in one for b in other for place in curve_crossings(a, b)]
             if good := self._fitting(point, places, fixing, placed):
-                return [place for place in good if self._right_way_round({**placed, point: place})]
+                layouts = ((place, {**placed, point: place}) for place in good)
+                return [place for place, layout in layouts  # those that run the right way round
+                        if all(orientation(layout, t) > 0 for t in self.ccw if {*t} <= layout.keys())]  # fmt: skip
             if places and not crossed:
                 crossed = True
                 worst = self._worst(point, places, fixing, placed)
@@ -227,10 +229,6 @@ class _LayoutSearch:
             if fits and all(abs(place - other) > allowed for other in good):
                 good.append(place)
         return good
-
-    def _right_way_round(self, layout: Places) -> bool:
-        placed = (triple for triple in self.ccw if all(point in layout for point in triple))
-        return all(orientation(layout, triple) > 0 for triple in placed)
 
     def _worst(self, point: str, places: list[complex], fixing: list[Measure], placed: Places) -> errors.Contradiction:
         """Of the best layout, the measure that is furthest off."""

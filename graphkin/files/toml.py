@@ -31,9 +31,6 @@ def parsed(text: str) -> Document:
     return tomllib.loads(text)
 
 
-# --- data as text -----------------------------------------------------------------------------
-
-
 def toml(document: Mapping[str, object]) -> str:
     """The text of a mechanism's data: titles and questions, then a table with a header each.
 
@@ -51,7 +48,8 @@ def toml(document: Mapping[str, object]) -> str:
     omega = 10
     <BLANKLINE>
     """
-    plain = {name: value for name, value in document.items() if not _has_header(name, value)}
+    plain = {name: value for name, value in document.items()
+             if not _several(value) and (name == "title" or not isinstance(value, Mapping))}  # fmt: skip
     lines = [f"{key_text(name)} = {value_text(value, name)}" for name, value in plain.items()]
     for name, value in document.items():
         if name not in plain:
@@ -91,10 +89,9 @@ def value_text(value: object, place: str = "") -> str:
     raise WrongType(Where("", None, place), "quantity", shown_value(value))
 
 
-def _has_header(name: str, value: object) -> bool:
-    """True of a table, or of tables; a title of two languages stands on one line."""
-    several = isinstance(value, list | tuple) and bool(value) and all(isinstance(entry, Mapping) for entry in value)
-    return several or (isinstance(value, Mapping) and name != "title")
+def _several(value: object) -> bool:
+    """True of a list of tables."""
+    return isinstance(value, list | tuple) and bool(value) and all(isinstance(entry, Mapping) for entry in value)
 
 
 def _with_header(name: str, value: object) -> Iterator[str]:
@@ -112,9 +109,6 @@ def _with_header(name: str, value: object) -> Iterator[str]:
 
 def _rows(table: Mapping[str, object], place: str) -> Iterator[str]:
     return (f"{key_text(str(key))} = {value_text(value, f'{place}.{key}')}" for key, value in table.items())
-
-
-# --- other values in a text -------------------------------------------------------------------
 
 
 def replaced_values(text: str, values: Mapping[KeyPath, object]) -> str:
@@ -169,8 +163,6 @@ def tidied(path: KeyPath) -> KeyPath:
     """A path with the primes of its names as typed on a keyboard."""
     return tuple(tidy(part) if isinstance(part, str) else part for part in path)
 
-
-# --- where keys stand -------------------------------------------------------------------------
 
 _BLANK = r"(?:[ \t\r\n]|#[^\n]*)*"
 _SPACE = r"[ \t]*"
@@ -251,23 +243,20 @@ class _TextWalk:
             at += 1
 
     def _value(self, at: int, path: KeyPath) -> int:
-        """The end of the value that begins here; it and what is in it are noted."""
+        """The end of the value that begins here; it and what is in it are noted, an item of a list as a key, too."""
+        self.keys.setdefault(path, at)
         at = self._after(_SPACE, at)
         match self.text[at]:
             case '"' | "'":
                 end = self._after(_STRING, at)
             case "[":
-                end = self._items(at + 1, "]", lambda item, n: self._item(item, (*path, n)))
+                end = self._items(at + 1, "]", lambda item, n: self._value(item, (*path, n)))
             case "{":
                 end = self._items(at + 1, "}", lambda item, _: self._key_and_value(item, path))
             case _:
                 end = self._after(_PLAIN, at)
         self.values[path] = at, at + len(self.text[at:end].rstrip())
         return end
-
-    def _item(self, at: int, path: KeyPath) -> int:
-        self.keys.setdefault(path, at)
-        return self._value(at, path)
 
     def _items(self, at: int, close: str, read: Callable[[int, int], int]) -> int:
         """The end of what stands between brackets, separated by commas."""

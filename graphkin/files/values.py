@@ -88,36 +88,28 @@ def si_quantity(value: object, dimension: Dimension) -> float:
 
 def read_quantity(written: float | str, dimension: Dimension) -> float:
     """A number in the dimension's first unit, or a text with a unit, in SI."""
-    if isinstance(written, str):
-        number, unit = _number_and_unit(written, dimension)
-    else:
-        number, unit = written, next(iter(UNITS[dimension]))
+    possible = tuple(UNITS[dimension])
+    number, unit = written, possible[0]
+    if isinstance(written, str):  # `"120 r/min"` -> 120.0, "r/min"
+        match = re.fullmatch(_QUANTITY, written)
+        if match is None:
+            raise errors.NotANumber(NOWHERE, written[:40])
+        number, unit = float(match[1]), re.sub(r"\^?2$", "²", "".join(match[2].split()))
+        if not unit:
+            raise errors.NoUnit(NOWHERE, written.strip()[:40], possible)
+        for other, units in UNITS.items():
+            if unit in units and unit not in possible:
+                raise errors.OtherDimension(NOWHERE, unit, possible, dimension, other)
+        if unit not in possible:
+            raise errors.UnknownUnit(NOWHERE, unit[:40], possible, dimension)
     times, divided = UNITS[dimension][unit]
     try:
         value = float(number) * times / divided
     except OverflowError:
         value = math.inf
     if not abs(value) <= (LARGEST_ANGLE if dimension == "angle" else LARGEST):
-        raise errors.OutOfRange(NOWHERE, written.strip() if isinstance(written, str) else short_number(number))
+        raise errors.OutOfRange(NOWHERE, written.strip() if isinstance(written, str) else short_number(written))
     return value
-
-
-def _number_and_unit(text: str, dimension: Dimension) -> tuple[float, str]:
-    """`"120 r/min"` -> (120.0, "r/min")."""
-    match = re.fullmatch(_QUANTITY, text)
-    if match is None:
-        raise errors.NotANumber(NOWHERE, text[:40])
-    number, unit = match.groups()
-    unit = re.sub(r"\^?2$", "²", "".join(unit.split()))
-    possible = tuple(UNITS[dimension])
-    if not unit:
-        raise errors.NoUnit(NOWHERE, text.strip()[:40], possible)
-    if unit in possible:
-        return float(number), unit
-    for other, units in UNITS.items():
-        if unit in units:
-            raise errors.OtherDimension(NOWHERE, unit, possible, dimension, other)
-    raise errors.UnknownUnit(NOWHERE, unit[:40], possible, dimension)
 
 
 def above_zero(value: float) -> float:

@@ -15,7 +15,8 @@ from graphkin.marking.answers import ArrowPlaces, Ends, arrows_of, drawn_answer
 from graphkin.marking.consequences import combined
 from graphkin.marking.hand import PolygonHand, Redrawing, redraw
 from graphkin.marking.key import Columns, Key, agrees, columns, sense_only
-from graphkin.model.quantities import Answer, Component, Moving, Quantity, Rotation
+from graphkin.model.quantities import Answer, Moving, Quantity, Rotation
+from graphkin.model.quantities.kinds import Component
 from graphkin.planning import Method
 
 

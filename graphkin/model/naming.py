@@ -121,11 +121,12 @@ _RODS = {"c": "e", "r": "f", "g": "g"}
 
 def spelled(name: str) -> str:
     """A name with the links of an equivalent as people read them: e, e2, ..; those that hold a wheel f, f2, .."""
-    return _ROD.sub(_rod, name)
 
 
-def _rod(match: re.Match[str]) -> str:
-    letter, kind, number, roll = match.groups()
-    if kind is None:
-        return f"{letter}e_{roll}"
-    return letter + _RODS[kind] + (str(int(number) + 1) if int(number) else "")
+    def rod(match: re.Match[str]) -> str:
+        letter, kind, number, roll = match.groups()
+        if kind is None:
+            return f"{letter}e_{roll}"
+        return letter + _RODS[kind] + (str(int(number) + 1) if int(number) else "")
+
+    return _ROD.sub(rod, name)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar, assert_never
+from typing import TYPE_CHECKING, Any, Generic, TypeAlias, TypeVar, assert_never, cast
 
 import numpy as np
 
@@ -45,14 +45,10 @@ class NamedValues(Mapping[str, _M]):
         return mechanism.moving if self._word in _TURNS else mechanism.points
 
     def __getitem__(self, name: str) -> _M:
-        value: _M = self._value(name)
-        return value
-
-    def _value(self, name: str) -> Any:
         if name == FRAME and self._word in _TURNS:
-            return measured(0.0, _TURNS[self._word])
+            return cast(_M, measured(0.0, _TURNS[self._word]))
         try:
-            return self._owner.quantity(f"{self._word} {name}")
+            return cast(_M, self._owner.quantity(f"{self._word} {name}"))
         except GraphkinError as problem:
             if isinstance(problem, KeyError) or not hasattr(problem, "possible"):
                 raise
@@ -108,21 +104,6 @@ class Readable:
     theta, omega, alpha = _Signed("theta"), _Signed("omega"), _Signed("alpha")
     s, x, y = _Signed("s"), _Signed("x"), _Signed("y")
     position, v, a = _Vectorial("path"), _Vectorial("v"), _Vectorial("a")
-
-
-class ReadableAt(Readable):
-    """A `Readable` of one position: its values are numbers and vectors."""
-
-    if TYPE_CHECKING:
-        theta: NamedValues[Number]
-        omega: NamedValues[Number]
-        alpha: NamedValues[Number]
-        s: NamedValues[Number]
-        position: NamedValues[Vector]
-        x: NamedValues[Number]
-        y: NamedValues[Number]
-        v: NamedValues[Vector]
-        a: NamedValues[Vector]
 
 
 @frozen

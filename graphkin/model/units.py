@@ -16,12 +16,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 import numpy as np
 
 from graphkin.base.geometry import Array, Real, Value
 from graphkin.base.value import frozen
+
+_Plain = TypeVar("_Plain", bound=np.ndarray)
 
 GRAVITY = 9.80665  # standard acceleration of gravity [m/s^2]
 
@@ -217,9 +219,9 @@ class Numbers(Measured, np.ndarray):
     def si(self) -> np.ndarray:
         return self.view(np.ndarray)
 
-    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
+    def __array_wrap__(self, array: _Plain, context: object = None, return_scalar: bool = False) -> _Plain:
         """The result of a calculation as a plain number or array: it has no unit any more."""
-        return np.asarray(array)[()]
+        return cast(_Plain, np.asarray(array)[()])
 
     def __getitem__(self, key: Any) -> Any:
         return measured(self.si[key], self.unit)

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphkin.base.geometry import Array, Value
-from graphkin.model.mechanism import Driver, Link, Mechanism
+from graphkin.model.mechanism import Link, Mechanism
 from graphkin.model.pairs import Pair, Slide
 
 Stacked: TypeAlias = Any
@@ -25,18 +25,14 @@ SAME_PLACE = 1e-9  # points of a link nearer than this to each other do not give
 def topology(mechanism: Mechanism) -> tuple[object, ...]:
     """All of a mechanism but its numbers: what has the same, and `coincidences`, is drawn by the same steps."""
     links = tuple((name, tuple(link.points)) for name, link in mechanism.links.items())
-    pairs = tuple(_without_numbers(pair) for pair in mechanism.pairs)
+    pairs = tuple(
+        (type(pair.stands_for), replace(pair, line=replace(pair.line, direction=0j), tilt=0.0, stands_for=None))
+        if isinstance(pair, Slide) else (type(pair), pair.joins) for pair in mechanism.pairs
+    )  # fmt: skip
     drivers = tuple(replace(each, value=None if each.value is None else 0.0, rate=0.0, acceleration=0.0, also=())
                     for each in mechanism.drivers)  # fmt: skip
     poses = tuple(replace(pose, value=0.0) for pose in mechanism.poses)
     return mechanism.frame, links, pairs, drivers, poses, tuple(mechanism.sketch)
-
-
-def _without_numbers(pair: Pair) -> tuple[object, ...]:
-    if isinstance(pair, Slide):
-        line = replace(pair.line, direction=0j)
-        return type(pair.stands_for), replace(pair, line=line, tilt=0.0, stands_for=None)
-    return type(pair), pair.joins
 
 
 def coincidences(mechanism: Mechanism) -> NDArray[np.int8]:
@@ -60,25 +56,22 @@ def stacked(mechanisms: Sequence[Mechanism]) -> Mechanism:
     links = {name: Link(name, {point: _array(m.links[name].points[point] for m in mechanisms) for point in link.points})
              for name, link in first.links.items()}  # fmt: skip
     sketch = {point: _array(m.sketch[point] for m in mechanisms) for point in first.sketch}
-    slides = iter([_slides([m.slides[k] for m in mechanisms]) for k in range(len(first.slides))])
-    pairs = tuple(next(slides) if isinstance(pair, Slide) else pair for pair in first.pairs)
+    pairs: list[Pair] = []
+    for k, pair in enumerate(first.pairs):
+        if isinstance(pair, Slide):
+            slides = [slide for m in mechanisms if isinstance(slide := m.pairs[k], Slide)]
+            line = replace(pair.line, direction=_array(slide.line.direction for slide in slides))
+            pair = replace(pair, line=line, tilt=_array(slide.tilt for slide in slides))
+        pairs.append(pair)
     poses = tuple(replace(pose, value=_array(m.poses[k].value for m in mechanisms))
                   for k, pose in enumerate(first.poses))  # fmt: skip
-    drivers = tuple(_drivers([m.drivers[k] for m in mechanisms]) for k in range(len(first.drivers)))
-    return replace(first, links=links, pairs=pairs, drivers=drivers, poses=poses, sketch=sketch)
-
-
-def _slides(slides: Sequence[Slide]) -> Slide:
-    direction, tilt = _array(slide.line.direction for slide in slides), _array(slide.tilt for slide in slides)
-    return replace(slides[0], line=replace(slides[0].line, direction=direction), tilt=tilt)
-
-
-def _drivers(drivers: Sequence[Driver]) -> Driver:
-    values = [driver.value for driver in drivers if driver.value is not None]
-    return replace(
-        drivers[0], value=_array(values) if len(values) == len(drivers) else None,
-        rate=_array(driver.rate for driver in drivers), acceleration=_array(driver.acceleration for driver in drivers),
-    )  # fmt: skip
+    drivers = []
+    for each in zip(*(m.drivers for m in mechanisms), strict=True):
+        values = [driver.value for driver in each if driver.value is not None]
+        value = _array(values) if len(values) == len(each) else None
+        rate, acceleration = _array(d.rate for d in each), _array(d.acceleration for d in each)
+        drivers.append(replace(each[0], value=value, rate=rate, acceleration=acceleration))
+    return replace(first, links=links, pairs=tuple(pairs), drivers=tuple(drivers), poses=poses, sketch=sketch)
 
 
 def _array(numbers: Iterable[complex]) -> Stacked:
@@ -118,12 +111,7 @@ def _with_numbers(mechanism: Mechanism, make: Callable[[Stacked], Stacked]) -> M
     pairs = tuple(replace(pair, line=replace(pair.line, direction=make(pair.line.direction)), tilt=make(pair.tilt))
                   if isinstance(pair, Slide) else pair for pair in mechanism.pairs)  # fmt: skip
     poses = tuple(replace(pose, value=make(pose.value)) for pose in mechanism.poses)
-    drivers = tuple(
-        replace(
-            driver, value=None if driver.value is None else make(driver.value), rate=make(driver.rate),
-            acceleration=make(driver.acceleration),
-        )
-        for driver in mechanism.drivers
-    )  # fmt: skip
+    drivers = tuple(replace(each, value=None if each.value is None else make(each.value), rate=make(each.rate),
+                            acceleration=make(each.acceleration)) for each in mechanism.drivers)  # fmt: skip
     sketch = {point: make(z) for point, z in mechanism.sketch.items()}
     return replace(mechanism, links=links, pairs=pairs, drivers=drivers, poses=poses, sketch=sketch)

@@ -10,7 +10,7 @@ from graphkin.base.geometry import Value, number, place
 from graphkin.base.value import Lazy
 from graphkin.construction import Plot
 from graphkin.errors import Where
-from graphkin.files.changing import reposed
+from graphkin.files.builder import reposed
 from graphkin.model import quantities
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Mechanism

@@ -13,7 +13,8 @@ from graphkin.errors import Lang
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import ROUNDING, Mechanism
 from graphkin.model.naming import Seen
-from graphkin.model.quantities import Centre, read, relative
+from graphkin.model.quantities import Centre, read
+from graphkin.model.quantities.kinds import relative
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
 from graphkin.proof.roads import Proved, proved

@@ -5,9 +5,9 @@
     entry           headings, sentences, calculations, vector equations: data for any output; their lines
     reading, plane  a mechanism at one position, and one of its polygons: names and plain numbers of all they hold
     explained       a method and its plot -> entries, by a reader each: `problem_data`, `solution_goal`, `position`
-                    (`tangents`, `equivalents`), `polygons` (`equations`, `rolling`, `simultaneous`), `answer_lines`
+                    (`tangents`, `equivalents`), `polygons` (`equations`, `rolling`, `simultaneous`); the answers
     dimensions      the numbers that a file gives, for sentences and for sheets
-    structure, results, checks, sweeps, finding, design, linkages, centre_*, file_help    a reader a subject
+    structure, results, sweeps, finding, design, linkages, centre_*, file_help    a reader a subject
     problems, marks, tolerances    homework
 
 Every figure is taken from the data; nothing here solves anything. A new step kind fails the type check in each

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from math import hypot
 from typing import assert_never
 
@@ -66,10 +66,6 @@ class LeverReader:
 
     reader: CentreReader
     levers: Levers
-
-    def entries(self, levers: Iterable[Lever]) -> list[Entry]:
-        """One entry each."""
-        return [self.entry(lever) for lever in levers]
 
     def entry(self, lever: Lever, name: str = "") -> Entry:
         """A calculation, or why there is none. name: of a point's velocity, as it was asked for."""
@@ -182,7 +178,7 @@ def _velocities(reader: CentreReader, scale: float) -> Iterator[Entry]:
             name = names.relative("ω", called(driver.link), called(driver.from_link))
         rate = f"{name} = {number(abs(driver.rate))} rad/s{note}"
     yield Sentence(reader.say("centres.given", what=rate))
-    yield from levers.entries(levers.levers.start(driver))
+    yield from map(levers.entry, levers.levers.start(driver))
     lines = set[str]()
     asked = {text.strip(): parts(reader.mechanism, text) for text in reader.mechanism.ask}
     if not any(halves and halves[0].word in ("omega", "v") for halves in asked.values()):
@@ -203,9 +199,9 @@ def _answer(levers: LeverReader, *quantities: Quantity) -> Iterator[Entry]:
     for quantity in quantities:
         if isinstance(quantity, Rotation) and quantity.word == "omega":
             if (path := levers.levers.path(quantity.link)) is None:
-                yield _missing(levers, levers.rate(quantity.link))
+                yield Sentence(levers.reader.say("centres.not told", name=levers.rate(quantity.link)))
                 continue
-            yield from levers.entries(levers.levers.along(path))
+            yield from map(levers.entry, levers.levers.along(path))
             if not levers.levers.turning[quantity.link]:
                 yield Calculation(levers.rate(quantity.link), (), "", 0.0, "rad/s")
         elif isinstance(quantity, Moving) and quantity.word == "v" and quantity.seen_from is None:
@@ -214,20 +210,16 @@ def _answer(levers: LeverReader, *quantities: Quantity) -> Iterator[Entry]:
             yield from _relative(levers, quantity.of, quantity.site, quantity.seen_from)
 
 
-def _missing(levers: LeverReader, name: str) -> Entry:
-    return Sentence(levers.reader.say("centres.not told", name=name))
-
-
 def _of_site(levers: LeverReader, text: str, site: Seen) -> Iterator[Entry]:
     """`v C` of a point: of the links that have it, the frame, then one with known motion, then one within reach."""
     owners, name = levers.reader.mechanism.owners[site.point], f"v_{names.point(text)}"
     nearest = sorted(owners, key=lambda link: (link != FRAME, link not in levers.levers.turning))
     for link in [site.link] if site.explicit else nearest:
         if (path := levers.levers.path(link)) is not None:
-            yield from levers.entries(levers.levers.along(path))
+            yield from map(levers.entry, levers.levers.along(path))
             yield levers.entry(levers.levers.of_point(site.point, link), name)
             return
-    yield _missing(levers, name)
+    yield Sentence(levers.reader.say("centres.not told", name=name))
 
 
 def _relative(levers: LeverReader, text: str, of: Seen, seen_from: Seen) -> Iterator[Entry]:
@@ -237,10 +229,10 @@ def _relative(levers: LeverReader, text: str, of: Seen, seen_from: Seen) -> Iter
     links = [of.link, seen_from.link] if link is None else [link]
     paths = [path for one in links if (path := levers.levers.path(one)) is not None]
     if len(paths) < len(links):
-        yield _missing(levers, name)
+        yield Sentence(levers.reader.say("centres.not told", name=name))
         return
     for path in paths:
-        yield from levers.entries(levers.levers.along(path))
+        yield from map(levers.entry, levers.levers.along(path))
     if link is not None:
         yield levers.entry(levers.levers.of_pair(of.point, seen_from.point, link), name)
         return

@@ -4,25 +4,176 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
-from functools import partial
-from typing import TYPE_CHECKING
+from functools import cached_property, partial
+from math import degrees, radians
+from typing import TYPE_CHECKING, assert_never
 
+from graphkin.base.value import frozen
 from graphkin.construction import Equation, Plane, Plot
 from graphkin.errors import Lang
+from graphkin.model.kinematic_state import Motions
+from graphkin.model.quantities import Quantity
+from graphkin.model.quantities.kinds import Centre, Component, Displacement, Moving, Place, Quotient, Rotation, Track
+from graphkin.model.units import EDGE
 from graphkin.planning import Method
 from graphkin.planning.drawn_position import by_pose, shown
-from graphkin.say.answer_lines import AnswerLines, deviations
-from graphkin.say.entry import Calculation, Entry, Sentence, VectorEquation, text_lines
+from graphkin.proof.readings import readings
+from graphkin.say import names
+from graphkin.say.entry import Calculation, Entry, Heading, Sentence, VectorEquation, text_lines
 from graphkin.say.equations import worded
+from graphkin.say.figures import Operand, TrigFormula
+from graphkin.say.numbers import number
 from graphkin.say.plane import PolygonReading
 from graphkin.say.polygons import polygon_entries
 from graphkin.say.position import PositionReader
 from graphkin.say.problem_data import problem_data, solution_head
 from graphkin.say.reading import Reading
-from graphkin.say.solution_goal import solution_goal
+from graphkin.say.solution_goal import SolutionGoal, solution_goal
 
 if TYPE_CHECKING:
     from graphkin.marking.ruler import Ruler
+
+_NO_DEVIATION = 1e-6  # parts below this are none [%]
+
+
+@frozen
+class AnswerLines:
+    """The answers, about to be worded; `calculated`: sizes of vectors that the solution has worked out [SI]."""
+
+    goal: SolutionGoal
+    calculated: Mapping[str, float]
+
+    @property
+    def reading(self) -> Reading:
+        return self.goal.reading
+
+    @cached_property
+    def _motions(self) -> Motions:
+        return readings(self.reading.method, self.reading.plot)
+
+    @property
+    def answerable(self) -> list[Quantity]:
+        """The questions that can be answered."""
+        return [quantity for quantity in self.goal.wanted if quantity is not None]
+
+    def entries(self) -> Iterator[Entry]:
+        if self.goal.wanted:
+            yield Heading(self.reading.say("solution.answer"))
+        yield from map(self.entry, self.answerable)
+
+    def entry(self, quantity: Quantity) -> Sentence | Calculation:
+        """The answer to one question, with the figures it is worked out from where that is one step more."""
+        name, say, unit = self.goal.symbol(quantity), self.reading.say, EDGE[quantity.unit]
+        match quantity:
+            case Centre():
+                place = self._centre(quantity)
+                return Sentence("  " + say("solution.centre at", name=names.point(quantity.text), place=place))
+            case Track():
+                place = self._track(quantity)
+                return Sentence("  " + say("solution.place at", point=names.point(quantity.of), place=place))
+            case Moving():
+                size, vector = self.value(quantity), complex(quantity.vector(self._motions))
+                note = say("derivation.at direction", angle=self.reading.angle(vector)) if size else ""
+                return Calculation(name, (), "", size, unit.sign, note)
+            case Component():
+                return self._component(name, quantity)
+            case Quotient():
+                top, bottom = self.value(quantity.top), self.value(quantity.bottom)
+                if not (top and bottom):
+                    return Calculation(name, (), "", float(quantity.answer(self._motions).value.real), "")
+                turning = all(isinstance(half, Rotation) and half.word != "theta" for half in quantity.halves)
+                note = say("centres.same" if top * bottom > 0 else "centres.opposite") if turning else ""
+                return Calculation(name, (), Operand(top) / Operand(bottom), top / bottom, "", note)
+            case Rotation() if quantity.word != "theta":
+                value = self.value(quantity)
+                return Calculation(name, (), "", abs(value), unit.sign, self.reading.sense(value))
+            case Rotation() | Displacement() | Place():
+                return Calculation(name, (), "", self.value(quantity) * unit.factor, unit.sign)
+            case _:
+                assert_never(quantity)
+
+    def result(self, quantity: Quantity) -> str:
+        """The answer without its name and without figures: `1.220 m/s (at 180° to +x)`."""
+        if isinstance(quantity, Centre):
+            return self._centre(quantity)
+        if isinstance(quantity, Track):
+            return f"{self._track(quantity)} mm"
+        entry = self.entry(quantity)
+        assert isinstance(entry, Calculation), quantity
+        return f"{entry.result}{self.reading.note(entry.note)}"
+
+    def signed(self, quantity: Quantity) -> float:
+        """The answer as a number, of a rotation with its sense."""
+        if isinstance(quantity, Rotation):
+            return self.value(quantity)
+        entry = self.entry(quantity)
+        return entry.value if isinstance(entry, Calculation) else 0.0
+
+    def value(self, quantity: Quantity) -> float:
+        """A quantity [SI], as it was read where a ruler reads; 0 where it is but rounding noise."""
+        exactly, ruler = float(quantity.answer(self._motions).value.real), self.reading.ruler
+        if not self.reading.usual.cut(exactly, quantity.unit):
+            return 0.0
+        match quantity:
+            case Moving():
+                # as it was calculated, of the point or of that of one link (`v_C`, `v_C4`); else as it is read off
+                site, method = quantity.site, self.reading.method
+                holding = method.mechanism.owners.get(site.point, ())
+                links = {site.link, *(holding if site.link in holding else ())}
+                labels = [self.goal.symbol(quantity)]
+                for node in method.velocity.nodes.values() if quantity.seen_from is None else ():
+                    if node.site is not None and node.site.point == site.point and node.site.link in links:
+                        labels.append(names.vector(f"{quantity.letter}_{node.of}"))
+                if (known := next((label for label in labels if label in self.calculated), None)) is not None:
+                    return self.calculated[known]
+                plane: Plane = "velocity" if quantity.letter == "v" else "acceleration"
+                return exactly if ruler is None else float(ruler.read(exactly, plane).real)
+            case Component():
+                return self._component("", quantity).value
+            case Displacement() | Place() | Track() | Centre():
+                return self.reading.measured(exactly)
+            case Rotation(word="theta") if ruler is not None:
+                return radians(ruler.angle(degrees(exactly)))
+            case Rotation() | Quotient():
+                return exactly
+            case _:
+                assert_never(quantity)
+
+    def _component(self, name: str, quantity: Component) -> Calculation:
+        """`v_E,x = 0.3201 × cos 36.87° = 0.2561 m/s`."""
+        whole, vector = self.value(quantity.whole), complex(quantity.whole.vector(self._motions))
+        turned = TrigFormula("cos" if quantity.axis == "x" else "sin", self.reading.direction(vector))
+        value, unit = whole * turned.value, EDGE[quantity.unit].sign
+        if not self.reading.usual.cut(value, quantity.unit):
+            return Calculation(name, (), "", 0.0, unit)
+        return Calculation(name, (), Operand(whole) * turned, value, unit)
+
+    def _centre(self, quantity: Centre) -> str:
+        """The place of an instant centre."""
+        assert self.goal.centred is not None, quantity
+        return self.goal.centred.place(quantity)
+
+    def _track(self, quantity: Track) -> str:
+        """`(34.5, −20)`, in mm."""
+        place = complex(self._motions.position[quantity.site.point])
+        noise, read = self.reading.noise * 1000, self.reading.measured
+        x, y = (number(read(value) * 1000, noise) for value in (place.real, place.imag))
+        return f"({x}, {y})"
+
+
+def deviations(drawn: AnswerLines, exactly: SolutionGoal) -> Iterator[Entry]:
+    """Each answer read off a drawing beside its exact value; `exactly`: the same questions of the drawing itself."""
+    right, say = AnswerLines(exactly, {}), drawn.reading.say
+    if drawn.answerable:
+        yield Heading(say("solution.exactly"))
+    for quantity in drawn.answerable:
+        name, off = exactly.symbol(quantity), ""
+        if quantity.is_place:
+            name = names.point(quantity.text.split()[-1])
+        elif value := right.signed(quantity):
+            off = say("solution.off", part=number(abs(drawn.signed(quantity) / value - 1) * 100, _NO_DEVIATION, 2))
+        shown = {"read": drawn.result(quantity), "exact": right.result(quantity)}
+        yield Sentence("  " + say("solution.beside", name=name, off=off, **shown))
 
 
 def explain(
@@ -54,8 +205,8 @@ def derivation(
     parts = [partial(polygon_entries, reading, plane, steps) for plane, steps in goal.parts.items()]
     if not as_planned and (centres := goal.centred) is not None:
         parts.insert(1 if centres.from_velocities and parts else 0, centres.entries)
-    for number, part in enumerate(parts, start=2):
-        body += part(number=number)
+    for count, part in enumerate(parts, start=2):
+        body += part(number=count)
     acts = [entry.act for entry in body if isinstance(entry, Sentence) and entry.act is not None]
     steps = {act.number for act in acts if act.numbered}
     yield from problem_data(reading)

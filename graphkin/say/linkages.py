@@ -69,7 +69,13 @@ def lines(report: Report, lang: Lang) -> Iterator[str]:
     yield from _limits(report, lang)
     yield from _ratio(report, lang)
     yield from _gamma(report, lang)
-    yield from _dead(report, lang)
+    for driver, values in report.dead.items():
+        if values:
+            shown = _list(map(millimetres if driver == report.slide else angle, values), lang)
+            along = report.output != driver == report.slide and driver == "s"
+            yield say("linkages.dead along" if along else "linkages.dead", lang, driver=driver, values=shown)
+        else:
+            yield say("linkages.no dead", lang, driver=driver)
     if (advantage := report.advantage) is not None:
         value = f"{number(advantage.least)}{' N/(N·m)' if report.output_slides else ''}"
         words = {"at": amount(report, advantage.at), "value": value, "driver": report.driver}
@@ -158,16 +164,6 @@ def _ratio(report: Report, lang: Lang) -> Iterator[str]:
         yield say("linkages.theta", lang, theta=angle(report.theta), k=k)
         one, other = (number + 1 for number in report.slow)
         yield say("linkages.slow", lang, one=one, other=other, driver=report.timed_by or report.driver)
-
-
-def _dead(report: Report, lang: Lang) -> Iterator[str]:
-    for driver, values in report.dead.items():
-        if values:
-            shown = _list(map(millimetres if driver == report.slide else angle, values), lang)
-            along = report.output != driver == report.slide and driver == "s"
-            yield say("linkages.dead along" if along else "linkages.dead", lang, driver=driver, values=shown)
-        else:
-            yield say("linkages.no dead", lang, driver=driver)
 
 
 def _gamma(report: Report, lang: Lang) -> Iterator[str]:

@@ -36,7 +36,16 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
         sizes = [given, edge_value(one.right, one.unit), tolerance, EDGE[one.unit].sign]
         rows.append([one.text, *sizes, verdict(one, lang)])
     yield from (f"  {row}" for row in marks_table(rows))
-    yield from (f"  {line}" for line in _arithmetic(marked, lang))
+    # values judged with the student's own earlier ones, and those that were not carried on
+    units, between = {one.text: one.unit for one in marked.judged}, say("common.list", lang)
+    for one in marked.judged:
+        if one.own and one.carried is not None:
+            own = between.join(f"{text} = {edge_value(value, units[text])}" for text, value in one.own.items())
+            yes, follows = "yes" if one.verdict == "carried" else "no", edge_value(one.carried, one.unit)
+            yield "  " + say(f"marks.judged with {yes}", lang, own=own, quantity=one.text, value=follows)
+    refused = dict.fromkeys(text for one in marked.judged if one.verdict == "wrong" for text in one.refused)
+    if refused:
+        yield "  " + say("marks.not carried", lang, own=between.join(refused))
     yield from (f"  {line}" for line in _explanations(marked, lang))
     yield from (f"  {say('marks.note', lang, note=note.message(lang))}" for note in graded.notes)
 
@@ -54,20 +63,6 @@ def marks_table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
 def edge_value(value: float, unit: str) -> str:
     """A value in its unit at the edge, in four digits."""
     return number(value * EDGE[unit].factor)
-
-
-def _arithmetic(marked: Marked, lang: Lang) -> Iterator[str]:
-    """Values judged with the student's own earlier ones, and those that were not carried on."""
-    units = {one.text: one.unit for one in marked.judged}
-    between = say("common.list", lang)
-    for one in marked.judged:
-        if one.own and one.carried is not None:
-            own = between.join(f"{text} = {edge_value(value, units[text])}" for text, value in one.own.items())
-            yes, value = "yes" if one.verdict == "carried" else "no", edge_value(one.carried, one.unit)
-            yield say(f"marks.judged with {yes}", lang, own=own, quantity=one.text, value=value)
-    refused = dict.fromkeys(text for one in marked.judged if one.verdict == "wrong" for text in one.refused)
-    if refused:
-        yield say("marks.not carried", lang, own=between.join(refused))
 
 
 def _explanations(marked: Marked, lang: Lang) -> Iterator[str]:

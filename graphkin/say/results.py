@@ -1,32 +1,33 @@
-"""Everything that `solve` finds, for people: drawn beside analysed, and what was asked."""
+"""The findings of `solve` and `check`, for people: drawn beside analysed, with the answers; a drawing file measured."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any
 
 from graphkin.base.geometry import dot
+from graphkin.check import RulerReport
 from graphkin.errors import Lang
+from graphkin.files.toml import Document
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import EDGE, Unit, driven, read
+from graphkin.say import names
 from graphkin.say.catalogue import say
 from graphkin.say.centre_steps import centre_place
 from graphkin.say.names import in_signs, of_slide
 from graphkin.say.numbers import exact
 from graphkin.say.text_table import table
 
-Json = Mapping[str, Any]
-
 _SLIDING = (("s", "s", EDGE["m"]), ("v", "ṡ", EDGE["m/s"]), ("a", "s̈", EDGE["m/s^2"]))
 """A displacement and its rates: in the data, in print, their units."""
 
 
-def solve_lines(mechanism: Mechanism, results: Json, lang: Lang) -> Iterator[str]:
+def solve_lines(mechanism: Mechanism, results: Mapping[str, object], lang: Lang) -> Iterator[str]:
     """A table of each position, with the answers under it."""
+    data: Document = {**results}
     colon = say("common.colon", lang)
-    yield "  ".join(dict.fromkeys((results["name"], results["title"])))
-    for position in results["positions"]:
+    yield "  ".join(dict.fromkeys((data["name"], data["title"])))
+    for position in data["positions"]:
         yield ""
         drivers = []  # `AB = 60 deg, ram = 90 mm`
         for driver, value in zip(mechanism.drivers, position["drivers"], strict=True):
@@ -52,7 +53,7 @@ def solve_lines(mechanism: Mechanism, results: Json, lang: Lang) -> Iterator[str
         yield f"{say('results.worst', lang)}{colon}{position['worst']:.1e}"
 
 
-def _rows(mechanism: Mechanism, position: Json) -> Iterator[list[str]]:
+def _rows(mechanism: Mechanism, position: Document) -> Iterator[list[str]]:
     analytic = position["analytic"]
     for link, motion in position["links"].items():
         theta, right = math.degrees(motion["theta"]), math.degrees(analytic["links"][link]["theta"])
@@ -79,3 +80,48 @@ def _rows(mechanism: Mechanism, position: Json) -> Iterator[list[str]]:
 def _row(name: str, drawn: float, right: float, unit: Unit, off: float | None = None) -> list[str]:
     off = drawn - right if off is None else off
     return [name, exact(drawn), exact(right), f"{off:.1e}", unit.name]
+
+
+def check_lines(report: RulerReport, tolerance_mm: float, lang: Lang) -> Iterator[str]:
+    """Each vector and point as drawn, as it should be, and the difference on paper and in its unit."""
+    yield report.file
+    heads = ("name", "drawn", "exact", "off", "value", "unit")
+    rows = [[say(f"checks.{head}", lang) for head in heads]]
+    for entry in report.measured:
+        mark = "" if entry.off_mm <= tolerance_mm else "  <--"
+        in_polygon = entry.kind == "vector" and entry.plane != "centres"
+        name = names.vector(entry.name) if in_polygon else names.point(entry.name)
+        if entry.kind == "vector":
+            drawn, exact = f"{abs(entry.drawn):.4f}", f"{abs(entry.exact):.4f}"
+        else:
+            name += say("common.note", lang, note=say(f"checks.plane {entry.plane}", lang))
+            places = (f"({place.real + 0.0:.3f}, {place.imag + 0.0:.3f})" for place in (entry.drawn, entry.exact))
+            drawn, exact = (place.replace("-", "−") for place in places)
+        sizes = [drawn, exact, f"{entry.off_mm:.4f}", f"{entry.off_mm * entry.unit_per_mm:.2e}"]
+        rows.append([name, *sizes, entry.unit.replace("^2", "²") + mark])
+    yield from table(rows)
+    colon, (faults, notes) = say("common.colon", lang), _remarks(report, lang)
+    yield from (f"{say('checks.fault', lang)}{colon}{fault}" for fault in faults)
+    yield from (f"{say('checks.note', lang)}{colon}{note}" for note in notes)
+    wrong = report.wrong(tolerance_mm)
+    yield say("checks.bad" if wrong else "checks.good", lang, count=wrong, tolerance=tolerance_mm)
+
+
+def check_json(report: RulerReport, tolerance_mm: float, lang: Lang) -> dict[str, object]:
+    """The same for programs: drawn and exact in mm on paper, [x, y]; faults and notes in words."""
+    measured, (faults, notes) = [], _remarks(report, lang)
+    for entry in report.measured:
+        drawn, exact = ([place.real, place.imag] for place in (entry.drawn, entry.exact))
+        off = entry.off_mm if math.isfinite(entry.off_mm) else None
+        row = {"plane": entry.plane, "kind": entry.kind, "name": entry.name, "drawn": drawn, "exact": exact}
+        measured.append(row | {"off": off, "unit_per_mm": entry.unit_per_mm, "unit": entry.unit})
+    return {
+        "format": 1, "file": report.file, "passed": report.passed(tolerance_mm), "tolerance": tolerance_mm,
+        "measured": measured, "faults": faults, "notes": notes,
+    }  # fmt: skip
+
+
+def _remarks(report: RulerReport, lang: Lang) -> tuple[list[str], list[str]]:
+    """The faults and the notes in words."""
+    faults = [say(f"checks.fault {fault.kind}", lang, what=fault.what) for fault in report.faults]
+    return faults, [say(f"checks.note {note.kind}", lang, what=note.what) for note in report.notes]

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator
 from typing import assert_never
 
-from graphkin.construction import Chain, Equation, Term, kinds, terms
+from graphkin.construction import Chain, Equation, kinds, terms
 from graphkin.model.mechanism import FRAME
 from graphkin.say import names
 from graphkin.say.dimensions import driven
@@ -130,21 +130,20 @@ def special_introduction(polygon: PolygonReading, part: Equation) -> str:
     site = polygon.construction.nodes[part.left[-1].head].site
     if not legs or site is None:
         return ""
-    first, second = (_leg(polygon, term) for term in legs)
+    lines = []
+    for term in legs:
+        match term.direction:
+            case terms.Across(tail, head) | terms.Along(tail, head):
+                lines.append(names.pair(tail, head))
+            case terms.AlongGuide(slide) | terms.AcrossGuide(slide):
+                lines.append(polygon.reading.path(slide))
+            case terms.Quarter() | None:
+                raise AssertionError("a leg has one unknown direction line")
+            case _:
+                assert_never(term.direction)
+    first, second = lines
     link = polygon.reading.link(site.link)
     return polygon.reading.say("contacts.special", of=names.point(part.of), link=link, first=first, second=second)
-
-
-def _leg(polygon: PolygonReading, term: Term) -> str:
-    match term.direction:
-        case terms.Across(tail, head) | terms.Along(tail, head):
-            return names.pair(tail, head)
-        case terms.AlongGuide(slide) | terms.AcrossGuide(slide):
-            return polygon.reading.path(slide)
-        case terms.Quarter() | None:
-            raise AssertionError("a leg has one unknown direction line")
-        case _:
-            assert_never(term.direction)
 
 
 def instant_centre(polygon: PolygonReading, part: Equation) -> str:

@@ -119,7 +119,12 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
     facts = {fact for one in answerable for fact in _facts(reading, one)}
     if everything or not facts:
         placed = (one for one in answerable if isinstance(one, Centre) or _plane(one) == "position")
-        wanted = (*placed, *_all(reading, planes))
+        # omega and alpha of every link, v and a of every point that moves
+        rotations = [Rotation("omega" if plane == "velocity" else "alpha", mechanism.called(link), link)
+                     for plane in planes for link in mechanism.moving]  # fmt: skip
+        moving = [point for point in mechanism.points if FRAME not in mechanism.owners[point]]
+        motions = [read(mechanism, f"{plane[0]} {point}") for plane in planes for point in moving]
+        wanted = (*placed, *rotations, *(motion for motion in motions if motion is not None))
         constructions = {"velocity": reading.method.velocity, "acceleration": reading.method.acceleration}
         parts = {plane: constructions[plane].parts for plane in planes}
         return SolutionGoal(reading, wanted, tuple(one.text for one in wanted), parts, False)
@@ -131,19 +136,6 @@ def solution_goal(reading: Reading, everything: bool = False, only: Plane = "acc
         if direct or any(not isinstance(part, Given) for part in led[plane]):
             shown[plane] = led[plane]
     return SolutionGoal(reading, (*questions.values(),), (*questions,), shown, True)
-
-
-def _all(reading: Reading, planes: tuple[Plane, ...]) -> Iterator[Quantity]:
-    """omega and alpha of every link, v and a of every point that moves."""
-    mechanism = reading.mechanism
-    for plane in planes:
-        word = "omega" if plane == "velocity" else "alpha"
-        yield from (Rotation(word, mechanism.called(link), link) for link in mechanism.moving)
-    for plane in planes:
-        for point in mechanism.points:
-            if FRAME not in mechanism.owners[point]:
-                quantity = read(mechanism, f"{plane[0]} {point}")
-                yield from () if quantity is None else (quantity,)
 
 
 def _plane(quantity: Quantity) -> Plane:

@@ -27,7 +27,7 @@ from graphkin.files import library
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
-from graphkin.say.checks import check_lines
+from graphkin.say.results import check_lines
 from graphkin.sheet.centre_sheet import centre_sheet
 from graphkin.studies.centres import centres
 

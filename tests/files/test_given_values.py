@@ -10,7 +10,7 @@ import pytest
 
 from graphkin import api
 from graphkin.files import library, loads
-from graphkin.files.changing import reposed
+from graphkin.files.builder import reposed
 from graphkin.model.mechanism import FRAME, GivenValue
 from graphkin.planning.drawn_position import value_of
 from graphkin.running import replay_all

@@ -17,8 +17,9 @@ from graphkin.errors import NOWHERE, GraphkinError, UnknownPoint, Where
 from graphkin.files import library, loads, starters
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.quantities import EDGE, WORDS, Centre, Quantity, Rotation, meant, named, parts, read
+from graphkin.model.quantities import EDGE, Centre, Quantity, Rotation, meant, named, parts, read
 from graphkin.model.quantities.kinds import QuantityBase
+from graphkin.model.quantities.reading import WORDS
 from graphkin.planning import plan
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all

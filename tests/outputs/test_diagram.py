@@ -18,7 +18,8 @@ import graphkin
 from graphkin import files as loading
 from graphkin.errors import Lang, NoFolder
 from graphkin.model.naming import Seen
-from graphkin.model.quantities import EDGE, Displacement, Moving, Quantity, Rotation, centre_of
+from graphkin.model.quantities import EDGE, Moving, Quantity, Rotation, centre_of
+from graphkin.model.quantities.kinds import Displacement
 from graphkin.outputs import diagram
 from graphkin.outputs.diagram import fonts
 from graphkin.outputs.diagram.curves import Curves, curves, span

@@ -65,13 +65,16 @@ def chosen(kind: str = "", group: str = "", source: str = "") -> tuple[str, ...]
     """Those that have a pair of this kind (`hinge`: no other pair), in this folder, with this text in their source.
     Files are read only to look for a pair or a source in them."""
     in_folder = groups().get(group, ()) if group else names()
-    return tuple(name for name in in_folder if not (kind or source) or _is(load(name), kind, source))
-
-
-def _is(mechanism: MechanismFile, kind: str, source: str) -> bool:
-    tables = {pair.table for pair in mechanism.pairs}
-    of_kind = not tables if kind == "hinge" else not kind or kind in tables
-    return of_kind and source.casefold() in " ".join(mechanism.source.values()).casefold()
+    chosen = []
+    for name in in_folder:
+        if kind or source:
+            mechanism = load(name)
+            tables = {pair.table for pair in mechanism.pairs}
+            of_kind = not tables if kind == "hinge" else not kind or kind in tables
+            if not of_kind or source.casefold() not in " ".join(mechanism.source.values()).casefold():
+                continue
+        chosen.append(name)
+    return tuple(chosen)
 
 
 def _file(name: str) -> Path | None:
@@ -86,15 +89,11 @@ def _file(name: str) -> Path | None:
 def _files() -> dict[str, str]:
     """Name -> folder, in natural order."""
     folders = {file.stem: folder.name for folder in _folders() for file in folder.glob(f"*{_SUFFIX}")}
-    return {name: folders[name] for name in sorted(folders, key=_natural)}
+    parts = {name: re.findall(r"[0-9]+|[^0-9]+", name) for name in folders}
+    natural = {name: [(int(part), "") if part.isdigit() else (-1, part) for part in parts[name]] for name in folders}
+    return {name: folders[name] for name in sorted(folders, key=natural.__getitem__)}
 
 
 @cache
 def _folders() -> tuple[Path, ...]:
     return tuple(path for path in Path(__file__).parent.iterdir() if path.is_dir())
-
-
-def _natural(name: str) -> list[tuple[int, str]]:
-    """Numbers compare as numbers."""
-    parts = re.findall(r"[0-9]+|[^0-9]+", name)
-    return [(int(part), "") if part.isdigit() else (-1, part) for part in parts]

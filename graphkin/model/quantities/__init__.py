@@ -19,23 +19,11 @@ from graphkin.model.quantities.kinds import (
     on_axis,
     relative,
 )
-from graphkin.model.quantities.reading import (
-    SHAPE,
-    WORDS,
-    at_position,
-    centre_of,
-    formed,
-    meant,
-    named,
-    parts,
-    position_of,
-    read,
-    split,
-)
+from graphkin.model.quantities.reading import at_position, centre_of, formed, meant, named, parts, position_of, read
 from graphkin.model.units import EDGE, GRAVITY, IN_GRAVITY, Unit, driven
 
 __all__ = [
-    "EDGE", "GRAVITY", "IN_GRAVITY", "SHAPE", "WORDS", "Answer", "Centre", "Component", "Displacement", "Moving",
-    "Place", "Quantity", "Quotient", "Rotation", "Track", "Unit", "at_position", "centre_of", "driven", "formed",
-    "meant", "named", "on_axis", "parts", "position_of", "read", "relative", "split",
+    "EDGE", "GRAVITY", "IN_GRAVITY", "Answer", "Centre", "Component", "Displacement", "Moving", "Place", "Quantity",
+    "Quotient", "Rotation", "Track", "Unit", "at_position", "centre_of", "driven", "formed", "meant", "named",
+    "on_axis", "parts", "position_of", "read", "relative",
 ]  # fmt: skip

@@ -177,19 +177,15 @@ def _moving(mechanism: Mechanism, where: Where, word: str, of: str) -> kinds.Mov
             raise errors.NeedsTwo(where, word, of, _others(mechanism, alone, word))
         alone = None
     if alone is not None:
-        return kinds.Moving(word, of, alone, guide=_guide(mechanism, alone))
+        # the frame's guide on which the point stays
+        guides = [slide for slide in mechanism.slides if slide.guide == FRAME and not alone.explicit]
+        blocks = (() if slide.block is None else mechanism.links[slide.block].points for slide in guides)
+        held = (slide.line.direction for slide, block in zip(guides, blocks, strict=True)
+                if alone.point == slide.point or alone.point in block)  # fmt: skip
+        return kinds.Moving(word, of, alone, guide=next(held, None))
     if two is None:
         raise errors.UnknownPoint(where, of, _meant_points(mechanism, of, word))
     return kinds.Moving(word, of, *two, part) if has_part(mechanism, part, *two) else None
-
-
-def _guide(mechanism: Mechanism, site: Seen) -> complex | None:
-    """The direction of the frame's guide on which a point stays."""
-    for slide in mechanism.slides:
-        block = () if slide.block is None else mechanism.links[slide.block].points
-        if slide.guide == FRAME and not site.explicit and (site.point == slide.point or site.point in block):
-            return slide.line.direction
-    return None
 
 
 def _meant_points(mechanism: Mechanism, of: str, word: str) -> tuple[str, ...]:

@@ -9,7 +9,8 @@ from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, BadCondition, GraphkinError, NoSuchDriver, NotANumber, NoUnitHere, Where
 from graphkin.files.values import read_quantity, tidy
 from graphkin.model.mechanism import Dimension, Mechanism
-from graphkin.model.quantities import GRAVITY, SHAPE
+from graphkin.model.quantities import GRAVITY
+from graphkin.model.quantities.reading import SHAPE
 from graphkin.studies.sweeps.ranges import plain
 
 WHERE = Where("find")

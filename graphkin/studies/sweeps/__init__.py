@@ -1,6 +1,6 @@
 """A mechanism moved along: which positions are reached, and quantities over all of them, by either road."""
 
-from graphkin.model.quantities import split
+from graphkin.model.quantities.reading import split
 from graphkin.studies.sweeps.course import Course, course
 from graphkin.studies.sweeps.point_path import PointPath, point_path
 from graphkin.studies.sweeps.ranges import Ranges

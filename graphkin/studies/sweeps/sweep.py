@@ -14,7 +14,8 @@ from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, NotSwept, Where
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import Mechanism, Usual
-from graphkin.model.quantities import EDGE, Centre, Quantity, Quotient, Track, named, read
+from graphkin.model.quantities import EDGE, Centre, Quantity, Quotient, named, read
+from graphkin.model.quantities.kinds import Track
 from graphkin.model.readout import Readable
 from graphkin.model.units import Measured, Numbers, measured
 from graphkin.planning import Method
