@@ -43,7 +43,6 @@ Pages = list[tuple[Path, bytes | str]]
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line, metres and radians.")
 @shared.force_option
 @shared.driver_options
-@shared.lang_option
 @shared.speaking
 def centres(mechanisms: tuple[str, ...], **options: Any) -> None:
     """Find all instant centres, by definition and by Kennedy's lines: listed, explained, drawn.

@@ -43,7 +43,6 @@ if TYPE_CHECKING:
 @shared.coincident_option
 @shared.method_option
 @shared.driver_options
-@shared.lang_option
 @shared.speaking
 def draw(
     mechanism: str, output: Path | None, dpi: float | None, only: Plane | None, paper: str | None, style: Style,
@@ -133,7 +132,6 @@ def _write_motion(
               help=".html, .tex or .md; else printed.")
 @shared.force_option
 @click.option("--as-drawn", is_flag=True, help="Read lengths to 0.5 mm, as a hand does, and go on from that.")
-@shared.lang_option
 @shared.speaking
 def explain(
     mechanism: str, coincident: str, method: str, at: DriverOptions, everything: bool, only: Plane,
@@ -175,7 +173,6 @@ def explain(
               help=".txt, .html or .tex; else printed.")
 @shared.force_option
 @shared.driver_options
-@shared.lang_option
 @shared.speaking
 def equations(
     mechanisms: tuple[str, ...], method: Literal["complex", "matrix"], output: Path | None, force: bool,
@@ -211,7 +208,6 @@ def equations(
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line, SI units and radians.")
 @shared.force_option
 @shared.driver_options
-@shared.lang_option
 @shared.speaking
 def solve(
     mechanisms: tuple[str, ...], output: Path | None, as_json: bool, force: bool, at: DriverOptions, lang: Lang
@@ -246,7 +242,6 @@ def _results(source: str, at: DriverOptions, as_json: bool, lang: Lang) -> Itera
 @click.option("--tolerance", type=click.FloatRange(min=0, min_open=True), default=0.01, show_default=True, metavar="MM",
               help="How far a vector or point may be off.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a drawing: mm on paper, and what is wrong.")
-@shared.lang_option
 @shared.speaking
 def check(drawings: tuple[Path, ...], tolerance: float, as_json: bool, lang: Lang) -> None:
     """Measure drawings with a ruler and hold them against the analytic solution.

@@ -36,7 +36,6 @@ _MARKS = (b"graphkin handout",)
 @click.option("--seed", default="", help="The set it belongs to, as every page says it.")
 @shared.force_option
 @shared.driver_options
-@shared.lang_option
 @shared.speaking
 def handout(
     mechanisms: tuple[str, ...], output: Path | None, stage: Stage, upto: int, answers: bool, both: bool, paper: str,

@@ -21,7 +21,6 @@ from graphkin.say.catalogue import say
 @click.option("--source", default="", metavar="TEXT", help='Whose source has this text, such as "3-1".')
 @shared.svg_option("With --kinds: sketches, as SVG.")
 @shared.force_option
-@shared.lang_option
 @shared.speaking
 def list_(
     kinds: bool, kind: str | None, group: str | None, source: str, output: Path | None, force: bool, lang: Lang
@@ -55,7 +54,6 @@ def list_(
 
 @click.command()
 @click.argument("name", shell_complete=shared.library_names)
-@shared.lang_option
 @shared.speaking
 def show(name: str, lang: Lang) -> None:
     """Print the TOML file of a library mechanism, to start one's own from.
@@ -69,7 +67,6 @@ def show(name: str, lang: Lang) -> None:
 
 @click.command()
 @click.argument("kind", type=click.Choice(starters.kinds()))
-@shared.lang_option
 @shared.speaking
 def new(kind: str, lang: Lang) -> None:
     """Print a mechanism file of a kind, with comments, to start one's own from.
@@ -88,7 +85,6 @@ def new(kind: str, lang: Lang) -> None:
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line.")
 @shared.force_option
 @shared.driver_options
-@shared.lang_option
 @shared.speaking
 def structure(
     mechanisms: tuple[str, ...], output: Path | None, as_json: bool, force: bool, at: DriverOptions, lang: Lang
@@ -112,7 +108,6 @@ def structure(
 
 
 @click.command()
-@shared.lang_option
 @shared.speaking
 def schema(lang: Lang) -> None:
     """Print the JSON Schema of the mechanism file, for editors.

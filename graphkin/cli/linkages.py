@@ -33,7 +33,6 @@ LEAST_PART = 1e-9  # beside the longest link, one shorter than this part of it i
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a linkage, metres and radians.")
 @shared.force_option
 @shared.driver_options
-@shared.lang_option
 @shared.speaking
 def linkage(
     mechanisms: tuple[str, ...], fourbar: tuple[str, ...], slider: tuple[str, ...], guide: tuple[str, ...], by: str,

@@ -54,7 +54,6 @@ relative_option = click.option("--relative", type=click.FloatRange(0, 1), defaul
               help="The points of drawings without letters, in the file's order.")
 @click.option("--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes that read and mark.")
 @shared.force_option
-@shared.lang_option
 @shared.speaking
 def grade(key: str, submissions: tuple[str, ...], **options: Any) -> None:
     """Mark what students hand in: verdicts, marks, and the mistake that a wrong number is consistent with.
@@ -93,7 +92,6 @@ def grade(key: str, submissions: tuple[str, ...], **options: Any) -> None:
 @click.option("--trials", type=click.IntRange(1, 100_000), default=200, show_default=True, help="Students a mistake.")
 @click.option("--json", "as_json", is_flag=True, help="One JSON object; SI units and radians.")
 @shared.driver_options
-@shared.lang_option
 @shared.speaking
 def tolerance(
     mechanism: str, pencil: str, sigmas: float, relative: float, power: bool, asked: bool, trials: int, as_json: bool,
@@ -153,7 +151,10 @@ class _Grading:
         from graphkin.homework import grading
         from graphkin.submissions import Limits
 
-        self._check_output()
+        if self.kinds and self.output is None:
+            raise click.UsageError("--format needs -o: the folder to write into")
+        if not self.kinds and self.output is not None and self.output.suffix.lower() != ".json":
+            raise click.UsageError(f"{self.output}: the file to write must end in .json; or say --format, for a folder")
         problems = grading.problems_of(key, submissions)
         if self.output is not None and not self.kinds and problems[0].name:
             raise click.UsageError("several problems are written into a folder: say --format, such as --format json")
@@ -169,14 +170,6 @@ class _Grading:
                 self._write_records(path, judge, problem, settings)
         if self.output is not None and self.kinds:
             self._write_folders([self.output / problem.name / MARKS for problem in problems], judges)
-
-    def _check_output(self) -> None:
-        if self.kinds and self.output is None:
-            raise click.UsageError("--format needs -o: the folder to write into")
-        if not self.kinds and self.output is not None and self.output.suffix.lower() != ".json":
-            raise click.UsageError(
-                f"{self.output}: the file to write must end in .json; or say --format, for a folder"
-            )
 
     def _print(self, problem: str, records: Iterable[Graded]) -> None:
         """Each as it comes."""

@@ -34,7 +34,6 @@ LONG = 200_000  # positions from which a sweep shows how far it is
 @click.option("--limit", "limits", multiple=True, metavar="QUANTITY VALUE",
               help='Say where a size is passed, such as "a E 3 g".')
 @shared.force_option
-@shared.lang_option
 @shared.speaking
 def sweep(
     mechanism: str, ranges: tuple[str, ...], of: str, by: Road, output: Path | None, table: bool,
@@ -121,7 +120,6 @@ def _write_sweep(
 @shared.svg_option("Draw the positions, as SVG.")
 @shared.paper_option
 @shared.force_option
-@shared.lang_option
 @shared.speaking
 def find(
     mechanism: str, condition: str, ranges: tuple[str, ...], dimensions: tuple[str, ...], by: Road, as_json: bool,

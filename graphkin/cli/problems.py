@@ -21,7 +21,6 @@ PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong")
 @click.option("--format", "kinds", type=click.Choice(PLATFORMS), multiple=True,
               help="Write the whole set for a platform, too, answers and mistakes in it; again for each.")
 @shared.force_option
-@shared.lang_option
 @shared.speaking
 def problems(
     template: Path, students: str, seed: str, output: Path, kinds: tuple[str, ...], force: bool, lang: Lang

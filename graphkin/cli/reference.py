@@ -81,7 +81,6 @@ def _signature(value: object) -> str:
 @click.command("help")
 @click.argument("topic", metavar="[file|api|COMMAND]", default="")
 @click.argument("chosen", nargs=-1, metavar="[NAME]...")
-@shared.lang_option
 @shared.speaking
 def help_(topic: str, chosen: tuple[str, ...], lang: Lang) -> None:
     """Print the reference of the mechanism file, of the Python interface, or what a command says of itself.

@@ -134,14 +134,14 @@ def errors_said(lang: Lang) -> Iterator[None]:
 
 
 def speaking(command: Callable[..., None]) -> Callable[..., None]:
-    """A command whose bad input is said in its `lang`."""
+    """A command with `--lang`, in which its bad input is said."""
 
     @functools.wraps(command)
     def wrapped(*args: object, lang: Lang, **kwargs: object) -> None:
         with errors_said(lang):
             command(*args, lang=lang, **kwargs)
 
-    return wrapped
+    return lang_option(wrapped)
 
 
 # --- a mechanism and its position -------------------------------------------------------------

@@ -117,7 +117,13 @@ def vary(
         raise BadRange(WHERE, text)
     place = dimension(mechanism, name)
     values = _values(text, span, place)
-    _check(mechanism, condition)
+    match conditions.read(mechanism, condition):  # its own errors are raised once, not in every row
+        case conditions.Comparison(quantities=names) | conditions.Extreme(quantities=names):
+            checked(mechanism, names)
+        case conditions.Scaling(quantity=quantity):
+            checked(mechanism, (quantity,))
+        case conditions.Slowest(of=line):
+            line_of(mechanism, line)
     if place.driver is not None:
         rows = _with_driver_held(plan(mechanism), place.driver, values, condition, ranges, by)
     else:
@@ -130,17 +136,6 @@ def _row(value: float, method: Method, condition: str, ranges: Sequence[str], by
         return VaryingRow(value, find(method, condition, ranges, by), None)
     except GraphkinError as error:
         return VaryingRow(value, None, error)
-
-
-def _check(mechanism: Mechanism, condition: str) -> None:
-    """Raises what is wrong with the condition itself: once, not in every row."""
-    match conditions.read(mechanism, condition):
-        case conditions.Comparison(quantities=names) | conditions.Extreme(quantities=names):
-            checked(mechanism, names)
-        case conditions.Scaling(quantity=name):
-            checked(mechanism, (name,))
-        case conditions.Slowest(of=line):
-            line_of(mechanism, line)
 
 
 def _values(text: str, span: str, place: DimensionPlace) -> np.ndarray:
