@@ -83,7 +83,7 @@ _Vectorial = _Table[Vector | Vectors]
 
 
 class Readable:
-    """Anything that is read by name: a drawing, a sweep, a state.
+    """A thing that is read by name: a drawing, a sweep, a state.
 
     theta, omega, alpha   of a link: angle [rad], angular velocity [rad/s], angular acceleration [rad/s^2]
     s                     of a named slide, or a wheel on a line: displacement [m]

@@ -13,7 +13,7 @@ from graphkin.analytic import mobility, motion
 from graphkin.analytic.rules import RULES
 from graphkin.errors import CannotAssemble
 from graphkin.errors.motion import PAIRS as CALLED
-from graphkin.files import changing, library, loads, schema
+from graphkin.files import builder, library, loads, schema
 from graphkin.files.builder import Builder
 from graphkin.files.pairs import READERS
 from graphkin.files.schema import File
@@ -60,7 +60,7 @@ def test_tables_of_the_file_are_those_of_the_kinds() -> None:
 
 def test_what_is_said_of_tables_of_the_file_is_said_of_each_kind() -> None:
     for table in {kind.table for kind in PAIRS} - {""}:
-        assert table in changing._TABLES_OF_MANY, f"`with_` does not know `{table}.0.key`"
+        assert table in builder._TABLES_OF_MANY, f"`with_` does not know `{table}.0.key`"
         assert table in schema.TABLES, f"a key of [[{table}]] typed wrong has no hint"
         assert table in library.KINDS, f"`library --with {table}`"
         assert callable(getattr(Builder, table, None)), f"Mechanism.new(..).{table}(..)"
