@@ -134,7 +134,7 @@ def _filler(cls: Any) -> Fill:
     return fill
 
 
-def _text(self: object) -> str:
+def _text(self: Any) -> str:
     return f"{type(self).__name__}({', '.join(f'{each.name}={getattr(self, each.name)!r}' for each in fields(self))})"
 
 
