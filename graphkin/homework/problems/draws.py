@@ -8,7 +8,8 @@ from __future__ import annotations
 import contextlib
 import hashlib
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
 
 import numpy as np
 
@@ -120,13 +121,7 @@ class _Goal:
     @classmethod
     def of(cls, template: Template, seed: str) -> _Goal:
         """By problems that are nobody's."""
-        sample: list[PosedProblem] = []
-        for attempt in range(_SAMPLE_TRIES):
-            with contextlib.suppress(GraphkinError):
-                posed = well_posed(template.mechanism(_numbers(template, "", seed, attempt)))
-                sample += [] if isinstance(posed, str) else [posed]
-            if len(sample) == _SAMPLE:
-                break
+        sample = list(islice(_sample(template, seed), _SAMPLE))
         paper = DrawingSizes.of(sample)
         tellings = [mistake_visibility(one.method, one.drawn, paper.marking(one)) for one in sample]
         always = Always(tellings)
@@ -136,6 +131,15 @@ class _Goal:
     def visibility(self, posed: PosedProblem) -> MistakeVisibility:
         """The mistakes that the answers at the drawn position tell apart."""
         return mistake_visibility(posed.method, posed.drawn, self.paper.marking(posed))
+
+
+def _sample(template: Template, seed: str) -> Iterator[PosedProblem]:
+    """Problems of a template that are nobody's."""
+    for attempt in range(_SAMPLE_TRIES):
+        with contextlib.suppress(GraphkinError):
+            posed = well_posed(template.mechanism(_numbers(template, "", seed, attempt)))
+            if not isinstance(posed, str):
+                yield posed
 
 
 def _numbers(template: Template, student: str, seed: str, attempt: int) -> tuple[int, ...]:
