@@ -183,6 +183,16 @@ class SheetContents:
 
     def layout(self, papers: Sequence[Paper], weights: Mapping[Plane, int]) -> Layout:
         """The best division of the smallest paper that holds all; a plane counts by its labels times its weight."""
+        key = (*(paper.name for paper in papers), *weights.items())
+        if key not in self._layouts:
+            self._layouts[key] = self._laid_out(papers, weights)
+        return self._layouts[key]
+
+    @cached_property
+    def _layouts(self) -> dict[tuple[object, ...], Layout]:
+        return {}
+
+    def _laid_out(self, papers: Sequence[Paper], weights: Mapping[Plane, int]) -> Layout:
         extents = {p: replace(e, labels=e.labels * weights.get(p, 1)) for p, e in self.extents.items()}
         if self.tight:
             papers = [replace(paper, margin=0.0) for paper in papers]
