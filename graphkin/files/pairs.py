@@ -218,6 +218,7 @@ def read_drivers(draft: Draft, tables: Sequence[DriverTable], poses: int) -> tup
 
 
 def read_poses(draft: Draft, tables: Sequence[PoseTable]) -> tuple[Pose, ...]:
+    """The poses of a file."""
     poses = []
     for number, table in enumerate(tables):
         with draft.noting():
