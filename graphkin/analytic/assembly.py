@@ -216,7 +216,7 @@ def _taken_forwards(mechanism: Mechanism) -> set[str]:
 
 def guess(mechanism: Mechanism, loops: Loops) -> Reals:
     """The unknowns (n,) as far as the sketch and the drivers show them, in internal units; nan elsewhere."""
-    seen = _Seen(mechanism, loops.joints)
+    seen = _Located(mechanism, loops.joints)
     while seen.look():
         pass
     seen.join_centres()
@@ -229,7 +229,7 @@ def guess(mechanism: Mechanism, loops: Loops) -> Reals:
 
 
 @filled
-class _Seen:
+class _Located:
     """Located points [m] and angles of links [rad]; `look` adds what follows from them."""
 
     mechanism: Mechanism

@@ -191,7 +191,7 @@ def loops_of(mechanism: Mechanism) -> Loops:
     met = (name for joint in joints for name in (joint.tail, joint.head))
     links = tuple(dict.fromkeys((FRAME, *mechanism.links, *met)))  # those of a pair's own making last
     slides = {joint.slide: joint.tail for joint in joints if joint.slide is not None}
-    sums = _Sums(links, tuple(slides), size)
+    sums = _ArrowSums(links, tuple(slides), size)
     origins, closing = sums.grow(joints)
     for link in mechanism.moving:
         if link not in origins:
@@ -228,7 +228,7 @@ def size_of(mechanism: Mechanism) -> float:
 
 
 @frozen
-class _Sums:
+class _ArrowSums:
     """Sums of arrows, written as rows of coefficients in units of size."""
 
     links: tuple[str, ...]

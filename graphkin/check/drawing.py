@@ -86,7 +86,7 @@ def stated(element: ShownMark) -> tuple[str, ...]:
     return (kind, *sorted(f"{key}={value}" for key, value in data.items() if key != "step" and value))
 
 
-class _Builder(TreeBuilder):
+class _TreeBuilder(TreeBuilder):
     """Builds the tree, and sees what stands before it."""
 
     def pi(self, target: str, text: str | None = None) -> Element:
@@ -126,7 +126,7 @@ def _root(path: Path, file: str) -> Element:
     from defusedxml.common import DefusedXmlException
     from defusedxml.ElementTree import DefusedXMLParser
 
-    parser = DefusedXMLParser(target=_Builder())
+    parser = DefusedXMLParser(target=_TreeBuilder())
     try:
         if str(path) == "-":
             content = sys.stdin.buffer.read(LIMIT + 1)

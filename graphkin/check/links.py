@@ -172,7 +172,7 @@ def worst_of_path(
 
     try:
         drawn = placed(mechanism.points, np.array([values[at]]))
-        course = _Course(
+        course = _PaperCourse(
             lambda value: cast(np.ndarray, placed([point], value)[0]), values[at], mechanism.drivers[at],
             _width_and_height(drawn) or math.inf, size_of(mechanism), _width_and_height(corners),
         )  # fmt: skip
@@ -188,7 +188,7 @@ def worst_of_path(
 
 
 @frozen
-class _Course:
+class _PaperCourse:
     """The course of a point on paper as its driver moves.
 
     here  the driver's value as drawn; size  of the mechanism there [mm]; longest  of its links [m]
@@ -208,7 +208,7 @@ def _width_and_height(places: np.ndarray) -> float:
     return float(np.ptp(places.real) + np.ptp(places.imag))
 
 
-def _reached(course: _Course, slid: float) -> tuple[float, float]:
+def _reached(course: _PaperCourse, slid: float) -> tuple[float, float]:
     """Values of the driver: a turn from here on in its sense, or from end to end of what it reaches."""
     far = slid if course.driver.kind == "slide" else math.tau
     # its reach in either sense: between the last value reached and the first that is not
@@ -249,7 +249,7 @@ def _curve(places: Places, low: float, high: float) -> tuple[np.ndarray, np.ndar
     return every[order], np.concatenate(there)[order]
 
 
-def _drawn(course: _Course, corners: np.ndarray, values: np.ndarray, curve: np.ndarray) -> int:
+def _drawn(course: _PaperCourse, corners: np.ndarray, values: np.ndarray, curve: np.ndarray) -> int:
     """The number of places from here on that must be drawn."""
     away = np.nan_to_num(np.abs(curve - curve[:1])) > _NEAR * course.size
     on = course.driver.kind == "slide" and float(np.abs(values - course.here).max(initial=0.0)) > course.longest

@@ -81,7 +81,7 @@ def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) ->
     values = numbers(drawing, "drivers", len(mechanism.drivers))
     planes, centres = parted(drawing)
     scales = scales_of(drawing)
-    ruler = _Ruler(planes, mechanism, scales, values)
+    ruler = _CentrelessDrawing(planes, mechanism, scales, values)
     try:
         entries = [*ruler.vectors(), *ruler.points(), *ruler.links()]
         if centres.points or centres.vectors:
@@ -97,7 +97,7 @@ def measured(drawing: DrawingFile, mechanism: Mechanism, tolerance_mm: float) ->
 
 
 @frozen
-class _Ruler:
+class _CentrelessDrawing:
     """A drawing without its centres, beside the solution; values: the drivers' [rad, m]."""
 
     drawing: DrawingFile

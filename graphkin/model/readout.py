@@ -65,7 +65,7 @@ class NamedValues(Mapping[str, _M]):
         return "{" + ", ".join(f"{name!r}: {self[name]!r}" for name in self) + "}"
 
 
-class _Table(Generic[_M]):
+class _QuantityTable(Generic[_M]):
     """A table of a readable, by the word of its quantities."""
 
     def __init__(self, word: str) -> None:
@@ -78,8 +78,8 @@ class _Table(Generic[_M]):
         raise AttributeError(f"{self._word} is read off and cannot be set")
 
 
-_Signed = _Table[Number | Numbers]
-_Vectorial = _Table[Vector | Vectors]
+_Signed = _QuantityTable[Number | Numbers]
+_Vectorial = _QuantityTable[Vector | Vectors]
 
 
 class Readable:

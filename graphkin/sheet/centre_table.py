@@ -93,7 +93,7 @@ def circle_diagram(found: Centres, room: Room, lang: Lang) -> list[Mark]:
 
 
 @frozen
-class _Chord:
+class _TableChord:
     number: int
     pen: PenName
     start: Place
@@ -103,13 +103,13 @@ class _Chord:
 def _chord_marks(found: Centres, nodes: dict[str, Place]) -> list[Mark]:
     """The chords with their numbers, each where most room is on its chord, the short chords first."""
     chords = [
-        _Chord(k, _PENS[stage.say], *(nodes[link] for link in found.centring.links[stage.last.name]))
+        _TableChord(k, _PENS[stage.say], *(nodes[link] for link in found.centring.links[stage.last.name]))
         for k, stage in enumerate(found.centring.stages, start=1)
     ]
     marks: list[Mark] = [Stroke((chord.start, chord.end), chord.pen, step=chord.number) for chord in chords]
     balls: list[Place] = []
 
-    def room(at: Place, chord: _Chord) -> float:
+    def room(at: Place, chord: _TableChord) -> float:
         """The distance of a place on a chord from other chords and numbers, as far as it matters [mm]."""
         to_chord = min((off_stretch(at, o.start, o.end) for o in chords if o is not chord), default=9.0)
         to_ball = min((abs(at - ball) - _BALL for ball in balls), default=9.0)

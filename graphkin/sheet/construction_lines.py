@@ -36,7 +36,7 @@ _RIGHT = (("n", "t"), ("k", "r"), ("rn", "rt"))  # parts of one motion that stan
 
 
 @frozen
-class _Line:
+class _DirectionLine:
     """A direction line from its foot to where it meets another, and the text at its end."""
 
     foot: Place
@@ -75,7 +75,7 @@ class PolygonConstruction:
     def __call__(self, free: FreeRoom) -> Annotations:
         """All of it among what stands there."""
         added = Annotations()
-        marked: list[tuple[_Line, Place]] = []
+        marked: list[tuple[_DirectionLine, Place]] = []
         for line in self._lines():
             if (tip := _lay(line, free, added)) is not None:
                 marked.append((line, tip))
@@ -104,7 +104,7 @@ class PolygonConstruction:
 
     # --- direction lines --------------------------------------------------------------------------
 
-    def _lines(self) -> Iterator[_Line]:
+    def _lines(self) -> Iterator[_DirectionLine]:
         points = self.polygon.points
         for act in self.acts:
             step = act.done
@@ -117,7 +117,7 @@ class PolygonConstruction:
                     terms = next((equation.left + equation.right for equation in closed), ())
                     text = self.spoken.line_direction(ray.direction, terms)
                     if not cmath.isnan(along):
-                        yield _Line(points[ray.through], points[step.point], along, text, act.page)
+                        yield _DirectionLine(points[ray.through], points[step.point], along, text, act.page)
 
     def _carried(self) -> Iterator[tuple[Place, Place, int]]:
         """The ends of arrows that were found elsewhere and are laid off once more, and the act in which they are."""
@@ -186,7 +186,7 @@ class PolygonConstruction:
                         yield LabelRequest(label, vector.start, vector.end, gap=0.6, size=LEAST, step=act.page)
 
 
-def _lay(line: _Line, free: FreeRoom, added: Annotations) -> Place | None:
+def _lay(line: _DirectionLine, free: FreeRoom, added: Annotations) -> Place | None:
     """Add the line from its foot past the meeting point; its end if it goes on far enough to bear its mark."""
     reach, on = max(((free.reach(line.meeting, side, _BEYOND), side) for side in line.sides), key=lambda pair: pair[0])
     tip = line.meeting + on * reach if reach >= _SHORT else line.meeting

@@ -43,7 +43,7 @@ _PRIMES: dict[Plane, str] = {"position": "", "velocity": "", "acceleration": "\u
 
 
 @frozen
-class _Circle:
+class _DetailCircle:
     """A part of the paper."""
 
     centre: Place
@@ -74,8 +74,8 @@ class _Circle:
 class _View:
     """A part of a panel, shown elsewhere through a window of its own, so many times as large as the figure."""
 
-    part: _Circle
-    shown: _Circle
+    part: _DetailCircle
+    shown: _DetailCircle
     times: float
     window: Window
 
@@ -131,14 +131,14 @@ class _DetailDrawing:
             return self.known
         return [2.0] * len(self.panel.figure.wanted) if self.panel.scene.crammed else _burdens(self.panel, 1.0)
 
-    def _view(self, knot: _Circle, free: FreeRoom) -> _View | None:
+    def _view(self, knot: _DetailCircle, free: FreeRoom) -> _View | None:
         """A part of the figure, or of a detail, magnified as far as there is room for; None where there is none."""
         seen = next((view for view in self.views if view.shown.holds(knot.centre)), None)
         for times in _TIMES:
             large = knot.radius * times
             side = 2 * (large + _AROUND)
             if large <= _LARGEST and (corner := free.corner(complex(side, side + _HEAD))) is not None:
-                shown = _Circle(corner + complex(side, side) / 2 + 1j * _HEAD, large)
+                shown = _DetailCircle(corner + complex(side, side) / 2 + 1j * _HEAD, large)
                 window, before = (seen.window, seen.times) if seen is not None else (self.panel.window, 1.0)
                 return _View(knot, shown, times * before, magnified(window, knot.centre, shown.centre, times))
         return None
@@ -177,7 +177,7 @@ def _burdens(panel: Panel, led: float) -> list[float]:
     return burdens
 
 
-def _knots(wanted: list[LabelRequest]) -> Iterator[_Circle]:
+def _knots(wanted: list[LabelRequest]) -> Iterator[_DetailCircle]:
     """For each radius the circle that holds most labels, where they are too many."""
     if not 0 < len(wanted) <= _MANY:
         return
@@ -189,7 +189,7 @@ def _knots(wanted: list[LabelRequest]) -> Iterator[_Circle]:
         centres = _middles(far <= radius + _ON, about, start, end)
         held = (_farthest(centres, start, end) <= radius + _ON).sum(axis=1)
         if held.max() >= max(_FEW, 2 + 0.8 * radius):
-            yield _Circle(complex(centres[held.argmax()]), radius)
+            yield _DetailCircle(complex(centres[held.argmax()]), radius)
 
 
 def _farthest(centres: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:
@@ -208,7 +208,7 @@ def _middles(held: np.ndarray, centres: np.ndarray, start: np.ndarray, end: np.n
     return np.where(held.any(axis=1), x + 1j * y, centres)
 
 
-def _clipped(mark: Mark, circle: _Circle) -> Iterator[Mark]:
+def _clipped(mark: Mark, circle: _DetailCircle) -> Iterator[Mark]:
     """The part of a mark that lies in the circle, as a part of no plane."""
     match mark:
         case PointMark(at=at) if circle.holds(at):
@@ -230,7 +230,7 @@ def _clipped(mark: Mark, circle: _Circle) -> Iterator[Mark]:
             pass
 
 
-def _pieces(places: tuple[Place, ...], line: Stroke, circle: _Circle) -> Iterator[Mark]:
+def _pieces(places: tuple[Place, ...], line: Stroke, circle: _DetailCircle) -> Iterator[Mark]:
     """A line's pieces within the circle, as lines like it that say nothing."""
     for start, end in pairwise(places):
         if (piece := circle.piece(start, end)) is not None:

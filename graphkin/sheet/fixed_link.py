@@ -63,7 +63,7 @@ def ground_way(point: str, *skeletons: Skeleton) -> complex:
 
 
 @filled
-class _Run:
+class _FixedStretch:
     """A stretch of a fixed line, with what slides on it."""
 
     foot: Place
@@ -88,9 +88,9 @@ class _Run:
         return symbols.slot(start, end, shows, "outline", self.step) + wall
 
 
-def _runs(skeleton: Skeleton, *others: Skeleton) -> list[_Run]:
+def _runs(skeleton: Skeleton, *others: Skeleton) -> list[_FixedStretch]:
     """Fixed guides; stretches of one line that touch are one."""
-    runs: list[_Run] = []
+    runs: list[_FixedStretch] = []
     for slide in skeleton.guides(FRAME):
         if follower(skeleton, slide) is not None:
             continue
@@ -108,7 +108,7 @@ def _runs(skeleton: Skeleton, *others: Skeleton) -> list[_Run]:
     return runs
 
 
-def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _Run:
+def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _FixedStretch:
     """Under what slides at every position."""
     at, along = skeleton.at(slide.point), skeleton.along(slide)
     if along.real < -1e-9 or (abs(along.real) < 1e-9 and along.imag < 0):
@@ -124,7 +124,7 @@ def _run(slide: Slide, skeleton: Skeleton, *others: Skeleton) -> _Run:
     back, on = any(t < -_OVER for t in turned), any(t > _OVER for t in turned)
     before, beyond = (_REACH, _REACH) if back == on else (_STUB, _AWAY) if back else (_AWAY, _STUB)
     low, high = min(stops) - before, max(stops) + beyond
-    return _Run(at, along, low, high, side, slide.block is None, step, slide.name, (slide.point,))
+    return _FixedStretch(at, along, low, high, side, slide.block is None, step, slide.name, (slide.point,))
 
 
 def _ground_side(at: Place, along: complex, *skeletons: Skeleton) -> complex:

@@ -31,13 +31,13 @@ _WIDE = 62.0  # lines of what is given are no longer [mm]
 
 def tables(method: Method, plot: Plot, lang: Lang) -> list[Table]:
     """Links, points, coincident points, slides; empty ones left out."""
-    results = _Results(method, plot, lang, method.mechanism.usual)
+    results = _TablesInMaking(method, plot, lang, method.mechanism.usual)
     every = (results.links(), results.points(), results.coincident_points(), results.slides())
     return [table for table in every if table.rows]
 
 
 @frozen
-class _Results:
+class _TablesInMaking:
     """The tables in the making."""
 
     method: Method

@@ -62,7 +62,7 @@ def find_letters(
         choices = {key[1]: _candidates(picture, texts) for key, texts in own.items()}
         fixed = {letter: place for (plane, letter), place in sure.items() if plane == polygon.plane}
         choices = _own_figure(choices, fixed, polygon, picture, figures)
-        for letter, place in _settled(_Layout({k: v for k, v in choices.items() if v}, fixed, polygon, picture)):
+        for letter, place in _settled(_Arranged({k: v for k, v in choices.items() if v}, fixed, polygon, picture)):
             if place is None:
                 doubtful.append(letter)
             else:
@@ -145,7 +145,7 @@ def _off(place: complex, start: complex, end: complex) -> float:
     return abs(place - start - min(1.0, max(0.0, share)) * along)
 
 
-class _Layout:
+class _Arranged:
     """Letters on points: what an arrangement of them costs [mm]."""
 
     def __init__(
@@ -200,7 +200,7 @@ def _cell(place: complex) -> tuple[float, float]:
     return round(place.real, 3), round(place.imag, 3)
 
 
-def _settled(layout: _Layout) -> Iterator[tuple[str, complex | None]]:
+def _settled(layout: _Arranged) -> Iterator[tuple[str, complex | None]]:
     """The best arrangement; None for letters that could as well be elsewhere."""
     best = layout.cost({})
     for _ in range(_ROUNDS):

@@ -66,7 +66,7 @@ def variants(template: Template, students: Sequence[Student], seed: str) -> tupl
 def _variant(template: Template, student: Student, seed: str, others: _GivenOut, goal: _Goal) -> Variant:
     """The student's draw that is unlike the others' and hides the fewest mistakes."""
     refused: Counter[Refused] = Counter()
-    good: list[tuple[Variant, _Answers]] = []
+    good: list[tuple[Variant, _ProblemAnswers]] = []
     for attempt in range(_TRIES):
         numbers = _numbers(template, student.id, seed, attempt)
         draw = _posed(template, student, numbers, others, goal, attempt < _APART)
@@ -88,7 +88,7 @@ def _variant(template: Template, student: Student, seed: str, others: _GivenOut,
 
 def _posed(
     template: Template, student: Student, numbers: tuple[int, ...], others: _GivenOut, goal: _Goal, apart: bool
-) -> tuple[Variant, _Answers] | Refused:
+) -> tuple[Variant, _ProblemAnswers] | Refused:
     """The problem with these numbers, or what is against it; apart: no other student may have it."""
     if apart and numbers in others.numbers:
         return "taken"
@@ -102,7 +102,7 @@ def _posed(
     if isinstance(posed, str) or (tells := goal.visibility(posed)).failed > _FAILS:
         others.refused[numbers] = posed if isinstance(posed, str) else "dead point"
         return others.refused[numbers]
-    own = _Answers(answers(posed), tells.right, tells.tolerance)
+    own = _ProblemAnswers(answers(posed), tells.right, tells.tolerance)
     shared = others.have(numbers, own)
     if shared and apart:
         return "taken"
@@ -155,7 +155,7 @@ def _bytes(*parts: str) -> bytes:
 
 
 @frozen
-class _Answers:
+class _ProblemAnswers:
     """The answers of one problem at all positions, and those at the drawn one with what paper allows of them."""
 
     all: Array
@@ -169,9 +169,9 @@ class _GivenOut:
     def __init__(self) -> None:
         self.refused: dict[tuple[int, ...], Refused] = {}
         self.numbers: set[tuple[int, ...]] = set()
-        self.answers: list[_Answers] = []
+        self.answers: list[_ProblemAnswers] = []
 
-    def have(self, numbers: tuple[int, ...], own: _Answers) -> bool:
+    def have(self, numbers: tuple[int, ...], own: _ProblemAnswers) -> bool:
         """True where another student has these numbers, or nearly these answers."""
         if numbers in self.numbers:
             return True
