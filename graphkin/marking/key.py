@@ -31,6 +31,7 @@ class Marking:
     scales           of the paper, as a mechanism file has them
     sigmas           how many standard deviations are right
     relative         a part of the right value instead, where it is not 0
+    follows          what a value is worth that follows rightly from a wrong one
     """
 
     lengths: Mapping[str, float]
@@ -38,6 +39,7 @@ class Marking:
     scales: Mapping[str, float] = field(default_factory=dict)
     sigmas: float = 3.0
     relative: float = 0.0
+    follows: float = 1.0
 
     @property
     def on_paper(self) -> tuple[float, float]:

@@ -12,8 +12,8 @@ from graphkin.errors import GraphkinError
 from graphkin.marking.diagnosis import Diagnosis, Explanation, Trace, added
 from graphkin.model.quantities import at_position, position_of
 
-Verdict = Literal["right", "carried", "wrong", "missing", "dead point", "too small"]
-"""The last two are of values that paper cannot tell: neither right nor wrong, and worth nothing either way."""
+Verdict = Literal["right", "carried", "wrong", "missing", "dead point", "too small", "not read"]
+"""The last three count nothing either way: values that paper cannot tell, and one that only the teacher can read."""
 
 
 @frozen
@@ -23,20 +23,26 @@ class HandedNumber:
     unit_right   its unit is of the quantity's kind, or none stands there
     points       of a vector that was drawn: whether it points as it should, where that is told by itself
     measured     on a drawing, or read off it, by us
+    vector       with the direction that was written beside its size, in the mechanism's axes
     """
 
     value: float
     unit_right: bool = True
     points: bool | None = None
     measured: bool = False
+    vector: complex | None = None
 
 
 @frozen
 class StudentWork:
-    """The work of one student: numbers by quantity, as quantities are read."""
+    """The work of one student: numbers by quantity, as quantities are read.
+
+    unread  answers in which no number was found, as they were written
+    """
 
     student: str
     numbers: Mapping[str, HandedNumber]
+    unread: Mapping[str, str] = field(default_factory=dict)
 
 
 @frozen
@@ -49,6 +55,8 @@ class Judged:
     sense     whether it has the sense of the value it is judged by; None where there is none
     credit    from 0 to 1, of its `points`
     measured  as of the `HandedNumber`
+    written   the answer as it was written, where it was not read
+    of_mistake  whether what is carried follows from the mistake that was named, made before
     """
 
     text: str
@@ -65,15 +73,29 @@ class Judged:
     credit: float = 0.0
     points: float = 0.0
     measured: bool = False
+    written: str = ""
+    of_mistake: bool = False
+
+
+@frozen
+class Departure:
+    """The first wrong value in the order of the drawing, and the equation that gives it, as it is written: arrows of
+    the left and of the right side; none where no equation gives it."""
+
+    text: str
+    left: tuple[str, ...] = ()
+    right: tuple[str, ...] = ()
 
 
 @frozen
 class Marked:
-    """A student's verdicts, and the mistakes behind the wrong values."""
+    """A student's verdicts, and the mistakes behind the wrong values; where nothing explains them, where they leave
+    the right way."""
 
     student: str
     judged: tuple[Judged, ...]
     diagnosis: Diagnosis
+    departure: Departure | None = None
 
     @property
     def score(self) -> float | None:
@@ -96,6 +118,7 @@ class Graded:
     drawn     points that were measured on a drawing, by plane and letter, SI, from any of them
     prints    fingerprints of what was handed in, of how it was read, of what was asked, and of the key; empty where it
               is to be tried again
+    remarks   for the teacher alone: what should be looked at
     """
 
     student: str
@@ -106,6 +129,7 @@ class Graded:
     notes: tuple[GraphkinError, ...] = ()
     drawn: Drawn = field(default_factory=dict)
     prints: tuple[str, ...] = ()
+    remarks: tuple[GraphkinError, ...] = ()
 
 
 def by_position(work: StudentWork, count: int) -> list[StudentWork]:

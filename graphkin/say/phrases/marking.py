@@ -36,6 +36,7 @@ PHRASES: Phrases = {
     "verdicts.verdict missing": ("missing", "未答"),
     "verdicts.verdict dead point": ("near a dead point: paper cannot tell this value", "接近死点，图上无法确定该值"),
     "verdicts.verdict too small": ("less than a pencil errs by: paper cannot tell this value", "小于作图误差，图上无法确定该值"),
+    "verdicts.verdict not read": ("not read: look", "未能读出：请核对"),
     "verdicts.verdict wrong sense": ("wrong sense", "转向（符号）相反"),
     "verdicts.verdict wrong direction": ("wrong direction", "方向错误"),
     "verdicts.verdict wrong unit": ("wrong unit", "单位不符"),
