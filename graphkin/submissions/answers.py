@@ -17,7 +17,7 @@ from graphkin import errors
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE, GraphkinError, Where
-from graphkin.model.quantities import Centre, Moving, Quantity, at_position, position_of
+from graphkin.model.quantities import Centre, Component, Moving, Quantity, at_position, position_of
 from graphkin.submissions import numbers
 from graphkin.submissions.numbers import parsed_value, plain, short
 from graphkin.submissions.questions import Questions
@@ -25,7 +25,7 @@ from graphkin.submissions.submission import HandedValue, Limits, ReadableProblem
 
 Entry = tuple[str, object, Where]  # the name of an answer, its value as it stands there, and where
 
-_NOTHING = {"", "-", "--", "---", "/", "\\", "?", "n/a", "na", "none", "null", "无", "空", "未答", "未作答"}
+_NOTHING = {"", "/", "\\", "n/a", "na", "none", "null", "无", "空", "未答", "未作答"}
 _DRIVER_VALUE = re.compile(r"(?<=\s)@\s*(-?[0-9]+(?:[.,][0-9]+)?) ?(?:deg|°|mm)?(?![\w.])")
 _NEAR = 0.05  # a driver's value that is typed may be off by so much [deg, mm]
 
@@ -75,7 +75,14 @@ def answers(entries: Iterable[Entry], questions: Questions, limits: Limits) -> A
 
 
 def _is_nothing(raw: object) -> bool:
-    return raw is None or (isinstance(raw, str) and plain(raw).lower() in _NOTHING)
+    """Nothing, or a dash, a unit beside it or not, as in an answer table that was not filled in."""
+    if not isinstance(raw, str):
+        return raw is None
+    if numbers.is_simple(raw):
+        return False
+    text = plain(raw).lower()
+    bare = text.strip("-_. ")
+    return bare in _NOTHING or (bare != text and numbers.is_unit(bare))
 
 
 def _value(raw: object, quantity: Quantity, unit: str, scales: Mapping[Plane, float]) -> HandedValue:
@@ -93,31 +100,37 @@ def _value(raw: object, quantity: Quantity, unit: str, scales: Mapping[Plane, fl
         case str():
             return _text(raw, quantity, unit, scales)
         case {"value": inner, **more} if not isinstance(inner, dict | list):
-            parts = [str(part) for part in (inner, more.get("unit", ""), more.get("sense", "")) if part is not None]
+            parts = [str(part) for part in (inner, *(more.get(name, "") for name in ("unit", "sense", "direction"))) if part is not None]
             return _text(" ".join(parts), quantity, unit, scales)
         case [x, y]:
             return _pair(x, y, quantity, unit)
         case _:
-            return HandedValue("", None, fault=errors.WrongType(NOWHERE, "quantity", type(raw).__name__))
+            return HandedValue(str(raw)[:60], None, fault=errors.WrongType(NOWHERE, "quantity", type(raw).__name__))
 
 
 def _text(raw: str, quantity: Quantity, unit: str, scales: Mapping[Plane, float]) -> HandedValue:
     text = raw.strip()[:400]
-    bare = plain(text)
-    if isinstance(quantity, Centre | Moving) and bare.startswith(("(", "[")):
+    bare = plain(text) if isinstance(quantity, Centre) else ""
+    if bare.startswith(("(", "[")):
         # `(12.3, 40.5) mm`: two numbers in brackets; `;` between decimal commas
         inner, close, after = bare[1:].partition(")" if bare[0] == "(" else "]")
         parts = inner.split(";") if ";" in inner else inner.split(",")
         if close and len(parts) == 2:
             return replace(_pair(f"{parts[0]} {after}", f"{parts[1]} {after}", quantity, unit), text=text)
-    value = parsed_value(text, quantity.unit, unit)
+    value = parsed_value(text, quantity.unit, unit, isinstance(quantity, Moving | Component))
+    if isinstance(quantity, Component) and value.vector is not None:  # its sign in a word
+        part = value.vector.real if quantity.axis == "x" else value.vector.imag
+        along = math.isclose(abs(part), abs(value.value or 0.0), rel_tol=1e-9)
+        doubt = None if along else errors.NotAnAnswer(NOWHERE, text)
+        value = replace(value, value=part if along else None, vector=None, within=0.0, fault=value.fault or doubt)
     plane = numbers.PLANES.get(quantity.unit)
     if plane is None or value.unit not in numbers.PAPER or value.value is None:
         return value
     mm = value.value * numbers.PAPER[value.unit]
     if plane not in scales:
         return HandedValue(text, None, None, value.unit, errors.NoPaperScale(NOWHERE, text[:60], plane), paper_mm=mm)
-    return HandedValue(text, mm * scales[plane], None, value.unit, paper_mm=mm)
+    vector = None if value.vector is None else value.vector / value.value * mm * scales[plane]
+    return replace(value, value=mm * scales[plane], sense=None, fault=None, paper_mm=mm, vector=vector)
 
 
 def _pair(x: object, y: object, quantity: Quantity, unit: str) -> HandedValue:

@@ -6,18 +6,20 @@ comma alone is a decimal comma; beside a point, the last of the two is the decim
 
 from __future__ import annotations
 
+import cmath
 import math
 import re
 import unicodedata
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import replace
+from functools import lru_cache
 
-from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OtherDimension, OutOfRange, SenseDisputed
 from graphkin.files.values import UNITS, read_quantity
 from graphkin.model.mechanism import Dimension, Mechanism
+from graphkin.submissions.grammar import LONGEST, Number, WrittenAnswer, leading_number, taken_apart, unlatexed
 from graphkin.submissions.submission import HandedValue, Sense
 
 _RAISED = re.compile("[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+")
@@ -25,7 +27,9 @@ _ALIKE = str.maketrans({
     **dict.fromkeys("−–—‐‑‒―﹣－➖", "-"), "º": "°", "˚": "°", "∘": "°", "∕": "/", "⁄": "/", "÷": "/", "·": "*",
     "⋅": "*", "∙": "*", "•": "*", "×": "*", "✕": "*", "﹢": "+", "，": ",", "；": ";", "：": ":", "。": ".", "（": "(",
     "）": ")", "【": "[", "】": "]", "\u2019": "'", "\u2032": "'", "\u02b9": "'", "\u2033": "''", "\u2034": "'''",
-    "\u02bc": "'", "´": "'", "`": "'", "＝": "=", "≈": "=", "≅": "=", "≃": "=", "～": "=", "\u200b": "", "\ufeff": "",
+    "\u02bc": "'", "´": "'", "`": "'", "＝": "=", "≈": "=", "≅": "=", "≃": "=", "\u200b": "", "\ufeff": "", "\ufe0f": "",
+    **{fraction: f" {unicodedata.normalize('NFKC', fraction)}" for fraction in "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"},
+    **{chr(0x2460 + k): f" ({k + 1}) " for k in range(20)},
 })  # fmt: skip
 
 
@@ -52,98 +56,89 @@ DIMENSIONS: Mapping[str, Dimension | None] = {
 }  # fmt: skip
 """By the SI unit of a quantity, whose units may stand with it."""
 _TURNING = ("angle", "angular velocity", "angular acceleration")
-LONGEST = 200  # no value is written with more letters
-
-_BODY = r"[0-9]+(?:[ ',.][0-9]+)*[.,]?|[.,][0-9]+"
-_POWER = r"[eE][+-]?[0-9]+| ?(?:\*|x|X) ?10 ?(?:\^|\*\*)? ?\(?[+-]?[0-9]+\)?"
-_NUMBER = re.compile(rf"([+-]?) ?({_BODY})({_POWER})?(?![0-9A-Za-z]*[0-9])")
-_SENSES: tuple[tuple[Sense, re.Pattern[str]], ...] = (
-    ("ccw", re.compile(
-        r"(?:counter|anti)[- ]?clock[- ]?wise|\bccw\b|\bacw\b|[逆反][时時][针針](?:方向)?|逆|[↺⟲🔄]", re.I)),
-    ("cw", re.compile(r"clock[- ]?wise|\bcw\b|[顺順][时時][针針](?:方向)?|[顺順]|[↻⟳🔃]", re.I)),
-)  # fmt: skip
-_BEFORE = re.compile(r"^(?:[^=<>]*=)+ *")
-_PER_SECOND = re.compile(r"(?<=[0-9 ]) ?1 ?/ ?s")
-_ANGLE = re.compile(r"\s*(?:∠|@|\bat\b|,(?= *[+-]?[0-9.]+ *°))\s*", re.I)
-_GROUPS = re.compile(r"[0-9]{1,3}(?:[ ',.][0-9]{3})+")
+_SIMPLE = re.compile(r"[+-]?(?:[0-9]{1,20}(?:\.[0-9]{0,20})?|\.[0-9]{1,20})(?:[eE][+-]?[0-9]{1,3})?")
+_NO_SENSE, _DASHES = re.compile(r"\s+[—–―]+\s*$"), re.compile(r"(?<=\S) +-+$")
+"""In the last column of an answer table: of what turns a minus may be a sign."""
+_ASIDE, _IN_PI = re.compile(r"(?<=[^\s(:=,;]) - (?=[^0-9]*$)"), re.compile("(π(?: ?/ ?[0-9]+)?)(?![ 0-9/]*[a-z°度弧*])")
+_DRESS = re.compile("[\"\u201c\u201d\u300c\u300d]|^[*_=' ]+|[*_ ]+$")
+_LAST_DIGITS = re.compile(r"([0-9][.,][0-9]+)\([0-9]{1,2}\)")
+_MINUTES = re.compile(r"([0-9]+)° ?([0-9]+(?:\.[0-9]+)?)'(?: ?([0-9]+(?:\.[0-9]+)?)'')?")
+WORDS = math.radians(60)
+"""A direction in words holds within this angle on either side."""
 
 
-@frozen
-class WrittenNumber:
-    """A value taken apart: `number` as written, its unit in the house's spelling or as typed, the sense in words."""
-
-    number: float
-    unit: str
-    sense: Sense | None
+def is_simple(text: str) -> bool:
+    """True of a number alone, as tables have it."""
+    return _SIMPLE.fullmatch(text) is not None
 
 
-def parsed_value(text: str, si: str, unit: str = "") -> HandedValue:
-    """The value that a text gives for a quantity of this SI unit; `unit` is that of its column. Faults come with
-    `NOWHERE`."""
-    size, *direction = _ANGLE.split(plain(text), maxsplit=1)
+def parsed_value(text: str, si: str, unit: str = "", vector: bool = True) -> HandedValue:
+    """The value that a text gives for a quantity of this SI unit; `unit` is that of its column; `vector`: whether such
+    a quantity has a direction. Faults come with `NOWHERE`."""
+    dimension = DIMENSIONS[si]
     try:
-        value = _in_si(text, written(size, text), DIMENSIONS[si], unit)
-        if not direction or value.value is None:
-            return value
-        at = written(direction[0], text)
-        angle = read_quantity(f"{at.number!r} {unit_named(at.unit)}" if at.unit else at.number, "angle")
-        return replace(value, vector=complex(value.value * math.cos(angle), value.value * math.sin(angle)))
+        if is_simple(text):
+            return _in_si(text, (float(text), ""), dimension, unit)
+        if len(text) > LONGEST:
+            raise NotAnAnswer(NOWHERE, text[:40] + "..")
+        bare = unaccented(plain(unlatexed(_NO_SENSE.sub("", text)))).lower()
+        bare = _ASIDE.sub(", ", re.sub("<([^<>]*)>", r"(\1)", bare))
+        bare = _IN_PI.sub(r"\1 rad", bare) if dimension == "angle" else bare
+        bare = bare if dimension in _TURNING else _DASHES.sub("", bare)
+        bare = re.sub("(?<=[0-9]) ?: ?(?=[0-9])", "/", bare) if dimension is None else bare
+        bare = _LAST_DIGITS.sub(r"\1", bare)
+        bare = _MINUTES.sub(lambda at: f"{int(at[1]) + float(at[2]) / 60 + float(at[3] or 0) / 3600!r}°", bare)
+        answer = taken_apart(_DRESS.sub("", bare), text, vector and si in PLANES, dimension in _TURNING)
+        return _of_answer(text, answer, dimension, unit)
     except GraphkinError as fault:
         return HandedValue(text, None, fault=fault)
 
 
-def _in_si(text: str, value: WrittenNumber, dimension: Dimension | None, unit: str) -> HandedValue:
-    sense = value.sense if dimension in _TURNING else None
-    if sense == "ccw" and value.number < 0:
-        raise SenseDisputed(NOWHERE, text[:LONGEST])
-    sized = abs(value.number) * (-1 if sense == "cw" else 1) if sense else value.number
-    name = unit_named(value.unit or unit)
-    if dimension is None and name:
-        raise NotAnAnswer(NOWHERE, text[:LONGEST])
+def _of_answer(text: str, answer: WrittenAnswer, dimension: Dimension | None, unit: str) -> HandedValue:
+    """Two numbers must agree within 2 %; components give the size, or the direction of one."""
+    halves = [_in_si(text, half, dimension, unit) for half in answer.parts]
+    pair = complex(*(half.value or 0.0 for half in halves)) if halves else 0j
+    value = replace(halves[0], value=abs(pair)) if halves else None
+    if answer.number is not None or value is None:
+        value = replace(_in_si(text, answer.number or (0.0, ""), dimension, unit), sense=_SENSES[answer.sense])
+    size = value.value or 0.0
+    others = [abs(_in_si(text, other, dimension, unit).value or 0.0) for other in answer.also]
+    if not all(math.isclose(abs(size), other, rel_tol=0.02) for other in others):
+        raise NotAnAnswer(NOWHERE, text)
+    vector, within = (abs(size) * answer.toward, WORDS) if answer.toward else (None, 0.0)
+    if pair:
+        if not any(math.isclose(abs(pair), length, rel_tol=0.05) for length in (abs(size), 1.0)):
+            raise NotAnAnswer(NOWHERE, text)
+        vector, within = size * pair / abs(pair), 0.0
+    if answer.angle is not None:
+        at, of = answer.angle
+        named = vector
+        vector = cmath.rect(size, read_quantity(f"{at!r} {unit_named(of)}" if of else at, "angle"))
+        if named and abs(cmath.phase(vector / named)) > WORDS:
+            raise SenseDisputed(NOWHERE, text)
+        within = 0.0
+    return replace(value, vector=vector or None, within=within)
+
+
+def _in_si(text: str, written: Number, dimension: Dimension | None, unit: str) -> HandedValue:
+    number, own = written
+    name = unit_named(own or unit)
     if dimension is None:
-        return HandedValue(text, read_quantity(sized, "velocity"), sense)
+        if name not in ("", "%"):
+            raise NotAnAnswer(NOWHERE, text)
+        return HandedValue(text, read_quantity(number / 100 if name else number, "velocity"))
     shown = name.replace("²", "^2")
     try:
-        return HandedValue(text, read_quantity(f"{sized!r} {name}" if name else sized, dimension), sense, shown)
+        return HandedValue(text, read_quantity(f"{number!r} {name}" if name else number, dimension), None, shown)
     except OtherDimension as fault:
-        return HandedValue(text, read_quantity(sized, dimension), sense, shown, fault)
+        return HandedValue(text, read_quantity(number, dimension), None, shown, fault)
 
 
-def written(text: str, whole: str) -> WrittenNumber:
-    """A plain text taken apart. Raises NotAnAnswer with `whole`, SenseDisputed where both senses are named."""
-    if len(text) > LONGEST:
-        raise NotAnAnswer(NOWHERE, whole[:40] + "..")
-    text = _PER_SECOND.sub("rad/s", _BEFORE.sub("", text))
-    senses: set[Sense] = set()
-    for sense, words in _SENSES:
-        text, times = words.subn(" ", text)
-        senses |= {sense} if times else set()
-    if len(senses) > 1:
-        raise SenseDisputed(NOWHERE, whole[:LONGEST])
-    text = re.sub(r"[(\[] *[)\]]", "", text).strip(" ,;=") if senses else text.strip(" ;=")
-    match = _NUMBER.match(text)
-    if match is None:
-        raise NotAnAnswer(NOWHERE, whole[:LONGEST])
-    sign, body, power = match.groups()
-    exponent = re.sub(r"^(?:[eE]| ?[*xX] ?10 ?(?:\^|\*\*)? ?\(?)", "", power or "").rstrip(")")  # of `e-3`, `*10^-3`
-    if len(exponent) > 5:
-        raise NotAnAnswer(NOWHERE, power.strip()[:40])
-    # with a point as the decimal sign and no groups: of `3,92`, `1 234.5`, `1.234,5`
-    points, commas = body.count("."), body.count(",")
-    decimal = ""
-    if points and commas:
-        decimal = max(".,", key=body.rfind)
-    elif points == 1 or commas == 1:
-        decimal = "." if points else ","
-    head, _, tail = body.rpartition(decimal) if decimal else (body, "", "")
-    if (not tail.isdigit() and tail) or (not head.isdigit() and head and not _GROUPS.fullmatch(head)):
-        raise NotAnAnswer(NOWHERE, whole[:LONGEST])
-    value = float(f"{re.sub('[^0-9]', '', head) or '0'}.{tail or '0'}e{int(exponent or 0)}")
-    unit = text[match.end() :].strip(" ,;")
-    return WrittenNumber(-value if sign == "-" else value, unit, next(iter(senses), None))
+_SENSES: Mapping[int, Sense | None] = {1: "ccw", 0: None, -1: "cw"}
 
 
 _SPELT = (
+    (r" ?squared|的?平方(?=$)", "^2"), (r"每(?:二次方|平方)秒", "/s^2"), (r"(?<=[a-z]) (?=s\^?-)", "*"),
     (r"\s+|\\|\$|\{|\}|\bmathrm\b", ""), (r"\*\*", "^"), (r"毫米", "mm"), (r"厘米", "cm"),
     (r"米", "m"), (r"弧度", "rad"),
     (r"度|°|degrees?|degs?\b", "deg"), (r"radians?|rads\b", "rad"), (r"分钟?|minutes?|\bmins\b", "min"),
@@ -155,6 +150,7 @@ _SPELT = (
 _SPELT_TESTED = tuple((re.compile(pattern), better) for pattern, better in _SPELT)
 
 
+@lru_cache(maxsize=1000)
 def unit_named(text: str) -> str:
     """A unit in the house's spelling, where it is one of the house's; else as typed.
 
@@ -167,7 +163,15 @@ def unit_named(text: str) -> str:
     for pattern, better in _SPELT_TESTED:
         name = pattern.sub(better, name)
     house = name.replace("^2", "²")
-    return house if any(house in units for units in UNITS.values()) else text.strip()[:40]
+    return house if house in _HOUSE else text.strip()[:40]
+
+
+_HOUSE = {unit for units in UNITS.values() for unit in units}
+
+
+def is_unit(text: str) -> bool:
+    """True of a unit of the house's, however it is spelled."""
+    return unit_named(text) in _HOUSE
 
 
 PAPER: Mapping[str, float] = {"mm": 1.0, "cm": 10.0, "in": 25.4}
@@ -204,7 +208,7 @@ def scale(raw: object, plane: Plane) -> float:
     if isinstance(raw, bool) or not isinstance(raw, int | float | str):
         raise NotAnAnswer(NOWHERE, str(raw)[:40])
     shown = str(raw)[:200] if isinstance(raw, str) or abs(raw) < 1e30 else "1e30"
-    text, dimension = plain(shown), _DIMENSIONS[plane]
+    text, dimension = plain(shown).replace("~", "="), _DIMENSIONS[plane]
     # of a length on paper and what it stands for, in either order
     value, (one, sign, other) = None, text.partition("=") if "=" in text else text.partition(":")
     for paper, thing in ((one, other), (other, one)) if sign else ():
@@ -212,14 +216,14 @@ def scale(raw: object, plane: Plane) -> float:
             value = _read(thing, dimension) / (_read(paper, "length") * 1000)
             break
     if value is None:
-        number = written(re.sub(r"/\((s(?:\^2)?)\*mm\)", r"/\1/mm", text.replace(" ", "")), text)
-        unit = re.sub(r"(?:/|\*? ?per|\*) ?mm(?:\^-1)?$", "", number.unit.replace("*mm^-1", "/mm")).strip("() ")
-        value = _read(f"{number.number!r} {unit}", dimension) if unit else number.number
+        number, unit = leading_number(re.sub(r"/\((s(?:\^2)?)\*mm\)", r"/\1/mm", text.replace(" ", "")), text)
+        unit = re.sub(r"(?:/|\*? ?per|\*) ?mm(?:\^-1)?$", "", unit.replace("*mm^-1", "/mm")).strip("() ")
+        value = read_quantity(f"{number!r} {unit_named(unit)}", dimension) if unit else number
     if not _SMALLEST <= value <= _LARGEST:
         raise OutOfRange(NOWHERE, shown[:40])
     return value
 
 
 def _read(text: str, dimension: Dimension) -> float:
-    number = written(text.strip(), text)
-    return read_quantity(f"{number.number!r} {unit_named(number.unit)}", dimension)
+    number, unit = leading_number(text.strip(), text)
+    return read_quantity(f"{number!r} {unit_named(unit)}", dimension)

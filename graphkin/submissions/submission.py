@@ -52,6 +52,7 @@ class HandedValue:
               if no unit stood there (a unit is a mistake of its own)
     where     file, line and key
     vector    size and direction in the mechanism's axes, SI, of one that is measured or given with its angle
+    within   the angle within which a direction in words holds; 0 of one in numbers [rad]
     paper_mm  its length on paper, where a length was handed in and the scale made a value of it
     ends      tail and head on the page [mm, y up], of one measured on a drawing
     """
@@ -63,6 +64,7 @@ class HandedValue:
     fault: GraphkinError | None = None
     where: Where = NOWHERE
     vector: complex | None = None
+    within: float = 0.0
     paper_mm: float | None = None
     ends: tuple[complex, complex] | None = None
 

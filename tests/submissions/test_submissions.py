@@ -61,8 +61,8 @@ def test_a_number_as_it_is_written(text, unit, value, sense):
 
 
 @pytest.mark.parametrize("text", [
-    "", "abc", "nan", "inf", "-inf", "1e308", "1e999999999", "9" * 150, "3.92.1", "3 92", "5 5", "3.9 ± 0.1", "0x10", "1_000",
-    "-62 ccw", "3 ccw or cw", "1,2,3", "..", "-", "1e", "3.92 furlong", "=cmd|' /C calc'!A0", "3,92,", "x" * 5000,
+    "", "abc", "nan", "inf", "-inf", "1e308", "1e999999999", "9" * 150, "3.92.1", "3 92", "5 5", "3.9 - 4.1", "0x10", "1_000",
+    "-62 ccw", "3 ccw or cw", "1,2,3", "..", "-", "1e", "3.92 furlong", "=cmd|' /C calc'!A0", "3,92, 4", "x" * 5000,
 ])  # fmt: skip
 def test_what_is_no_number_has_no_value(text):
     found = parsed_value(text, TURN)

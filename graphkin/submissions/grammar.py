@@ -1,0 +1,404 @@
+"""Answers as students write them, taken apart by a small grammar: nothing is guessed.
+
+A text becomes tokens, each with a code of one letter; the forms of an answer are patterns over these codes:
+
+    n number   u unit    s sign   g sign in brackets   p ±   t ~: about, or to   a ∠, `angle`   e =, :   l `is`
+    c sense    d direction in a word or an arrow       i j unit vectors          v pair in brackets
+    k name of a quantity   ( ) ; brackets, and between clauses   z what makes an answer doubtful
+    x not known: where it may stand, in a remark in brackets or before an e, it says nothing
+
+Words that say nothing have no token. All others must be understood: one number, and a second only where it says the
+same, is a direction, or is by what the first may err.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+from graphkin.base.value import frozen
+from graphkin.errors import NOWHERE, NotAnAnswer, SenseDisputed
+
+Number = tuple[float, str]  # with its unit as it is typed
+LONGEST = 200  # no value is written with more letters
+ANGLES = re.compile(r"°|度|deg(?:ree)?s?|rad(?:ian)?s?|弧度")
+
+
+@frozen
+class WrittenAnswer:
+    """An answer taken apart.
+
+    number   with its sign; of one that is given by its components alone None
+    sense    1 for counter-clockwise, -1, and 0 where only a sign says it
+    also     what is said to be the same number
+    angle    of its direction; toward: a direction in words, of length 1, or 0; parts: components
+    """
+
+    number: Number | None
+    sense: int = 0
+    also: tuple[Number, ...] = ()
+    angle: Number | None = None
+    toward: complex = 0j
+    parts: tuple[Number, ...] = ()
+
+
+@frozen
+class Token:
+    """number: of a sign or a sense 1 or -1; inside: of a pair in brackets"""
+
+    code: str
+    text: str = ""
+    number: float = 1.0
+    way: complex = 0j
+    inside: tuple[Token, ...] = ()
+
+
+# --- LaTeX -------------------------------------------------------------------------------------
+
+_FONTS = re.compile(r"\\(?:math(?:rm|bf|it|sf)|text(?:rm|bf|it)?|operatorname|boldsymbol|unit|si|num|hat|vec|mbox)\s*\{([^{}]*)\}")
+_COMMANDS = {
+    "times": "*", "cdot": "*", "pm": "±", "approx": "=", "simeq": "=", "sim": "~", "angle": "∠", "degree": "°", "pi": "π",
+    "omega": "ω", "alpha": "α", "theta": "θ", "varphi": "φ", "phi": "φ", "circlearrowleft": "↺", "circlearrowright": "↻",
+    "curvearrowleft": "↺", "curvearrowright": "↻", "leftarrow": "←", "rightarrow": "→", "uparrow": "↑",
+    "downarrow": "↓", "searrow": "↘", "swarrow": "↙", "nearrow": "↗", "nwarrow": "↖", "per": "/", "meter": "m",
+    "metre": "m", "milli": "m", "second": "s", "radian": "rad", "squared": "^2", "quad": " ", "qquad": " ", "left": "",
+    "right": "", "mathrm": "", "rm": "", "displaystyle": "", "approxeq": "=", "minute": "min", "imath": "i", "jmath": "j",
+}  # fmt: skip
+
+
+def unlatexed(text: str) -> str:
+    """Without the marks of LaTeX; a text that has none as it is."""
+    if not any(mark in text for mark in "\\${"):
+        return text
+    text = re.sub(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{", r"\1 {", text.replace("~", " "))
+    text = re.sub(r"\^\s*\{?\s*\\circ\s*\}?", "°", text)
+    text = _FONTS.sub(r" \1 ", _FONTS.sub(r" \1 ", text))
+    text = re.sub(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}", r"\1/\2", text)
+    text = re.sub(r"\\[,;:! ]", " ", text)
+    text = re.sub(r"\\([A-Za-z]+)", lambda run: _COMMANDS.get(run[1], run[0]), text)
+    return re.sub(r"[${}]", "", text)
+
+
+# --- tokens ------------------------------------------------------------------------------------
+
+_NO_MORE = "(?![0-9]|[.,][0-9])"
+_BODY = (
+    r"(?:[1-9][0-9]{0,2}(?P<of>[ ',.])[0-9]{3}(?:(?P=of)[0-9]{3})*(?!(?P=of))[.,](?:[0-9]{1,2}|[0-9]{4,})" + _NO_MORE
+    + r"|[1-9][0-9]{0,2}(?:(?P<by>[ '])[0-9]{3}(?:(?P=by)[0-9]{3})*|(?P<at>[.,])[0-9]{3}(?:(?P=at)[0-9]{3})+)" + _NO_MORE
+    + r"|[0-9]+(?:[.,][0-9]+|\.(?![0-9]))?|\.[0-9]+)"
+)  # fmt: skip
+_POWER = r"(?:e|[*x] ?10 ?(?:\^|\*\*) ?\(?|[*x] ?10(?=[+-]))(?P<power>[+-]?[0-9]+)\)?"
+_DECIMAL = rf"(?P<body>{_BODY})(?: ?{_POWER}{_NO_MORE})?"
+_FRACTION = r"(?:(?P<whole>[0-9]{1,9}) )?(?P<top>[0-9]{1,9}) ?/ ?(?P<bottom>[0-9]{1,9})" + _NO_MORE
+_PI = r"(?P<times>[0-9]+(?:[.,][0-9]+)? ?\*? ?)?(?:π|pi(?![a-z]))(?: ?/ ?(?P<over>[0-9]{1,9})" + _NO_MORE + ")?"
+_NUMBER = re.compile(rf"(?:{_FRACTION}|{_PI}|{_DECIMAL})(?![0-9a-z]*[0-9])")
+
+_ATOM = (
+    r"(?:rad(?:ian)?s?|deg(?:ree)?s?|°|度|弧度|毫米|厘米|米|millimet(?:er|re)s?|met(?:er|re)s?|mm|cm|km|m|in(?:ch(?:es)?)?(?! (?:the|c|an))"
+    r"|ft|feet|foot|rev(?:olution)?s?|rpm|r|转|圈|s(?:ec(?:ond)?s?)?|秒|min(?:ute)?s?|分钟?|h(?:ours?)?|小时|%)"
+    r"(?: ?(?:\^|\*\*) ?(?:\([+-]?[1-3]\)|[+-]?[1-3])|[+-]?[1-3](?![0-9.,]*[0-9])| ?squared|的?平方|²)?"
+)
+_PER = "每(?:二次方|平方)?"
+_FACTOR = rf"(?:{_ATOM}|\({_ATOM}(?: ?[*/] ?{_ATOM})*\))"
+_UNIT = rf"(?:(?:1 ?)?/ ?|per |{_PER})?{_ATOM}(?:(?: ?[*/.] ?| ?per ?|{_PER}| |(?=s\^?-)){_FACTOR})*(?![a-z_'])"
+_UP, _SIDE = r"(?:up(?:per)?|top|down|low(?:er)?|bottom)(?:wards?)?", r"(?:left|right)(?:wards?)?"
+_AND = r"(?: ?[-/& ] ?|,? ?and (?:to the )?)?"
+_WAYS: dict[str, complex] = {
+    "左": -1, "右": 1, "上": 1j, "下": -1j, "left": -1, "right": 1, "up": 1j, "top": 1j, "down": -1j, "low": -1j,
+    "bottom": -1j, "←": -1, "→": 1, "->": 1, "↑": 1j, "↓": -1j, "↖": 1j - 1, "↗": 1j + 1, "↘": 1 - 1j, "↙": -1 - 1j,
+    "+x": 1, "-x": -1, "+y": 1j, "-y": -1j, "positivex": 1, "negativex": -1, "positivey": 1j, "negativey": -1j,
+    "x正": 1, "x负": -1, "y正": 1j, "y负": -1j,
+}  # fmt: skip
+_WAY = re.compile("|".join(map(re.escape, _WAYS)))
+
+_LEXICON = (  # of two that begin alike the longer one first
+    ("", " +"),
+    ("", r"(?:from|to|wrt|with respect to|relative to|与|从|自|相对于?) ?(?:the )?(?:x ?轴的?正方?向"
+         r"|(?:\+ ?|positive )?x(?:[- ]?axis)?(?: direction)?(?![a-z轴]))"),
+    ("d", r"(?:along |in )?(?:the )?(?:[+-]|negative|positive) ?[xy](?:[- ]?axis|轴)?(?: direction|方向)?(?![a-z0-9_]| *[=:])"
+          r"|沿?[xy] ?轴?的?[正负]方?向"),
+    ("z", r"from [a-z][0-9']* to|towards? [a-z](?![a-z])|along|perpendicular|parallel|[⊥∥]|//|平行|垂直(?![向朝纸])"
+          r"|[沿指由从][向着]? ?[a-z]"),
+    ("g", r"\( ?[+-] ?\)"), ("p", r"±|\+ ?/ ?-|\+-|plus or minus"),
+    ("ccw", r"(?:counter|anti)[- ]?clock[- ]?wise|(?:ccw|acw)(?![a-z])|(?:c\.c\.|a\.c\.)w\.?|[逆反][时時][针針钟鐘]|逆"
+            r"|[↺⟲🔄⊙]|out of (?:the )?(?:page|paper)|(?:垂直)?纸面向外"),
+    ("cw", r"clock[- ]?wise|cw(?![a-z])|c\.w\.?|[顺順][时時][针針钟鐘]|[顺順]|[↻⟳🔃⊗]|into (?:the )?(?:page|paper)"
+           r"|(?:垂直)?纸面向[里内]"),
+    ("", r"or so|左右|上下"),
+    ("z", r"quadrant|象限|偏|below|above|以[上下内外]|大于|小于|超过|相反|反[向转]|正转|opposite|wrong|错|作废|或|[非不未?]"
+          r"|(?:not?|or)(?![a-z])"),
+    ("x", r"[下上左右如见][图面表]|[a-z][0-9']* ?(?:->|→) ?[a-z]"),
+    ("", r"about|approx(?:imately|\.)?|ca\.|(?:ca|mag|ans|so|the|of|dir|to)(?![a-z])|circa|roughly|around|nearly|magnitude"
+         r"|size|value|speed|answer|final|result|hence|therefore|(?:an?|and|with)(?= )|towards?|pointing|directed|direction"
+         r"|sense|rotat(?:ion|ing|es)|turn(?:ing|s)|units?|side|horizontal(?:ly)?|vertical(?:ly)?|measured|in(?= (?:the|c|an))"
+         r"|大?约(?:为|等于)?|大概|近似|大小|数值|值|结果|答案?|[解求测量]?得到?|[故即且沿取以设的号]|所以|因此|规定|单位|方向(?!角)"
+         r"|转向|旋向|指向|[朝往向方边侧斜](?!向角)|水平|竖直|铅[垂直]|垂直(?=向|朝)|转动|旋转|∴|[.!](?= |$)"),
+    ("a", r"∠|∡|@|/_|(?:at|arg)(?![a-z])|方向角|夹角|角度|angle|[θφϑϕ][0-9a-z_']*|<(?= ?[+-]?[0-9.]+ ?(?:°|deg))"),
+    ("l", r"[为是记]|(?:is|are|as|means?)(?![a-z])|等于|equals?|表示|代表|taken"),
+    ("u", _UNIT), ("-", r"负[号数向]?|minus|negative|neg(?![a-z])|-ve|-(?!>)"),
+    ("+", r"正[号数]?|plus|positive|pos(?![a-z])|\+ve|\+"),
+    ("d", rf"{_UP}{_AND}{_SIDE}(?![a-z])|{_SIDE}{_AND}{_UP}(?![a-z])|(?:{_UP}|{_SIDE})(?![a-z])|[左右上下←→↑↓↖↗↘↙]|->"),
+    (";", "=>|[,;、⇒\n]"), ("e", "[=:]"), ("(", r"[(\[]"), (")", r"[)\]]"), ("t", "~"), ("i", "i(?![a-z0-9])"),
+    ("j", "j(?![a-z0-9])"), ("k", r"[α-ω][0-9a-z_.'^]*|[a-z]+[_^'0-9][0-9a-z_.'^]*"), ("x", r"[0-9a-z][0-9a-z.]*|[\s\S]"),
+)  # fmt: skip
+_TOKEN = re.compile("|".join(f"(?P<t{k}>{pattern})" for k, (_, pattern) in enumerate(_LEXICON)))
+_AFTER_NUMBER = re.compile(_UNIT)
+_SIGNS = {"ccw": 1, "cw": -1, "+": 1, "-": -1}
+
+
+def _tokens(text: str) -> Iterator[Token]:
+    """The tokens of a plain text in small letters."""
+    at, last = 0, ""
+    while at < len(text):
+        code, match = "u", _AFTER_NUMBER.match(text, at) if last == "n" else None  # `1/s` is no number there
+        if match is None:
+            code, match = "n", _NUMBER.match(text, at)
+        if match is None and (match := _TOKEN.match(text, at)) is not None:
+            code = _LEXICON[int((match.lastgroup or "")[1:])][0]
+        assert match is not None, "the last row of the lexicon takes any letter"
+        at, piece = match.end(), match.group()
+        last = last if piece == " " else code
+        if code == "n":
+            number = _number(match)
+            yield Token("n" if math.isfinite(number) else "z", piece, number)
+        elif code == "d":
+            way = sum((_WAYS[one] for one in _WAY.findall(re.sub("[ 轴的]", "", piece))), 0j)
+            yield Token(code, piece, way=way / abs(way))
+        elif code == "g":
+            yield Token(code, piece, -1 if "-" in piece else 1)
+        elif code:
+            yield Token({"ccw": "c", "cw": "c", "+": "s", "-": "s"}.get(code, code), piece, _SIGNS.get(code, 1))
+
+
+def _number(match: re.Match[str]) -> float:
+    """The value of a number: `462/1000`, `1 1/2`, `2π/3`, `3,92*10^-1`, `1.234,5`; NaN of none."""
+    if match["top"] is not None:
+        top, bottom = int(match["top"]), int(match["bottom"])
+        improper = match["whole"] is not None and top >= bottom
+        return math.nan if not bottom or improper else int(match["whole"] or 0) + top / bottom
+    body, power = match["body"], match["power"] or "0"
+    if body is None:
+        times = (match["times"] or "1").strip(" *").replace(",", ".")
+        return float(times) * math.pi / (int(match["over"] or 1) or math.nan)
+    groups = match["of"] or match["by"] or match["at"]
+    body = body.replace(groups, "") if groups else body
+    return float(f"{body.replace(',', '.').rstrip('.')}e{power}") if len(power) <= 5 else math.nan
+
+
+# --- forms -------------------------------------------------------------------------------------
+
+_INNER = re.compile(r"\(([^()]*)\)")
+_PAIR = re.compile("[sg]?nu?;[sg]?nu?")
+_CONVENTION = re.compile("c[le]*s(?![sgn])|s[le]*c")
+_VALUE = re.compile("(?P<b>u)?(?P<s>[sg])?(?P<n>n)(?P<u>u)?(?:pn(?P<a>u)?)?(?P<g>g)?")
+_POLAR = re.compile(r"(?P<value>.*?)(?P<mark>a*)(?P<s>[sg])?(?P<n>n)(?P<u>u)?")
+_SUM = re.compile("(?P<x>s?nu?)(?P<i>i)?(?P<y>snu?)(?P<j>[ij])(?P<u>u)?")
+_NEXT = re.compile("e[sg]?nu?(?=[kx]e)")
+_WITH_PAIR = re.compile("(?P<size>[sg]?nu?)?vu?")
+
+
+def taken_apart(text: str, whole: str, vector: bool, turning: bool) -> WrittenAnswer:
+    """A plain text in small letters. Raises NotAnAnswer with `whole`, SenseDisputed.
+
+    vector, turning   whether the quantity has a direction, or a sense
+    """
+    reading = _Reading(whole, vector, turning)
+    clause: list[Token] = []
+    tokens = reading.without_conventions(_without_brackets([*_tokens(text)], vector))
+    for k in reversed([match.end() for match in _NEXT.finditer(_codes(tokens))]):  # `vx = 1 vy = 2`
+        tokens.insert(k, Token(";"))
+    for token in (*tokens, Token(";")):
+        if token.code != ";":
+            clause.append(token)
+            continue
+        reading.read(clause)
+        clause = []
+    return reading.answer()
+
+
+def leading_number(text: str, whole: str) -> tuple[float, str]:
+    """The number that a plain text begins with, and the rest. Raises NotAnAnswer with `whole`."""
+    bare = text.rpartition("=")[2].strip().lower()
+    sign, bare = (-1, bare[1:]) if bare.startswith("-") else (1, bare.removeprefix("+"))
+    if (match := _NUMBER.match(bare.lstrip())) is None or not math.isfinite(number := _number(match)):
+        raise NotAnAnswer(NOWHERE, whole[:LONGEST])
+    return sign * number, bare.lstrip()[match.end() :].strip(" ,;")
+
+
+def _codes(tokens: list[Token]) -> str:
+    return "".join(token.code for token in tokens)
+
+
+def _without_brackets(tokens: list[Token], vector: bool) -> list[Token]:
+    """Brackets resolved: pairs, what the number may err by, remarks; the rest stands as if there were none."""
+    while (match := _INNER.search(codes := _codes(tokens))) is not None:
+        inside, its, before = tokens[match.start() + 1 : match.end() - 1], match[1], codes[: match.start()]
+        if _PAIR.fullmatch(its):
+            inside = [Token("v", inside=tuple(one for one in inside if one.code != ";"))]
+        elif vector and re.fullmatch("[sg]?nu?", its) and any("," in one.text for one in inside if one.code == "n"):
+            inside = [Token("z")]  # `(3,4)`: one number or two
+        elif its in ("pn", "pnu") or ("x" in its and set(its) <= set("xkleuij;")):
+            inside = []
+        elif its == "s":  # `(负)`
+            inside = [Token("g", number=inside[0].number)]
+        elif its != "u" and ("n" in before or "n" not in its):
+            inside = [Token(";"), *inside, Token(";")]
+        tokens[match.start() : match.end()] = inside
+    return tokens
+
+
+@dataclass
+class _Reading:
+    """The parts of an answer, clause by clause; signs of values are 0 where none is written.
+
+    upward   1 where it is said that counter-clockwise is positive, -1
+    """
+
+    whole: str
+    vector: bool
+    turning: bool
+    values: list[tuple[float, Number]] = field(default_factory=list)
+    angles: list[Number] = field(default_factory=list)
+    parts: dict[str, Number] = field(default_factory=dict)
+    units: list[str] = field(default_factory=list)
+    senses: set[float] = field(default_factory=set)
+    ways: list[complex] = field(default_factory=list)
+    upward: set[int] = field(default_factory=set)
+    wants_sign: bool = False
+
+    def doubt(self, senses: bool = False) -> NotAnAnswer | SenseDisputed:
+        return (SenseDisputed if senses else NotAnAnswer)(NOWHERE, self.whole[:LONGEST])
+
+    def without_conventions(self, tokens: list[Token]) -> list[Token]:
+        """`counter-clockwise is positive` and the like taken out. `clockwise -` by itself may be sense and sign."""
+        while self.turning and (match := _CONVENTION.search(_codes(tokens))) is not None:
+            ends = tokens[match.start()], tokens[match.end() - 1]
+            self.upward.add(1 if ends[0].number == ends[1].number else -1)
+            self.wants_sign |= len(match[0]) == 2 and -1 in (one.number for one in ends if one.code == "s")
+            tokens[match.start() : match.end()] = [Token(";")]
+        return tokens
+
+    def read(self, clause: list[Token]) -> None:
+        """One clause: labels, each before an e, and what they say."""
+        if re.match("k+l", _codes(clause)) is not None and "e" not in _codes(clause):
+            clause = [Token("e") if token.code == "l" else token for token in clause]
+        ends = [-1, *(k for k, token in enumerate(clause) if token.code == "e"), len(clause)]
+        *labels, body = ([one for one in clause[a + 1 : b] if one.code != "l"] for a, b in zip(ends, ends[1:]))
+        if labels and not set(_codes(body)) & set("nvcd") and set(_codes(labels[-1])) & set("nv"):
+            body, labels[-1] = labels[-1], body  # `3.92 = omega`
+        axis = ""
+        for label in labels:
+            codes, text = _codes(label), "".join(token.text for token in label)
+            if "z" in codes:
+                raise self.doubt()
+            if set(codes) <= set("cda"):
+                body = [*label, *body]
+            elif "n" not in codes and codes.count("u") == 1 and "u" not in _codes(body):
+                self.units += [token.text for token in label if token.code == "u" and len(token.text) > 1]
+            named = re.search("(?:^|[_a-z0-9])([xy])(?:分量)?$", text)
+            axis = named[1] if named is not None and self.vector else ""
+        self._body(body, axis)
+        for label in labels:  # of `3.9193 = 3.92` the last one counts
+            if _VALUE.fullmatch(_codes(label)):
+                self._value(label)
+
+    def _body(self, body: list[Token], axis: str) -> None:
+        senses = {token.number for token in body if token.code == "c"}
+        self.ways += [token.way for token in body if token.code == "d"]
+        body = [token for token in body if token.code not in ("cda" if self.turning else "cd")]
+        codes = re.sub("^k+(?=n|$)|(?<![nu])t", lambda run: "_" * len(run[0]), _codes(body))
+        body, codes = [token for token, code in zip(body, codes) if code != "_"], codes.replace("_", "")
+        if self.vector and (match := _SUM.fullmatch(codes)) is not None and (not match["i"] or match["j"] == "j"):
+            unit = next((token.text for token in body if token.code == "u"), "")
+            for name in "xy":
+                sign, (number, _) = self._signed(body[match.start(name) : match.end(name)])
+                self.parts[name] = (number * (sign or 1), unit)
+        elif self.vector and (match := _WITH_PAIR.fullmatch(codes)) is not None:
+            self._pair(body, codes, match)
+        elif codes == "u":
+            self.units.append(body[0].text)
+        elif _VALUE.fullmatch(codes):
+            self._value(body, axis)
+        elif self.vector and (match := _POLAR.fullmatch(codes)) is not None:
+            self._polar(body, match, senses)
+            return
+        elif codes:
+            raise self.doubt()
+        self.senses |= senses
+
+    def _signed(self, tokens: list[Token]) -> tuple[float, Number]:
+        """A sign, 0 where none is written, and the number with its unit; what it may err by is passed over."""
+        number = next(k for k, token in enumerate(tokens) if token.code == "n")
+        sign = next((token.number for token in tokens if token.code in "sg"), 0.0)
+        off = next((k for k, token in enumerate(tokens) if token.code == "p"), len(tokens))
+        units = [token.text for token in tokens[:off] if token.code == "u"]
+        units = units or [token.text for token in tokens[off:] if token.code == "u" and token.text != "%"]
+        if len(units) > 1:
+            raise self.doubt()
+        return sign, (tokens[number].number, units[0] if units else "")
+
+    def _value(self, tokens: list[Token], axis: str = "") -> None:
+        sign, (number, unit) = self._signed(tokens)
+        if axis:
+            self.parts[axis] = ((sign or 1) * number, unit)
+        else:
+            self.values.append((sign, (number, unit)))
+
+    def _pair(self, body: list[Token], codes: str, match: re.Match[str]) -> None:
+        """`(-0.08, -0.26) m/s`, `(0.271 m/s, 252.5°)`."""
+        if match["size"]:
+            self._value(body[: match.end("size")])
+        inside, unit = body[codes.index("v")].inside, body[-1].text if codes.endswith("vu") else ""
+        second = next(k for k, token in enumerate(inside) if k and token.code in "sgn" and inside[k - 1].code in "nu")
+        (sign, (x, of_x)), (turn, (y, of_y)) = self._signed([*inside[:second]]), self._signed([*inside[second:]])
+        if ANGLES.fullmatch(of_y):
+            self.values.append((sign, (x, of_x or unit)))
+            self.angles.append(((turn or 1) * y, of_y))
+        else:
+            self.parts |= {"x": ((sign or 1) * x, of_x or of_y or unit), "y": ((turn or 1) * y, of_y or of_x or unit)}
+
+    def _polar(self, body: list[Token], match: re.Match[str], senses: set[float]) -> None:
+        """`0.271 m/s ∠ 252.5°`: a number that needs a mark or its unit to be an angle; clockwise it is negative."""
+        before = body[: match.end("value")]
+        turn, (angle, unit) = self._signed(body[match.end("mark") :])
+        if not (match["mark"] or (ANGLES.fullmatch(unit) and match["value"].endswith("u"))) or len(senses) > 1:
+            raise self.doubt()
+        if before and _VALUE.fullmatch(match["value"]) is None:
+            raise self.doubt()
+        if before:
+            self._value(before)
+        unit = "rad" if not unit and any("π" in token.text for token in body) else unit
+        self.angles.append(((turn or 1) * min(senses, default=1) * angle, unit))
+
+    def answer(self) -> WrittenAnswer:
+        """All clauses together."""
+        if self.vector and len(self.values) > 1:  # `0.271 m/s, 252.5°`
+            turned = [value for value in self.values[1:] if ANGLES.fullmatch(value[1][1])]
+            self.angles += [((sign or 1) * number, unit) for sign, (number, unit) in turned]
+            self.values = [value for value in self.values if value not in turned]
+        if len(self.parts) == 1:
+            self.values += [(1.0, number) for number in self.parts.values()]
+        parts = (self.parts["x"], self.parts["y"]) if len(self.parts) == 2 else ()
+        toward = sum(self.ways, 0j)
+        if (not self.values and not parts) or len(self.angles) > 1 or len({*self.units}) > 1 or (self.ways and not self.vector):
+            raise self.doubt()
+        if len(self.senses) > 1 or len(self.upward) > 1 or any((one * toward.conjugate()).real < 0.1 for one in self.ways):
+            raise self.doubt(senses=True)
+        unit, toward = next(iter(self.units), ""), toward / abs(toward) if toward else 0j
+        numbers = []
+        for sign, (number, own) in self.values:
+            sense = min(self.senses, default=0) if self.turning else 0
+            signed = (sign or 1) * min(self.upward, default=1)
+            if sense and sign and signed != sense or (sign < 0 and toward and max(toward.real, toward.imag) > 0.1):
+                raise self.doubt(senses=True)
+            if self.wants_sign and not sign:
+                raise self.doubt()
+            numbers.append(((sense or signed) * number, own or unit))
+        sense = int(min(self.senses, default=0)) if self.turning else 0
+        angle = self.angles[0] if self.angles else None
+        if angle is not None and self.senses == {-1}:
+            angle = -angle[0], angle[1]
+        parts = tuple((number, own or unit) for number, own in parts)
+        return WrittenAnswer(numbers[0] if numbers else None, sense, tuple(numbers[1:]), angle, toward, parts)
