@@ -16,6 +16,7 @@ from graphkin.construction import Plot
 from graphkin.marking.answers import readable
 from graphkin.marking.consequences import rewrites
 from graphkin.marking.diagnosis import Diagnosis, diagnoses
+from graphkin.marking.directions import WrittenDirections
 from graphkin.marking.follow_through import Carried, CarriedProblem
 from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name, agrees, columns, sense_only
 from graphkin.marking.key_making import by_other_methods, make_key, pairs_of
@@ -59,6 +60,10 @@ class Marker:
     @cached_property
     def problem(self) -> CarriedProblem:
         return CarriedProblem(self.key, self.method, self.plot, self.quantities)
+
+    @cached_property
+    def directions(self) -> WrittenDirections:
+        return WrittenDirections(self.problem)
 
     def off_drawing(
         self, drawn: Drawn, vectors: Mapping[str, complex], written: Mapping[str, float]
@@ -154,6 +159,9 @@ class Marker:
             asked = np.array([entry.points > 0 for entry in self.key.entries])
             of_asked = self.problem.carried(given, wrong & ~strange & (asked | ~measured), wrong)
             carried = carried.instead(of_asked, measured)
+        if any(one is not None and one.vector is not None for one in numbers):
+            used = wrong & ~strange & ~carried.unused
+            works = [self.directions.judged(work, given[k], used[k]) for k, work in enumerate(works)]
         diagnosed = zip(works, self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange), strict=True)
         return [
             self._marked(work, k, given[k], right[k], untold[k], carried, self._as_drawn(work, diagnosis))
@@ -204,7 +212,7 @@ class Marker:
             if untold[n] and (entry.doubt == "dead point" or entry.doubt == "too small")  # paper cannot tell it
             else self._judged(work, entry, n, given[n], bool(right[n]), bool(senses[n]), carried, k)
             for n, entry in enumerate(self.key.entries)
-            if entry.points or entry.text in work.numbers
+            if entry.points or entry.text in work.numbers or entry.text in work.unread
         )
         return Marked(work.student, judged, diagnosis)
 
@@ -213,6 +221,9 @@ class Marker:
         k: int,
     ) -> Judged:  # fmt: skip
         """One quantity; the better of both verdicts counts."""
+        if not np.isfinite(given) and entry.text in work.unread:
+            written = work.unread[entry.text]
+            return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "not read", written=written)
         if not np.isfinite(given):
             return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "missing", points=entry.points)
         number, judged_by = work.numbers[entry.text], carried.values[k, n]

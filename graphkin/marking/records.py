@@ -24,6 +24,7 @@ class HandedNumber:
     points       of a vector that was drawn: whether it points as it should, where that is told by itself
     measured     on a drawing, or read off it, by us
     vector       with the direction that was written beside its size, in the mechanism's axes
+    within       the angle within which that holds where it is in words; 0 where it is in numbers [rad]
     """
 
     value: float
@@ -31,6 +32,7 @@ class HandedNumber:
     points: bool | None = None
     measured: bool = False
     vector: complex | None = None
+    within: float = 0.0
 
 
 @frozen
@@ -135,11 +137,14 @@ class Graded:
 def by_position(work: StudentWork, count: int) -> list[StudentWork]:
     """The numbers of each position, under the names they have there; of one that there is not, they are dropped."""
     numbers_at: list[dict[str, HandedNumber]] = [{} for _ in range(count)]
-    for text, number in work.numbers.items():
+    unread_at: list[dict[str, str]] = [{} for _ in range(count)]
+    for text in (*work.numbers, *work.unread):
         bare, at = position_of(text)
-        if at <= count:
-            numbers_at[at - 1][bare] = number
-    return [replace(work, numbers=numbers) for numbers in numbers_at]
+        if at <= count and text in work.numbers:
+            numbers_at[at - 1][bare] = work.numbers[text]
+        elif at <= count:
+            unread_at[at - 1][bare] = work.unread[text]
+    return [replace(work, numbers=numbers, unread=unread) for numbers, unread in zip(numbers_at, unread_at)]
 
 
 def as_one(student: str, parts: Sequence[Marked]) -> Marked:

@@ -128,12 +128,15 @@ def same_answers(method: Method, plot: Plot, quantity: Quantity) -> tuple[str, .
 
 def called_as_asked(work: StudentWork, asked: Sequence[KeyEntry], same: Mapping[str, Sequence[str]]) -> StudentWork:
     """With numbers under the key's names, where what is asked was handed in under another; `same` by asked text."""
-    numbers, texts = dict(work.numbers), {entry.text for entry in asked}
+    numbers, unread, texts = dict(work.numbers), dict(work.unread), {entry.text for entry in asked}
     for entry in asked:
+        given = (text for text in same[entry.text] if text in unread and text not in texts)
+        if entry.text not in unread and (text := next(given, None)) is not None:
+            unread[entry.text] = unread.pop(text)
         given = (text for text in same[entry.text] if text in numbers and text not in texts)
         if entry.text not in numbers and (text := next(given, None)) is not None:
-            numbers[entry.text] = numbers.pop(text)
-    return replace(work, numbers=numbers)
+            numbers[entry.text] = replace(numbers.pop(text), vector=None)  # it may be seen the other way round
+    return replace(work, numbers=numbers, unread=unread)
 
 
 def _other_names(method: Method, plot: Plot, quantity: Quantity) -> list[OtherWay]:

@@ -49,6 +49,7 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
         quantities[one.text] = own | {
             "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
             "points": one.points, "credit": one.credit, **({"measured": True} if one.measured else {}),
+            **({"written": one.written} if one.written else {}),
         }  # fmt: skip
     mistakes: list[Plain] = []
     for each in () if marked is None else marked.diagnosis.explanations:
@@ -76,7 +77,10 @@ def _rounded(number: float) -> float:
 def line_of(record: Record) -> Json:
     """The line's part of a record."""
     kept = {key: record[key] for key in _LINE if key in record}
-    quantities = {text: {key: one[key] for key in _QUANTITY} for text, one in record["quantities"].items()}
+    quantities = {
+        text: {key: one[key] for key in (*_QUANTITY, "written") if key in one}
+        for text, one in record["quantities"].items()
+    }
     mistakes = [{key: one[key] for key in _MISTAKE} for one in record["mistakes"]]
     return {**kept, "quantities": quantities, "mistakes": mistakes}
 

@@ -30,7 +30,7 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
              "marks.column unit", "marks.column verdict")  # fmt: skip
     rows = [[say(name, lang) for name in heads]]
     for one in marked.judged:
-        given = "" if one.given is None else edge_value(one.given, one.unit)
+        given = one.written if one.given is None else edge_value(one.given, one.unit)
         tolerance = f"±{edge_value(one.tolerance, one.unit)}"
         tolerance = "–" if one.verdict in ("dead point", "too small") else tolerance
         sizes = [given, edge_value(one.right, one.unit), tolerance, EDGE[one.unit].sign]

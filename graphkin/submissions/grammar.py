@@ -380,9 +380,8 @@ class _Reading:
             self.values = [value for value in self.values if value not in turned]
         if len(self.parts) == 1:
             self.values += [(1.0, number) for number in self.parts.values()]
-        parts = (self.parts["x"], self.parts["y"]) if len(self.parts) == 2 else ()
         toward = sum(self.ways, 0j)
-        if (not self.values and not parts) or len(self.angles) > 1 or len({*self.units}) > 1 or (self.ways and not self.vector):
+        if (not self.values and len(self.parts) < 2) or len(self.angles) > 1 or len({*self.units}) > 1 or (self.ways and not self.vector):
             raise self.doubt()
         if len(self.senses) > 1 or len(self.upward) > 1 or any((one * toward.conjugate()).real < 0.1 for one in self.ways):
             raise self.doubt(senses=True)
@@ -391,7 +390,7 @@ class _Reading:
         for sign, (number, own) in self.values:
             sense = min(self.senses, default=0) if self.turning else 0
             signed = (sign or 1) * min(self.upward, default=1)
-            if sense and sign and signed != sense or (sign < 0 and toward and max(toward.real, toward.imag) > 0.1):
+            if (sense and sign and signed != sense) or (sign < 0 and max(toward.real, toward.imag) > 0.1):
                 raise self.doubt(senses=True)
             if self.wants_sign and not sign:
                 raise self.doubt()
@@ -400,5 +399,5 @@ class _Reading:
         angle = self.angles[0] if self.angles else None
         if angle is not None and self.senses == {-1}:
             angle = -angle[0], angle[1]
-        parts = tuple((number, own or unit) for number, own in parts)
+        parts = tuple((self.parts[name][0], self.parts[name][1] or unit) for name in "xy" if len(self.parts) == 2)
         return WrittenAnswer(numbers[0] if numbers else None, sense, tuple(numbers[1:]), angle, toward, parts)

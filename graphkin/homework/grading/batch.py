@@ -22,11 +22,13 @@ from graphkin.marking.records import Drawn, Graded, HandedNumber, Marked, Studen
 from graphkin.model.quantities import at_position, position_of
 from graphkin.outputs.marks_json import FORMAT, KIND, drawn_of, records_in
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
+from graphkin.submissions.submission import tidy_id
 
 _EACH = 0.1  # a batch is marked at once in the time of one submission and so much more for each [s]
 _ONCE_MORE = (OwnFault, errors.TookTooLong, errors.Unreadable, errors.WantsExtra)
 """Reasons that may be gone when it is tried again."""
 _GLANCE = 200
+_SHOWN = 80  # letters of an answer that was not read
 _POINTS = {"right": True, "wrong": False}  # of a drawn vector; of a number its sign says it again
 
 
@@ -72,7 +74,8 @@ def earlier_reading(record: Record, where: Where) -> EarlierReading:
             points, measured = _POINTS.get(each["sense"]), bool(each.get("measured"))
             numbers[text] = HandedNumber(float(each["given"]), bool(each["unit_right"]), points, measured)
         prints = tuple(map(str, record.get("fingerprints", ())))
-        work = StudentWork(student, numbers)
+        unread = {text: str(each["written"]) for text, each in record["quantities"].items() if each.get("written")}
+        work = StudentWork(student, numbers, unread)
         return EarlierReading(student, file, place, work, reason, notes, prints, drawn_of(record))
     except (KeyError, TypeError, ValueError, AttributeError):
         raise NoMarks(where) from None
@@ -144,10 +147,13 @@ def _read(item: Handed | EarlierReading, judge: SetMarker, limits: Limits, readi
     prints = (item.digest[:16], reading, asked_print(judge, one.student), judge.key_print(one.student))
     notes = (*one.notes, *(value.fault for value in one.values.values() if value.fault is not None))
     handed_in = {  # the reader has spoken of what is no number
-        text: HandedNumber(value.value, value.fault is None, measured=value.ends is not None and not value.text)
+        text: HandedNumber(value.value, value.fault is None, None, value.ends is not None and not value.text,
+                           value.vector if value.text else None, value.within)
         for text, value in one.values.items() if value.value is not None and math.isfinite(value.value)
     }  # fmt: skip
-    work, more, reason = StudentWork(one.student, handed_in), list[GraphkinError](), one.reason
+    unread = {text: tidy_id(value.text)[:_SHOWN] or "?" for text, value in one.values.items()
+              if value.text and text not in handed_in}  # fmt: skip
+    work, more, reason = StudentWork(one.student, handed_in, unread), list[GraphkinError](), one.reason
     try:
         with limited(limits.seconds, Where(one.file)):
             marker = judge.marker(one.student) if one.drawings else None

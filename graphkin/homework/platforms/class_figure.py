@@ -25,7 +25,7 @@ _MOST = 25  # mistakes and steps that are shown; tables have the rest
 _LONGEST = 44
 _VERDICTS = (
     ("right", "#ffffff", ""), ("carried", "#dddddd", "////"), ("wrong", "#555555", ""), ("missing", "#ffffff", "...."),
-    ("dead point", "#ffffff", "xxxx"), ("too small", "#ffffff", "xxxx"),
+    ("dead point", "#ffffff", "xxxx"), ("too small", "#ffffff", "xxxx"), ("not read", "#bbbbbb", "oo"),
 )  # fmt: skip
 """Fill and hatching: told apart in print without colours."""
 

@@ -18,6 +18,7 @@ from graphkin.marking.diagnosis import Habit
 from graphkin.marking.records import Verdict
 from graphkin.say.catalogue import say
 
+UNREAD = 200  # so many answers that were not read are written out; of more the number is said
 RANGES = 10  # scores are counted in so many ranges of the same width
 _FAILED: tuple[Verdict, ...] = ("wrong", "missing")
 _ALWAYS: tuple[Verdict, ...] = ("right", "carried", *_FAILED)
@@ -45,6 +46,7 @@ class ClassReport:
 
     mistakes     the best explanation of each, the most frequent first, with how many
     habits       mistakes that show in several problems of a student, with how many students
+    unread       answers that were not read: student, quantity, text; and how many there are
     unexplained  how many are wrong somewhere and consistent with no known mistake
     ranges       how many scores in each tenth, the lowest first; the last holds 100 %
     mean, ..     of the scores, from 0 to 1; None where there are none
@@ -58,6 +60,8 @@ class ClassReport:
     unexplained: int
     ranges: tuple[int, ...]
     habits: tuple[tuple[Habit, int], ...] = ()
+    unread: tuple[tuple[str, str, str], ...] = ()
+    not_read: int = 0
     mean: Decimal | None = None
     median: Decimal | None = None
     lowest: Decimal | None = None
@@ -83,6 +87,7 @@ class _Count:
     mistakes: dict[tuple[str, ...], tuple[Suspicion, int]] = field(default_factory=dict)
     scores: Counter[Decimal] = field(default_factory=Counter)
     habits: Counter[Habit] = field(default_factory=Counter)
+    unread: list[tuple[str, str, str]] = field(default_factory=list)
 
     def add(self, result: Result) -> None:
         self.status[result.status] += 1
@@ -95,6 +100,9 @@ class _Count:
             self.verdicts.setdefault(line.name, Counter())[line.verdict] += 1
             earned, most = self.points.get(line.name, (Decimal(0), Decimal(0)))
             self.points[line.name] = earned + line.points, most + line.most
+            self.status["not read"] += bool(line.written)
+            if line.written and len(self.unread) < UNREAD:
+                self.unread.append((result.student, line.name, line.written))
         failed = [line.name for verdict in _FAILED for line in result.lines if line.verdict == verdict]
         self.first.update(failed[:1])
         self.habits.update(replace(one, weight=0.0) for one in result.habits)
@@ -109,7 +117,8 @@ class _Count:
     def report(self) -> ClassReport:
         counts = self.verdicts.items()
         every = (ReportStep(name, dict(each), self.first[name], *self.points[name]) for name, each in counts)
-        steps = tuple(step for step in every if step.most or any(step.verdicts.get(verdict) for verdict in _FAILED))
+        shown = (*_FAILED, "not read")
+        steps = tuple(step for step in every if step.most or any(step.verdicts.get(verdict) for verdict in shown))
         mistakes = sorted(self.mistakes.values(), key=lambda pair: (-pair[1], pair[0].ids))
         ranges = [0] * RANGES
         for score, count in self.scores.items():
@@ -121,7 +130,8 @@ class _Count:
             spread = [mean, (order[(number - 1) // 2] + order[number // 2]) / 2, order[0], order[-1]]
         return ClassReport(
             status["marked"], status["not marked"], status["overridden"], steps, tuple(mistakes),
-            status["unexplained"], tuple(ranges), tuple(self.habits.most_common()), *spread,
+            status["unexplained"], tuple(ranges), tuple(self.habits.most_common()), tuple(self.unread),
+            status["not read"], *spread,
         )  # fmt: skip
 
 
@@ -148,7 +158,11 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
         counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
         verdicts = say("common.list", lang).join(counts)
         steps.append(say("class_report.step", lang, name=step.name, verdicts=verdicts, first=step.first))
-    parts = {"steps": steps, "mistakes": mistakes, "habits": habits, "distribution": distribution}
+    unread = [say("class_report.unread", lang, student=student, name=name, written=text)
+              for student, name, text in report.unread]  # fmt: skip
+    if report.not_read > len(unread):
+        unread.append(say("marks.more", lang, count=report.not_read - len(unread)))
+    parts = {"unread": unread, "steps": steps, "mistakes": mistakes, "habits": habits, "distribution": distribution}
     for title, texts in parts.items():
         if texts:
             yield from ("", say(f"class_report.part {title}", lang))
@@ -168,6 +182,7 @@ def report_record(report: ClassReport) -> dict[str, Plain]:
             for step in report.steps
         ],
         "mistakes": [{"ids": list(one.ids), "count": count} for one, count in report.mistakes],
+        "not_read": [dict(zip(("student", "quantity", "written"), one)) for one in report.unread],
         "unexplained": report.unexplained, "ranges": list(report.ranges),
         "habits": [
             {"ids": list(one.ids), "in_problems": one.shown, "of_problems": one.of, "count": count}

@@ -15,7 +15,7 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang, NotAnOverride, Unreadable, Where
 from graphkin.homework.platforms.feedback import habit, suspected
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.result import Result, texts_in
+from graphkin.homework.platforms.result import Result, ResultLine, texts_in
 from graphkin.homework.platforms.tables import HUNDREDTH, Cell, columns_of, read_table
 from graphkin.say.catalogue import in_both, say
 from graphkin.say.marks import verdict
@@ -28,7 +28,7 @@ def quantities(results: Iterable[Result]) -> tuple[str, ...]:
     """All that is asked anywhere, as it is met first, and what is wrong on the way."""
     met: dict[str, bool] = {}
     for line in (line for result in results for line in result.lines):
-        met[line.name] = met.get(line.name, False) or bool(line.most) or line.verdict == "wrong"
+        met[line.name] = met.get(line.name, False) or bool(line.most) or line.verdict in ("wrong", "not read")
     return tuple(name for name, shown in met.items() if shown)
 
 
@@ -48,11 +48,22 @@ def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang, several:
             result.earned if marked else None, result.most, result.override, result.total,
             None if result.score is None else (result.score * 100).quantize(Decimal("0.01")),
         ]  # fmt: skip
-        by_name: dict[str, tuple[Cell, Cell]] = {line.name: (verdict(line, lang), line.points) for line in result.lines}
+        by_name: dict[str, tuple[Cell, Cell]] = {
+            line.name: (_cell(line, lang), None if line.written else line.points) for line in result.lines
+        }
+        unread = [line.name for line in result.lines if line.written]
+        reasons = [say("marks.unread", lang, quantities=say("common.list", lang).join(unread))] if unread else []
         middle = [cell for name in names for cell in by_name.get(name, ("", None))]
         diagnosis = suspected(result.suspicions[0], lang) if result.suspicions else ""
-        row = [*front_cells, *middle, diagnosis, texts_in([result.reason], lang)[0]]
+        why = say("common.semicolon", lang).join(filter(None, [texts_in([result.reason], lang)[0], *reasons]))
+        row = [*front_cells, *middle, diagnosis, why]
         yield [*row, *([say("common.semicolon", lang).join(habits)] if several else [])]
+
+
+def _cell(line: ResultLine, lang: Lang) -> str:
+    """A verdict; of an answer that was not read with what was written."""
+    text = verdict(line, lang)
+    return f'{text} "{one_line(line.written)}"' if line.written else text
 
 
 def absent(overrides: Overrides, names: tuple[str, ...]) -> Iterator[list[Cell]]:

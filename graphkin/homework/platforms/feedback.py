@@ -47,7 +47,8 @@ def table(page: Feedback) -> Iterator[tuple[str, ...]]:
     yield tuple(say(name, page.lang) for name in names)
     for line in page.result.lines:
         numbers = [line.given, *([line.right, line.tolerance] if page.reveal == "answer" else [])]
-        values = ("" if x is None else shown(x, line.unit) for x in numbers)
+        values = ["" if x is None else shown(x, line.unit) for x in numbers]
+        values[0] = values[0] or one_line(line.written)
         points, most = exponentless(line.points), exponentless(line.most)
         worth = say("feedback.of", page.lang, points=points, most=most) if line.most else ""
         yield (_in_signs(page.result, line.name), *values, verdict(line, page.lang), worth)
@@ -102,6 +103,8 @@ def quantity(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> st
     texts = [say("feedback.line", lang, name=_in_signs(result, line.name), verdict=verdict(line, lang))]
     if line.given is not None:
         texts.append(say("feedback.given", lang, value=shown(line.given, line.unit)))
+    elif line.written:
+        texts.append(say("feedback.given", lang, value=one_line(line.written)))
     texts += arithmetic(result, line, lang, reveal)
     if reveal == "answer":
         right, tolerance = shown(line.right, line.unit), shown(line.tolerance, line.unit)

@@ -121,7 +121,7 @@ def gradescope_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
     Gradescope shows a failed run and no zero."""
     tests: list[Plain] = []
     for each in result.lines:
-        good = each.verdict not in ("wrong", "missing") and each.points >= each.most
+        good = each.verdict not in ("wrong", "missing", "not read") and each.points >= each.most
         test = _gradescope_test(each.name, quantity(result, each, lang, reveal), "passed" if good else "failed")
         worth = {"score": float(each.points), "max_score": float(each.most)}
         tests.append({**test, **worth} if each.most else test)

@@ -32,6 +32,7 @@ class ResultLine:
     carried     what follows from the student's own earlier values (`own`, by quantity), where it was judged by these
     sense       whether the sense was right, where it was judged by itself; `unit_right`: the same of its unit
     credit      what it is worth, of 1; points: of `most`
+    written     the answer as it was written, where it was not read
     """
 
     name: str
@@ -47,6 +48,7 @@ class ResultLine:
     own: Mapping[str, float] = field(default_factory=dict)
     points: Decimal = Decimal(0)
     most: Decimal = Decimal(0)
+    written: str = ""
 
 
 @frozen
@@ -146,7 +148,7 @@ def _line(name: str, each: Record) -> ResultLine:
     return ResultLine(
         name, _number(each["given"]), _finite(each["right"]), _number(each["carried"]), _finite(each["tolerance"]),
         each["verdict"], each["sense"], _string(each["unit"]), bool(each["unit_right"]), credit, own,
-        points(worth * credit), points(worth),
+        points(worth * credit), points(worth), _string(each.get("written", "")),
     )  # fmt: skip
 
 

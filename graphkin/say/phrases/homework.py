@@ -156,6 +156,8 @@ PHRASES: Phrases = {
                             "已评阅 {marked} 份，未评阅 {unmarked} 份，教师评分 {overridden} 份。"),
     "class_report.scores": ("Scores: mean {mean}, median {median}, lowest {lowest}, highest {highest} %.",
                             "得分率：平均 {mean}，中位数 {median}，最低 {lowest}，最高 {highest} %。"),
+    "class_report.part unread": ("Look at these: answers that were not read", "请核对：未能读出的答案"),
+    "class_report.unread": ("{student}, {name}: {written}", "{student}，{name}：{written}"),
     "class_report.part steps": ("Where it goes wrong", "错在哪一步"),
     "class_report.step": ("{name}: {verdicts}; the first to fail for {first}", "{name}：{verdicts}；首次出错 {first} 人"),
     "class_report.part mistakes": ("Mistakes that the numbers are consistent with", "与结果相符的错误"),

@@ -25,6 +25,7 @@ PHRASES: Phrases = {
     "marks.none fits": ("no known mistake fits all values", "没有已知的错误能同时解释所交各值"),
     "marks.or": (", or ", "”或“"),
     "marks.together": (", together with ", "，同时"),
+    "marks.unread": ("not read: {quantities}", "未能读出：{quantities}"),
     "marks.more": ("{count} more", "另有 {count} 种"),
     "marks.note": ("note: {note}", "提示：{note}"),
     "marks.interrupted": ("Broken off. What was marked is kept beside {path}; the same command goes on from there.",
