@@ -100,7 +100,8 @@ def _value(raw: object, quantity: Quantity, unit: str, scales: Mapping[Plane, fl
         case str():
             return _text(raw, quantity, unit, scales)
         case {"value": inner, **more} if not isinstance(inner, dict | list):
-            parts = [str(part) for part in (inner, *(more.get(name, "") for name in ("unit", "sense", "direction"))) if part is not None]
+            beside = (more.get(name, "") for name in ("unit", "sense", "direction"))
+            parts = [str(part) for part in (inner, *beside) if part is not None]
             return _text(" ".join(parts), quantity, unit, scales)
         case [x, y]:
             return _pair(x, y, quantity, unit)
@@ -117,7 +118,8 @@ def _text(raw: str, quantity: Quantity, unit: str, scales: Mapping[Plane, float]
         parts = inner.split(";") if ";" in inner else inner.split(",")
         if close and len(parts) == 2:
             return replace(_pair(f"{parts[0]} {after}", f"{parts[1]} {after}", quantity, unit), text=text)
-    value = parsed_value(text, quantity.unit, unit, isinstance(quantity, Moving | Component))
+    axis = quantity.axis if isinstance(quantity, Component) else ""
+    value = parsed_value(text, quantity.unit, unit, bool(axis) or isinstance(quantity, Moving), axis)
     if isinstance(quantity, Component) and value.vector is not None:  # its sign in a word
         part = value.vector.real if quantity.axis == "x" else value.vector.imag
         along = math.isclose(abs(part), abs(value.value or 0.0), rel_tol=1e-9)

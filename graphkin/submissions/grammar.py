@@ -17,6 +17,7 @@ import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 from graphkin.base.value import frozen
 from graphkin.errors import NOWHERE, NotAnAnswer, SenseDisputed
@@ -57,14 +58,14 @@ class Token:
 
 # --- LaTeX -------------------------------------------------------------------------------------
 
-_FONTS = re.compile(r"\\(?:math(?:rm|bf|it|sf)|text(?:rm|bf|it)?|operatorname|boldsymbol|unit|si|num|hat|vec|mbox)\s*\{([^{}]*)\}")
+_FONTS = re.compile(r"\\(?:(?:math|text)(?:rm|bf|it)?|boldsymbol|mbox|unit|si|num|hat|vec)\s*\{([^{}]*)\}")
 _COMMANDS = {
-    "times": "*", "cdot": "*", "pm": "±", "approx": "=", "simeq": "=", "sim": "~", "angle": "∠", "degree": "°", "pi": "π",
-    "omega": "ω", "alpha": "α", "theta": "θ", "varphi": "φ", "phi": "φ", "circlearrowleft": "↺", "circlearrowright": "↻",
-    "curvearrowleft": "↺", "curvearrowright": "↻", "leftarrow": "←", "rightarrow": "→", "uparrow": "↑",
-    "downarrow": "↓", "searrow": "↘", "swarrow": "↙", "nearrow": "↗", "nwarrow": "↖", "per": "/", "meter": "m",
-    "metre": "m", "milli": "m", "second": "s", "radian": "rad", "squared": "^2", "quad": " ", "qquad": " ", "left": "",
-    "right": "", "mathrm": "", "rm": "", "displaystyle": "", "approxeq": "=", "minute": "min", "imath": "i", "jmath": "j",
+    "times": "*", "cdot": "*", "pm": "±", "approx": "=", "simeq": "=", "sim": "~", "angle": "∠", "degree": "°",
+    "pi": "π", "omega": "ω", "alpha": "α", "theta": "θ", "varphi": "φ", "phi": "φ", "circlearrowleft": "↺",
+    "circlearrowright": "↻", "leftarrow": "←", "rightarrow": "→", "uparrow": "↑", "downarrow": "↓", "searrow": "↘",
+    "swarrow": "↙", "nearrow": "↗", "nwarrow": "↖", "per": "/", "meter": "m", "metre": "m", "milli": "m",
+    "second": "s", "radian": "rad", "squared": "^2", "quad": " ", "qquad": " ",
+    **dict.fromkeys(("left", "right", "rm", "mathrm", "text"), ""),
 }  # fmt: skip
 
 
@@ -76,7 +77,7 @@ def unlatexed(text: str) -> str:
     text = re.sub(r"\^\s*\{?\s*\\circ\s*\}?", "°", text)
     text = _FONTS.sub(r" \1 ", _FONTS.sub(r" \1 ", text))
     text = re.sub(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}", r"\1/\2", text)
-    text = re.sub(r"\\[,;:! ]", " ", text)
+    text = re.sub(r"\\[,;:! ()\[\]]", " ", text)
     text = re.sub(r"\\([A-Za-z]+)", lambda run: _COMMANDS.get(run[1], run[0]), text)
     return re.sub(r"[${}]", "", text)
 
@@ -85,10 +86,11 @@ def unlatexed(text: str) -> str:
 
 _NO_MORE = "(?![0-9]|[.,][0-9])"
 _BODY = (
-    r"(?:[1-9][0-9]{0,2}(?P<of>[ ',.])[0-9]{3}(?:(?P=of)[0-9]{3})*(?!(?P=of))[.,](?:[0-9]{1,2}|[0-9]{4,})" + _NO_MORE
-    + r"|[1-9][0-9]{0,2}(?:(?P<by>[ '])[0-9]{3}(?:(?P=by)[0-9]{3})*|(?P<at>[.,])[0-9]{3}(?:(?P=at)[0-9]{3})+)" + _NO_MORE
-    + r"|[0-9]+(?:[.,][0-9]+|\.(?![0-9]))?|\.[0-9]+)"
-)  # fmt: skip
+    rf"(?:[1-9][0-9]{{0,2}}(?P<of>[ ',.])[0-9]{{3}}(?:(?P=of)[0-9]{{3}})*(?!(?P=of))[.,](?:[0-9]{{1,2}}|[0-9]{{4,}})"
+    rf"{_NO_MORE}|[1-9][0-9]{{0,2}}(?:(?P<by>[ '])[0-9]{{3}}(?:(?P=by)[0-9]{{3}})*|(?P<at>[.,])[0-9]{{3}}"
+    rf"(?:(?P=at)[0-9]{{3}})+){_NO_MORE}"
+    r"|[0-9]+(?:[.,][0-9]+|\.(?![0-9]))?|\.[0-9]+)"
+)
 _POWER = r"(?:e|[*x] ?10 ?(?:\^|\*\*) ?\(?|[*x] ?10(?=[+-]))(?P<power>[+-]?[0-9]+)\)?"
 _DECIMAL = rf"(?P<body>{_BODY})(?: ?{_POWER}{_NO_MORE})?"
 _FRACTION = r"(?:(?P<whole>[0-9]{1,9}) )?(?P<top>[0-9]{1,9}) ?/ ?(?P<bottom>[0-9]{1,9})" + _NO_MORE
@@ -96,20 +98,21 @@ _PI = r"(?P<times>[0-9]+(?:[.,][0-9]+)? ?\*? ?)?(?:π|pi(?![a-z]))(?: ?/ ?(?P<ov
 _NUMBER = re.compile(rf"(?:{_FRACTION}|{_PI}|{_DECIMAL})(?![0-9a-z]*[0-9])")
 
 _ATOM = (
-    r"(?:rad(?:ian)?s?|deg(?:ree)?s?|°|度|弧度|毫米|厘米|米|millimet(?:er|re)s?|met(?:er|re)s?|mm|cm|km|m|in(?:ch(?:es)?)?(?! (?:the|c|an))"
-    r"|ft|feet|foot|rev(?:olution)?s?|rpm|r|转|圈|s(?:ec(?:ond)?s?)?|秒|min(?:ute)?s?|分钟?|h(?:ours?)?|小时|%)"
+    r"(?:rad(?:ian)?s?|deg(?:ree)?s?|°|度|弧度|毫米|厘米|米|millimet(?:er|re)s?|met(?:er|re)s?|mm|cm|km|m"
+    r"|in(?:ch(?:es)?)?(?! (?:the|c|an))|ft|feet|foot|rev(?:olution)?s?|rpm|r|转|圈|s(?:ec(?:ond)?s?)?|秒"
+    r"|min(?:ute)?s?|分钟?|h(?:ours?)?|小时|%)"
     r"(?: ?(?:\^|\*\*) ?(?:\([+-]?[1-3]\)|[+-]?[1-3])|[+-]?[1-3](?![0-9.,]*[0-9])| ?squared|的?平方|²)?"
 )
 _PER = "每(?:二次方|平方)?"
 _FACTOR = rf"(?:{_ATOM}|\({_ATOM}(?: ?[*/] ?{_ATOM})*\))"
-_UNIT = rf"(?:(?:1 ?)?/ ?|per |{_PER})?{_ATOM}(?:(?: ?[*/.] ?| ?per ?|{_PER}| |(?=s\^?-)){_FACTOR})*(?![a-z_'])"
+_UNIT = rf"(?:/ ?|per |{_PER})?{_ATOM}(?:(?: ?[*/.] ?| ?per ?|{_PER}| ?(?=s\^?\(?-)){_FACTOR})*(?![a-z_'])"
 _UP, _SIDE = r"(?:up(?:per)?|top|down|low(?:er)?|bottom)(?:wards?)?", r"(?:left|right)(?:wards?)?"
 _AND = r"(?: ?[-/& ] ?|,? ?and (?:to the )?)?"
 _WAYS: dict[str, complex] = {
     "左": -1, "右": 1, "上": 1j, "下": -1j, "left": -1, "right": 1, "up": 1j, "top": 1j, "down": -1j, "low": -1j,
-    "bottom": -1j, "←": -1, "→": 1, "->": 1, "↑": 1j, "↓": -1j, "↖": 1j - 1, "↗": 1j + 1, "↘": 1 - 1j, "↙": -1 - 1j,
-    "+x": 1, "-x": -1, "+y": 1j, "-y": -1j, "positivex": 1, "negativex": -1, "positivey": 1j, "negativey": -1j,
-    "x正": 1, "x负": -1, "y正": 1j, "y负": -1j,
+    "bottom": -1j, "←": -1, "<-": -1, "→": 1, "->": 1, "↑": 1j, "↓": -1j, "↖": 1j - 1, "↗": 1j + 1, "↘": 1 - 1j,
+    "↙": -1 - 1j, "+x": 1, "-x": -1, "+y": 1j, "-y": -1j, "positivex": 1, "negativex": -1, "positivey": 1j,
+    "negativey": -1j, "x正": 1, "x负": -1, "y正": 1j, "y负": -1j,
 }  # fmt: skip
 _WAY = re.compile("|".join(map(re.escape, _WAYS)))
 
@@ -117,49 +120,50 @@ _LEXICON = (  # of two that begin alike the longer one first
     ("", " +"),
     ("", r"(?:from|to|wrt|with respect to|relative to|与|从|自|相对于?) ?(?:the )?(?:x ?轴的?正方?向"
          r"|(?:\+ ?|positive )?x(?:[- ]?axis)?(?: direction)?(?![a-z轴]))"),
-    ("d", r"(?:along |in )?(?:the )?(?:[+-]|negative|positive) ?[xy](?:[- ]?axis|轴)?(?: direction|方向)?(?![a-z0-9_]| *[=:])"
-          r"|沿?[xy] ?轴?的?[正负]方?向"),
+    ("d", r"(?:along |in )?(?:the )?(?:[+-]|negative|positive) ?[xy](?:[- ]?axis|轴)?(?: direction|方向)?"
+          r"(?![a-z0-9_]| *[=:])|沿?[xy] ?轴?的?[正负]方?向"),
     ("z", r"from [a-z][0-9']* to|towards? [a-z](?![a-z])|along|perpendicular|parallel|[⊥∥]|//|平行|垂直(?![向朝纸])"
-          r"|[沿指由从][向着]? ?[a-z]"),
+          r"|[沿指由从][向着]? ?[a-z]|[a-z][0-9']* ?(?:->|→) ?[a-z]|(?:->|→) ?(?=[-+.0-9])|same|同[向样]|一致"),
     ("g", r"\( ?[+-] ?\)"), ("p", r"±|\+ ?/ ?-|\+-|plus or minus"),
     ("ccw", r"(?:counter|anti)[- ]?clock[- ]?wise|(?:ccw|acw)(?![a-z])|(?:c\.c\.|a\.c\.)w\.?|[逆反][时時][针針钟鐘]|逆"
             r"|[↺⟲🔄⊙]|out of (?:the )?(?:page|paper)|(?:垂直)?纸面向外"),
     ("cw", r"clock[- ]?wise|cw(?![a-z])|c\.w\.?|[顺順][时時][针針钟鐘]|[顺順]|[↻⟳🔃⊗]|into (?:the )?(?:page|paper)"
            r"|(?:垂直)?纸面向[里内]"),
     ("", r"or so|左右|上下"),
-    ("z", r"quadrant|象限|偏|below|above|以[上下内外]|大于|小于|超过|相反|反[向转]|正转|opposite|wrong|错|作废|或|[非不未?]"
-          r"|(?:not?|or)(?![a-z])"),
-    ("x", r"[下上左右如见][图面表]|[a-z][0-9']* ?(?:->|→) ?[a-z]"),
-    ("", r"about|approx(?:imately|\.)?|ca\.|(?:ca|mag|ans|so|the|of|dir|to)(?![a-z])|circa|roughly|around|nearly|magnitude"
-         r"|size|value|speed|answer|final|result|hence|therefore|(?:an?|and|with)(?= )|towards?|pointing|directed|direction"
-         r"|sense|rotat(?:ion|ing|es)|turn(?:ing|s)|units?|side|horizontal(?:ly)?|vertical(?:ly)?|measured|in(?= (?:the|c|an))"
-         r"|大?约(?:为|等于)?|大概|近似|大小|数值|值|结果|答案?|[解求测量]?得到?|[故即且沿取以设的号]|所以|因此|规定|单位|方向(?!角)"
-         r"|转向|旋向|指向|[朝往向方边侧斜](?!向角)|水平|竖直|铅[垂直]|垂直(?=向|朝)|转动|旋转|∴|[.!](?= |$)"),
+    ("z", r"quadrant|象限|偏|below|above|以[上下内外]|大于|小于|超过|相反|反[向转]|正转|opposite|wrong|错|作废"
+          r"|[或非不未?]|(?:not?|or)(?![a-z])"),
+    ("x", r"[下上左右如见][图面表]"),
+    ("", r"about|approx(?:imately|\.)?|ca\.|(?:ca|mag|ans|so|the|of|dir|to)(?![a-z])|circa|roughly|around|nearly"
+         r"|magnitude|size|value|speed|answer|final|result|hence|therefore|(?:an?|and|with)(?= )|towards?|pointing"
+         r"|directed|direction|sense|rotat(?:ion|ing|es)|turn(?:ing|s)|units?|side|horizontal(?:ly)?|vertical(?:ly)?"
+         r"|measured|in(?= (?:the|c|an))|velocity|acceleration|角?加?速度|大?约(?:为|等于)?|大概|近似|大小|数值|值|结果"
+         r"|答案?|[解求测量]?得到?|[故即且沿取以设的号其]|i\.e\.|所以|因此|规定|单位|方向(?!角)|转向|旋向|指向|[朝往向方边侧斜](?!向角)"
+         r"|水平|竖直|铅[垂直]|垂直(?=向|朝)|转动|旋转|∴|[.!](?= |$)"),
     ("a", r"∠|∡|@|/_|(?:at|arg)(?![a-z])|方向角|夹角|角度|angle|[θφϑϕ][0-9a-z_']*|<(?= ?[+-]?[0-9.]+ ?(?:°|deg))"),
     ("l", r"[为是记]|(?:is|are|as|means?)(?![a-z])|等于|equals?|表示|代表|taken"),
-    ("u", _UNIT), ("-", r"负[号数向]?|minus|negative|neg(?![a-z])|-ve|-(?!>)"),
+    ("u", f"{_UNIT}|°"), ("-", r"负[号数向]?|minus|negative|neg(?![a-z])|-ve|-(?!>)"),
     ("+", r"正[号数]?|plus|positive|pos(?![a-z])|\+ve|\+"),
-    ("d", rf"{_UP}{_AND}{_SIDE}(?![a-z])|{_SIDE}{_AND}{_UP}(?![a-z])|(?:{_UP}|{_SIDE})(?![a-z])|[左右上下←→↑↓↖↗↘↙]|->"),
+    ("d", rf"(?:{_UP}{_AND}{_SIDE}|{_SIDE}{_AND}{_UP}|{_UP}|{_SIDE})(?![a-z])|[左右上下←→↑↓↖↗↘↙]|->|<-$"),
     (";", "=>|[,;、⇒\n]"), ("e", "[=:]"), ("(", r"[(\[]"), (")", r"[)\]]"), ("t", "~"), ("i", "i(?![a-z0-9])"),
-    ("j", "j(?![a-z0-9])"), ("k", r"[α-ω][0-9a-z_.'^]*|[a-z]+[_^'0-9][0-9a-z_.'^]*"), ("x", r"[0-9a-z][0-9a-z.]*|[\s\S]"),
+    ("j", "j(?![a-z0-9])"), ("k", r"[α-ω][0-9a-z_.'^]*|[a-z]+[_^'0-9][0-9a-z_.'^]*"),
+    ("x", r"[0-9a-z][0-9a-z.]*|[\s\S]"),
 )  # fmt: skip
 _TOKEN = re.compile("|".join(f"(?P<t{k}>{pattern})" for k, (_, pattern) in enumerate(_LEXICON)))
-_AFTER_NUMBER = re.compile(_UNIT)
+_ONE_PER = re.compile(rf"1 ?/ ?{_FACTOR}(?![a-z])")
 _SIGNS = {"ccw": 1, "cw": -1, "+": 1, "-": -1}
 
 
 def _tokens(text: str) -> Iterator[Token]:
     """The tokens of a plain text in small letters."""
-    at, last = 0, ""
+    at = 0
     while at < len(text):
-        code, match = "u", _AFTER_NUMBER.match(text, at) if last == "n" else None  # `1/s` is no number there
+        code, match = "u", _ONE_PER.match(text, at)
         if match is None:
             code, match = "n", _NUMBER.match(text, at)
         if match is None and (match := _TOKEN.match(text, at)) is not None:
             code = _LEXICON[int((match.lastgroup or "")[1:])][0]
         assert match is not None, "the last row of the lexicon takes any letter"
         at, piece = match.end(), match.group()
-        last = last if piece == " " else code
         if code == "n":
             number = _number(match)
             yield Token("n" if math.isfinite(number) else "z", piece, number)
@@ -193,18 +197,18 @@ _INNER = re.compile(r"\(([^()]*)\)")
 _PAIR = re.compile("[sg]?nu?;[sg]?nu?")
 _CONVENTION = re.compile("c[le]*s(?![sgn])|s[le]*c")
 _VALUE = re.compile("(?P<b>u)?(?P<s>[sg])?(?P<n>n)(?P<u>u)?(?:pn(?P<a>u)?)?(?P<g>g)?")
-_POLAR = re.compile(r"(?P<value>.*?)(?P<mark>a*)(?P<s>[sg])?(?P<n>n)(?P<u>u)?")
+_POLAR = re.compile(r"(?P<value>.*?)(?P<mark>a*)(?P<s>[sg])?(?P<n>n)(?P<u>u)?(?P<last>u)?")
 _SUM = re.compile("(?P<x>s?nu?)(?P<i>i)?(?P<y>snu?)(?P<j>[ij])(?P<u>u)?")
 _NEXT = re.compile("e[sg]?nu?(?=[kx]e)")
 _WITH_PAIR = re.compile("(?P<size>[sg]?nu?)?vu?")
 
 
-def taken_apart(text: str, whole: str, vector: bool, turning: bool) -> WrittenAnswer:
+def taken_apart(text: str, whole: str, vector: bool, turning: bool, axis: str = "") -> WrittenAnswer:
     """A plain text in small letters. Raises NotAnAnswer with `whole`, SenseDisputed.
 
-    vector, turning   whether the quantity has a direction, or a sense
+    vector, turning   whether the quantity has a direction, or a sense; axis: of one component alone
     """
-    reading = _Reading(whole, vector, turning)
+    reading = _Reading(whole, vector, turning, axis)
     clause: list[Token] = []
     tokens = reading.without_conventions(_without_brackets([*_tokens(text)], vector))
     for k in reversed([match.end() for match in _NEXT.finditer(_codes(tokens))]):  # `vx = 1 vy = 2`
@@ -259,6 +263,7 @@ class _Reading:
     whole: str
     vector: bool
     turning: bool
+    axis: str = ""
     values: list[tuple[float, Number]] = field(default_factory=list)
     angles: list[Number] = field(default_factory=list)
     parts: dict[str, Number] = field(default_factory=dict)
@@ -285,7 +290,7 @@ class _Reading:
         if re.match("k+l", _codes(clause)) is not None and "e" not in _codes(clause):
             clause = [Token("e") if token.code == "l" else token for token in clause]
         ends = [-1, *(k for k, token in enumerate(clause) if token.code == "e"), len(clause)]
-        *labels, body = ([one for one in clause[a + 1 : b] if one.code != "l"] for a, b in zip(ends, ends[1:]))
+        *labels, body = ([one for one in clause[a + 1 : b] if one.code != "l"] for a, b in pairwise(ends))
         if labels and not set(_codes(body)) & set("nvcd") and set(_codes(labels[-1])) & set("nv"):
             body, labels[-1] = labels[-1], body  # `3.92 = omega`
         axis = ""
@@ -319,6 +324,8 @@ class _Reading:
             self._pair(body, codes, match)
         elif codes == "u":
             self.units.append(body[0].text)
+        elif codes == "g" and senses == {body[0].number}:  # `.., clockwise (-)`
+            pass
         elif _VALUE.fullmatch(codes):
             self._value(body, axis)
         elif self.vector and (match := _POLAR.fullmatch(codes)) is not None:
@@ -362,6 +369,8 @@ class _Reading:
     def _polar(self, body: list[Token], match: re.Match[str], senses: set[float]) -> None:
         """`0.271 m/s ∠ 252.5°`: a number that needs a mark or its unit to be an angle; clockwise it is negative."""
         before = body[: match.end("value")]
+        if match["last"]:  # `0.271 ∠ 252.5° m/s`
+            self.units.append(body.pop().text)
         turn, (angle, unit) = self._signed(body[match.end("mark") :])
         if not (match["mark"] or (ANGLES.fullmatch(unit) and match["value"].endswith("u"))) or len(senses) > 1:
             raise self.doubt()
@@ -375,15 +384,20 @@ class _Reading:
     def answer(self) -> WrittenAnswer:
         """All clauses together."""
         if self.vector and len(self.values) > 1:  # `0.271 m/s, 252.5°`
-            turned = [value for value in self.values[1:] if ANGLES.fullmatch(value[1][1])]
+            turned = [value for value in self.values if ANGLES.fullmatch(value[1][1])]
             self.angles += [((sign or 1) * number, unit) for sign, (number, unit) in turned]
             self.values = [value for value in self.values if value not in turned]
-        if len(self.parts) == 1:
+        if [*self.parts] == [self.axis]:
             self.values += [(1.0, number) for number in self.parts.values()]
         toward = sum(self.ways, 0j)
-        if (not self.values and len(self.parts) < 2) or len(self.angles) > 1 or len({*self.units}) > 1 or (self.ways and not self.vector):
+        if len(self.parts) == 1 != len(self.axis):
             raise self.doubt()
-        if len(self.senses) > 1 or len(self.upward) > 1 or any((one * toward.conjugate()).real < 0.1 for one in self.ways):
+        if not (self.values or len(self.parts) == 2) or max(len(self.angles), len({*self.units})) > 1:
+            raise self.doubt()
+        if self.ways and not self.vector:
+            raise self.doubt()
+        apart = any((way * toward.conjugate()).real < 0.1 for way in self.ways)
+        if len(self.senses) > 1 or len(self.upward) > 1 or apart:
             raise self.doubt(senses=True)
         unit, toward = next(iter(self.units), ""), toward / abs(toward) if toward else 0j
         numbers = []

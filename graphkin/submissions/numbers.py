@@ -27,8 +27,8 @@ _ALIKE = str.maketrans({
     **dict.fromkeys("−–—‐‑‒―﹣－➖", "-"), "º": "°", "˚": "°", "∘": "°", "∕": "/", "⁄": "/", "÷": "/", "·": "*",
     "⋅": "*", "∙": "*", "•": "*", "×": "*", "✕": "*", "﹢": "+", "，": ",", "；": ";", "：": ":", "。": ".", "（": "(",
     "）": ")", "【": "[", "】": "]", "\u2019": "'", "\u2032": "'", "\u02b9": "'", "\u2033": "''", "\u2034": "'''",
-    "\u02bc": "'", "´": "'", "`": "'", "＝": "=", "≈": "=", "≅": "=", "≃": "=", "\u200b": "", "\ufeff": "",
-    "\ufe0f": "",
+    "\u02bc": "'", "´": "'", "`": "'", "＝": "=", "≈": "=", "≅": "=", "≃": "=", "≒": "=", "≐": "=", "∼": "~",
+    **dict.fromkeys("\u200b\ufeff\ufe0f", ""),
     **{fraction: f" {unicodedata.normalize('NFKC', fraction)}" for fraction in "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"},
     **{chr(0x2460 + k): f" ({k + 1}) " for k in range(20)},
 })  # fmt: skip
@@ -73,9 +73,11 @@ def is_simple(text: str) -> bool:
     return _SIMPLE.fullmatch(text) is not None
 
 
-def parsed_value(text: str, si: str, unit: str = "", vector: bool = True) -> HandedValue:
-    """The value that a text gives for a quantity of this SI unit; `unit` is that of its column; `vector`: whether such
-    a quantity has a direction. Faults come with `NOWHERE`."""
+def parsed_value(text: str, si: str, unit: str = "", vector: bool = True, axis: str = "") -> HandedValue:
+    """The value that a text gives for a quantity of this SI unit; faults come with `NOWHERE`.
+
+    unit   of its column; vector: whether such a quantity has a direction; axis: of one component alone
+    """
     dimension = DIMENSIONS[si]
     try:
         if is_simple(text):
@@ -89,22 +91,24 @@ def parsed_value(text: str, si: str, unit: str = "", vector: bool = True) -> Han
         bare = re.sub("(?<=[0-9]) ?: ?(?=[0-9])", "/", bare) if dimension is None else bare
         bare = _LAST_DIGITS.sub(r"\1", bare)
         bare = _MINUTES.sub(lambda at: f"{int(at[1]) + float(at[2]) / 60 + float(at[3] or 0) / 3600!r}°", bare)
-        answer = taken_apart(_DRESS.sub("", bare), text, vector and si in PLANES, dimension in _TURNING)
+        answer = taken_apart(_DRESS.sub("", bare), text, vector and si in PLANES, dimension in _TURNING, axis)
         return _of_answer(text, answer, dimension, unit)
     except GraphkinError as fault:
         return HandedValue(text, None, fault=fault)
 
 
 def _of_answer(text: str, answer: WrittenAnswer, dimension: Dimension | None, unit: str) -> HandedValue:
-    """Two numbers must agree within 2 %; components give the size, or the direction of one."""
+    """Two numbers must agree within 2 %, or the unit of one alone is right; components give the size, or the direction
+    of one."""
     halves = [_in_si(text, half, dimension, unit) for half in answer.parts]
     pair = complex(*(half.value or 0.0 for half in halves)) if halves else 0j
     value = replace(halves[0], value=abs(pair)) if halves else None
-    if answer.number is not None or value is None:
-        value = replace(_in_si(text, answer.number or (0.0, ""), dimension, unit), sense=_SENSES[answer.sense])
+    numbers = [_in_si(text, one, dimension, unit) for one in (answer.number, *answer.also) if one is not None]
+    fitting = [one for one in numbers if one.fault is None and one.unit] or numbers
+    if value is None or numbers:
+        value = replace(fitting[0], sense=_SENSES[answer.sense])
     size = value.value or 0.0
-    others = [abs(_in_si(text, other, dimension, unit).value or 0.0) for other in answer.also]
-    if not all(math.isclose(abs(size), other, rel_tol=0.02) for other in others):
+    if not all(math.isclose(abs(size), abs(other.value or 0.0), rel_tol=0.02) for other in fitting):
         raise NotAnAnswer(NOWHERE, text)
     vector, within = (abs(size) * answer.toward, WORDS) if answer.toward else (None, 0.0)
     if pair:
@@ -139,7 +143,7 @@ _SENSES: Mapping[int, Sense | None] = {1: "ccw", 0: None, -1: "cw"}
 
 
 _SPELT = (
-    (r" ?squared|的?平方(?=$)", "^2"), (r"每(?:二次方|平方)秒", "/s^2"), (r"(?<=[a-z]) (?=s\^?-)", "*"),
+    (r" ?squared|的?平方(?=$)", "^2"), (r"每(?:二次方|平方)秒", "/s^2"), (r"(?<=[a-z]) (?=s\^?\(?-)", "*"),
     (r"\s+|\\|\$|\{|\}|\bmathrm\b", ""), (r"\*\*", "^"), (r"毫米", "mm"), (r"厘米", "cm"),
     (r"米", "m"), (r"弧度", "rad"),
     (r"度|°|degrees?|degs?\b", "deg"), (r"radians?|rads\b", "rad"), (r"分钟?|minutes?|\bmins\b", "min"),
