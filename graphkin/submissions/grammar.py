@@ -99,7 +99,7 @@ _NUMBER = re.compile(rf"(?:{_FRACTION}|{_PI}|{_DECIMAL})(?![0-9a-z]*[0-9])")
 
 _ATOM = (
     r"(?:rad(?:ian)?s?|deg(?:ree)?s?|°|度|弧度|毫米|厘米|米|millimet(?:er|re)s?|met(?:er|re)s?|mm|cm|km|m"
-    r"|in(?:ch(?:es)?)?(?! (?:the|c|an))|ft|feet|foot|rev(?:olution)?s?|rpm|r|转|圈|s(?:ec(?:ond)?s?)?|秒"
+    r"|in(?:ch(?:es)?)?(?! (?:the|a|c|d|f|v))|ft|feet|foot|rev(?:olution)?s?|rpm|r|转|圈|s(?:ec(?:ond)?s?)?|秒"
     r"|min(?:ute)?s?|分钟?|h(?:ours?)?|小时|%)"
     r"(?: ?(?:\^|\*\*) ?(?:\([+-]?[1-3]\)|[+-]?[1-3])|[+-]?[1-3](?![0-9.,]*[0-9])| ?squared|的?平方|²)?"
 )
@@ -136,7 +136,7 @@ _LEXICON = (  # of two that begin alike the longer one first
     ("", r"about|approx(?:imately|\.)?|ca\.|(?:ca|mag|ans|so|the|of|dir|to)(?![a-z])|circa|roughly|around|nearly"
          r"|magnitude|size|value|speed|answer|final|result|hence|therefore|(?:an?|and|with)(?= )|towards?|pointing"
          r"|directed|direction|sense|rotat(?:ion|ing|es)|turn(?:ing|s)|units?|side|horizontal(?:ly)?|vertical(?:ly)?"
-         r"|measured|in(?= (?:the|c|an))|velocity|acceleration|角?加?速度|大?约(?:为|等于)?|大概|近似|大小|数值|值|结果"
+         r"|measured|in(?= (?:the|a|c|d|f|v))|velocity|acceleration|角?加?速度|大?约(?:为|等于)?|大概|近似|大小|数值|值|结果"
          r"|答案?|[解求测量]?得到?|[故即且沿取以设的号其]|i\.e\.|所以|因此|规定|单位|方向(?!角)|转向|旋向|指向|[朝往向方边侧斜](?!向角)"
          r"|水平|竖直|铅[垂直]|垂直(?=向|朝)|转动|旋转|∴|[.!](?= |$)"),
     ("a", r"∠|∡|@|/_|(?:at|arg)(?![a-z])|方向角|夹角|角度|angle|[θφϑϕ][0-9a-z_']*|<(?= ?[+-]?[0-9.]+ ?(?:°|deg))"),
@@ -243,7 +243,7 @@ def _without_brackets(tokens: list[Token], vector: bool) -> list[Token]:
             inside = [Token("v", inside=tuple(one for one in inside if one.code != ";"))]
         elif vector and re.fullmatch("[sg]?nu?", its) and any("," in one.text for one in inside if one.code == "n"):
             inside = [Token("z")]  # `(3,4)`: one number or two
-        elif its in ("pn", "pnu") or ("x" in its and set(its) <= set("xkleuij;")):
+        elif its in ("pn", "pnu") or ("x" in its and set(its) <= set("xkleij;")):
             inside = []
         elif its == "s":  # `(负)`
             inside = [Token("g", number=inside[0].number)]
@@ -318,8 +318,7 @@ class _Reading:
         if self.vector and (match := _SUM.fullmatch(codes)) is not None and (not match["i"] or match["j"] == "j"):
             unit = next((token.text for token in body if token.code == "u"), "")
             for name in "xy":
-                sign, (number, _) = self._signed(body[match.start(name) : match.end(name)])
-                self.parts[name] = (number * (sign or 1), unit)
+                self._part(name, *self._signed(body[match.start(name) : match.end(name)]), unit)
         elif self.vector and (match := _WITH_PAIR.fullmatch(codes)) is not None:
             self._pair(body, codes, match)
         elif codes == "u":
@@ -338,20 +337,25 @@ class _Reading:
     def _signed(self, tokens: list[Token]) -> tuple[float, Number]:
         """A sign, 0 where none is written, and the number with its unit; what it may err by is passed over."""
         number = next(k for k, token in enumerate(tokens) if token.code == "n")
-        sign = next((token.number for token in tokens if token.code in "sg"), 0.0)
+        signs = {token.number for token in tokens if token.code in "sg"}
         off = next((k for k, token in enumerate(tokens) if token.code == "p"), len(tokens))
         units = [token.text for token in tokens[:off] if token.code == "u"]
         units = units or [token.text for token in tokens[off:] if token.code == "u" and token.text != "%"]
-        if len(units) > 1:
-            raise self.doubt()
-        return sign, (tokens[number].number, units[0] if units else "")
+        if len(units) > 1 or len(signs) > 1:
+            raise self.doubt(len(signs) > 1)
+        return min(signs, default=0.0), (tokens[number].number, units[0] if units else "")
 
     def _value(self, tokens: list[Token], axis: str = "") -> None:
-        sign, (number, unit) = self._signed(tokens)
+        sign, number = self._signed(tokens)
         if axis:
-            self.parts[axis] = ((sign or 1) * number, unit)
+            self._part(axis, sign, number)
         else:
-            self.values.append((sign, (number, unit)))
+            self.values.append((sign, number))
+
+    def _part(self, name: str, sign: float, number: Number, unit: str = "") -> None:
+        part = (sign or 1) * number[0], number[1] or unit
+        if self.parts.setdefault(name, part) != part:
+            raise self.doubt()
 
     def _pair(self, body: list[Token], codes: str, match: re.Match[str]) -> None:
         """`(-0.08, -0.26) m/s`, `(0.271 m/s, 252.5°)`."""
@@ -364,7 +368,8 @@ class _Reading:
             self.values.append((sign, (x, of_x or unit)))
             self.angles.append(((turn or 1) * y, of_y))
         else:
-            self.parts |= {"x": ((sign or 1) * x, of_x or of_y or unit), "y": ((turn or 1) * y, of_y or of_x or unit)}
+            self._part("x", sign, (x, of_x), of_y or unit)
+            self._part("y", turn, (y, of_y), of_x or unit)
 
     def _polar(self, body: list[Token], match: re.Match[str], senses: set[float]) -> None:
         """`0.271 m/s ∠ 252.5°`: a number that needs a mark or its unit to be an angle; clockwise it is negative."""
