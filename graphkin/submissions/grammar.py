@@ -298,9 +298,9 @@ class _Reading:
             codes, text = _codes(label), "".join(token.text for token in label)
             if "z" in codes:
                 raise self.doubt()
-            if set(codes) <= set("cda"):
-                body = [*label, *body]
-            elif "n" not in codes and codes.count("u") == 1 and "u" not in _codes(body):
+            moved = "cda" if set(codes) <= set("cda") else "cd"
+            body = [*(token for token in label if token.code in moved), *body]
+            if "n" not in codes and codes.count("u") == 1 and "u" not in _codes(body):
                 self.units += [token.text for token in label if token.code == "u" and len(token.text) > 1]
             named = re.search("(?:^|[_a-z0-9])([xy])(?:分量)?$", text)
             axis = named[1] if named is not None and self.vector else ""
@@ -323,7 +323,7 @@ class _Reading:
             self._pair(body, codes, match)
         elif codes == "u":
             self.units.append(body[0].text)
-        elif codes == "g" and senses == {body[0].number}:  # `.., clockwise (-)`
+        elif codes in ("pn", "pnu") or (codes == "g" and senses == {body[0].number}):  # `3.92 cw (-)`, `.. ± 0.1`
             pass
         elif _VALUE.fullmatch(codes):
             self._value(body, axis)
