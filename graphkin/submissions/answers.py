@@ -78,7 +78,7 @@ def _is_nothing(raw: object) -> bool:
     """Nothing, or a dash, a unit beside it or not, as in an answer table that was not filled in."""
     if not isinstance(raw, str):
         return raw is None
-    if numbers.is_simple(raw):
+    if numbers.simple(raw) is not None:
         return False
     text = plain(raw).lower()
     bare = text.strip("-_. ")

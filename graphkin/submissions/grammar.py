@@ -3,8 +3,8 @@
 A text becomes tokens, each with a code of one letter; the forms of an answer are patterns over these codes:
 
     n number   u unit    s sign   g sign in brackets   p ±   t ~: about, or to   a ∠, `angle`   e =, :   l `is`
-    c sense    d direction in a word or an arrow       i j unit vectors          v pair in brackets
-    k name of a quantity   ( ) ; brackets, and between clauses   z what makes an answer doubtful
+    c sense    d direction in a word or an arrow       i j unit vectors   k name of a quantity   ( ) brackets
+    ; between clauses   z what makes an answer doubtful
     x not known: where it may stand, in a remark in brackets or before an e, it says nothing
 
 Words that say nothing have no token. All others must be understood: one number, and a second only where it says the
@@ -47,13 +47,12 @@ class WrittenAnswer:
 
 @frozen
 class Token:
-    """number: of a sign or a sense 1 or -1; inside: of a pair in brackets"""
+    """number: of a sign or a sense 1 or -1"""
 
     code: str
     text: str = ""
     number: float = 1.0
     way: complex = 0j
-    inside: tuple[Token, ...] = ()
 
 
 # --- LaTeX -------------------------------------------------------------------------------------
@@ -136,8 +135,8 @@ _LEXICON = (  # of two that begin alike the longer one first
     ("", r"about|approx(?:imately|\.)?|ca\.|(?:ca|mag|ans|so|the|of|dir|to)(?![a-z])|circa|roughly|around|nearly"
          r"|magnitude|size|value|speed|answer|final|result|hence|therefore|(?:an?|and|with)(?= )|towards?|pointing"
          r"|directed|direction|sense|rotat(?:ion|ing|es)|turn(?:ing|s)|units?|side|horizontal(?:ly)?|vertical(?:ly)?"
-         r"|measured|in(?= (?:the|a|c|d|f|v))|velocity|acceleration|角?加?速度|大?约(?:为|等于)?|大概|近似|大小|数值|值|结果"
-         r"|答案?|[解求测量]?得到?|[故即且沿取以设的号其]|i\.e\.|所以|因此|规定|单位|方向(?!角)|转向|旋向|指向|[朝往向方边侧斜](?!向角)"
+         r"|measured|in(?= (?:the|a|c|d|f|v))|velocity|acceleration|角?加?速度|大?约(?:为|等于)?|大概|近似|大小|数值|值"
+         r"|结果|答案?|[解求测量]?得到?|[故即且沿取以设的号其]|i\.e\.|所以|因此|规定|单位|方向(?!角)|转向|旋向|指向|[朝往向方边侧斜](?!向角)"
          r"|水平|竖直|铅[垂直]|垂直(?=向|朝)|转动|旋转|∴|[.!](?= |$)"),
     ("a", r"∠|∡|@|/_|(?:at|arg)(?![a-z])|方向角|夹角|角度|angle|[θφϑϕ][0-9a-z_']*|<(?= ?[+-]?[0-9.]+ ?(?:°|deg))"),
     ("l", r"[为是记]|(?:is|are|as|means?)(?![a-z])|等于|equals?|表示|代表|taken"),
@@ -194,13 +193,12 @@ def _number(match: re.Match[str]) -> float:
 # --- forms -------------------------------------------------------------------------------------
 
 _INNER = re.compile(r"\(([^()]*)\)")
-_PAIR = re.compile("[sg]?nu?;[sg]?nu?")
+_PAIR = re.compile("([sg]?nu?);([sg]?nu?)")
+_SUM = re.compile("(s?nu?)(?:i(snu?)j|(sn)[ij])")
+_APART = re.compile("(?<=u)(?=u|[sg]?nu)|(?<=[^;a])(?=a)|(?:(?<=en)|(?<=e[sn][nu])|(?<=esnu))(?=[kx]e)")
 _CONVENTION = re.compile("c[le]*s(?![sgn])|s[le]*c")
-_VALUE = re.compile("(?P<b>u)?(?P<s>[sg])?(?P<n>n)(?P<u>u)?(?:pn(?P<a>u)?)?(?P<g>g)?")
-_POLAR = re.compile(r"(?P<value>.*?)(?P<mark>a*)(?P<s>[sg])?(?P<n>n)(?P<u>u)?(?P<last>u)?")
-_SUM = re.compile("(?P<x>s?nu?)(?P<i>i)?(?P<y>snu?)(?P<j>[ij])(?P<u>u)?")
-_NEXT = re.compile("e[sg]?nu?(?=[kx]e)")
-_WITH_PAIR = re.compile("(?P<size>[sg]?nu?)?vu?")
+_VALUE = re.compile("[sg]?nu?(?:pnu?)?g?")
+_END = Token(";")
 
 
 def taken_apart(text: str, whole: str, vector: bool, turning: bool, axis: str = "") -> WrittenAnswer:
@@ -209,11 +207,15 @@ def taken_apart(text: str, whole: str, vector: bool, turning: bool, axis: str = 
     vector, turning   whether the quantity has a direction, or a sense; axis: of one component alone
     """
     reading = _Reading(whole, vector, turning, axis)
+    tokens = _without_brackets([one for one in _tokens(text) if one.code != "a" or not turning], vector)
+    while vector and (match := _SUM.search(_codes(tokens))) is not None:
+        first, second = match.span(1), match.span(2) if match[2] else match.span(3)
+        tokens[match.start() : match.end()] = _components(tokens[slice(*first)], tokens[slice(*second)])
+    tokens = reading.without_conventions(tokens)
+    for match in reversed([*_APART.finditer(_codes(tokens))]):
+        tokens.insert(match.start(), _END)
     clause: list[Token] = []
-    tokens = reading.without_conventions(_without_brackets([*_tokens(text)], vector))
-    for k in reversed([match.end() for match in _NEXT.finditer(_codes(tokens))]):  # `vx = 1 vy = 2`
-        tokens.insert(k, Token(";"))
-    for token in (*tokens, Token(";")):
+    for token in (*tokens, _END):
         if token.code != ";":
             clause.append(token)
             continue
@@ -235,12 +237,19 @@ def _codes(tokens: list[Token]) -> str:
     return "".join(token.code for token in tokens)
 
 
+def _components(first: list[Token], second: list[Token]) -> list[Token]:
+    """As `x = .., y = ..`."""
+    return [_END, Token("x", "x"), Token("e"), *first, _END, Token("x", "y"), Token("e"), *second, _END]
+
+
 def _without_brackets(tokens: list[Token], vector: bool) -> list[Token]:
     """Brackets resolved: pairs, what the number may err by, remarks; the rest stands as if there were none."""
     while (match := _INNER.search(codes := _codes(tokens))) is not None:
         inside, its, before = tokens[match.start() + 1 : match.end() - 1], match[1], codes[: match.start()]
-        if _PAIR.fullmatch(its):
-            inside = [Token("v", inside=tuple(one for one in inside if one.code != ";"))]
+        if vector and (pair := _PAIR.fullmatch(its)) is not None:  # `(-0.08, -0.26)`, `(0.271 m/s, 252.5°)`
+            end = len(pair[1])
+            polar = ANGLES.fullmatch(inside[-1].text) is not None
+            inside = [_END, *inside, _END] if polar else _components(inside[:end], inside[end + 1 :])
         elif vector and re.fullmatch("[sg]?nu?", its) and any("," in one.text for one in inside if one.code == "n"):
             inside = [Token("z")]  # `(3,4)`: one number or two
         elif its in ("pn", "pnu") or ("x" in its and set(its) <= set("xkleij;")):
@@ -248,7 +257,7 @@ def _without_brackets(tokens: list[Token], vector: bool) -> list[Token]:
         elif its == "s":  # `(负)`
             inside = [Token("g", number=inside[0].number)]
         elif its != "u" and ("n" in before or "n" not in its):
-            inside = [Token(";"), *inside, Token(";")]
+            inside = [_END, *inside, _END]
         tokens[match.start() : match.end()] = inside
     return tokens
 
@@ -263,7 +272,7 @@ class _Reading:
     whole: str
     vector: bool
     turning: bool
-    axis: str = ""
+    axis: str
     values: list[tuple[float, Number]] = field(default_factory=list)
     angles: list[Number] = field(default_factory=list)
     parts: dict[str, Number] = field(default_factory=dict)
@@ -282,7 +291,7 @@ class _Reading:
             ends = tokens[match.start()], tokens[match.end() - 1]
             self.upward.add(1 if ends[0].number == ends[1].number else -1)
             self.wants_sign |= len(match[0]) == 2 and -1 in (one.number for one in ends if one.code == "s")
-            tokens[match.start() : match.end()] = [Token(";")]
+            tokens[match.start() : match.end()] = [_END]
         return tokens
 
     def read(self, clause: list[Token]) -> None:
@@ -291,132 +300,85 @@ class _Reading:
             clause = [Token("e") if token.code == "l" else token for token in clause]
         ends = [-1, *(k for k, token in enumerate(clause) if token.code == "e"), len(clause)]
         *labels, body = ([one for one in clause[a + 1 : b] if one.code != "l"] for a, b in pairwise(ends))
-        if labels and not set(_codes(body)) & set("nvcd") and set(_codes(labels[-1])) & set("nv"):
+        if labels and not set(_codes(body)) & set("ncd") and "n" in _codes(labels[-1]):
             body, labels[-1] = labels[-1], body  # `3.92 = omega`
         axis = ""
         for label in labels:
             codes, text = _codes(label), "".join(token.text for token in label)
             if "z" in codes:
                 raise self.doubt()
-            moved = "cda" if set(codes) <= set("cda") else "cd"
-            body = [*(token for token in label if token.code in moved), *body]
+            body = [*(token for token in label if token.code in ("cda" if set(codes) <= set("cda") else "cd")), *body]
             if "n" not in codes and codes.count("u") == 1 and "u" not in _codes(body):
                 self.units += [token.text for token in label if token.code == "u" and len(token.text) > 1]
-            named = re.search("(?:^|[_a-z0-9])([xy])(?:分量)?$", text)
-            axis = named[1] if named is not None and self.vector else ""
+            match = re.search("(?:^|[_a-z0-9])([xy])(?:分量)?$", text)
+            axis = match[1] if match is not None and self.vector else ""
         self._body(body, axis)
         for label in labels:  # of `3.9193 = 3.92` the last one counts
             if _VALUE.fullmatch(_codes(label)):
-                self._value(label)
+                self.values.append(self._number(label))
 
     def _body(self, body: list[Token], axis: str) -> None:
         senses = {token.number for token in body if token.code == "c"}
+        self.senses |= senses
         self.ways += [token.way for token in body if token.code == "d"]
-        body = [token for token in body if token.code not in ("cda" if self.turning else "cd")]
+        body = [token for token in body if token.code not in "cd"]
         codes = re.sub("^k+(?=n|$)|(?<![nu])t", lambda run: "_" * len(run[0]), _codes(body))
         body, codes = [token for token, code in zip(body, codes) if code != "_"], codes.replace("_", "")
-        if self.vector and (match := _SUM.fullmatch(codes)) is not None and (not match["i"] or match["j"] == "j"):
-            unit = next((token.text for token in body if token.code == "u"), "")
-            for name in "xy":
-                self._part(name, *self._signed(body[match.start(name) : match.end(name)]), unit)
-        elif self.vector and (match := _WITH_PAIR.fullmatch(codes)) is not None:
-            self._pair(body, codes, match)
-        elif codes == "u":
+        value = codes.lstrip("a")
+        if codes == "u":
             self.units.append(body[0].text)
-        elif codes in ("pn", "pnu") or (codes == "g" and senses == {body[0].number}):  # `3.92 cw (-)`, `.. ± 0.1`
-            pass
-        elif _VALUE.fullmatch(codes):
-            self._value(body, axis)
-        elif self.vector and (match := _POLAR.fullmatch(codes)) is not None:
-            self._polar(body, match, senses)
-            return
-        elif codes:
+        elif codes in ("", "pn", "pnu") or (codes == "g" and senses == {body[0].number}):
+            return  # `3.92 cw (-)`, `3.92 cw ± 0.1`
+        elif _VALUE.fullmatch(value) is None:
             raise self.doubt()
-        self.senses |= senses
+        elif value != codes:
+            sign, (angle, unit) = self._number(body)
+            in_pi = not unit and any("π" in token.text for token in body)
+            self.angles.append(((sign or 1) * angle, "rad" if in_pi else unit))
+        elif axis:
+            sign, (number, unit) = self._number(body)
+            if self.parts.setdefault(axis, part := ((sign or 1) * number, unit)) != part:
+                raise self.doubt()
+        else:
+            self.values.append(self._number(body))
 
-    def _signed(self, tokens: list[Token]) -> tuple[float, Number]:
+    def _number(self, tokens: list[Token]) -> tuple[float, Number]:
         """A sign, 0 where none is written, and the number with its unit; what it may err by is passed over."""
-        number = next(k for k, token in enumerate(tokens) if token.code == "n")
+        number = next(token.number for token in tokens if token.code == "n")
         signs = {token.number for token in tokens if token.code in "sg"}
         off = next((k for k, token in enumerate(tokens) if token.code == "p"), len(tokens))
         units = [token.text for token in tokens[:off] if token.code == "u"]
-        units = units or [token.text for token in tokens[off:] if token.code == "u" and token.text != "%"]
-        if len(units) > 1 or len(signs) > 1:
-            raise self.doubt(len(signs) > 1)
-        return min(signs, default=0.0), (tokens[number].number, units[0] if units else "")
-
-    def _value(self, tokens: list[Token], axis: str = "") -> None:
-        sign, number = self._signed(tokens)
-        if axis:
-            self._part(axis, sign, number)
-        else:
-            self.values.append((sign, number))
-
-    def _part(self, name: str, sign: float, number: Number, unit: str = "") -> None:
-        part = (sign or 1) * number[0], number[1] or unit
-        if self.parts.setdefault(name, part) != part:
-            raise self.doubt()
-
-    def _pair(self, body: list[Token], codes: str, match: re.Match[str]) -> None:
-        """`(-0.08, -0.26) m/s`, `(0.271 m/s, 252.5°)`."""
-        if match["size"]:
-            self._value(body[: match.end("size")])
-        inside, unit = body[codes.index("v")].inside, body[-1].text if codes.endswith("vu") else ""
-        second = next(k for k, token in enumerate(inside) if k and token.code in "sgn" and inside[k - 1].code in "nu")
-        (sign, (x, of_x)), (turn, (y, of_y)) = self._signed([*inside[:second]]), self._signed([*inside[second:]])
-        if ANGLES.fullmatch(of_y):
-            self.values.append((sign, (x, of_x or unit)))
-            self.angles.append(((turn or 1) * y, of_y))
-        else:
-            self._part("x", sign, (x, of_x), of_y or unit)
-            self._part("y", turn, (y, of_y), of_x or unit)
-
-    def _polar(self, body: list[Token], match: re.Match[str], senses: set[float]) -> None:
-        """`0.271 m/s ∠ 252.5°`: a number that needs a mark or its unit to be an angle; clockwise it is negative."""
-        before = body[: match.end("value")]
-        if match["last"]:  # `0.271 ∠ 252.5° m/s`
-            self.units.append(body.pop().text)
-        turn, (angle, unit) = self._signed(body[match.end("mark") :])
-        if not (match["mark"] or (ANGLES.fullmatch(unit) and match["value"].endswith("u"))) or len(senses) > 1:
-            raise self.doubt()
-        if before and _VALUE.fullmatch(match["value"]) is None:
-            raise self.doubt()
-        if before:
-            self._value(before)
-        unit = "rad" if not unit and any("π" in token.text for token in body) else unit
-        self.angles.append(((turn or 1) * min(senses, default=1) * angle, unit))
+        units += [token.text for token in tokens[off:] if token.code == "u" and token.text != "%"]
+        if len(signs) > 1:
+            raise self.doubt(senses=True)
+        return min(signs, default=0.0), (number, next(iter(units), ""))
 
     def answer(self) -> WrittenAnswer:
         """All clauses together."""
         if self.vector and len(self.values) > 1:  # `0.271 m/s, 252.5°`
-            turned = [value for value in self.values if ANGLES.fullmatch(value[1][1])]
-            self.angles += [((sign or 1) * number, unit) for sign, (number, unit) in turned]
-            self.values = [value for value in self.values if value not in turned]
+            angles = [value for value in self.values if ANGLES.fullmatch(value[1][1])]
+            self.angles += [((sign or 1) * number, unit) for sign, (number, unit) in angles]
+            self.values = [value for value in self.values if value not in angles]
         if [*self.parts] == [self.axis]:
-            self.values += [(1.0, number) for number in self.parts.values()]
+            self.values += [(1.0, self.parts.pop(self.axis))]
         toward = sum(self.ways, 0j)
-        if len(self.parts) == 1 != len(self.axis):
-            raise self.doubt()
-        if not (self.values or len(self.parts) == 2) or max(len(self.angles), len({*self.units})) > 1:
-            raise self.doubt()
-        if self.ways and not self.vector:
+        if not (self.values or self.parts) or len(self.parts) == 1 or max(len(self.angles), len({*self.units})) > 1:
             raise self.doubt()
         apart = any((way * toward.conjugate()).real < 0.1 for way in self.ways)
         if len(self.senses) > 1 or len(self.upward) > 1 or apart:
             raise self.doubt(senses=True)
+        sense = int(min(self.senses, default=0))
         unit, toward = next(iter(self.units), ""), toward / abs(toward) if toward else 0j
+        angle = (self.angles[0][0] * (sense or 1), self.angles[0][1]) if self.angles else None
+        sense = sense if self.turning else 0
         numbers = []
         for sign, (number, own) in self.values:
-            sense = min(self.senses, default=0) if self.turning else 0
             signed = (sign or 1) * min(self.upward, default=1)
+            if (self.wants_sign and not sign) or (self.ways and not self.vector):
+                raise self.doubt()
             if (sense and sign and signed != sense) or (sign < 0 and max(toward.real, toward.imag) > 0.1):
                 raise self.doubt(senses=True)
-            if self.wants_sign and not sign:
-                raise self.doubt()
             numbers.append(((sense or signed) * number, own or unit))
-        sense = int(min(self.senses, default=0)) if self.turning else 0
-        angle = self.angles[0] if self.angles else None
-        if angle is not None and self.senses == {-1}:
-            angle = -angle[0], angle[1]
-        parts = tuple((self.parts[name][0], self.parts[name][1] or unit) for name in "xy" if len(self.parts) == 2)
-        return WrittenAnswer(numbers[0] if numbers else None, sense, tuple(numbers[1:]), angle, toward, parts)
+        units = [own for _, own in self.parts.values() if own]
+        parts = tuple((number, own or next(iter(units), unit)) for _, (number, own) in sorted(self.parts.items()))
+        return WrittenAnswer(next(iter(numbers), None), sense, tuple(numbers[1:]), angle, toward, parts)

@@ -57,7 +57,9 @@ DIMENSIONS: Mapping[str, Dimension | None] = {
 }  # fmt: skip
 """By the SI unit of a quantity, whose units may stand with it."""
 _TURNING = ("angle", "angular velocity", "angular acceleration")
-_SIMPLE = re.compile(r"[+-]?(?:[0-9]{1,20}(?:\.[0-9]{0,20})?|\.[0-9]{1,20})(?:[eE][+-]?[0-9]{1,3})?")
+_SIMPLE = re.compile(
+    r"([+-]?(?:[0-9]{1,20}(?:\.[0-9]{0,20})?|\.[0-9]{1,20})(?:[eE][+-]?[0-9]{1,3})?) ?([A-Za-z°][A-Za-z/^²]{0,9}2?)?"
+)
 _NO_SENSE, _DASHES = re.compile(r"\s+[—–―]+\s*$"), re.compile(r"(?<=\S) +-+$")
 """In the last column of an answer table: of what turns a minus may be a sign."""
 _ASIDE, _IN_PI = re.compile(r"(?<=[^\s(:=,;]) - (?=[^0-9]*$)"), re.compile("(π(?: ?/ ?[0-9]+)?)(?![ 0-9/]*[a-z°度弧*])")
@@ -68,9 +70,10 @@ WORDS = math.radians(60)
 """A direction in words holds within this angle on either side."""
 
 
-def is_simple(text: str) -> bool:
-    """True of a number alone, as tables have it."""
-    return _SIMPLE.fullmatch(text) is not None
+def simple(text: str) -> Number | None:
+    """A number alone or with a unit of the house's, as tables have it."""
+    match = _SIMPLE.fullmatch(text)
+    return None if match is None or (match[2] and not is_unit(match[2])) else (float(match[1]), match[2] or "")
 
 
 def parsed_value(text: str, si: str, unit: str = "", vector: bool = True, axis: str = "") -> HandedValue:
@@ -80,8 +83,8 @@ def parsed_value(text: str, si: str, unit: str = "", vector: bool = True, axis: 
     """
     dimension = DIMENSIONS[si]
     try:
-        if is_simple(text):
-            return _in_si(text, (float(text), ""), dimension, unit)
+        if (number := simple(text)) is not None:
+            return _in_si(text, number, dimension, unit)
         if len(text) > LONGEST:
             raise NotAnAnswer(NOWHERE, text[:40] + "..")
         bare = unaccented(plain(unlatexed(_NO_SENSE.sub("", text)))).lower()
@@ -104,11 +107,11 @@ def _of_answer(text: str, answer: WrittenAnswer, dimension: Dimension | None, un
     pair = complex(*(half.value or 0.0 for half in halves)) if halves else 0j
     value = replace(halves[0], value=abs(pair)) if halves else None
     numbers = [_in_si(text, one, dimension, unit) for one in (answer.number, *answer.also) if one is not None]
-    fitting = [one for one in numbers if one.fault is None and one.unit] or numbers
+    of_unit = [one for one in numbers if one.fault is None and one.unit] or numbers
     if value is None or numbers:
-        value = replace(fitting[0], sense=_SENSES[answer.sense])
+        value = replace(of_unit[0], sense=_SENSES[answer.sense])
     size = value.value or 0.0
-    if not all(math.isclose(abs(size), abs(other.value or 0.0), rel_tol=0.02) for other in fitting):
+    if not all(math.isclose(abs(size), abs(other.value or 0.0), rel_tol=0.02) for other in of_unit):
         raise NotAnAnswer(NOWHERE, text)
     vector, within = (abs(size) * answer.toward, WORDS) if answer.toward else (None, 0.0)
     if pair:
@@ -117,16 +120,15 @@ def _of_answer(text: str, answer: WrittenAnswer, dimension: Dimension | None, un
         vector, within = size * pair / abs(pair), 0.0
     if answer.angle is not None:
         at, of = answer.angle
-        named = vector
-        vector = cmath.rect(size, read_quantity(f"{at!r} {unit_named(of)}" if of else at, "angle"))
-        if named and abs(cmath.phase(vector / named)) > WORDS:
+        in_words, vector = vector, cmath.rect(size, read_quantity(f"{at!r} {unit_named(of)}" if of else at, "angle"))
+        if in_words and vector and abs(cmath.phase(vector / in_words)) > WORDS:
             raise SenseDisputed(NOWHERE, text)
         within = 0.0
     return replace(value, vector=vector or None, within=within)
 
 
-def _in_si(text: str, written: Number, dimension: Dimension | None, unit: str) -> HandedValue:
-    number, own = written
+def _in_si(text: str, one: Number, dimension: Dimension | None, unit: str) -> HandedValue:
+    number, own = one
     name = unit_named(own or unit)
     if dimension is None:
         if name not in ("", "%"):
