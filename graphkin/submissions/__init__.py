@@ -5,7 +5,7 @@
     read = both
     batches --guarded--> results of worker processes, in order; one that hangs or dies takes nobody with it
 
-    documents --Entry--> answers --questions, numbers--> HandedValue
+    documents --Entry--> answers --questions, numbers (by a grammar)--> HandedValue
     drawings: svg, geogebra, dxf --PagePicture--> letters --> drawings --> HandedValue
 
 Nothing here judges. A file that cannot be read is a Submission with its reason, and stops nothing. A new format of

@@ -65,6 +65,8 @@ def test_it_stands_in_the_terminal_and_in_every_file_of_a_class():
     run("grade", "key.json", "class.csv", "-o", "out", "--format", "csv")
     table = Path("out/class.csv").read_text("utf-8-sig").splitlines()
     assert '"not read: look ""3 or 4""",,"not read: look ""see drawing""",,' in table[2]
+    assert table[1].startswith("a,class.csv,marked,3,8,,3,37.5,")
+    assert table[2].startswith("b,class.csv,marked,0.5,8,,0.67,8.38,")  # a half of the six that are read
     assert table[2].endswith('"not read: omega 2, omega 3"')
     assert "not read" not in table[1] + table[3]
     run("grade", "key.json", "class.csv", "-o", "out", "--format", "report")

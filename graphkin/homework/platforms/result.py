@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import field
-from decimal import Decimal
+from decimal import ROUND_HALF_UP, Decimal
 from pathlib import Path
 from typing import Literal, get_args
 
@@ -15,7 +15,7 @@ from graphkin.construction import Plane
 from graphkin.errors import Lang, NoFile, NotAResult, Unreadable, Where
 from graphkin.homework import Record
 from graphkin.homework.platforms.question import Text
-from graphkin.homework.platforms.tables import points
+from graphkin.homework.platforms.tables import HUNDREDTH, points
 from graphkin.marking.diagnosis import Habit, Trace
 from graphkin.marking.key import Name
 from graphkin.marking.records import Verdict
@@ -103,10 +103,13 @@ class Result:
 
     @property
     def total(self) -> Decimal | None:
-        """Points that count; None where nobody has given any."""
-        if self.override is not None:
+        """Points that count; None where nobody has given any. What was not read is worth as much as all else is."""
+        if self.override is not None or self.status != "marked":
             return self.override
-        return self.earned if self.status == "marked" else None
+        if not any(line.written for line in self.lines):
+            return self.earned
+        most = sum((line.most for line in self.lines), Decimal(0))
+        return (self.earned * self.most / most).quantize(HUNDREDTH, ROUND_HALF_UP) if most else None
 
     @property
     def score(self) -> Decimal | None:

@@ -66,10 +66,12 @@ class Order:
     several: Sequence[Mapping[str, Trace]] = ()
 
     def __iter__(self) -> Iterator[Result]:
-        """The results, with the teacher's points and habits; what was not marked is of as many as the others."""
+        """The results, with the teacher's points and habits; what was not marked, or not read as a
+        whole, is of as many as the others."""
         for result in overridden(self.results, self.overrides):
             own = [traces[result.student] for traces in self.several if result.lines and result.student in traces]
-            yield replace(result, most=result.most if result.lines else self.most, habits=habits(own))
+            whole = bool(result.lines) and not any(line.written for line in result.lines)
+            yield replace(result, most=result.most if whole else self.most, habits=habits(own))
 
     def page(self, result: Result) -> Feedback:
         """A student's feedback, with pictures."""
