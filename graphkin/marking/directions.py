@@ -62,16 +62,17 @@ class WrittenDirections:
         own: dict[Quantity, Value] = {}
         for n, (quantity, entry) in enumerate(zip(problem.quantities, problem.key.entries, strict=True)):
             number = work.numbers.get(entry.text)
-            if number is None or not bounded[n]:
+            if number is None or not bounded[n] or not isinstance(quantity, Moving | Rotation):
                 continue
-            if isinstance(quantity, Moving) and number.vector is not None and not number.within:
+            if number.vector is not None and not number.within:
                 own[quantity] = number.vector
-            elif carried[n] and isinstance(quantity, Moving | Rotation) and quantity.word != "theta":
+            elif carried[n] and quantity.word != "theta":
                 own[quantity] = number.value
-        points = {text: self._points(number, text, own) for text, number in work.numbers.items()
-                  if number.vector is not None and text in self.right}  # fmt: skip
-        return replace(work, numbers={text: replace(number, points=points.get(text, number.points))
-                                      for text, number in work.numbers.items()})  # fmt: skip
+        numbers = {
+            text: replace(number, points=self._points(number, text, own))
+            for text, number in work.numbers.items() if number.vector is not None and text in self.right
+        }  # fmt: skip
+        return replace(work, numbers={**work.numbers, **numbers})
 
     def _points(self, number: HandedNumber, text: str, own: Mapping[Quantity, Value]) -> bool:
         quantity, vector, allowed = self.right[text]

@@ -132,14 +132,15 @@ _LEXICON = (  # of two that begin alike the longer one first
     ("z", r"quadrant|象限|偏|below|above|以[上下内外]|大于|小于|超过|相反|反[向转]|正转|opposite|wrong|错|作废"
           r"|[或非不未?]|(?:not?|or)(?![a-z])"),
     ("x", r"[下上左右如见][图面表]"),
-    ("", r"about|approx(?:imately|\.)?|ca\.|(?:ca|mag|ans|so|the|of|dir|to)(?![a-z])|circa|roughly|around|nearly"
+    ("", r"about|approx(?:imately|\.)?|ca\.|(?:ca|mag|ans|so|it|the|of|dir|to)(?![a-z])|circa|roughly|around|nearly"
+         r"|almost|est\."
          r"|magnitude|size|value|speed|answer|final|result|hence|therefore|(?:an?|and|with)(?= )|towards?|pointing"
-         r"|directed|direction|sense|rotat(?:ion|ing|es)|turn(?:ing|s)|units?|side|horizontal(?:ly)?|vertical(?:ly)?"
+         r"|directed|direction|signs?|sense|rotat(?:ion|ing|es)|turn(?:ing|s)|units?|side|horizontal(?:ly)?|vertical(?:ly)?"
          r"|measured|in(?= (?:the|a|c|d|f|v))|velocity|acceleration|角?加?速度|大?约(?:为|等于)?|大概|近似|大小|数值|值"
-         r"|结果|答案?|[解求测量]?得到?|[故即且沿取以设的号其]|i\.e\.|所以|因此|规定|单位|方向(?!角)|转向|旋向|指向|[朝往向方边侧斜](?!向角)"
+         r"|结果|答案?|[解求测量]?得到?|估[计读算]|计算|读数|测量|由图|[故即且沿取以设的号其]|i\.e\.|所以|因此|规定|单位|方向(?!角)|转向|旋向|指向|[朝往向方边侧斜](?!向角)"
          r"|水平|竖直|铅[垂直]|垂直(?=向|朝)|转动|旋转|∴|[.!](?= |$)"),
     ("a", r"∠|∡|@|/_|(?:at|arg)(?![a-z])|方向角|夹角|角度|angle|[θφϑϕ][0-9a-z_']*|<(?= ?[+-]?[0-9.]+ ?(?:°|deg))"),
-    ("l", r"[为是记]|(?:is|are|as|means?)(?![a-z])|等于|equals?|表示|代表|taken"),
+    ("l", r"[为是记]|(?:is|are|as|means?)(?![a-z])|等于|equals?|表示|代表|taken|because|since"),
     ("u", f"{_UNIT}|°"), ("-", r"负[号数向]?|minus|negative|neg(?![a-z])|-ve|-(?!>)"),
     ("+", r"正[号数]?|plus|positive|pos(?![a-z])|\+ve|\+"),
     ("d", rf"(?:{_UP}{_AND}{_SIDE}|{_SIDE}{_AND}{_UP}|{_UP}|{_SIDE})(?![a-z])|[左右上下←→↑↓↖↗↘↙]|->|<-$"),
@@ -193,7 +194,7 @@ def _number(match: re.Match[str]) -> float:
 # --- forms -------------------------------------------------------------------------------------
 
 _INNER = re.compile(r"\(([^()]*)\)")
-_PAIR = re.compile("([sg]?nu?);([sg]?nu?)")
+_PAIR = re.compile("([sg]?nu?);([sg]?nu?)(?:;n)?")
 _SUM = re.compile("(s?nu?)(?:i(snu?)j|(sn)[ij])")
 _APART = re.compile("(?<=u)(?=u|[sg]?nu)|(?<=[^;a])(?=a)|(?:(?<=en)|(?<=e[sn][nu])|(?<=esnu))(?=[kx]e)")
 _CONVENTION = re.compile("c[le]*s(?![sgn])|s[le]*c")
@@ -246,17 +247,18 @@ def _without_brackets(tokens: list[Token], vector: bool) -> list[Token]:
     """Brackets resolved: pairs, what the number may err by, remarks; the rest stands as if there were none."""
     while (match := _INNER.search(codes := _codes(tokens))) is not None:
         inside, its, before = tokens[match.start() + 1 : match.end() - 1], match[1], codes[: match.start()]
-        if vector and (pair := _PAIR.fullmatch(its)) is not None:  # `(-0.08, -0.26)`, `(0.271 m/s, 252.5°)`
-            end = len(pair[1])
+        pair = _PAIR.fullmatch(its) if vector else None  # `(-0.08, -0.26)`, `(0.271 m/s, 252.5°)`, `(1, 2, 0)`
+        if pair is not None and (not inside[-1].number or pair.end(2) == len(its)):
             polar = ANGLES.fullmatch(inside[-1].text) is not None
-            inside = [_END, *inside, _END] if polar else _components(inside[:end], inside[end + 1 :])
+            first, second = inside[: pair.end(1)], inside[pair.start(2) : pair.end(2)]
+            inside = [_END, *inside, _END] if polar else _components(first, second)
         elif vector and re.fullmatch("[sg]?nu?", its) and any("," in one.text for one in inside if one.code == "n"):
             inside = [Token("z")]  # `(3,4)`: one number or two
         elif its in ("pn", "pnu") or ("x" in its and set(its) <= set("xkleij;")):
             inside = []
         elif its == "s":  # `(负)`
             inside = [Token("g", number=inside[0].number)]
-        elif its != "u" and ("n" in before or "n" not in its):
+        elif its != "u" and not before.endswith("a") and ("n" in before or "n" not in its):
             inside = [_END, *inside, _END]
         tokens[match.start() : match.end()] = inside
     return tokens
@@ -309,7 +311,8 @@ class _Reading:
                 raise self.doubt()
             body = [*(token for token in label if token.code in ("cda" if set(codes) <= set("cda") else "cd")), *body]
             if "n" not in codes and codes.count("u") == 1 and "u" not in _codes(body):
-                self.units += [token.text for token in label if token.code == "u" and len(token.text) > 1]
+                units = (token.text for token in label if token.code == "u")
+                self.units += [unit for unit in units if unit[1:] and unit[0] != "/"]  # in `v/r` none stands
             match = re.search("(?:^|[_a-z0-9])([xy])(?:分量)?$", text)
             axis = match[1] if match is not None and self.vector else ""
         self._body(body, axis)

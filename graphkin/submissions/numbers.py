@@ -28,7 +28,7 @@ _ALIKE = str.maketrans({
     "⋅": "*", "∙": "*", "•": "*", "×": "*", "✕": "*", "﹢": "+", "，": ",", "；": ";", "：": ":", "。": ".", "（": "(",
     "）": ")", "【": "[", "】": "]", "\u2019": "'", "\u2032": "'", "\u02b9": "'", "\u2033": "''", "\u2034": "'''",
     "\u02bc": "'", "´": "'", "`": "'", "＝": "=", "≈": "=", "≅": "=", "≃": "=", "≒": "=", "≐": "=", "∼": "~",
-    **dict.fromkeys("\u200b\ufeff\ufe0f", ""),
+    **dict.fromkeys("\u200b\ufeff\ufe0f", ""), **dict(zip("⬅⬆➡⬇⬈⬉⬊⬋", "←↑→↓↗↖↘↙")),
     **{fraction: f" {unicodedata.normalize('NFKC', fraction)}" for fraction in "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"},
     **{chr(0x2460 + k): f" ({k + 1}) " for k in range(20)},
 })  # fmt: skip
@@ -62,7 +62,8 @@ _SIMPLE = re.compile(
 )
 _NO_SENSE, _DASHES = re.compile(r"\s+[—–―]+\s*$"), re.compile(r"(?<=\S) +-+$")
 """In the last column of an answer table: of what turns a minus may be a sign."""
-_ASIDE, _IN_PI = re.compile(r"(?<=[^\s(:=,;]) - (?=[^0-9]*$)"), re.compile("(π(?: ?/ ?[0-9]+)?)(?![ 0-9/]*[a-z°度弧*])")
+_ASIDE = re.compile(r" \| |(?<=[^\s(:=,;]) - (?=[^0-9]*$)")
+_IN_PI = re.compile("(π(?: ?/ ?[0-9]+)?)(?![ 0-9/]*[a-z°度弧*])")
 _DRESS = re.compile("[\"\u201c\u201d\u300c\u300d]|^[*_=' ]+|[*_ ]+$")
 _LAST_DIGITS = re.compile(r"([0-9][.,][0-9]+)\([0-9]{1,2}\)")
 _MINUTES = re.compile(r"([0-9]+)° ?([0-9]+(?:\.[0-9]+)?)'(?: ?([0-9]+(?:\.[0-9]+)?)'')?")
@@ -107,7 +108,9 @@ def _of_answer(text: str, answer: WrittenAnswer, dimension: Dimension | None, un
     pair = complex(*(half.value or 0.0 for half in halves)) if halves else 0j
     value = replace(halves[0], value=abs(pair)) if halves else None
     numbers = [_in_si(text, one, dimension, unit) for one in (answer.number, *answer.also) if one is not None]
-    of_unit = [one for one in numbers if one.fault is None and one.unit] or numbers
+    of_unit = [one for one in numbers if one.fault is None] or numbers
+    if len(of_unit) < len(numbers) and not all(one.unit for one in of_unit):
+        raise NotAnAnswer(NOWHERE, text)
     if value is None or numbers:
         value = replace(of_unit[0], sense=_SENSES[answer.sense])
     size = value.value or 0.0
