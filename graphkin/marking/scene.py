@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import field
 from functools import cached_property
-from itertools import combinations
+from itertools import chain, combinations
 from typing import TypeVar
 
 import numpy as np
 
-from graphkin.base.geometry import place
+from graphkin.base.geometry import Value, place
 from graphkin.base.value import frozen
-from graphkin.construction import Construction, Equation, Plane, Plot, Site, Size, Step, Term, kinds
+from graphkin.construction import Construction, Coriolis, Equation, Normal, Plane, Plot, Site, Size, Step, Term, kinds
 from graphkin.marking.answers import ArrowPlaces, arrows_of
-from graphkin.marking.rewrite import Rewrite
+from graphkin.marking.hand import Redrawing, redraw
+from graphkin.marking.rewrite import Change, Edit, Rewrite, RewrittenValue, Times
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import Seen
-from graphkin.model.quantities import Quantity
+from graphkin.model.quantities import Moving, Quantity
 from graphkin.planning import Method
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.stages import Group, Mesh
 from graphkin.proof.readings import readings
 
 Known = TypeVar("Known", bound=Size)
@@ -46,6 +49,18 @@ class Scene:
         """The right ones."""
         return readings(self.method, self.plot)
 
+    @cached_property
+    def drawing(self) -> Redrawing:
+        """The right one."""
+        return redraw(self.method, self.plot)
+
+    @cached_property
+    def rolling(self) -> list[tuple[tuple[Contact, ...], tuple[str, ...]]]:
+        """Rolling contacts that together give rotations, with the base links of these."""
+        stages = (stage for stage in self.method.stages if isinstance(stage, Mesh | Group))
+        return [((one.contact,), (one.angle,) if one.angle else ()) if isinstance(one, Mesh)
+                else (one.contacts, one.angles) for one in stages]  # fmt: skip
+
     @property
     def polygons(self) -> tuple[Construction, Construction]:
         return self.method.velocity, self.method.acceleration
@@ -71,6 +86,60 @@ class Scene:
                 for chain in step.chains:
                     found = {size: "" for size, _ in chain.known if isinstance(size, kind)} | found
         return found
+
+    @cached_property
+    def rims(self) -> dict[Normal, str]:
+        """Normal accelerations about a wheel's centre of its named points that are found by image, with these."""
+        contacts = chain.from_iterable(contacts for contacts, _ in self.rolling)
+        wheels = chain.from_iterable(zip(each.wheels, each.centres, strict=True) for each in contacts)
+        centres = {wheel: centre for wheel, centre in wheels if centre}
+        known, rims = self.sized("acceleration", Normal), dict[Normal, str]()
+        for step in chain.from_iterable(self.images("acceleration").values()):
+            point, centre = step.corners[2], centres.get(step.link, "")
+            rim = Normal(step.link, centre, point)
+            if centre not in ("", point) and point in self.points(step.link) and rim not in known:
+                rims[rim] = step.point
+        return rims
+
+    def term(self, id: str, size: Size, name: str, change: Change, form: str = "", way: str = "") -> Rewrite:
+        """A known term of the accelerations that is otherwise; so is what is handed in of it, as no drawing of it is
+        read there."""
+        edit = Edit(("arrow", "acceleration", size), change)
+        if size in self.rims:
+
+            def moved(plot: Redrawing, right: Value) -> Value:
+                arrow = plot.arrow(size, "acceleration")
+                return right + change(plot, arrow) - arrow
+
+            edit = Edit(("image", "acceleration", self.rims[size]), moved)
+        return Rewrite(id, name, form, (edit,), tuple(self._handed_in(size, change)), way)
+
+    def not_laid_off(self, id: str, size: Size, name: str) -> Rewrite:
+        """A known term of the accelerations that is right, but not drawn."""
+        tips = [(step.tip, step.start) for step in self.steps("acceleration")
+                if isinstance(step, kinds.LayOff) and step.term.size == size]  # fmt: skip
+
+        def back(start: str) -> Change:
+            return lambda plot, right: plot.acceleration[start]
+
+        edits = tuple(Edit(("laid", "acceleration", tip), back(start)) for tip, start in tips)
+        return Rewrite(id, name, edits=edits or self.term(id, size, name, Times(0.0)).edits)
+
+    def _handed_in(self, size: Size, change: Change) -> Iterator[RewrittenValue]:
+        """The terms of a size that are handed in and that no arrow shows, as they are by a change."""
+        if not isinstance(size, Coriolis | Normal):
+            return
+        part = "k" if isinstance(size, Coriolis) else "n"
+        for quantity in self.quantities:
+            if not isinstance(quantity, Moving) or quantity.seen_from is None or self.arrows.of(quantity) is not None:
+                continue
+            sites = quantity.seen_from, quantity.site
+            ends = [self.arrows.node(site, "velocity") if part == "k" else site.point for site in sites]
+            if quantity.letter == "a" and quantity.part == part and {size.tail, size.head} == {*ends}:
+                way_round = 1 if ends[0] == size.tail else -1
+                arrow = place(self.drawing.arrow(size, "acceleration"))
+                instead = way_round * place(change(self.drawing, arrow))
+                yield RewrittenValue(quantity.text, instead=instead)
 
     def images(self, plane: Plane) -> dict[str, list[kinds.Image]]:
         """Further points by image, by link."""
@@ -190,7 +259,7 @@ def drawn_by(step: Step) -> tuple[str, ...]:
             return ()
 
 
-Finder = Callable[[Scene], Iterator[Rewrite]]
+Finder = Callable[[Scene], Iterable[Rewrite]]
 
 
 @frozen

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import chain, combinations, product
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations, product
 
 import numpy as np
 
 from graphkin.base.geometry import Value, cross, number, place
-from graphkin.construction import Meet, Simultaneous
+from graphkin.construction import Image, Meet, Plane, Simultaneous
 from graphkin.marking.hand import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, RewrittenValue, Times
+from graphkin.marking.mistakes.link_motion import PLANES
+from graphkin.marking.rewrite import Change, Edit, Rewrite, RewrittenValue, Times, each_and_all
 from graphkin.marking.scene import Scene, mistake
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Centre, Moving, Quotient, Rotation
@@ -18,6 +19,7 @@ from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import in_step
 from graphkin.planning.stages import Group, Mesh
 
+Law = Mapping[str, float]  # sum of coefficient * rate = 0
 REST = 1e-9  # what counts as nothing, as part of the largest of its kind
 
 
@@ -44,6 +46,7 @@ def centre_ratio(scene: Scene) -> Iterator[Rewrite]:
                 text = f"ω{scene.method.mechanism.called(crank)}"
                 yield _ratio(quantity.text, text, RewrittenValue(quantity.text, instead=driven**2 / value))
             yield _ratio(quantity.text, "", RewrittenValue(quantity.text, -1.0), "sense")
+    yield from _ratios_of_radii(scene)
 
 
 def _ratio(of: str, form: str, written: RewrittenValue, way: str = "") -> Rewrite:
@@ -105,7 +108,80 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
             yield Rewrite("centre-acceleration-zero", f"a_{node.of}", "", edits, way="point")
 
 
-# --- wheels on an arm --------------------------------------------------------------------------
+# --- wheels ------------------------------------------------------------------------------------
+
+
+def _ratios_of_radii(scene: Scene) -> Iterator[Rewrite]:
+    """Of two wheels upside down, or with the sense of wheels that touch from within where they do from without, or the
+    other way round: at each contact that gives a rotation."""
+    for contacts, bases in scene.rolling:
+        for contact in contacts:
+            wheels, moving = contact.wheels, [w for w in contact.wheels if w != FRAME and not scene.driven(w)]
+            if not contact.arm or contact.arm in wheels or not moving:
+                continue
+            of = ", ".join(scene.rotation_name("omega", wheel) for wheel in moving)
+            form = ", ".join(map(scene.method.mechanism.called, wheels))
+            one, other = (dict(contact.angles)[wheel] for wheel in wheels)
+            ways = {"meshing": (one, -other), "radii": (np.copysign(other, one), np.copysign(one, other))}
+            for way, (a, b) in ways.items():
+                law = {wheels[0]: a, wheels[1]: b, contact.arm: -(a + b)}
+                edits = _by_law(scene, contacts, bases, contact, law)
+                if edits and abs(a - one) + abs(b - other) > REST * abs(one):
+                    yield Rewrite("centre-ratio", of, form, edits, way=way)
+
+
+def _by_law(
+    scene: Scene, contacts: Sequence[Contact], bases: Sequence[str], contact: Contact, law: Law
+) -> tuple[Edit, ...]:
+    """Another law of one of some contacts: put into the equations that hold it; where none does, rotations as all laws
+    together give them, and what is drawn of their links. Nothing where they do not."""
+    turns, laws = scene.plot.facts.turns, [law if each is contact else dict(each.angles) for each in contacts]
+    counts = np.array([[sum(c for w, c in one.items() if turns[w].base == base) for base in bases] for one in laws])
+    given = len(laws) == len(bases) == np.linalg.matrix_rank(counts)
+    edits: list[Edit] = []
+    for plane, word in zip(PLANES, ("omega", "alpha"), strict=True):
+        solved = (step for step in scene.steps(plane) if isinstance(step, Simultaneous))
+        if any(in_step(contact) in step.contacts for step in solved):
+            spots = (("rolling", plane, in_step(contact), link) for link, _ in contact.angles)
+            counts_now = (Times(law.get(link, 0.0) / c) for link, c in contact.angles)
+            edits += map(Edit, spots, counts_now)
+        elif not given:
+            return ()
+        else:
+            shares = dict(zip(bases, np.linalg.inv(counts), strict=True))
+            for link in (link for link, turn in turns.items() if turn.base in bases):
+                change = _by_laws(laws, shares, link, word)
+                edits.append(Edit(("settled", word, link), change))
+                edits += (_as_it_turns(plane, step) for step in scene.images(plane).get(link, ()))
+    return tuple(edits)
+
+
+def _by_laws(laws: Sequence[Law], shares: Mapping[str, Sequence[float]], of: str, word: str) -> Change:
+    """A rate as laws of contacts give it, which together give some unknown ones; shares: by the base of these, how much
+    of what is known in each law counts."""
+
+    def change(plot: Redrawing, right: Value) -> Value:
+        table: dict[str, Value] = getattr(plot, word)
+        turns, order = plot.facts.turns, 1 if word == "omega" else 2
+        # of links that turn with unknown ones, by how much more is known
+        known = {link: plot.facts.relative_rate(link, order) if turns[link].base in shares else table[link]
+                 for law in (*laws, {of: 0.0}) for link in law}  # fmt: skip
+        sums = (sum(c * known[link] for link, c in law.items()) for law in laws)
+        each = zip(shares[turns[of].base], sums, strict=True)
+        return known[of] - sum(share * total for share, total in each) + 0 * right
+
+    return change
+
+
+def _as_it_turns(plane: Plane, step: Image) -> Edit:
+    """A point found by image where its link's own rotation puts it."""
+
+    def change(plot: Redrawing, right: Value) -> Value:
+        omega, (first, _, third) = plot.omega[step.link], step.corners
+        turned = 1j * omega if plane == "velocity" else 1j * plot.alpha[step.link] - omega**2
+        return plot.points(plane)[step.base[0]] + turned * plot.arm(first, third)
+
+    return Edit(("image", plane, step.point), change)
 
 
 @mistake("arm-ignored", "wheels", "11-2")
@@ -113,22 +189,17 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
     """omega_a / omega_b = -r_b / r_a with the wheels' own rotations, though the arm that bears them turns. At one
     contact, or at all; the wheels after it turn as their own contacts then have it. Where wheels and arm are found
     together, the law of the contact is put into the equations without the arm."""
-    contacts = []  # those on an arm that give the rotation of a wheel, after that wheel
+    alone = []
     for stage in scene.method.stages:
-        if isinstance(stage, Mesh) and stage.angle and stage.contact.arm:
-            wheel = next((w for w in stage.contact.wheels if scene.turns_with(w, stage.angle)), "")
-            if wheel and not scene.turns_with(wheel, stage.contact.arm):
-                contacts.append((wheel, stage.contact))
-    wrong = [k for k, (_, contact) in enumerate(contacts) if _matters(scene, contact)]
-    for k in wrong:
-        yield _ignoring(scene, contacts, {k})
-    if len(wrong) > 1:
-        yield _ignoring(scene, contacts, set(wrong))
-    together = dict(_found_together(scene))
-    for name, edits in together.items():
-        yield Rewrite("arm-ignored", name, edits=edits)
-    if len(together) > 1:
-        yield Rewrite("arm-ignored", ", ".join(together), edits=tuple(chain(*together.values())))
+        if isinstance(stage, Mesh) and stage.angle and stage.contact.arm and _matters(scene, stage.contact):
+            contact, borne = stage.contact, not scene.turns_with(stage.angle, stage.contact.arm)
+            wheel = next((w for w in contact.wheels if scene.turns_with(w, stage.angle)), "")
+            if wheel and borne:
+                edits = _by_law(scene, (contact,), (stage.angle,), contact, _without_arm(contact))
+                alone.append(Rewrite("arm-ignored", scene.rotation_name("omega", wheel), edits=edits))
+    yield from each_and_all(alone)
+    together = dict(_found_together(scene)).items()
+    yield from each_and_all([Rewrite("arm-ignored", name, edits=edits) for name, edits in together])
 
 
 def _found_together(scene: Scene) -> Iterator[tuple[str, tuple[Edit, ...]]]:
@@ -149,32 +220,16 @@ def _found_together(scene: Scene) -> Iterator[tuple[str, tuple[Edit, ...]]]:
             # the ratio to a driven wheel, where velocities are drawn by the points of contact, which know no arm
             solved = (step for step in scene.steps("velocity") if isinstance(step, Simultaneous))
             if driven_wheel(contact) is not None and all(in_step(contact) not in step.contacts for step in solved):
-                for wheel, quantity in product(wheels, ("omega", "alpha")):
-                    edits.append(Edit(("settled", quantity, wheel), _by_contact(contact, wheel, quantity, contact.arm)))
+                law = _without_arm(contact)
+                for wheel, word in product(wheels, ("omega", "alpha")):
+                    base = scene.plot.facts.turns[wheel].base
+                    edits.append(Edit(("settled", word, wheel), _by_laws([law], {base: [1 / law[wheel]]}, wheel, word)))
             yield name, tuple(edits)
+
+
+def _without_arm(contact: Contact) -> Law:
+    return {link: c for link, c in contact.angles if link != contact.arm}
 
 
 def _matters(scene: Scene, contact: Contact) -> bool:
     return bool(scene.plot.omega[contact.arm] or scene.plot.alpha[contact.arm])
-
-
-def _ignoring(scene: Scene, contacts: list[tuple[str, Contact]], wrong: set[int]) -> Rewrite:
-    edits = tuple(
-        Edit(("settled", quantity, wheel), _by_contact(contact, wheel, quantity, contact.arm if k in wrong else ""))
-        for k, (wheel, contact) in enumerate(contacts)
-        if k >= min(wrong)
-        for quantity in ("omega", "alpha")
-    )
-    wheels = (contacts[k][0] for k in sorted(wrong))
-    return Rewrite("arm-ignored", ", ".join(scene.rotation_name("omega", wheel) for wheel in wheels), edits=edits)
-
-
-def _by_contact(contact: Contact, wheel: str, quantity: str, without: str) -> Change:
-    """A wheel's rate as a contact gives it, from the rotations of all others of its links but one."""
-    own = sum(c for link, c in contact.angles if link == wheel)
-
-    def change(plot: Redrawing, right: Value) -> Value:
-        table: dict[str, Value] = getattr(plot, quantity)
-        return -sum(c * table[link] for link, c in contact.angles if link not in (wheel, without)) / own + 0 * right
-
-    return change

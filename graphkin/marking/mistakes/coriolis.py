@@ -25,18 +25,25 @@ def terms(scene: Scene) -> Iterator[tuple[Coriolis, str]]:
 
 def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
     """Every term alone; and all, as by one who does not know better."""
-    return each_and_all(id, [(name, Edit(("arrow", "acceleration", size), change)) for size, name in terms(scene)])
+    return each_and_all([scene.term(id, size, name, change) for size, name in terms(scene)])
 
 
 for _id, _factor in {"coriolis-omitted": 0.0, "coriolis-reversed": -1.0, "coriolis-half": 0.5}.items():
     mistake(_id, "coriolis", RULE)(partial(_each, id=_id, change=Times(_factor)))
 
 
+@mistake("coriolis-not-laid-off", "coriolis", RULE)
+def not_laid_off(scene: Scene) -> Iterator[Rewrite]:
+    """Calculated, but not drawn."""
+    return each_and_all([scene.not_laid_off("coriolis-not-laid-off", size, name) for size, name in terms(scene)])
+
+
 @mistake("coriolis-not-turned", "coriolis", RULE)
 def not_turned(scene: Scene) -> Iterator[Rewrite]:
     """In the direction of v_r."""
-    edits = [(name, Edit(("arrow", "acceleration", size), turned_back(size.link))) for size, name in terms(scene)]
-    return each_and_all("coriolis-not-turned", edits)
+    return each_and_all([
+        scene.term("coriolis-not-turned", size, name, turned_back(size.link)) for size, name in terms(scene)
+    ])  # fmt: skip
 
 
 @mistake("coriolis-crank-omega", "coriolis", RULE)
@@ -52,8 +59,7 @@ def crank_omega(scene: Scene) -> Iterator[Rewrite]:
                     return 2j * (in_sense_of(plot, own, plot.omega[size.link], "rad/s") if way else own) * slip
 
                 form = f"ω{scene.method.mechanism.called(link)}"
-                edits = (Edit(("arrow", "acceleration", size), change),)
-                yield Rewrite("coriolis-crank-omega", name, form, edits, way=way)
+                yield scene.term("coriolis-crank-omega", size, name, change, form, way)
 
 
 @mistake("coriolis-absolute-velocity", "coriolis", RULE)
@@ -65,8 +71,7 @@ def absolute_velocity(scene: Scene) -> Iterator[Rewrite]:
             def change(plot: Redrawing, right: Value, size: Coriolis = size, end: str = end) -> Value:
                 return in_sense_of(plot, 2 * plot.omega[size.link] * plot.velocity[end], right, "m/s^2")
 
-            form = scene.velocity_name(end)
-            yield Rewrite("coriolis-absolute-velocity", name, form, (Edit(("arrow", "acceleration", size), change),))
+            yield scene.term("coriolis-absolute-velocity", size, name, change, scene.velocity_name(end))
 
 
 @mistake("block-omega", "coriolis", RULE)
