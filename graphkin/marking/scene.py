@@ -126,20 +126,14 @@ class Scene:
         return Rewrite(id, name, edits=edits or self.term(id, size, name, Times(0.0)).edits)
 
     def _handed_in(self, size: Size, change: Change) -> Iterator[RewrittenValue]:
-        """The terms of a size that are handed in and that no arrow shows, as they are by a change."""
-        if not isinstance(size, Coriolis | Normal):
-            return
-        part = "k" if isinstance(size, Coriolis) else "n"
-        for quantity in self.quantities:
-            if not isinstance(quantity, Moving) or quantity.seen_from is None or self.arrows.of(quantity) is not None:
-                continue
-            sites = quantity.seen_from, quantity.site
-            ends = [self.arrows.node(site, "velocity") if part == "k" else site.point for site in sites]
-            if quantity.letter == "a" and quantity.part == part and {size.tail, size.head} == {*ends}:
-                way_round = 1 if ends[0] == size.tail else -1
-                arrow = place(self.drawing.arrow(size, "acceleration"))
-                instead = way_round * place(change(self.drawing, arrow))
-                yield RewrittenValue(quantity.text, instead=instead)
+        """The terms of a size that are handed in and that no arrow shows, as a change makes them."""
+        part = {Coriolis: "k", Normal: "n"}.get(type(size))
+        hidden = (quantity for quantity in self.quantities if isinstance(quantity, Moving) and quantity.part == part)
+        for quantity in (one for one in hidden if part and self.arrows.of(one) is None):
+            own, arrow = place(quantity.vector(self.motions)), place(self.drawing.arrow(size, "acceleration"))
+            for sign in (1, -1):  # as it is named, or the other way round
+                if abs(own - sign * arrow) <= 1e-9 * abs(arrow):
+                    yield RewrittenValue(quantity.text, instead=sign * place(change(self.drawing, arrow)))
 
     def images(self, plane: Plane) -> dict[str, list[kinds.Image]]:
         """Further points by image, by link."""

@@ -26,7 +26,8 @@ from graphkin.submissions import Limits
 
 NAMES = ("ex3-5", "clockwise")
 NOT_DRAWN = ("omega-sense", "wrong-length", "sliding-as-turning", "absolute-for-relative", "centre-ratio",
-             "centre-acceleration-zero", "block-omega", "conversion", "other-assembly")  # fmt: skip
+             "centre-acceleration-zero", "block-omega", "conversion", "other-assembly", "diameter-for-radius",
+             "degrees-for-radians", "decimal-slip", "answers-swapped", "sense-not-given")  # fmt: skip
 """Mistakes of reading and of reckoning, which a polygon does not show, and the link in another place."""
 
 
@@ -147,11 +148,25 @@ def test_an_arrow_astray_tells_mistakes_apart():
     arrows = {text: vector for text, vector in vectors(one, points).items() if text.startswith("v")}
     found, told = one.off_drawing({"velocity": points["velocity"]}, arrows, {})
     assert told == {"v B2": False}
-    for pointing, expected in ((told, {"driver-reversed"}), ({}, {"driver-reversed", "omega-sense"})):
+    for pointing, expected in ((told, {"driver-reversed"}), ({}, {"driver-reversed", "omega-sense", "sense-not-given"})):
         numbers = {text: HandedNumber(abs(vector), points=pointing.get(text)) for text, vector in arrows.items()}
         numbers |= {text: HandedNumber(value) for text, value in found.values.items()}
         (marked,) = one.mark([StudentWork("s", numbers)])
         assert {id for each in marked.diagnosis.explanations for id in each.ids} == expected
+
+
+def test_a_drawing_with_the_driver_reversed_is_marked(tmp_path: Path):
+    """Its crank's arrow points the other way, which is not asked for: no mistake of writing asked answers down says
+    anything of that."""
+    document = tomllib.loads(library.load("ex3-1").text)
+    document["ask"] = ["omega 3", "alpha 3"]
+    key = key_drawn(api.plan(loading.from_dict(document, name="asked")))
+    points = drawn(marker("clockwise").plot)
+    (tmp_path / "s1.svg").write_text(svg(points, {"velocity": 0.005, "acceleration": 0.05}), encoding="utf-8")
+    (found,) = grade(key, [tmp_path / "s1.svg"], Limits())
+    assert found.marked is not None, found.reason
+    assert {each.text: each.verdict for each in found.marked.judged if each.points} == {"omega 3": "wrong", "alpha 3": "right"}
+    assert any("driver-reversed" in each.ids for each in found.marked.diagnosis.explanations)
 
 
 def test_directions_stay_when_marks_are_made_anew(tmp_path: Path):

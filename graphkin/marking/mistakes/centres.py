@@ -116,9 +116,10 @@ def _ratios_of_radii(scene: Scene) -> Iterator[Rewrite]:
     other way round: at each contact that gives a rotation."""
     for contacts, bases in scene.rolling:
         for contact in contacts:
-            wheels, moving = contact.wheels, [w for w in contact.wheels if w != FRAME and not scene.driven(w)]
-            if not contact.arm or contact.arm in wheels or not moving:
+            wheels = contact.wheels
+            if not contact.arm or contact.arm in wheels:
                 continue
+            moving = (wheel for wheel in wheels if any(scene.turns_with(wheel, base) for base in bases))
             of = ", ".join(scene.rotation_name("omega", wheel) for wheel in moving)
             form = ", ".join(map(scene.method.mechanism.called, wheels))
             one, other = (dict(contact.angles)[wheel] for wheel in wheels)
@@ -126,7 +127,7 @@ def _ratios_of_radii(scene: Scene) -> Iterator[Rewrite]:
             for way, (a, b) in ways.items():
                 law = {wheels[0]: a, wheels[1]: b, contact.arm: -(a + b)}
                 edits = _by_law(scene, contacts, bases, contact, law)
-                if edits and abs(a - one) + abs(b - other) > REST * abs(one):
+                if of and edits and abs(a - one) + abs(b - other) > REST * abs(one):
                     yield Rewrite("centre-ratio", of, form, edits, way=way)
 
 
