@@ -50,11 +50,6 @@ class Scene:
         return readings(self.method, self.plot)
 
     @cached_property
-    def drawing(self) -> Redrawing:
-        """The right one."""
-        return redraw(self.method, self.plot)
-
-    @cached_property
     def rolling(self) -> list[tuple[tuple[Contact, ...], tuple[str, ...]]]:
         """Rolling contacts that together give rotations, with the base links of these."""
         stages = (stage for stage in self.method.stages if isinstance(stage, Mesh | Group))
@@ -101,39 +96,29 @@ class Scene:
                 rims[rim] = step.point
         return rims
 
-    def term(self, id: str, size: Size, name: str, change: Change, form: str = "", way: str = "") -> Rewrite:
-        """A known term of the accelerations that is otherwise; so is what is handed in of it, as no drawing of it is
-        read there."""
-        edit = Edit(("arrow", "acceleration", size), change)
-        if size in self.rims:
-
-            def moved(plot: Redrawing, right: Value) -> Value:
-                arrow = plot.arrow(size, "acceleration")
-                return right + change(plot, arrow) - arrow
-
-            edit = Edit(("image", "acceleration", self.rims[size]), moved)
-        return Rewrite(id, name, form, (edit,), tuple(self._handed_in(size, change)), way)
-
-    def not_laid_off(self, id: str, size: Size, name: str) -> Rewrite:
-        """A known term of the accelerations that is right, but not drawn."""
-        tips = [(step.tip, step.start) for step in self.steps("acceleration")
-                if isinstance(step, kinds.LayOff) and step.term.size == size]  # fmt: skip
-
-        def back(start: str) -> Change:
-            return lambda plot, right: plot.acceleration[start]
-
-        edits = tuple(Edit(("laid", "acceleration", tip), back(start)) for tip, start in tips)
-        return Rewrite(id, name, edits=edits or self.term(id, size, name, Times(0.0)).edits)
+    def term(self, id: str, size: Size, name: str, change: Change | None, form: str = "", way: str = "") -> Rewrite:
+        """A known term of the accelerations that is otherwise, and what is handed in of it, where no arrow shows that;
+        or one that is right but not laid off."""
+        laid = (step for step in self.steps("acceleration") if isinstance(step, kinds.LayOff))
+        tips = {step.tip: step.start for step in laid if step.term.size == size}
+        if change is None and tips:
+            edits = [Edit(("laid", "acceleration", tip), _staying(start)) for tip, start in tips.items()]
+        elif size in self.rims:
+            edits = [Edit(("image", "acceleration", self.rims[size]), _moved(size, change or Times(0.0)))]
+        else:
+            edits = [Edit(("arrow", "acceleration", size), change or Times(0.0))]
+        return Rewrite(id, name, form, tuple(edits), tuple(self._handed_in(size, change)) if change else (), way)
 
     def _handed_in(self, size: Size, change: Change) -> Iterator[RewrittenValue]:
         """The terms of a size that are handed in and that no arrow shows, as a change makes them."""
         part = {Coriolis: "k", Normal: "n"}.get(type(size))
         hidden = (quantity for quantity in self.quantities if isinstance(quantity, Moving) and quantity.part == part)
         for quantity in (one for one in hidden if part and self.arrows.of(one) is None):
-            own, arrow = place(quantity.vector(self.motions)), place(self.drawing.arrow(size, "acceleration"))
+            drawing = redraw(self.method, self.plot)
+            own, arrow = place(quantity.vector(self.motions)), place(drawing.arrow(size, "acceleration"))
             for sign in (1, -1):  # as it is named, or the other way round
                 if abs(own - sign * arrow) <= 1e-9 * abs(arrow):
-                    yield RewrittenValue(quantity.text, instead=sign * place(change(self.drawing, arrow)))
+                    yield RewrittenValue(quantity.text, instead=sign * place(change(drawing, arrow)))
 
     def images(self, plane: Plane) -> dict[str, list[kinds.Image]]:
         """Further points by image, by link."""
@@ -238,6 +223,20 @@ class Scene:
     def image_name(self, images: list[kinds.Image]) -> str:
         """△BCE: the corners of a link's image."""
         return "△" + "".join(dict.fromkeys("".join(point for step in images for point in step.corners)))
+
+
+def _staying(start: str) -> Change:
+    return lambda plot, right: plot.acceleration[start]
+
+
+def _moved(size: Size, change: Change) -> Change:
+    """A point found by image, as a change of a term moves it."""
+
+    def moved(plot: Redrawing, right: Value) -> Value:
+        arrow = plot.arrow(size, "acceleration")
+        return right + change(plot, arrow) - arrow
+
+    return moved
 
 
 def drawn_by(step: Step) -> tuple[str, ...]:

@@ -93,7 +93,7 @@ def by_hand(
     (("diameter-for-radius", "", "alpha 3", "2 l_BD"), {"alpha": 0.5}),
     (("diameter-for-radius", "", "alpha 3", "l_BD/2"), {"alpha": 2}),
     (("diameter-for-radius", "", "v_B2", "2 l_AB"), {"v_crank": 2}),
-    (("diameter-for-radius", "whole", "v_B2, a_B2", "l_AB/2"), {"v_crank": 0.5, "a_crank": 0.5}),
+    (("diameter-for-radius", "", "v_B2, a_B2", "l_AB/2"), {"v_crank": 0.5, "a_crank": 0.5}),
     (("diameter-for-radius", "", "a_B2", "2 l_AB"), {"a_crank": 2}),
     (("diameter-for-radius", "", "a^n_B3D", "l_BD/2"), {"normal": 0.5}),
     (("degrees-for-radians", "carried", "omega 3", "180/π"), {"omega": 180 / np.pi}),

@@ -143,9 +143,8 @@ def _by_law(
     for plane, word in zip(PLANES, ("omega", "alpha"), strict=True):
         solved = (step for step in scene.steps(plane) if isinstance(step, Simultaneous))
         if any(in_step(contact) in step.contacts for step in solved):
-            spots = (("rolling", plane, in_step(contact), link) for link, _ in contact.angles)
-            counts_now = (Times(law.get(link, 0.0) / c) for link, c in contact.angles)
-            edits += map(Edit, spots, counts_now)
+            parts = ((link, Times(law.get(link, 0.0) / c)) for link, c in contact.angles)
+            edits += (Edit(("rolling", plane, in_step(contact), link), change) for link, change in parts)
         elif not given:
             return ()
         else:

@@ -23,27 +23,21 @@ def terms(scene: Scene) -> Iterator[tuple[Coriolis, str]]:
         yield size, name or f"a^k_{nodes[size.head].of}{nodes[size.tail].of}"
 
 
-def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
+def _each(scene: Scene, id: str, change: Change | None) -> Iterator[Rewrite]:
     """Every term alone; and all, as by one who does not know better."""
     return each_and_all([scene.term(id, size, name, change) for size, name in terms(scene)])
 
 
-for _id, _factor in {"coriolis-omitted": 0.0, "coriolis-reversed": -1.0, "coriolis-half": 0.5}.items():
-    mistake(_id, "coriolis", RULE)(partial(_each, id=_id, change=Times(_factor)))
-
-
-@mistake("coriolis-not-laid-off", "coriolis", RULE)
-def not_laid_off(scene: Scene) -> Iterator[Rewrite]:
-    """Calculated, but not drawn."""
-    return each_and_all([scene.not_laid_off("coriolis-not-laid-off", size, name) for size, name in terms(scene)])
+for _id, _factor in {"omitted": 0.0, "reversed": -1.0, "half": 0.5, "not-laid-off": None}.items():
+    _change = None if _factor is None else Times(_factor)
+    mistake(f"coriolis-{_id}", "coriolis", RULE)(partial(_each, id=f"coriolis-{_id}", change=_change))
 
 
 @mistake("coriolis-not-turned", "coriolis", RULE)
 def not_turned(scene: Scene) -> Iterator[Rewrite]:
     """In the direction of v_r."""
-    return each_and_all([
-        scene.term("coriolis-not-turned", size, name, turned_back(size.link)) for size, name in terms(scene)
-    ])  # fmt: skip
+    change = [(size, name, turned_back(size.link)) for size, name in terms(scene)]
+    return each_and_all([scene.term("coriolis-not-turned", *each) for each in change])
 
 
 @mistake("coriolis-crank-omega", "coriolis", RULE)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from functools import partial
-from typing import Literal
 
 import numpy as np
 
@@ -18,9 +17,8 @@ from graphkin.model.mechanism import FRAME
 def reversed_(scene: Scene) -> Iterable[Rewrite]:
     """The only driver, or all together."""
     alone = _of_drivers(scene, "driver-reversed", "rate", -1.0)
-    if len(alone) > 1:
-        return [Rewrite("driver-reversed", "", edits=tuple(edit for one in alone for edit in one.edits), way="all")]
-    return alone
+    edits = tuple(edit for one in alone for edit in one.edits)
+    return alone if len(alone) < 2 else [Rewrite("driver-reversed", "", edits=edits, way="all")]
 
 
 @mistake("driver-reversed-one", "driver", "3-2.1 (3-1)")
@@ -30,7 +28,7 @@ def one_reversed(scene: Scene) -> Iterable[Rewrite]:
     return alone if len(alone) > 1 else ()
 
 
-def _of_drivers(scene: Scene, id: str, word: Literal["rate", "acceleration"], factor: float) -> list[Rewrite]:
+def _of_drivers(scene: Scene, id: str, word: str, factor: float) -> list[Rewrite]:
     """Every driver's rate or acceleration so many times."""
     return [Rewrite(id, driver.name, edits=(Edit((word, k), Times(factor)),))
             for k, driver in enumerate(scene.method.drivers) if getattr(driver, word)]  # fmt: skip

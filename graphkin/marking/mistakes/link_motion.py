@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import partial
 
 import numpy as np
@@ -87,24 +87,15 @@ def normals(scene: Scene) -> Iterator[tuple[Normal | Relative, str]]:
             yield turn, name or f"a^n_{turn.head}{turn.tail}"
 
 
-def _each(scene: Scene, made: Callable[[Normal | Relative, str], Rewrite]) -> Iterator[Rewrite]:
+def _each(scene: Scene, id: str, change: Change | None) -> Iterator[Rewrite]:
     """Every term alone; and those of all links that are not driven."""
     driven = [name for size, name in normals(scene) if isinstance(size, Normal) and scene.driven(size.link)]
-    return each_and_all([made(size, name) for size, name in normals(scene)], driven)
+    return each_and_all([scene.term(id, size, name, change) for size, name in normals(scene)], driven)
 
 
-def _times(scene: Scene, id: str, factor: float) -> Iterator[Rewrite]:
-    return _each(scene, lambda size, name: scene.term(id, size, name, Times(factor)))
-
-
-for _id, _factor in {"normal-omitted": 0.0, "normal-outward": -1.0, "normal-doubled": 2.0}.items():
-    mistake(_id, "normal", RULE_OF_NORMALS)(partial(_times, id=_id, factor=_factor))
-
-
-@mistake("normal-not-laid-off", "normal", RULE_OF_NORMALS)
-def normal_not_laid_off(scene: Scene) -> Iterator[Rewrite]:
-    """Calculated, but not drawn."""
-    return _each(scene, lambda size, name: scene.not_laid_off("normal-not-laid-off", size, name))
+for _id, _factor in {"omitted": 0.0, "outward": -1.0, "doubled": 2.0, "not-laid-off": None}.items():
+    _change = None if _factor is None else Times(_factor)
+    mistake(f"normal-{_id}", "normal", RULE_OF_NORMALS)(partial(_each, id=f"normal-{_id}", change=_change))
 
 
 @mistake("normal-size", "normal", RULE_OF_NORMALS)
@@ -164,7 +155,8 @@ def diameter_for_radius(scene: Scene) -> Iterator[Rewrite]:
             edits = [Edit(("arrow", "velocity", crank), Times(times))]
             yield Rewrite(id, name, form, tuple(edits))
             edits += [Edit(("arrow", "acceleration", size), Times(times)) for size in same]
-            yield Rewrite(id, ", ".join((name, *same.values())), form, tuple(edits), way="whole")
+            if same:
+                yield Rewrite(id, ", ".join((name, *same.values())), form, tuple(edits))
     for size, name in normals(scene):
         for form, times in _twice_or_half(scene, size.tail, size.head):
             yield scene.term(id, size, name, Times(times), form)
