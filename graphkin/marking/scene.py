@@ -112,8 +112,8 @@ class Scene:
     def _handed_in(self, size: Size, change: Change) -> Iterator[RewrittenValue]:
         """The terms of a size that are handed in and that no arrow shows, as a change makes them."""
         part = {Coriolis: "k", Normal: "n"}.get(type(size))
-        hidden = (quantity for quantity in self.quantities if isinstance(quantity, Moving) and quantity.part == part)
-        for quantity in (one for one in hidden if part and self.arrows.of(one) is None):
+        moving = (quantity for quantity in self.quantities if isinstance(quantity, Moving))
+        for quantity in (q for q in moving if q.part == part and self.arrows.of(q) is None):
             drawing = redraw(self.method, self.plot)
             own, arrow = place(quantity.vector(self.motions)), place(drawing.arrow(size, "acceleration"))
             for sign in (1, -1):  # as it is named, or the other way round

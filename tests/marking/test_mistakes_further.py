@@ -192,7 +192,7 @@ driver = [{ vector = "OF", angle = 20, omega = -15, alpha = 10 }]
 pose = [{ vector = "PE", angle = 100 }]
 """
 TRAIN = """
-ask = ["omega 2", "alpha 2", "omega H", "alpha H", "a E"]
+ask = ["omega 2", "alpha 2", "omega H", "alpha H", "v E", "a E"]
 frame = { name = "3", O = [0, 0] }
 links = { 1 = { points = ["O"] }, 2 = { PE = 16 }, H = { OP = 36 } }
 gear = [{ links = ["1", "2"], centres = ["O", "P"], radii = [20, 16] },
@@ -237,9 +237,16 @@ def test_a_ratio_of_two_gears(way: str, ratio: float):
     ("meshing", "2, 3", -20 / (16 - 36 * 4 / 17), -20 / (16 * 17 / 4 - 36)),
 ])  # fmt: skip
 def test_ratios_in_a_train_whose_contacts_hold_together(way: str, contact: str, planet: float, arm: float):
-    p, p_alpha, h, h_alpha, _ = values(made_of(BY_THE_SUN), "centre-ratio", way, "omega 2", contact)
+    p, p_alpha, h, h_alpha, v_e, a_e = values(made_of(BY_THE_SUN), "centre-ratio", way, "omega 2", contact)
     assert [p, h] == pytest.approx([-15 * planet, -15 * arm])
     assert [p_alpha, h_alpha] == pytest.approx([10 * planet, 10 * arm])
+    assert [v_e, a_e] == pytest.approx(rim_of_the_planet(p, p_alpha, h, h_alpha))
+
+
+def rim_of_the_planet(p: float, p_alpha: float, h: float, h_alpha: float) -> list[float]:
+    """v_E and a_E, E about P and P about O."""
+    arm, rim = 0.036 * np.exp(1j * np.radians(40)), 0.016 * np.exp(1j * np.radians(100))
+    return [abs(h * arm + p * rim), abs((1j * h_alpha - h**2) * arm + (1j * p_alpha - p**2) * rim)]
 
 
 def test_a_ratio_in_a_train_is_carried_on():
@@ -247,9 +254,7 @@ def test_a_ratio_in_a_train_is_carried_on():
     planet, sun = 1 - 16 / 52, 1 + 16 / 20 * 16 / 52
     found = values(made_of(BY_THE_ARM), "centre-ratio", "radii", "omega 2", "2, 3")
     assert found[:4] == pytest.approx([-15 * planet, 10 * planet, -15 * sun, 10 * sun])
-    arm, rim = 0.036 * np.exp(1j * np.radians(40)), 0.016 * np.exp(1j * np.radians(100))
-    vector = (10j - 225) * arm + (10j * planet - (15 * planet) ** 2) * rim
-    assert found[4] == pytest.approx(abs(vector))
+    assert found[4:] == pytest.approx(rim_of_the_planet(-15 * planet, 10 * planet, -15, 10))
     found = values(made_of(BY_THE_ARM), "centre-ratio", "meshing", "omega 1", "1, 2")
     assert found[:4] == pytest.approx([15 * 2.25, -10 * 2.25, -15 * (1 - 0.8 * 3.25), 10 * (1 - 0.8 * 3.25)])
 

@@ -58,20 +58,17 @@ def _written(scene: Scene, asked: Sequence[Quantity]) -> Iterator[Rewrite]:
     for unit in dict.fromkeys(quantity.unit for quantity in asked):
         kind = [quantity.text for quantity in asked if quantity.unit == unit]
         if len(kind) > 1:
-            yield from _times("conversion", {unit: kind}, factors(unit, scene.scales), "kind")
-        yield from _times("conversion", {text: [text] for text in kind}, factors(unit, scene.scales))
-    for quantity in asked:
-        if isinstance(quantity, Rotation) and quantity.word == "alpha":
-            yield from _times("conversion", {quantity.text: [quantity.text]}, {"": -1.0}, "sense")
+            yield from _times("conversion", {tuple(kind): unit}, factors(unit, scene.scales), "kind")
+        yield from _times("conversion", {(text,): text for text in kind}, factors(unit, scene.scales))
+    alphas = [quantity.text for quantity in asked if isinstance(quantity, Rotation) and quantity.word == "alpha"]
+    yield from _times("conversion", {(text,): text for text in alphas}, {"": -1.0}, "sense")
 
 
-def _times(
-    id: str, texts: Mapping[str, Sequence[str]], factors: Mapping[str, float], way: str = ""
-) -> Iterator[Rewrite]:
+def _times(id: str, of: Mapping[tuple[str, ...], str], times: Mapping[str, float], way: str = "") -> Iterator[Rewrite]:
     """Handed-in values, some together under a name, each of the factors times what they are."""
-    for form, factor in factors.items():
-        for name, some in texts.items():
-            yield Rewrite(id, name, form, asked=tuple(RewrittenValue(text, factor) for text in some), way=way)
+    for form, factor in times.items():
+        for texts, name in of.items():
+            yield Rewrite(id, name, form, asked=tuple(RewrittenValue(text, factor) for text in texts), way=way)
 
 
 def _carried(scene: Scene, id: str, factors: Mapping[str, float]) -> Iterator[Rewrite]:
@@ -108,8 +105,7 @@ def degrees(scene: Scene) -> Iterator[Rewrite]:
     every = [text for texts in words.values() for text in texts]
     groups = {", ".join(words): every, **words, **{text: [text] for text in every}}
     # of several that are the same rotations, the last one's name says most
-    named = {tuple(texts): name for name, texts in groups.items() if texts}
-    yield from _times("degrees-for-radians", {name: texts for texts, name in named.items()}, DEGREES)
+    yield from _times("degrees-for-radians", {tuple(texts): name for name, texts in groups.items() if texts}, DEGREES)
     yield from _carried(scene, "degrees-for-radians", DEGREES)
 
 
@@ -122,7 +118,7 @@ def _asked(scene: Scene) -> list[Quantity]:
 @mistake("decimal-slip", "unit", "3-2.1")
 def decimal_slip(scene: Scene) -> Iterator[Rewrite]:
     """One answer ten times too large or too small; or a rotation, and all that follows from it."""
-    yield from _times("decimal-slip", {q.text: [q.text] for q in _asked(scene) if sort_of(q) != "angle"}, PLACES)
+    yield from _times("decimal-slip", {(q.text,): q.text for q in _asked(scene) if sort_of(q) != "angle"}, PLACES)
     yield from _carried(scene, "decimal-slip", PLACES)
 
 
@@ -140,4 +136,4 @@ def sense_not_given(scene: Scene) -> Iterator[Rewrite]:
     """All rotations and their ratios as magnitudes."""
     signed = [q for q in scene.quantities if isinstance(q, Rotation | Quotient) and sort_of(q) == "sense"]
     negative = [q.text for q in signed if number(q.answer(scene.motions).value) < 0]
-    yield from _times("sense-not-given", {", ".join(negative): negative} if negative else {}, {"": -1.0})
+    yield from _times("sense-not-given", {tuple(negative): ", ".join(negative)} if negative else {}, {"": -1.0})
