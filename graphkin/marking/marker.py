@@ -186,7 +186,9 @@ class Marker:
         # the first of those that cost something, in the order of the drawing
         costs = np.where(self.table.points > 0, self._ranks, self._ranks + self._ranks.max() + 1)
         first = np.where(explains, costs, np.inf).argmin(axis=1)
-        follows = explains & (np.arange(given.shape[1]) != first[:, None])
+        # nothing is gained by handing in nought
+        there = np.abs(given) > self.table.tolerance
+        follows = explains & there & (np.arange(given.shape[1]) != first[:, None])
         return AfterMistake(values, explains, follows)
 
     @cached_property
