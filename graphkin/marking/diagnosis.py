@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import field
+from functools import cached_property
 
 import numpy as np
 
@@ -75,7 +76,7 @@ class Explainer:
         self._table = columns_of(table, there)
         self._values, self._scatters = (some[np.ix_(rows, there)] for some in (hypotheses.values, hypotheses.scatters))
 
-    @property
+    @cached_property
     def names(self) -> tuple[tuple[Name, ...], ...]:
         """Of the hypotheses that can be seen; then slips in each of the quantities, where these are looked for."""
         slips = () if self._slips is None else (((SLIP, "", text, ""),) for text in self.texts)
