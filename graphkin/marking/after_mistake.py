@@ -90,9 +90,12 @@ def _with_own(
     values = np.stack([answer.real for answer in answers], axis=1).astype(float)
     texts: Mapping[str, int] = {quantity.text: k for k, quantity in enumerate(problem.quantities)}
     for row, column in enumerate(columns):
+        read = values[row].copy()
         for one in (one for rewrite in column for one in rewrite.asked):
             k = texts[one.quantity]
-            if one.instead is None:
+            if one.other:
+                values[row, k] = read[texts[one.other]]
+            elif one.instead is None:
                 values[row, k] *= one.factor.real if isinstance(one.factor, complex) else one.factor
             else:
                 quantity = problem.quantities[k]
