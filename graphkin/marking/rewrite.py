@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import field, replace
-from itertools import chain
 
 import numpy as np
 
@@ -91,8 +90,8 @@ def each_and_all(alone: Sequence[Rewrite], but: Sequence[str] = ()) -> Iterator[
     yield from alone
     together = {one.of: one for one in alone if one.of not in but}
     if len(together) > 1:
-        edits, asked = (tuple(chain.from_iterable(getattr(one, part) for one in together.values()))
-                        for part in ("edits", "asked"))  # fmt: skip
+        edits = tuple(edit for one in together.values() for edit in one.edits)
+        asked = tuple(value for one in together.values() for value in one.asked)
         yield replace(alone[0], of=", ".join(together), edits=edits, asked=asked)
 
 

@@ -88,13 +88,11 @@ class Scene:
         contacts = chain.from_iterable(contacts for contacts, _ in self.rolling)
         wheels = chain.from_iterable(zip(each.wheels, each.centres, strict=True) for each in contacts)
         centres = {wheel: centre for wheel, centre in wheels if centre}
-        known, rims = self.sized("acceleration", Normal), dict[Normal, str]()
-        for step in chain.from_iterable(self.images("acceleration").values()):
-            point, centre = step.corners[2], centres.get(step.link, "")
-            rim = Normal(step.link, centre, point)
-            if centre not in ("", point) and point in self.points(step.link) and rim not in known:
-                rims[rim] = step.point
-        return rims
+        images, known = self.images("acceleration"), self.sized("acceleration", Normal)
+        rims = ((Normal(link, centres[link], step.corners[2]), step.point)
+                for link in images if link in centres for step in images[link])  # fmt: skip
+        return {rim: node for rim, node in rims
+                if rim not in known and rim.tail != rim.head and rim.head in self.points(rim.link)}  # fmt: skip
 
     def term(self, id: str, size: Size, name: str, change: Change | None, form: str = "", way: str = "") -> Rewrite:
         """A known term of the accelerations that is otherwise, and what is handed in of it, where no arrow shows that;

@@ -28,8 +28,8 @@ def _each(scene: Scene, id: str, change: Change | None) -> Iterator[Rewrite]:
     return each_and_all([scene.term(id, size, name, change) for size, name in terms(scene)])
 
 
-for _id, _factor in {"omitted": 0.0, "reversed": -1.0, "half": 0.5, "not-laid-off": None}.items():
-    _change = None if _factor is None else Times(_factor)
+_CHANGES = {"omitted": Times(0.0), "reversed": Times(-1.0), "half": Times(0.5), "not-laid-off": None}
+for _id, _change in _CHANGES.items():
     mistake(f"coriolis-{_id}", "coriolis", RULE)(partial(_each, id=f"coriolis-{_id}", change=_change))
 
 

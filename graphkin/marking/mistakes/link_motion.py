@@ -18,7 +18,6 @@ from graphkin.marking.scene import Scene, drawn_by, mistake
 
 PLANES: tuple[Plane, Plane] = ("velocity", "acceleration")
 RULE_OF_IMAGES = "3-2.1"
-_Turned = Normal | Tangential | Relative
 
 
 def _in_each_plane(scene: Scene, id: str, way: str, edits: dict[tuple[str, Plane], list[Edit]]) -> Iterator[Rewrite]:
@@ -93,8 +92,8 @@ def _each(scene: Scene, id: str, change: Change | None) -> Iterator[Rewrite]:
     return each_and_all([scene.term(id, size, name, change) for size, name in normals(scene)], driven)
 
 
-for _id, _factor in {"omitted": 0.0, "outward": -1.0, "doubled": 2.0, "not-laid-off": None}.items():
-    _change = None if _factor is None else Times(_factor)
+_CHANGES = {"omitted": Times(0.0), "outward": Times(-1.0), "doubled": Times(2.0), "not-laid-off": None}
+for _id, _change in _CHANGES.items():
     mistake(f"normal-{_id}", "normal", RULE_OF_NORMALS)(partial(_each, id=f"normal-{_id}", change=_change))
 
 
@@ -147,9 +146,9 @@ def diameter_for_radius(scene: Scene) -> Iterator[Rewrite]:
         for step, name in measured(scene, plane):
             for form, times in _twice_or_half(scene, *step.lever):
                 yield Rewrite(id, name, form, reading(plane, step, Times(1 / times)))
-    turned: dict[_Turned, str] = {**scene.sized("acceleration", Tangential), **dict(normals(scene))}
+    own: dict[Normal | Tangential | Relative, str] = {**scene.sized("acceleration", Tangential), **dict(normals(scene))}
     for crank, name in driven_velocities(scene):
-        same = {size: called for size, called in turned.items()
+        same = {size: called for size, called in own.items()
                 if (size.link, size.tail, size.head) == (crank.link, crank.tail, crank.head)}  # fmt: skip
         for form, times in _twice_or_half(scene, crank.tail, crank.head):
             edits = [Edit(("arrow", "velocity", crank), Times(times))]
