@@ -12,6 +12,7 @@ from graphkin.base.geometry import Real, Value
 from graphkin.base.value import frozen
 from graphkin.construction import Coriolis, Image, LayOff, Measure, Plane, Plot, Size
 from graphkin.marking.answers import ArrowPlaces, Ends, arrows_of, drawn_answer
+from graphkin.marking.by_rotations import by_rotations
 from graphkin.marking.consequences import combined
 from graphkin.marking.hand import PolygonHand, Redrawing, redraw
 from graphkin.marking.key import Columns, Key, agrees, columns, differences, sense_only
@@ -76,13 +77,13 @@ class Own(PolygonHand):
                 along = 1.0 if quantity.along is None or np.iscomplexobj(value) else quantity.along
                 vector = value * along
                 each = sign * vector if np.iscomplexobj(vector) else np.abs(vector)
-                self.vectors.setdefault(ends, []).append(each)
-        self.poles = arrows.poles
+                self.vectors.setdefault(arrows.at_poles(ends), []).append(each)
+        self.poles, self.at_poles = arrows.poles, arrows.at_poles
 
     def _own(self, ends: Ends, right: Value, drawn_only: bool = False) -> Value:
         """The own vector, under any of the names that students use for it; of an own size, in the right direction. What
         is right where there is none."""
-        plane, tail, head = ends
+        plane, tail, head = ends = self.at_poles(ends)
         sign = 1
         if ends not in self.vectors:
             ends, sign = (plane, head, tail), -1
@@ -277,9 +278,17 @@ class CarriedProblem:
         enters = {int(j): np.zeros_like(used) for j in np.unique(own)}
         for k, j, entered in zip(who.tolist(), own.tolist(), into, strict=True):
             enters[j][k] = entered
+        agree = wrong & agrees(self.table, given, values, tolerance)
+        rotations = by_rotations(self.method, self.plot, self.quantities, self.table.right, given, used)
+        for n, others, sources in rotations:  # by other rules than the polygon's
+            every = np.where(np.arange(values.shape[1]) == n, others[:, None], np.nan)
+            also = (wrong & ~agree & self.near(given, every))[:, n] & self._moved(every, self.table.right)[:, n]
+            agree[also, n], values[also, n] = True, others[also]
+            for j in sources:
+                enters[j][also, n] = used[also, j]
         texts = tuple(entry.text for entry in self.key.entries)
         return Carried(
-            texts, values, wrong & agrees(self.table, given, values, tolerance),
+            texts, values, agree,
             wrong & sense_only(self.table, given, values, tolerance), given, wrong & self._carries & ~allowed, enters,
         )  # fmt: skip
 
