@@ -51,8 +51,11 @@ def drawing_order(method: Method, quantities: Sequence[Quantity], arrows: ArrowP
                 for node in drawn_by(step):
                     nodes.setdefault((polygon.plane, node), here)
                 match step:
-                    case Measure(quantity=quantity, of=link) if quantity == word:
-                        rotations.setdefault((word, turns[link].base), here)
+                    case Measure(quantity=quantity, of=link) if quantity == word:  # off arrows that an equation gave
+                        ends_at = [nodes[polygon.plane, node] for node in (step.tail, step.head)
+                                   if (polygon.plane, node) in nodes]  # fmt: skip
+                        closed = max(ends_at, key=lambda at: at.rank, default=here).equation
+                        rotations.setdefault((word, turns[link].base), DrawnAt(rank, polygon, equation or closed))
                     case Roll(angle=base) if base:
                         rotations.setdefault((word, base), here)
                     case Simultaneous(angles=angles):

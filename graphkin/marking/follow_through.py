@@ -157,6 +157,7 @@ _FLAT = np.sin(np.radians(0.5))  # lines that meet under a smaller angle give no
 _SAME = 1e-6  # an own value that differs from a number of the problem by a smaller part is copied from it
 _ANSWERABLE = 5.0  # an own value is carried on between 1/5 and 5 times the right size
 _MOVES = 1e-3  # an own value that moves another by a smaller part of its tolerance does not enter it
+_ROUNDING = 0.015  # of a value that is calculated from others in three digits
 _STRETCH = 5.0  # a carried value that is larger than the right one may be off by as much more, within this
 
 
@@ -237,7 +238,7 @@ class CarriedProblem:
     @cached_property
     def _left(self) -> np.ndarray:
         """The part of each quantity's scatter that is left once one is known (known, quantities)."""
-        return once_known(self.key.together, [[k] for k in range(len(self.quantities))])[0]
+        return once_known(self.key.together)[0]
 
     def slips(self, given: np.ndarray, wrong: np.ndarray, there: np.ndarray) -> SlipOutcomes:
         """The outcomes of a slip in each wrong value (students, n) from which others follow that are wrong, too; for
@@ -245,6 +246,11 @@ class CarriedProblem:
         who, own = np.nonzero(wrong & self.usable(given))
         only = own[:, None] == np.arange(given.shape[1])
         followed = self._values(given[who], only)
+        rotations = by_rotations(self.method, self.plot, self.quantities, self.table.right, given[who], only)
+        for n, others, _ in rotations:  # the nearer of both ways
+            with np.errstate(invalid="ignore"):
+                nearer = np.abs(given[who, n] - others) < np.abs(given[who, n] - followed[:, n])
+            followed[nearer, n] = others[nearer]
         larger = np.abs(differences(self.table, followed, self.table.right)) > MOVED * self.table.scatter
         some = (larger & wrong[who] & ~self._alike[own]).any(axis=1)
         who, own, followed = who[some], own[some], np.where(only, np.nan, followed)[some]
@@ -256,6 +262,15 @@ class CarriedProblem:
         """The scatter of values that follow from own ones: so much of the right one's is left, more where they are
         larger, and the rounding of the own values."""
         return np.where(np.isfinite(followed), self.table.scatter * self._larger(followed) * left, np.nan)
+
+    def _tolerance(self, followed: np.ndarray, used: np.ndarray) -> np.ndarray:
+        """By how much values may be off that follow from own ones (students, n): less than the right ones, as a part of
+        the scatter comes in before the own values; at least the rounding of these, at most half of what follows."""
+        left = np.where(used[:, :, None], self._left, 1.0).min(axis=1, initial=1.0)
+        whole = self.table.tolerance * self._larger(followed)
+        rounding = np.minimum(_ROUNDING * np.abs(followed), whole)
+        most = np.where(self.table.angle, np.inf, 0.5 * np.abs(followed))
+        return np.asarray(np.minimum(np.maximum(whole * left, rounding), np.maximum(most, rounding)))
 
     def _larger(self, values: np.ndarray) -> np.ndarray:
         """By how much more values (students, n) may be off than the right ones: larger ones may by as much more."""
@@ -269,7 +284,7 @@ class CarriedProblem:
         used = known & allowed
         whole = self._values(given, used)
         moved = self._moved(whole, self.table.right)
-        tolerance = self.table.tolerance * self._larger(whole)
+        tolerance = self._tolerance(whole, used)
         values = np.where(moved, whole, np.nan)
         # own values that enter: without them others would follow
         who, own = np.nonzero(used)
@@ -282,7 +297,8 @@ class CarriedProblem:
         rotations = by_rotations(self.method, self.plot, self.quantities, self.table.right, given, used)
         for n, others, sources in rotations:  # by other rules than the polygon's
             every = np.where(np.arange(values.shape[1]) == n, others[:, None], np.nan)
-            also = (wrong & ~agree & self.near(given, every))[:, n] & self._moved(every, self.table.right)[:, n]
+            near = agrees(self.table, given, every, self._tolerance(every, used))
+            also = (wrong & ~agree & near & self._moved(every, self.table.right))[:, n]
             agree[also, n], values[also, n] = True, others[also]
             for j in sources:
                 enters[j][also, n] = used[also, j]
