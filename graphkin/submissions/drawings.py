@@ -8,6 +8,7 @@ lengths have together.
 from __future__ import annotations
 
 import cmath
+import math
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
@@ -16,10 +17,12 @@ from pathlib import PurePosixPath
 
 import numpy as np
 
+from graphkin import planning, running
+from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.errors import GraphkinError, LetterTwice, NoLetters, NoScaleDrawn, Where
-from graphkin.model.mechanism import FRAME
+from graphkin.errors import GraphkinError, LetterTwice, NoLetters, NoScaleDrawn, OwnSheet, TurnedPage, Where
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import Rotation
 from graphkin.submissions import numbers
 from graphkin.submissions.answers import answers
@@ -33,6 +36,7 @@ from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing
 _SHORTEST = 1.0  # a known vector shorter than this gives no scale [mm]
 _KEYS: Mapping[Plane, str] = {"position": "mu_l", "velocity": "mu_v", "acceleration": "mu_a"}
 _SEVERAL = re.compile(r"[,;，；]\s+(?=[^,;=，；]+=)")  # between `ω3 = 3.92 rad/s, α3 = 62 rad/s²`
+_SHORT = 0.02  # of an arrow that is a smaller part of its polygon's longest no direction is told
 _OFF = 0.03  # a drawn length that is off by a larger part is of other points
 _LENGTHS, _AGREE = 3, 2 / 3
 """So many lengths must agree, and more than this part of all: with two letters exchanged half of them may."""
@@ -93,7 +97,10 @@ def measured(
     planes = sorted({plane for plane, _ in letters.points})
     notes += [NoScaleDrawn(where, plane, _KEYS[plane]) for plane in planes if plane not in scales]
     own = tuple(sorted(calibrated.keys() - claimed.keys()))
-    return values, MeasuredDrawing(letters.points, scales, own, turned, where), notes
+    remarks: list[GraphkinError] = [OwnSheet(where)] if _is_own_sheet(picture, letters.points, shapes, scales) else []
+    turn = None if limits.turned else page_turn(picture, letters.points, shapes, asked.mechanism)
+    remarks += [] if turn is None else [TurnedPage(where, math.degrees(turn))]
+    return values, MeasuredDrawing(letters.points, scales, own, turned, where, tuple(remarks)), notes
 
 
 def _written_on(
@@ -142,19 +149,7 @@ def directions(picture: PagePicture, questions: Questions, where: Where, limits:
                 axes[read[0]] = axis
     if not axes:
         return {}
-    pairs = ((link, pair) for link in mechanism.links.values() for pair in combinations(mechanism.named(link.name), 2))
-    sizes: dict[Pair, float] = {pair: size for link, pair in pairs if (size := abs(link.arm(*pair))) > 0}  # [m]
-    names = {name: (name,) for name in mechanism.points}
-    figure = PaperPolygon("position", names, tuple(PolygonVector("", *pair) for pair in sizes), ())
-    places = {name: place for (_, name), place in find_letters(picture, [figure]).points.items()}
-    lengths = {(one, other): abs(places[other] - places[one]) / size for (one, other), size in sizes.items()
-               if one in places and other in places}  # fmt: skip
-    if len(lengths) < _LENGTHS:
-        return {}
-    scale = float(np.median(list(lengths.values())))
-    good = {pair for pair, each in lengths.items() if abs(each - scale) <= _OFF * scale}
-    if len(good) < _LENGTHS or len(good) <= _AGREE * len(lengths):
-        return {}
+    places, good = _drawn_links(picture, mechanism)
     fixed = next((pair for pair in combinations(mechanism.named(FRAME), 2) if pair in good), None)
     turned = 0.0  # the angle by which the page is turned, by two fixed points [rad]
     if limits.turned and fixed is not None:
@@ -165,3 +160,84 @@ def directions(picture: PagePicture, questions: Questions, where: Where, limits:
             angle, ends = cmath.phase(places[head] - places[tail]) - turned, (places[tail], places[head])
             values[question] = HandedValue("", angle, where=where, ends=ends)
     return values
+
+
+def _drawn_links(picture: PagePicture, mechanism: Mechanism) -> tuple[dict[str, complex], set[Pair]]:
+    """The points of a drawn mechanism, and the pairs of a link that are as far apart as they are given; none where too
+    few are."""
+    pairs = ((link, pair) for link in mechanism.links.values() for pair in combinations(mechanism.named(link.name), 2))
+    sizes: dict[Pair, float] = {pair: size for link, pair in pairs if (size := abs(link.arm(*pair))) > 0}  # [m]
+    names = {name: (name,) for name in mechanism.points}
+    figure = PaperPolygon("position", names, tuple(PolygonVector("", *pair) for pair in sizes), ())
+    places = {name: place for (_, name), place in find_letters(picture, [figure]).points.items()}
+    lengths = {(one, other): abs(places[other] - places[one]) / size for (one, other), size in sizes.items()
+               if one in places and other in places}  # fmt: skip
+    scale = float(np.median(list(lengths.values()))) if lengths else 0.0
+    good = {pair for pair, each in lengths.items() if abs(each - scale) <= _OFF * scale}
+    enough = len(good) >= _LENGTHS and len(good) > _AGREE * len(lengths)
+    return places, good if enough else set()
+
+
+# --- for the teacher: what a drawing looks like ---------------------------------------------------
+
+_ALIKE, _STRAIGHT = math.radians(6), math.radians(15)
+"""Directions that are off by angles that differ by less are off alike; those off by less are not turned."""
+_MOST = 2 / 3  # of all directions, and more than half of each figure's, are off alike on a turned page
+_FEWEST = 3  # directions by which a turn is told
+_EXACT = 2e-3  # as exactly a sheet of graphkin's own is drawn [mm]
+
+
+def page_turn(
+    picture: PagePicture, points: Points, shapes: Sequence[PaperPolygon], mechanism: Mechanism
+) -> float | None:
+    """The angle by which the page seems to be turned [rad]: that of both polygons alike, with what is given, and of the
+    mechanism where it is drawn. A polygon that alone is turned by half a turn may as well be a mistake: a driver's
+    sense."""
+    figures, given = [], list[float]()
+    for one in shapes:
+        there = {letter: at for (plane, letter), at in points.items() if plane == one.plane}
+        figures.append(_directions_off(there, one.right, [(vector.tail, vector.head) for vector in one.vectors]))
+        given += _directions_off(there, one.right, [(vector.tail, vector.head) for vector, _ in one.known])
+    turn = _common_turn(figures)
+    if turn is None or any(abs(cmath.phase(cmath.rect(1, angle - turn))) > _ALIKE for angle in given):
+        return None
+    places, good = _drawn_links(picture, mechanism)
+    right = running.replay_all(planning.plan(mechanism)).position
+    figures.append(_directions_off(places, {name: place(at) for name, at in right.items()}, [*good]))
+    half = math.pi - abs(turn) < _STRAIGHT
+    return None if half and sum(map(bool, figures)) < 2 else _common_turn(figures)
+
+
+def _directions_off(drawn: Mapping[str, complex], right: Mapping[str, complex], pairs: Sequence[Pair]) -> list[float]:
+    """By how much directions are off; of a length that is hardly there none is told."""
+    known = {pair: (drawn[pair[1]] - drawn[pair[0]], right[pair[1]] - right[pair[0]]) for pair in pairs
+             if all(name in drawn and name in right for name in pair)}  # fmt: skip
+    least = _SHORT * max((abs(value) for _, value in known.values()), default=0.0)
+    return [cmath.phase(on_page / value) for on_page, value in known.values()
+            if abs(on_page) >= _SHORTEST and abs(value) > least]  # fmt: skip
+
+
+def _common_turn(figures: Sequence[Sequence[float]]) -> float | None:
+    every = np.array([angle for figure in figures for angle in figure])
+    if len(every) < _FEWEST:
+        return None
+    alike = np.abs(np.angle(np.exp(1j * (every[:, None] - every)))) < _ALIKE
+    turn = float(np.angle(np.mean(np.exp(1j * every[alike[np.argmax(alike.sum(axis=1))]]))))
+    near = [np.abs(np.angle(np.exp(1j * (np.array(figure) - turn)))) < _ALIKE for figure in figures if figure]
+    common = sum(int(one.sum()) for one in near) >= _MOST * len(every) and all(one.mean() > 0.5 for one in near)
+    return turn if common and abs(turn) > _STRAIGHT else None
+
+
+def _is_own_sheet(
+    picture: PagePicture, points: Points, shapes: Sequence[PaperPolygon], scales: Mapping[Plane, float]
+) -> bool:
+    """True of graphkin's own marks, each point where it belongs: no hand and no other program draws both."""
+    marked = {(dot.plane, dot.name) for dot in picture.dots if dot.plane not in (None, "position")}
+    off = []
+    for shape in shapes:
+        there = {letter: at for (plane, letter), at in points.items() if plane == shape.plane and letter in shape.right}
+        if shape.plane in scales and len(there) > 1:
+            first = next(iter(there))
+            off += [abs((at - there[first]) - (shape.right[letter] - shape.right[first]) / scales[shape.plane])
+                    for letter, at in there.items()]  # fmt: skip
+    return bool(marked) and bool(off) and max(off) < _EXACT
