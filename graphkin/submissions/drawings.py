@@ -36,7 +36,6 @@ from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing
 _SHORTEST = 1.0  # a known vector shorter than this gives no scale [mm]
 _KEYS: Mapping[Plane, str] = {"position": "mu_l", "velocity": "mu_v", "acceleration": "mu_a"}
 _SEVERAL = re.compile(r"[,;，；]\s+(?=[^,;=，；]+=)")  # between `ω3 = 3.92 rad/s, α3 = 62 rad/s²`
-_SHORT = 0.02  # of an arrow that is a smaller part of its polygon's longest no direction is told
 _OFF = 0.03  # a drawn length that is off by a larger part is of other points
 _LENGTHS, _AGREE = 3, 2 / 3
 """So many lengths must agree, and more than this part of all: with two letters exchanged half of them may."""
@@ -97,10 +96,11 @@ def measured(
     planes = sorted({plane for plane, _ in letters.points})
     notes += [NoScaleDrawn(where, plane, _KEYS[plane]) for plane in planes if plane not in scales]
     own = tuple(sorted(calibrated.keys() - claimed.keys()))
-    remarks: list[GraphkinError] = [OwnSheet(where)] if _is_own_sheet(picture, letters.points, shapes, scales) else []
-    turn = None if limits.turned else page_turn(picture, letters.points, shapes, asked.mechanism)
+    drawing = MeasuredDrawing(letters.points, scales, own, turned, where)
+    remarks: list[GraphkinError] = [OwnSheet(where)] if _is_own_sheet(picture, drawing.in_si(), shapes) else []
+    turn = None if limits.turned else _page_turn(picture, drawing.in_si(), shapes, asked.mechanism)
     remarks += [] if turn is None else [TurnedPage(where, math.degrees(turn))]
-    return values, MeasuredDrawing(letters.points, scales, own, turned, where, tuple(remarks)), notes
+    return values, replace(drawing, remarks=tuple(remarks)), notes
 
 
 def _written_on(
@@ -178,66 +178,63 @@ def _drawn_links(picture: PagePicture, mechanism: Mechanism) -> tuple[dict[str, 
     return places, good if enough else set()
 
 
-# --- for the teacher: what a drawing looks like ---------------------------------------------------
+# --- for the teacher: a page that stands turned, a sheet of graphkin's own ------------------------
 
 _ALIKE, _STRAIGHT = math.radians(6), math.radians(15)
 """Directions that are off by angles that differ by less are off alike; those off by less are not turned."""
 _MOST = 2 / 3  # of all directions, and more than half of each figure's, are off alike on a turned page
 _FEWEST = 3  # directions by which a turn is told
-_EXACT = 2e-3  # as exactly a sheet of graphkin's own is drawn [mm]
+_SHORT = 0.02  # of an arrow that is a smaller part of its figure's longest no direction is told
+_EXACT = 1e-4  # so exactly, as a part of its largest value, a polygon of graphkin's own is drawn
 
 
-def page_turn(
-    picture: PagePicture, points: Points, shapes: Sequence[PaperPolygon], mechanism: Mechanism
-) -> float | None:
+def _page_turn(
+    picture: PagePicture, drawn: Mapping[Plane, Mapping[str, complex]], shapes: Sequence[PaperPolygon],
+    mechanism: Mechanism,
+) -> float | None:  # fmt: skip
     """The angle by which the page seems to be turned [rad]: that of both polygons alike, with what is given, and of the
     mechanism where it is drawn. A polygon that alone is turned by half a turn may as well be a mistake: a driver's
     sense."""
-    figures, given = [], list[float]()
-    for one in shapes:
-        there = {letter: at for (plane, letter), at in points.items() if plane == one.plane}
-        figures.append(_directions_off(there, one.right, [(vector.tail, vector.head) for vector in one.vectors]))
-        given += _directions_off(there, one.right, [(vector.tail, vector.head) for vector, _ in one.known])
+    ends = [[(one.tail, one.head) for one in shape.vectors] for shape in shapes]
+    known = [[(one.tail, one.head) for one, _ in shape.known] for shape in shapes]
+    figures, given = ([_directions_off(drawn.get(shape.plane, {}), shape.right, some)
+                       for shape, some in zip(shapes, pairs, strict=True)] for pairs in (ends, known))  # fmt: skip
     turn = _common_turn(figures)
-    if turn is None or any(abs(cmath.phase(cmath.rect(1, angle - turn))) > _ALIKE for angle in given):
+    if turn is None or any(_between(angle, turn) > _ALIKE for each in given for angle in each):
         return None
     places, good = _drawn_links(picture, mechanism)
     right = running.replay_all(planning.plan(mechanism)).position
     figures.append(_directions_off(places, {name: place(at) for name, at in right.items()}, [*good]))
-    half = math.pi - abs(turn) < _STRAIGHT
+    half = _between(turn, math.pi) < _STRAIGHT
     return None if half and sum(map(bool, figures)) < 2 else _common_turn(figures)
 
 
 def _directions_off(drawn: Mapping[str, complex], right: Mapping[str, complex], pairs: Sequence[Pair]) -> list[float]:
-    """By how much directions are off; of a length that is hardly there none is told."""
-    known = {pair: (drawn[pair[1]] - drawn[pair[0]], right[pair[1]] - right[pair[0]]) for pair in pairs
-             if all(name in drawn and name in right for name in pair)}  # fmt: skip
-    least = _SHORT * max((abs(value) for _, value in known.values()), default=0.0)
-    return [cmath.phase(on_page / value) for on_page, value in known.values()
-            if abs(on_page) >= _SHORTEST and abs(value) > least]  # fmt: skip
+    there = [(drawn[b] - drawn[a], right[b] - right[a]) for a, b in pairs if {a, b} <= drawn.keys() & right.keys()]
+    least = [_SHORT * max(map(abs, some)) for some in zip(*there, strict=True)]
+    return [cmath.phase(own / value) for own, value in there if abs(own) > least[0] and abs(value) > least[1]]
 
 
 def _common_turn(figures: Sequence[Sequence[float]]) -> float | None:
-    every = np.array([angle for figure in figures for angle in figure])
-    if len(every) < _FEWEST:
-        return None
-    alike = np.abs(np.angle(np.exp(1j * (every[:, None] - every)))) < _ALIKE
-    turn = float(np.angle(np.mean(np.exp(1j * every[alike[np.argmax(alike.sum(axis=1))]]))))
-    near = [np.abs(np.angle(np.exp(1j * (np.array(figure) - turn)))) < _ALIKE for figure in figures if figure]
-    common = sum(int(one.sum()) for one in near) >= _MOST * len(every) and all(one.mean() > 0.5 for one in near)
-    return turn if common and abs(turn) > _STRAIGHT else None
+    every = [angle for figure in figures for angle in figure]
+    turn = max(every, key=lambda angle: sum(_between(angle, other) < _ALIKE for other in every), default=0.0)
+    alike = [[_between(angle, turn) < _ALIKE for angle in figure] for figure in figures if figure]
+    common = all(sum(each) > len(each) / 2 for each in alike) and sum(map(sum, alike)) >= _MOST * len(every)
+    return turn if common and len(every) >= _FEWEST and abs(turn) > _STRAIGHT else None
+
+
+def _between(one: float, other: float) -> float:
+    return abs(math.remainder(one - other, math.tau))
 
 
 def _is_own_sheet(
-    picture: PagePicture, points: Points, shapes: Sequence[PaperPolygon], scales: Mapping[Plane, float]
+    picture: PagePicture, drawn: Mapping[Plane, Mapping[str, complex]], shapes: Sequence[PaperPolygon]
 ) -> bool:
-    """True of graphkin's own marks, each point where it belongs: no hand and no other program draws both."""
-    marked = {(dot.plane, dot.name) for dot in picture.dots if dot.plane not in (None, "position")}
-    off = []
+    """True of graphkin's own marks, each where it belongs: no hand and no other program draws both."""
+    off = [0.0 if any(dot.plane in drawn for dot in picture.dots) else math.inf]
     for shape in shapes:
-        there = {letter: at for (plane, letter), at in points.items() if plane == shape.plane and letter in shape.right}
-        if shape.plane in scales and len(there) > 1:
-            first = next(iter(there))
-            off += [abs((at - there[first]) - (shape.right[letter] - shape.right[first]) / scales[shape.plane])
-                    for letter, at in there.items()]  # fmt: skip
-    return bool(marked) and bool(off) and max(off) < _EXACT
+        there = {letter: at for letter, at in drawn.get(shape.plane, {}).items() if letter in shape.right}
+        largest = max(map(abs, shape.right.values()), default=0.0) or 1.0
+        off += [abs(at - there[first] - shape.right[letter] + shape.right[first]) / largest
+                for first in [*there][:1] for letter, at in there.items()]  # fmt: skip
+    return max(off) < _EXACT

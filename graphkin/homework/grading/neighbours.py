@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 
@@ -16,42 +16,34 @@ from graphkin.marking.records import Judged
 from graphkin.model.quantities import at_position
 
 _FEWEST, _PART = 3, 0.8  # so many numbers, and this part of them, agree with one other problem
-_CHANCE = 0.01  # as near a hit on some problem of the set that random numbers make more often is no hint
+_CHANCE = 0.01  # a hit that random numbers make more often, on some problem of the set, is no hint
 _NEAREST = 0.1  # closer than this, in standard deviations, is no better
 
 
 class Neighbours:
-    """The right values of a set (students, quantities); NaN where a problem has none."""
+    """The right values of a set's keys (students, quantities); one that cannot be read is no neighbour."""
 
-    def __init__(self, keys: Mapping[str, Iterable[KeyEntry]]) -> None:
-        self.students, by_text = (*keys,), [{entry.text: entry for entry in entries} for entries in keys.values()]
-        every = {text: entry for entries in by_text for text, entry in entries.items()}
-        self._columns, self._table = {text: k for k, text in enumerate(every)}, columns([*every.values()])
-        shape = len(by_text), len(every)
-        self._right, self._scatter, self._tolerance = (
-            np.array([getattr(some.get(text), name, np.nan) for some in by_text for text in every]).reshape(shape)
-            for name in ("right", "scatter", "tolerance")
-        )
-
-    @classmethod
-    def of_files(cls, files: Mapping[str, Path]) -> Neighbours:
-        """Of keys; one that cannot be read is no neighbour. Only the values are read."""
-        keys = {}
+    def __init__(self, files: Mapping[str, Path]) -> None:
+        keys: dict[str, dict[str, KeyEntry]] = {}
         for student, path in files.items():
             with suppress(OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
                 data = json.loads(path.read_text("utf-8-sig"))
                 parts = enumerate((data, *data.get("positions", ())), 1)
-                keys[student] = [
-                    KeyEntry(**{**entry, "text": at_position(entry["text"], at)})
-                    for at, part in parts for entry in part["quantities"]
-                ]  # fmt: skip
-        return cls(keys)
+                each = [(at_position(one["text"], at), one) for at, part in parts for one in part["quantities"]]
+                keys[student] = {text: KeyEntry(**one) for text, one in each}
+        every = {text: entry for entries in keys.values() for text, entry in entries.items()}
+        self.students, self._columns = (*keys,), {text: k for k, text in enumerate(every)}
+        self._table, shape = columns([*every.values()]), (len(keys), len(every))
+        self._right, self._scatter, self._tolerance = (
+            np.array([getattr(some.get(text), name, np.nan) for some in keys.values() for text in every]).reshape(shape)
+            for name in ("right", "scatter", "tolerance")
+        )
 
     def agreeing(self, student: str, judged: Sequence[Judged]) -> AnotherStudent | None:
         """The other student whose right values most of these numbers are, where those are not the own right ones.
 
-        Numbers that are right by both problems say nothing. Problems of a set are alike, and of a large class one is
-        always near: what random numbers, between the least and the largest of the class, meet as nearly is no hint.
+        Numbers that are right by both problems say nothing. Of a large class one problem is always near: what random
+        numbers, between the least and the largest of the class, meet as nearly is no hint.
         """
         some = [one for one in judged if one.given is not None and one.unit_right and one.text in self._columns]
         which = np.array([self._columns[one.text] for one in some], dtype=int)
@@ -66,14 +58,9 @@ class Neighbours:
             return None
         z = np.where(new, np.maximum(off / self._scatter[:, which], _NEAREST), 0.0)
         best = min(others, key=lambda k: (-new[k].sum(), np.sum(z[k] ** 2)))
-        every = np.concatenate([self._right[:, which], given])[:, new[best]]
+        every, n = np.concatenate([self._right[:, which], given])[:, new[best]], int(new[best].sum())
         cells = self._scatter[best, which][new[best]] / (np.nanmax(every, axis=0) - np.nanmin(every, axis=0))
-        if len(self.students) * _ball(z[best][new[best]]) * np.prod(cells) > _CHANCE:
+        ball = (np.pi * np.sum(z[best] ** 2)) ** (n / 2) / math.gamma(n / 2 + 1)
+        if len(self.students) * ball * np.prod(cells) > _CHANCE:
             return None
         return AnotherStudent(self.students[best], int(agrees[best].sum()), len(some))
-
-
-def _ball(z: np.ndarray) -> float:
-    """The space of all deviations that are together no larger than these."""
-    n = len(z)
-    return float((np.pi * np.sum(z**2)) ** (n / 2) / math.gamma(n / 2 + 1))

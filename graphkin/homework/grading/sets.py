@@ -138,7 +138,7 @@ class KeySet(SetMarker):
 
     @cached_property
     def _neighbours(self) -> Neighbours:
-        return Neighbours.of_files({student: self.path.parent / name for student, name in self.files.items()})
+        return Neighbours({student: self.path.parent / name for student, name in self.files.items()})
 
     def remarks(self, marked: Marked) -> tuple[GraphkinError, ...]:
         """The other keys are read when the first has something wrong."""

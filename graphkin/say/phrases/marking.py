@@ -17,13 +17,20 @@ PHRASES: Phrases = {
     "marks.judged with no": ("judged with the own {own}: {quantity} should be {value}: no",
                              "按所交的 {own} 计算，{quantity} 应为 {value}：不符"),
     "marks.not carried": ("not carried on: {own}", "不予沿用：{own}"),
-    "marks.consistent": ("is consistent with {what} (probability {probability}, explains {explains})",
-                         "与“{what}”相符（概率 {probability}，可解释 {explains}）"),
-    "marks.cannot tell": ("is consistent with {what}; these cannot be told apart (probability {probability}, explains "
-                          "{explains})",
-                          "与“{what}”相符，其间无法区分（概率 {probability}，可解释 {explains}）"),
-    "marks.none fits": ("no known mistake fits all values", "没有已知的错误能同时解释所交各值"),
-    "marks.or": (", or ", "”或“"),
+    "marks.follows": ("{quantity}: follows from the mistake: yes", "{quantity}：由该错误推得，相符"),
+    "marks.consistent": ("is consistent with: {what} ({sure}; explains {explains})",
+                         "与下述错误相符：{what}（{sure}；可解释 {explains}）"),
+    "marks.one of": ("one of these, which cannot be told apart: {mistakes}", "以下之一（无法区分）：{mistakes}"),
+    "marks.sure certainly": ("almost certainly", "几乎可以肯定"),
+    "marks.sure probably": ("probably", "很可能"),
+    "marks.sure possibly": ("possibly", "有可能"),
+    "marks.departs": ("{quantity} is the first value that leaves the right way: look at it again",
+                      "{quantity} 是第一个偏离正确解法的量，请检查"),
+    "marks.departs there": ("{quantity} is the first value that leaves the right way: there {equation} was to be drawn: "
+                            "look at its directions and sizes again",
+                            "{quantity} 是第一个偏离正确解法的量：该处应按 {equation} 作图，请检查其中各矢量的方向和大小"),
+    "marks.look": ("look: {remark}", "请核对：{remark}"),
+    "marks.or": (" / ", " / "),
     "marks.together": (", together with ", "，同时"),
     "marks.more": ("{count} more", "另有 {count} 种"),
     "marks.note": ("note: {note}", "提示：{note}"),
@@ -43,8 +50,8 @@ PHRASES: Phrases = {
     "verdicts.status marked": ("marked", "已评阅"),
     "verdicts.status not marked": ("not marked", "未评阅"),
     "verdicts.tolerance": ("tolerance", "允差"),
-    "verdicts.carried means": ("Carried: it follows rightly from your own earlier value, and counts as right.",
-                               "沿用正确：由你自己前面的结果正确推得，按正确计分。"),
+    "verdicts.carried means": ("Carried: it follows rightly from your own earlier value, or from an earlier mistake.",
+                               "沿用正确：由你自己前面的结果（或前面的错误）正确推得。"),
     # === what paper allows: the pencil, scatter, what each step costs
     "tolerances.pencil": ("A pencil that errs by {length} mm in lengths and {angle}° in directions (standard "
                           "deviations), {count} drawings.",
@@ -132,6 +139,7 @@ PHRASES: Phrases = {
                                       "正确作图（同样的作图误差，试 {problems}）：{wrong} 有量被判错，{named} 被误诊。"),
     # === mistakes
     # what was done: {of}, what the mistake was made with; {form}, with what. A noun phrase, after `is consistent with`
+    "mistakes.made slip": ("a slip in {of}; everything after it follows from it", "{of} 有误，其后各量均由它正确推得"),
     "mistakes.made driver-reversed": ("the sense of the driver {of} taken the other way round",
                                       "原动件 {of} 的转向（或移动方向）取反"),
     "mistakes.made driver-reversed all": ("the senses of all drivers taken the other way round", "所有原动件的转向（或移动方向）都取反"),
@@ -225,6 +233,7 @@ PHRASES: Phrases = {
     "mistakes.made other-assembly": ("{of} taken on the other side: the other assembly", "{of} 取了另一装配位置"),
     "mistakes.made angle-clockwise": ("the angle of the driver {of} measured clockwise", "原动件 {of} 的位置角按顺时针量取"),
     # a mistake by itself, as it shows in several problems. A sentence, after `in 3 of 4 problems`
+    "mistakes.kind slip": ("one value is off, and everything after it follows from it", "某一量有误，其后各量均由它正确推得"),
     "mistakes.kind driver-reversed": ("the sense of the driver is taken the other way round", "原动件的转向（或移动方向）取反"),
     "mistakes.kind driver-along-crank": ("the crank's velocity is laid along the crank", "曲柄端点速度沿曲柄方向画出"),
     "mistakes.kind velocity-along-link": ("the direction line of a velocity is drawn along the link",
@@ -273,6 +282,7 @@ PHRASES: Phrases = {
     "mistakes.kind other-assembly": ("the mechanism is drawn in its other assembly", "机构取了另一装配位置"),
     "mistakes.kind angle-clockwise": ("the angle of the driver is measured clockwise", "原动件的位置角按顺时针量取"),
     # a hint, by topic: the place to look at again, and no more
+    "mistakes.look slip": ("Work the first value that is marked wrong through again.", "请重新计算第一个被判错的量。"),
     "mistakes.look driver": ("Look again at what is given of the driver.", "检查原动件的已知运动。"),
     "mistakes.look position": ("Look again at the drawing of the mechanism.", "检查机构位置图。"),
     "mistakes.look velocity-direction": ("Look again at the directions in the velocity equation.", "检查速度方程中各矢量的方向。"),
