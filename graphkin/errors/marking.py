@@ -83,12 +83,7 @@ class SaidBefore(GraphkinError):
     text: ClassVar[dict[Lang, str]] = {"en": "{told}", "zh": "{told}"}
 
 
-# --- remarks: for the teacher alone ---------------------------------------------------------------
-
-
 class TurnedPage(LocatedError):
-    """A drawing whose directions are all off by one angle."""
-
     degrees: float
     id: ClassVar[str] = "turned"
     text: ClassVar[dict[Lang, str]] = {
@@ -98,8 +93,6 @@ class TurnedPage(LocatedError):
 
 
 class OwnSheet(LocatedError):
-    """A sheet that graphkin drew, as it drew it."""
-
     id: ClassVar[str] = "own-sheet"
     text: ClassVar[dict[Lang, str]] = {
         "en": "{where}: graphkin's own sheet: its marks, its letters, and every point where it drew them.",

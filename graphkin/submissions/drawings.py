@@ -193,14 +193,14 @@ def _page_turn(
     mechanism: Mechanism,
 ) -> float | None:  # fmt: skip
     """The angle by which the page seems to be turned [rad]: that of both polygons alike, with what is given, and of the
-    mechanism where it is drawn. A polygon that alone is turned by half a turn may as well be a mistake: a driver's
-    sense."""
-    ends = [[(one.tail, one.head) for one in shape.vectors] for shape in shapes]
-    known = [[(one.tail, one.head) for one, _ in shape.known] for shape in shapes]
-    figures, given = ([_directions_off(drawn.get(shape.plane, {}), shape.right, some)
-                       for shape, some in zip(shapes, pairs, strict=True)] for pairs in (ends, known))  # fmt: skip
+    mechanism where it is drawn. A polygon that alone is turned by half a turn may be a mistake: a driver's sense."""
+    figures, given = [], list[float]()
+    for one in shapes:
+        own, known = drawn.get(one.plane, {}), [vector for vector, _ in one.known]
+        figures.append(_directions_off(own, one.right, [(vector.tail, vector.head) for vector in one.vectors]))
+        given += _directions_off(own, one.right, [(vector.tail, vector.head) for vector in known])
     turn = _common_turn(figures)
-    if turn is None or any(_between(angle, turn) > _ALIKE for each in given for angle in each):
+    if turn is None or any(_between(angle, turn) > _ALIKE for angle in given):
         return None
     places, good = _drawn_links(picture, mechanism)
     right = running.replay_all(planning.plan(mechanism)).position

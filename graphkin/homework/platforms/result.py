@@ -134,12 +134,14 @@ def from_record(record: Record, where: Where) -> Result:
             raise ValueError(f"format {record['format']!r}, status {record['status']!r}")
         lines = tuple(_line(str(name), each) for name, each in record["quantities"].items())
         reason = record.get("reason")  # it is written in one language
+        left_at = record.get("departure")
+        sides = [] if left_at is None else [tuple(map(_string, left_at[side])) for side in ("left", "right")]
         texts: Text = {} if reason in (None, "") else {"en": _string(reason), "zh": _string(reason)}
         return Result(
             _string(record["student"]), _string(record["file"]), record["status"], texts, lines,
             tuple(map(_suspicion, record["mistakes"])), sum((line.most for line in lines), Decimal(0)),
             tuple(map(_string, record.get("notes", ()))), drawn=drawn_of(record),
-            departure=_departure(record.get("departure")),
+            departure=None if left_at is None else Departure(_string(left_at["quantity"]), *sides),
             remarks=tuple(_string(each["text"]) for each in record.get("remarks", ())),
         )  # fmt: skip
     except (KeyError, TypeError, ValueError, ArithmeticError, AttributeError) as error:
@@ -166,14 +168,7 @@ def _suspicion(each: Record) -> Suspicion:
         for some in each.get("names", ())
     )
     ids, explains = (tuple(map(_string, each[key])) for key in ("ids", "explains"))
-    return Suspicion(ids, explains, names, _finite(each["probability"]))
-
-
-def _departure(each: Record | None) -> Departure | None:
-    if each is None:
-        return None
-    left, right = (tuple(map(_string, each[key])) for key in ("left", "right"))
-    return Departure(_string(each["quantity"]), left, right)
+    return Suspicion(ids, explains, names, _finite(each.get("probability", 0.0)))
 
 
 def _number(value: object) -> float | None:
