@@ -14,7 +14,8 @@ from graphkin.construction import Coriolis, Image, LayOff, Measure, Plane, Plot,
 from graphkin.marking.answers import ArrowPlaces, Ends, arrows_of, drawn_answer
 from graphkin.marking.consequences import combined
 from graphkin.marking.hand import PolygonHand, Redrawing, redraw
-from graphkin.marking.key import Columns, Key, agrees, columns, sense_only
+from graphkin.marking.key import Columns, Key, agrees, columns, differences, sense_only
+from graphkin.marking.weights import MOVED, SlipOutcomes, once_known
 from graphkin.model.quantities import Answer, Moving, Quantity, Rotation
 from graphkin.model.quantities.kinds import Component
 from graphkin.planning import Method
@@ -215,17 +216,59 @@ class CarriedProblem:
         """Of the right values: those of sizes along a guide, too."""
         return np.where(combined(self.method, self.plot, self.quantities, [()]).values[0] < 0, -1.0, 1.0)
 
+    def usable(self, given: np.ndarray) -> np.ndarray:
+        """The own values (students, n) that are carried on: nothing is gained by 0 or by a number of the problem."""
+        return np.asarray(usable(self.key, self.table, given) & self._carries)
+
+    @cached_property
+    def _carries(self) -> np.ndarray:
+        carries = (isinstance(q, Moving) or (isinstance(q, Rotation) and q.word != "theta") for q in self.quantities)
+        return np.array(list(carries), dtype=bool)
+
+    @cached_property
+    def _alike(self) -> np.ndarray:
+        """Which quantities are one: rotations of links that turn together (quantities, quantities)."""
+        turns = self.plot.facts.turns
+        whose = [(q.word, turns[q.link].base) if isinstance(q, Rotation) and q.link in turns else q.text
+                 for q in self.quantities]  # fmt: skip
+        return np.array([[one == other for other in whose] for one in whose], dtype=bool)
+
+    @cached_property
+    def _left(self) -> np.ndarray:
+        """The part of each quantity's scatter that is left once one is known (known, quantities)."""
+        return once_known(self.key.together, [[k] for k in range(len(self.quantities))])[0]
+
+    def slips(self, given: np.ndarray, wrong: np.ndarray, there: np.ndarray) -> SlipOutcomes:
+        """The outcomes of a slip in each wrong value (students, n) from which others follow that are wrong, too; for
+        those of the quantities that are handed in."""
+        who, own = np.nonzero(wrong & self.usable(given))
+        only = own[:, None] == np.arange(given.shape[1])
+        followed = self._values(given[who], only)
+        larger = np.abs(differences(self.table, followed, self.table.right)) > MOVED * self.table.scatter
+        some = (larger & wrong[who] & ~self._alike[own]).any(axis=1)
+        who, own, followed = who[some], own[some], np.where(only, np.nan, followed)[some]
+        values, scatters = np.full((2, *given.shape, given.shape[1]), np.nan)
+        values[who, own], scatters[who, own] = followed, self._scatter(followed, self._left[own])
+        return SlipOutcomes(*(each[:, there][:, :, there] for each in (values, scatters)))
+
+    def _scatter(self, followed: np.ndarray, left: np.ndarray) -> np.ndarray:
+        """The scatter of values that follow from own ones: so much of the right one's is left, more where they are
+        larger, and the rounding of the own values."""
+        return np.asarray(self.table.scatter * self._larger(followed) * left)
+
+    def _larger(self, values: np.ndarray) -> np.ndarray:
+        """By how much more values (students, n) may be off than the right ones: larger ones may by as much more."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            times = np.abs(values / self.table.right)
+        return np.asarray(np.clip(np.nan_to_num(times, nan=1.0, posinf=1.0), 1.0, _STRETCH))
+
     def carried(self, given: np.ndarray, known: np.ndarray, wrong: np.ndarray) -> Carried:
         """For values (students, n) of which some are wrong; `known`: those of them that can be carried on."""
-        carries = np.array([isinstance(q, Moving) or (isinstance(q, Rotation) and q.word != "theta")
-                            for q in self.quantities], dtype=bool)  # fmt: skip
-        allowed = usable(self.key, self.table, given)
-        used = known & allowed & carries
+        allowed = self.usable(given)
+        used = known & allowed
         whole = self._values(given, used)
         moved = self._moved(whole, self.table.right)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            larger = np.abs(whole) / np.abs(self.table.right)
-        tolerance = self.table.tolerance * np.clip(np.nan_to_num(larger, nan=1.0, posinf=1.0), 1.0, _STRETCH)
+        tolerance = self.table.tolerance * self._larger(whole)
         values = np.where(moved, whole, np.nan)
         every = np.arange(used.shape[1])
         enters = {
@@ -235,7 +278,7 @@ class CarriedProblem:
         texts = tuple(entry.text for entry in self.key.entries)
         return Carried(
             texts, values, wrong & agrees(self.table, given, values, tolerance),
-            wrong & sense_only(self.table, given, values, tolerance), given, wrong & carries & ~allowed, enters,
+            wrong & sense_only(self.table, given, values, tolerance), given, wrong & self._carries & ~allowed, enters,
         )  # fmt: skip
 
     def _values(self, given: np.ndarray, used: np.ndarray) -> np.ndarray:
@@ -244,19 +287,26 @@ class CarriedProblem:
         some = np.flatnonzero(used.any(axis=1))
         if not some.size:
             return right
-        signed = np.where(self.table.size, np.abs(given) * self.signs, given)  # along a guide as the right one points
-        own = {
-            quantity: np.where(used[some, j], signed[some, j], np.nan)
-            for j, quantity in enumerate(self.quantities)
-            if used[some, j].any()
-        }
-        followed = replay_with(self.method, self.plot, own, self.arrows)
+        followed = replay_with(self.method, self.plot, self.own(given[some], used[some]), self.arrows)
         for j, quantity in enumerate(self.quantities):
             value = followed.value(quantity).value
             right[some, j] = np.abs(value) if self.table.size[j] else value
         sines = np.broadcast_to(followed.least_sine, some.shape)
         right[some[~(sines > _FLAT)]] = np.nan
         return right
+
+    def own(self, given: np.ndarray, used: np.ndarray) -> dict[Quantity, Value]:
+        """Own values (students, n) that are used, by quantity; NaN where a student has none."""
+        signed = np.where(self.table.size, np.abs(given) * self.signs, given)  # along a guide as the right one points
+        return {
+            quantity: np.where(used[:, j], signed[:, j], np.nan)
+            for j, quantity in enumerate(self.quantities)
+            if used[:, j].any()
+        }
+
+    def near(self, given: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Given values (students, n) that are as others have it, as booleans."""
+        return agrees(self.table, given, values, self.table.tolerance * self._larger(values))
 
     def _moved(self, values: np.ndarray, others: np.ndarray) -> np.ndarray:
         """True for values that differ by more than counts; false where they cannot be drawn."""

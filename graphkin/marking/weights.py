@@ -6,7 +6,9 @@ right or anything. Weights are logarithms of likelihoods times how often such wo
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from copy import copy
+from dataclasses import replace
 from math import lgamma
 
 import numpy as np
@@ -14,15 +16,16 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.marking.key import Columns, Hypotheses, Key, columns_of, differences, upright
 
-_RIGHT, ONE, TWO, _NONE = np.log((0.05, 0.35, 0.05, 0.1))
+_RIGHT, ONE, TWO, _SLIP, _NONE = np.log((0.05, 0.35, 0.05, 0.35, 0.1))
 """Logarithms of the frequencies, where a value is beyond its tolerance, of right work gone astray by the pencil alone,
-of one mistake, of two, and of other work."""
+of one mistake, of two, of one slip with all else consistent, and of other work."""
 MOVED = 3.0  # a mistake that moves no handed-in value by more standard deviations cannot be seen
 _COMMON = (0.5, 0.9)
 """Parts of the scatter of several values that may come from what they are all read off, beside none; the rest is each
 value's own."""
 FITS = 4.5  # a value that is off by more standard deviations is not explained
 _REACH = 5.0  # random numbers are of any size from the right one divided by this to it multiplied by this
+LEFT = 0.3  # of a scatter at least so large a part is left, whatever else is known: its own reading and rounding
 _TURN = 2 * np.pi
 _PRODUCT = 1 << 18  # products of a matrix of so many are left to one thread: more cost more than they give
 
@@ -34,7 +37,7 @@ class Weighed:
     weights (students, m); `right`, `none`: of right work, and of work that nothing explains (students,)
     worst   by how many standard deviations the worst value is off (students, m)
     near    sum of the squares of all values' deviations, in standard deviations (students, m)
-    chance  how often random numbers come as near to any of the explanations (students, m); 1 where that is far
+    chance  how often random numbers come as near to any of as many values (students, m); 1 where that is far
     """
 
     weights: np.ndarray
@@ -43,6 +46,25 @@ class Weighed:
     chance: np.ndarray
     right: np.ndarray
     none: np.ndarray
+
+    def beside(self, slips: Weighed) -> Weighed:
+        """With the weights of further explanations of the same students."""
+        weights, worst, near, chance = (
+            np.concatenate([getattr(one, name) for one in (self, slips)], axis=1)
+            for name in ("weights", "worst", "near", "chance")
+        )
+        return Weighed(weights, worst, near, chance, self.right, self.none)
+
+
+@frozen
+class SlipOutcomes:
+    """The outcomes of a slip in each quantity: that one is off, all others are as they follow from it.
+
+    values, scatters  (students, n, n), a row for each quantity; NaN at its own, and where there is no slip in it
+    """
+
+    values: np.ndarray
+    scatters: np.ndarray
 
 
 class ScaledExplanations:
@@ -83,12 +105,50 @@ class ScaledExplanations:
         """Values of those who make mistake k (students, n), normal about what it gives; errors: standard normal."""
         return self._one.drawn(k, errors)
 
+    def weigh_slips(self, given: np.ndarray, slips: SlipOutcomes) -> Weighed:
+        """Slips in the values of students (students, n): the slip's own value may be anything, the others scatter about
+        what follows from it as right values do once it is known."""
+        table, none, count = self.table, _none_density(self.table, given), given.shape[1]
+        nowhere, own = np.zeros(count, dtype=bool), np.eye(count, dtype=bool)
+        plain = replace(table, size=nowhere, angle=nowhere)
+        together = once_known(self._right.usual, [[k] for k in range(count)])[1]
+        together[own[:, :, None] | own[:, None, :]] = 0.0
+        right, scatter = np.where(own, np.nan, table.right), np.where(own, np.nan, table.scatter)
+        rows = _NormalRows(plain, right, scatter, self._right.usual, together)
+        # as many scatters off the right value as it is off what follows
+        off = differences(table, given[:, None, :], slips.values) / slips.scatters
+        as_given = table.right + np.nan_to_num(off) * table.scatter
+        weighed = [rows.only(k).weigh(as_given[:, k], none) for k in range(count)]
+        weights, worst, near, chance = (np.concatenate(each, axis=1) for each in zip(*weighed, strict=True))
+        larger = np.nansum(np.log(slips.scatters / table.scatter), axis=2)
+        weights += _broad(table, given) - none - larger + _SLIP - np.log(count)
+        there = (np.isfinite(off) | own).all(axis=2)
+        return Weighed(
+            np.where(there, weights, -np.inf), np.where(there, worst, np.inf), np.where(there, near, np.inf),
+            np.where(there, chance, 1.0), np.empty(0), np.empty(0),
+        )  # fmt: skip
+
     def weigh(self, given: np.ndarray) -> Weighed:
         """For students' values (students, n)."""
         none = _none_density(self.table, given)
         weights, worst, near, chance = self._one.weigh(given, none)
         right = self._right.weigh(given, none)[0]
         return Weighed(weights + self.shares, worst, near, chance, right[:, 0] + _RIGHT, none.sum(axis=1) + _NONE)
+
+
+def once_known(together: np.ndarray, known: Sequence[Sequence[int]]) -> tuple[np.ndarray, np.ndarray]:
+    """What is left of scatters that go together (n, n) once some columns are known, for each choice of these: the part
+    of each standard deviation (choices, n), and the correlation (choices, n, n)."""
+    parts, correlations = [], []
+    for columns in known:
+        across = together[:, columns]
+        left = together - across @ np.linalg.pinv(together[np.ix_(columns, columns)], hermitian=True) @ across.T
+        part = np.sqrt(np.maximum(np.diag(left), LEFT**2))
+        correlation = left / np.outer(part, part)
+        np.fill_diagonal(correlation, 1.0)
+        parts.append(part)
+        correlations.append(np.clip(correlation, -1.0, 1.0))
+    return np.array(parts), np.array(correlations)
 
 
 def visible(table: Columns, values: np.ndarray) -> np.ndarray:
@@ -150,15 +210,18 @@ class _NormalRows:
         self.count = self.judged.sum(axis=1)
         self.own = np.where(self.judged, np.log(scatters), 0.0).sum(axis=1)
         self._axes: dict[int, tuple[np.ndarray, ...]] = {}
-        # by how many quantities are judged: a logarithm of how many of such rows random numbers meet, for cells of 1
+        # a logarithm of how many rows that judge as many quantities random numbers meet, for balls of radius 1
         crowded = self.own + np.where(self.judged, _crowded(table, self.size), 0.0).sum(axis=1)
-        self._cells = {int(n): float(np.logaddexp.reduce(crowded[self.count == n])) for n in np.unique(self.count)}
+        self._cells = np.zeros(len(values))
+        for size in np.unique(self.count):
+            ball = 0.5 * size * np.log(np.pi) - lgamma(size / 2 + 1)
+            self._cells[self.count == size] = ball + np.logaddexp.reduce(crowded[self.count == size])
 
     def only(self, k: int) -> _NormalRows:
         """Row k alone; chance hits it as often as all of them."""
         values, scatters = (some[[k]] for some in self.given)
         one = _NormalRows(self.table, values, scatters, self.usual)
-        one._axes[0], one._cells = self._apart(k), self._cells
+        one._axes[0], one._cells = self._apart(k), self._cells[[k]]
         return one
 
     def drawn(self, k: int, errors: np.ndarray) -> np.ndarray:
@@ -181,14 +244,9 @@ class _NormalRows:
         near[who, row], worst[who, row] = np.einsum("pn,pn->p", z, z), np.abs(z).max(axis=1, initial=0.0)
         weights = -0.5 * (near + self.count * np.log(2 * np.pi)) - np.log(1 + len(_COMMON))
         weights[who, row] = self._closely(z, row, near[who, row])
-        # how many explanations random numbers come as near to: cells of that size about them
-        close = near[who, row]
-        hits = np.zeros_like(close)
-        with np.errstate(divide="ignore"):
-            for size, cells in self._cells.items():
-                ball = 0.5 * size * np.log(np.pi * close) - lgamma(size / 2 + 1) if size else 0.0
-                hits += np.exp(np.minimum(ball + cells, 0.0))
-        chance[who, row] = hits
+        with np.errstate(divide="ignore", invalid="ignore"):
+            radius = np.where(self.count[row], 0.5 * self.count[row] * np.log(near[who, row]), 0.0)
+        chance[who, row] = np.exp(np.minimum(self._cells[row] + radius, 0.0))
         if not self.judged.all():  # of the quantities that a row does not judge nothing is known
             weights = weights - self.own + np.einsum("ns,nm->sm", none.T.copy(), (~self.judged.T).astype(float))
         else:
