@@ -99,7 +99,7 @@ def measured(
     drawing = MeasuredDrawing(letters.points, scales, own, turned, where)
     remarks: list[GraphkinError] = [OwnSheet(where)] if _is_own_sheet(picture, drawing.in_si(), shapes) else []
     turn = None if limits.turned else _page_turn(picture, drawing.in_si(), shapes, asked.mechanism)
-    remarks += [] if turn is None else [TurnedPage(where, math.degrees(turn))]
+    remarks += [] if turn is None else [TurnedPage(where, math.degrees(turn) % 360)]
     return values, replace(drawing, remarks=tuple(remarks)), notes
 
 
@@ -185,7 +185,7 @@ _ALIKE, _STRAIGHT = math.radians(6), math.radians(15)
 _MOST = 2 / 3  # of all directions, and more than half of each figure's, are off alike on a turned page
 _FEWEST = 3  # directions by which a turn is told
 _SHORT = 0.02  # of an arrow that is a smaller part of its figure's longest no direction is told
-_EXACT = 1e-4  # so exactly, as a part of its largest value, a polygon of graphkin's own is drawn
+_EXACT = 1e-5  # so exactly, as a part of its largest value, a polygon of graphkin's own is drawn
 
 
 def _page_turn(

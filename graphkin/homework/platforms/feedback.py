@@ -114,10 +114,11 @@ def quantity(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> st
 
 def arithmetic(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> Iterator[str]:
     """`judged with your omega 3 = 5.65 rad/s: it should be 3.63 m/s^2: yes`, where that may be told."""
+    shows = reveal == "answer" or (reveal == "mistake" and line.verdict == "carried")
     useful = line.verdict == "carried" or not any(line.name in one.explains for one in result.suspicions)
     if line.of_mistake:
         yield from [] if reveal == "hint" else [say("feedback.follows", lang)]
-    elif line.carried is not None and (reveal == "answer" or line.verdict == "carried") and useful and reveal != "hint":
+    elif line.carried is not None and line.own and shows and useful:
         units = {other.name: other.unit for other in result.lines}
         values = (f"{as_on_sheets(result, name)} = {shown(x, units.get(name, ''))}" for name, x in line.own.items())
         own = say("common.list", lang).join(values)
