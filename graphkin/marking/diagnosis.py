@@ -19,6 +19,7 @@ from graphkin.marking.weights import FITS, ONE, TWO, ScaledExplanations, SlipOut
 
 MARGIN = 3.0  # explanations whose weights differ by less cannot be told apart: a factor of 20
 _LIKELY = 0.5
+_SURE = 0.9  # so probable is a mistake that does not explain all
 _SAME = 0.5  # explanations whose values differ by less, in standard deviations, are one
 _CHANCE = 0.008  # a hit that random numbers make more often is no hint
 _BESIDE_SLIP = 4.0  # a mistake and a slip whose weights differ by less are one set
@@ -30,6 +31,8 @@ OtherMethods = Callable[[], Hypotheses]
 SlipsOf = Callable[[np.ndarray, np.ndarray, np.ndarray], SlipOutcomes]
 """Gives the outcomes of slips in values (students, quantities of the key), of which some are wrong; for those of the
 quantities that are handed in."""
+PairsOf = Callable[[Name | None], Hypotheses]
+"""Makes the outcomes of two mistakes: of a first one with each other, or of any two."""
 SLIP = "slip"  # the id of a value that is off, with all after it as it follows
 
 
@@ -129,6 +132,34 @@ class Explainer:
         same &= explained[:, None]
         return Best(explained, same, weighed.weights, weighed.none, probability, margin, follows[explained[who]])
 
+    def partly(self, given: np.ndarray, wrong: np.ndarray) -> Iterator[Explanation | None]:
+        """For each student's values (students, quantities of the key) the mistake that explains two of the wrong ones
+        or more, though not all of them."""
+        step = max(_AT_ONCE // max(len(self._scale.rows) * int(self.there.sum()), 1), 1)
+        for k in range(0, len(given), step):
+            some, off = (each[k : k + step][:, self.there] for each in (given, wrong))
+            weighed = self._scale.weigh_partly(some, off)
+            fits = weighed.chance <= _CHANCE
+            for weights, row_fits, explained, none in zip(
+                weighed.weights, fits, weighed.explained, weighed.none, strict=True
+            ):
+                yield self._part(weights, row_fits, explained, float(none))
+
+    def _part(self, weights: np.ndarray, fits: np.ndarray, explained: np.ndarray, none: float) -> Explanation | None:
+        if not fits.any():
+            return None
+        best = int(np.where(fits, weights, -np.inf).argmax())
+        likely = weights - self._scale.shares
+        same = fits & (likely > likely[best] - MARGIN)
+        together = float(np.logaddexp.reduce(weights[same]))
+        others = max(none, float(weights[~same].max(initial=-np.inf)))
+        probability = float(np.exp(together - np.logaddexp(np.logaddexp.reduce(weights), none)))
+        if together < others + MARGIN or probability < _SURE:
+            return None
+        rows = [k for k in np.argsort(-weights, kind="stable") if same[k]]
+        explains = tuple(self.texts[n] for n in np.flatnonzero(explained[best]))
+        return Explanation(tuple(self.names[row] for row in rows), probability, together - others, explains)
+
     def _sets(self, weighed: Weighed, outcomes: _Outcomes) -> np.ndarray:
         """The best of those that fit, with all that cannot be told from it (students, m)."""
         fits = (weighed.worst <= FITS) & (weighed.chance <= _CHANCE)
@@ -177,6 +208,7 @@ class _Outcomes:
         return np.asarray(np.arange(self._slips.values.shape[2]) == (row - len(self._values))[:, None])
 
 
+_KEPT = 60  # so many explainers are kept
 _PAIRS_FROM = 4  # so many independent values, before two mistakes are looked for
 
 
@@ -212,34 +244,63 @@ class Diagnosis:
     evidence: Mapping[str, float] = field(default_factory=dict)
 
 
-def diagnoses(
-    key: Key, table: Columns, given: np.ndarray, wrong: np.ndarray, pairs: Callable[[], Hypotheses | None],
-    other_methods: OtherMethods, slips: SlipsOf | None = None,
-) -> list[Diagnosis]:  # fmt: skip
-    """For students who have handed in the same quantities: given, wrong (students, n).
+class Diagnostician:
+    """Diagnoses by a key those who have handed in the same quantities; what is made ready for these is kept.
 
-    pairs  makes the outcomes of two mistakes, other_methods those of right work by other methods, where needed
+    other_methods  makes the outcomes of right work by other methods, where needed; pairs, slips likewise
     """
-    there = np.isfinite(given).all(axis=0)
-    if not len(given) or not there.any():
-        return [Diagnosis() for _ in given]
-    one = Explainer(key, table, there, key.singles, ONE, other_methods, slips)
-    by_one = []
-    first_ids = np.array([names[0][0] for names in one.names], dtype=object)
-    ids = [id for id in dict.fromkeys(first_ids) if id != SLIP]
-    for best in one.best(given, wrong):
-        # by how much the best of each mistake's forms outweighs "none", for each student
-        evidence = [best.weights[:, first_ids == id].max(axis=1) - best.none for id in ids]
-        rows = np.stack(evidence, axis=1).tolist() if ids else [[] for _ in best.none]
-        for explanations, values in zip(_explanations(one, best), rows, strict=True):
-            by_one.append(Diagnosis(explanations, dict(zip(ids, values, strict=True))))
-    rest = np.array([k for k, diagnosis in enumerate(by_one) if not diagnosis.explanations], dtype=int)
-    if rest.size and independent(key, there) >= _PAIRS_FROM and (two := pairs()) is not None:
-        both = Explainer(key, table, there, two, TWO, other_methods)
-        each = (some for best in both.best(given[rest], wrong[rest]) for some in _explanations(both, best))
-        for k, explanations in zip(rest, each, strict=True):
-            by_one[k] = Diagnosis(explanations, by_one[k].evidence)
-    return by_one
+
+    def __init__(self, key: Key, table: Columns, pairs: PairsOf, other_methods: OtherMethods, slips: SlipsOf) -> None:
+        self._key, self._table, self._pairs = key, table, pairs
+        self._other_methods, self._slips = other_methods, slips
+        self._explainers: dict[tuple[bytes, int, Name | None], Explainer] = {}
+
+    def diagnoses(self, given: np.ndarray, wrong: np.ndarray) -> list[Diagnosis]:
+        """Of values, some of them wrong (students, quantities)."""
+        there = np.isfinite(given).all(axis=0)
+        if not len(given) or not there.any():
+            return [Diagnosis() for _ in given]
+        one = self._explainer(there, 1)
+        first_ids = np.array([names[0][0] for names in one.names], dtype=object)
+        ids = [id for id in dict.fromkeys(first_ids) if id != SLIP]
+        by_one = []
+        for best in one.best(given, wrong):
+            # by how much the best of each mistake's forms outweighs "none", for each student
+            evidence = [best.weights[:, first_ids == id].max(axis=1) - best.none for id in ids]
+            rows = np.stack(evidence, axis=1).tolist() if ids else [[] for _ in best.none]
+            for explanations, values in zip(_explanations(one, best), rows, strict=True):
+                by_one.append(Diagnosis(explanations, dict(zip(ids, values, strict=True))))
+        rest = np.array([k for k, diagnosis in enumerate(by_one) if not diagnosis.explanations], dtype=int)
+        if rest.size and independent(self._key, there) >= _PAIRS_FROM:
+            parts = one.partly(given[rest], wrong[rest])
+            for k, explanations in zip(rest, self._by_two(there, given[rest], wrong[rest], list(parts)), strict=True):
+                by_one[k] = Diagnosis(explanations, by_one[k].evidence)
+        return by_one
+
+    def _by_two(
+        self, there: np.ndarray, given: np.ndarray, wrong: np.ndarray, parts: Sequence[Explanation | None]
+    ) -> list[tuple[Explanation, ...]]:
+        """One mistake that explains a part, with a second beside it where that explains the rest; or any two."""
+        firsts = [None if part is None else part.names[0][0] for part in parts]
+        found: list[tuple[Explanation, ...]] = [() if part is None else (part,) for part in parts]
+        for first in dict.fromkeys(firsts):
+            students = [k for k, name in enumerate(firsts) if name == first]
+            two = self._explainer(there, 2, first)
+            each = (some for best in two.best(given[students], wrong[students]) for some in _explanations(two, best))
+            for k, explanations in zip(students, each, strict=True):
+                found[k] = explanations or found[k]
+        return found
+
+    def _explainer(self, there: np.ndarray, count: int, first: Name | None = None) -> Explainer:
+        """By one mistake, or by two."""
+        of = there.tobytes(), count, first
+        if of not in self._explainers:
+            if len(self._explainers) > _KEPT:
+                self._explainers.clear()
+            hypotheses, met = (self._key.singles, ONE) if count == 1 else (self._pairs(first), TWO)
+            slips = self._slips if count == 1 else None
+            self._explainers[of] = Explainer(self._key, self._table, there, hypotheses, met, self._other_methods, slips)
+        return self._explainers[of]
 
 
 def independent(key: Key, there: np.ndarray) -> int:

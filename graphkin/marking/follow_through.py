@@ -254,7 +254,7 @@ class CarriedProblem:
     def _scatter(self, followed: np.ndarray, left: np.ndarray) -> np.ndarray:
         """The scatter of values that follow from own ones: so much of the right one's is left, more where they are
         larger, and the rounding of the own values."""
-        return np.asarray(self.table.scatter * self._larger(followed) * left)
+        return np.where(np.isfinite(followed), self.table.scatter * self._larger(followed) * left, np.nan)
 
     def _larger(self, values: np.ndarray) -> np.ndarray:
         """By how much more values (students, n) may be off than the right ones: larger ones may by as much more."""
@@ -270,11 +270,13 @@ class CarriedProblem:
         moved = self._moved(whole, self.table.right)
         tolerance = self.table.tolerance * self._larger(whole)
         values = np.where(moved, whole, np.nan)
-        every = np.arange(used.shape[1])
-        enters = {
-            int(j): self._moved(whole, self._values(given, used & (every != j))) & moved & used[:, [j]]
-            for j in np.flatnonzero(used.any(axis=0))
-        }
+        # own values that enter: without them others would follow
+        who, own = np.nonzero(used)
+        without = used[who] & (np.arange(used.shape[1]) != own[:, None])
+        into = self._moved(whole[who], self._values(given[who], without)) & moved[who]
+        enters = {int(j): np.zeros_like(used) for j in np.unique(own)}
+        for k, j, entered in zip(who.tolist(), own.tolist(), into, strict=True):
+            enters[j][k] = entered
         texts = tuple(entry.text for entry in self.key.entries)
         return Carried(
             texts, values, wrong & agrees(self.table, given, values, tolerance),

@@ -17,7 +17,7 @@ from graphkin.construction import Plot
 from graphkin.marking.after_mistake import aftermath
 from graphkin.marking.answers import readable
 from graphkin.marking.consequences import rewrites
-from graphkin.marking.diagnosis import Diagnosis, diagnoses
+from graphkin.marking.diagnosis import Diagnosis, Diagnostician
 from graphkin.marking.drawing_order import DrawnAt, drawing_order
 from graphkin.marking.follow_through import Carried, CarriedProblem
 from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name, agrees, columns, sense_only
@@ -32,6 +32,7 @@ from graphkin.running import replay_all
 
 _HALF = 0.5  # what a value is worth whose sense or whose unit alone is wrong
 _LARGE = 1e30
+_FIRSTS = 200  # the pairs of so many first mistakes are kept
 _FURTHER = 40  # so many quantities of a student beyond those of the key are marked at most
 
 
@@ -43,6 +44,7 @@ class Marker:
         self._method = method
         self._further: dict[str, Quantity | None] = {}
         self._wider: Marker | None = None
+        self._pairs: dict[Name | None, Hypotheses] = {}
         self._lock = Lock()
 
     @cached_property
@@ -80,9 +82,13 @@ class Marker:
         renamed = OffDrawing({texts[q]: x for q, x in off.values.items()}, tuple(texts[q] for q in off.no_sense))
         return renamed, {texts[quantity]: points for quantity, points in good.items()}
 
-    @cached_property
-    def pairs(self) -> Hypotheses:
-        return pairs_of(self.method, self.plot, self.key, self.quantities)
+    def pairs(self, first: Name | None) -> Hypotheses:
+        """The outcomes of two mistakes."""
+        if first not in self._pairs:
+            if len(self._pairs) > _FIRSTS:
+                self._pairs.clear()
+            self._pairs[first] = pairs_of(self.method, self.plot, self.key, self.quantities, self.known, first)
+        return self._pairs[first]
 
     @cached_property
     def other_methods(self) -> Hypotheses:
@@ -187,8 +193,7 @@ class Marker:
         costs = np.where(self.table.points > 0, self._ranks, self._ranks + self._ranks.max() + 1)
         first = np.where(explains, costs, np.inf).argmin(axis=1)
         # nothing is gained by handing in nought
-        there = np.abs(given) > self.table.tolerance
-        follows = explains & there & (np.arange(given.shape[1]) != first[:, None])
+        follows = explains & (given != 0) & (np.arange(given.shape[1]) != first[:, None])
         return AfterMistake(values, explains, follows)
 
     @cached_property
@@ -218,11 +223,14 @@ class Marker:
         patterns, number = np.unique(np.isfinite(given[off]), axis=0, return_inverse=True)
         for k in range(len(patterns)):
             some = off[number.reshape(-1) == k]
-            pairs, other_methods = (lambda: self.pairs), (lambda: self.other_methods)
-            each = diagnoses(self.key, self.table, given[some], wrong[some], pairs, other_methods, self.problem.slips)
+            each = self._diagnostician.diagnoses(given[some], wrong[some])
             for row, one in zip(some, each, strict=True):
                 every[row] = one
         return every
+
+    @cached_property
+    def _diagnostician(self) -> Diagnostician:
+        return Diagnostician(self.key, self.table, self.pairs, lambda: self.other_methods, self.problem.slips)
 
     def _as_drawn(self, work: StudentWork, diagnosis: Diagnosis) -> Diagnosis:
         """By the arrows of a drawing that point another way."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from copy import copy
-from dataclasses import replace
+from functools import cached_property
 from math import lgamma
 
 import numpy as np
@@ -20,6 +20,7 @@ _RIGHT, ONE, TWO, _SLIP, _NONE = np.log((0.05, 0.35, 0.05, 0.35, 0.1))
 """Logarithms of the frequencies, where a value is beyond its tolerance, of right work gone astray by the pencil alone,
 of one mistake, of two, of one slip with all else consistent, and of other work."""
 MOVED = 3.0  # a mistake that moves no handed-in value by more standard deviations cannot be seen
+_ELSE = 0.2  # the part of a mistake's values that come from something else, where others do
 _COMMON = (0.5, 0.9)
 """Parts of the scatter of several values that may come from what they are all read off, beside none; the rest is each
 value's own."""
@@ -54,6 +55,21 @@ class Weighed:
             for name in ("weights", "worst", "near", "chance")
         )
         return Weighed(weights, worst, near, chance, self.right, self.none)
+
+
+@frozen
+class WeighedPartly:
+    """The weights of explanations (students, m) where a part of the wrong values comes from something else.
+
+    chance     how often random numbers come as near to any explanation in as many values (students, m)
+    explained  which of the wrong values follow (students, m, n)
+    none       weights of work that nothing explains (students,)
+    """
+
+    weights: np.ndarray
+    chance: np.ndarray
+    explained: np.ndarray
+    none: np.ndarray
 
 
 @frozen
@@ -93,6 +109,31 @@ class ScaledExplanations:
         one.rows, one.shares, one._one = self.rows[[k]], self.shares[[k]], self._one.only(k)
         return one
 
+    def weigh_partly(self, given: np.ndarray, wrong: np.ndarray) -> WeighedPartly:
+        """For values (students, n) of which some are wrong, and of these some come from something else."""
+        table, one = self.table, self._one
+        values, scatters = np.where(one.judged, one.size, np.nan), 1 / np.where(one.judged, one.sharp, np.nan)
+        z = differences(table, given[:, None, :], values) / scatters
+        with np.errstate(invalid="ignore"):
+            explained = (np.abs(z) <= FITS) & wrong[:, None, :] & (shifts(table, values) > MOVED)
+        normal = -0.5 * z**2 - np.log(scatters * np.sqrt(2 * np.pi))
+        with np.errstate(invalid="ignore"):
+            mixed = np.logaddexp(np.log(1 - _ELSE) + normal, np.log(_ELSE) + _broad(table, given)[:, None, :])
+        weights = np.where(one.judged, mixed, _none_density(table, given)[:, None, :]).sum(axis=2) + self.shares
+        # how often random numbers hit as many of the wrong values so well
+        count, of = explained.sum(axis=2), np.broadcast_to(wrong.sum(axis=1)[:, None], weights.shape)
+        near = np.where(explained, z**2, 0.0).sum(axis=2)
+        crowded = np.where(one.judged, _crowded(table, values) + np.log(scatters), 0.0)
+        cells = np.where(explained, crowded, 0.0).sum(axis=2) + np.log(max(len(self.rows), 1))
+        factorial = np.cumsum(np.log(np.maximum(np.arange(given.shape[1] + 1), 1)))
+        choices = factorial[of] - factorial[count] - factorial[of - count]
+        halves = np.array([0.5 * n * np.log(np.pi) - lgamma(n / 2 + 1) for n in range(given.shape[1] + 1)])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ball = halves[count] + np.where(count, 0.5 * count * np.log(near), 0.0)
+        chance = np.where(count > 1, np.exp(np.minimum(ball + cells + choices, 0.0)), 1.0)
+        none = _none_density(table, given).sum(axis=1) + _NONE
+        return WeighedPartly(weights, chance, explained, none)
+
     def right_by(self, given: np.ndarray, methods: Hypotheses) -> np.ndarray:
         """Weights of right work by the likeliest of some methods (students,), their rows being right values."""
         own = None if methods.together is None else methods.together[:, self._there][:, :, self._there]
@@ -108,25 +149,25 @@ class ScaledExplanations:
     def weigh_slips(self, given: np.ndarray, slips: SlipOutcomes) -> Weighed:
         """Slips in the values of students (students, n): the slip's own value may be anything, the others scatter about
         what follows from it as right values do once it is known."""
-        table, none, count = self.table, _none_density(self.table, given), given.shape[1]
-        nowhere, own = np.zeros(count, dtype=bool), np.eye(count, dtype=bool)
-        plain = replace(table, size=nowhere, angle=nowhere)
-        together = once_known(self._right.usual, [[k] for k in range(count)])[1]
-        together[own[:, :, None] | own[:, None, :]] = 0.0
-        right, scatter = np.where(own, np.nan, table.right), np.where(own, np.nan, table.scatter)
-        rows = _NormalRows(plain, right, scatter, self._right.usual, together)
-        # as many scatters off the right value as it is off what follows
+        table, own = self.table, np.eye(given.shape[1], dtype=bool)
         off = differences(table, given[:, None, :], slips.values) / slips.scatters
-        as_given = table.right + np.nan_to_num(off) * table.scatter
-        weighed = [rows.only(k).weigh(as_given[:, k], none) for k in range(count)]
-        weights, worst, near, chance = (np.concatenate(each, axis=1) for each in zip(*weighed, strict=True))
-        larger = np.nansum(np.log(slips.scatters / table.scatter), axis=2)
-        weights += _broad(table, given) - none - larger + _SLIP - np.log(count)
-        there = (np.isfinite(off) | own).all(axis=2)
-        return Weighed(
-            np.where(there, weights, -np.inf), np.where(there, worst, np.inf), np.where(there, near, np.inf),
-            np.where(there, chance, 1.0), np.empty(0), np.empty(0),
-        )  # fmt: skip
+        row, who = np.nonzero((np.isfinite(off) | own).all(axis=2).T)  # row by row
+        near, worst, density, chance = self._slips.closely(np.where(own[row], 0.0, off[who, row]), row)
+        larger = np.nansum(np.log(slips.scatters[who, row]), axis=1)
+        weights = density - larger + _broad(table, given)[who, row] + _SLIP - np.log(len(own))
+        every = np.full((4, *given.shape), [[[-np.inf]], [[np.inf]], [[np.inf]], [[1.0]]])
+        every[:, who, row] = weights, worst, near, chance
+        weights, worst, near, chance = every
+        return Weighed(weights, worst, near, chance, np.empty(0), np.empty(0))
+
+    @cached_property
+    def _slips(self) -> _NormalRows:
+        """Right values but for one each, scattered as they are once that is known."""
+        own = np.eye(len(self.table.right), dtype=bool)
+        together = once_known(self._right.usual, [[k] for k in range(len(own))])[1]
+        together[own[:, :, None] | own[:, None, :]] = 0.0
+        values, scatters = (np.where(own, np.nan, one) for one in (self.table.right, self.table.scatter))
+        return _NormalRows(self.table, values, scatters, self._right.usual, together)
 
     def weigh(self, given: np.ndarray) -> Weighed:
         """For students' values (students, n)."""
@@ -240,13 +281,9 @@ class _NormalRows:
         off = given[who] - self.size[row]
         if self.table.angle.any():
             off[:, self.table.angle] = _turned(off[:, self.table.angle])
-        z = off * self.sharp[row]
-        near[who, row], worst[who, row] = np.einsum("pn,pn->p", z, z), np.abs(z).max(axis=1, initial=0.0)
         weights = -0.5 * (near + self.count * np.log(2 * np.pi)) - np.log(1 + len(_COMMON))
-        weights[who, row] = self._closely(z, row, near[who, row])
-        with np.errstate(divide="ignore", invalid="ignore"):
-            radius = np.where(self.count[row], 0.5 * self.count[row] * np.log(near[who, row]), 0.0)
-        chance[who, row] = np.exp(np.minimum(self._cells[row] + radius, 0.0))
+        close = self.closely(off * self.sharp[row], row)
+        near[who, row], worst[who, row], weights[who, row], chance[who, row] = close
         if not self.judged.all():  # of the quantities that a row does not judge nothing is known
             weights = weights - self.own + np.einsum("ns,nm->sm", none.T.copy(), (~self.judged.T).astype(float))
         else:
@@ -264,9 +301,10 @@ class _NormalRows:
             near += (_turned(given[:, k, None] - self.size[:, k]) * self.sharp[:, k]) ** 2
         return np.asarray(np.maximum(near, 0.0))
 
-    def _closely(self, z: np.ndarray, row: np.ndarray, near: np.ndarray) -> np.ndarray:
-        """Logarithm of the mean of densities of deviations (pairs, n) from rows (pairs,), in their order: with and
-        without a common part; near: sum of squares."""
+    def closely(self, z: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Of deviations (pairs, n) from rows (pairs,), in their order, in standard deviations: sums of their squares,
+        the worst, logarithms of the mean of their densities with and without a common part, chance."""
+        near, worst = np.einsum("pn,pn->p", z, z), np.abs(z).max(axis=1, initial=0.0)
         squares = np.empty((len(near), 1 + len(_COMMON)))
         squares[:, 0] = near
         ends = np.flatnonzero(np.diff(row, append=-1)) + 1
@@ -275,7 +313,11 @@ class _NormalRows:
             axes, _, sharp, sizes = self._apart(int(row[start]))
             squares[start:end, 1:] = (z[start:end] @ axes) ** 2 @ sharp + sizes
         mean: np.ndarray = np.logaddexp.reduce(-0.5 * squares, axis=1) - np.log(1 + len(_COMMON))
-        return np.asarray(mean - 0.5 * self.count[row] * np.log(2 * np.pi))
+        count = self.count[row]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            radius = np.where(count, 0.5 * count * np.log(near), 0.0)
+        chance = np.exp(np.minimum(self._cells[row] + radius, 0.0))
+        return near, worst, mean - 0.5 * count * np.log(2 * np.pi), chance
 
     def _apart(self, row: int) -> tuple[np.ndarray, ...]:
         """Of a row: deviations along these axes (n, ..) do not hang together, and how far they go (..,); by what their
