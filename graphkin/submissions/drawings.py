@@ -10,7 +10,7 @@ from __future__ import annotations
 import cmath
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
 from pathlib import PurePosixPath
@@ -97,10 +97,8 @@ def measured(
     notes += [NoScaleDrawn(where, plane, _KEYS[plane]) for plane in planes if plane not in scales]
     own = tuple(sorted(calibrated.keys() - claimed.keys()))
     drawing = MeasuredDrawing(letters.points, scales, own, turned, where)
-    remarks: list[GraphkinError] = [OwnSheet(where)] if _is_own_sheet(picture, drawing.in_si(), shapes) else []
-    turn = None if limits.turned else _page_turn(picture, drawing.in_si(), shapes, asked.mechanism)
-    remarks += [] if turn is None else [TurnedPage(where, math.degrees(turn) % 360)]
-    return values, replace(drawing, remarks=tuple(remarks)), notes
+    remarks = tuple(_page_remarks(picture, drawing, shapes, asked.mechanism))
+    return values, replace(drawing, remarks=remarks), notes
 
 
 def _written_on(
@@ -184,57 +182,48 @@ _ALIKE, _STRAIGHT = math.radians(6), math.radians(15)
 """Directions that are off by angles that differ by less are off alike; those off by less are not turned."""
 _MOST = 2 / 3  # of all directions, and more than half of each figure's, are off alike on a turned page
 _FEWEST = 3  # directions by which a turn is told
-_SHORT = 0.02  # of an arrow that is a smaller part of its figure's longest no direction is told
-_EXACT = 1e-5  # so exactly, as a part of its largest value, a polygon of graphkin's own is drawn
+_SHORT = 0.02  # an arrow that is a smaller part of its figure's longest says nothing
+_EXACT = 5e-4  # every arrow of a sheet of graphkin's own is as long and points as it should but for this part
 
 
-def _page_turn(
-    picture: PagePicture, drawn: Mapping[Plane, Mapping[str, complex]], shapes: Sequence[PaperPolygon],
-    mechanism: Mechanism,
-) -> float | None:  # fmt: skip
-    """The angle by which the page seems to be turned [rad]: that of both polygons alike, with what is given, and of the
-    mechanism where it is drawn. A polygon that alone is turned by half a turn may be a mistake: a driver's sense."""
-    figures, given = [], list[float]()
+def _page_remarks(
+    picture: PagePicture, drawing: MeasuredDrawing, shapes: Sequence[PaperPolygon], mechanism: Mechanism
+) -> Iterator[GraphkinError]:
+    """A page that seems to be turned is so with both polygons alike, with what is given, and with the mechanism where
+    it is drawn. A polygon that alone is turned by half a turn may be a mistake: a driver's sense."""
+    drawn, figures, given = drawing.in_si(), [], list[complex]()
     for one in shapes:
         own, known = drawn.get(one.plane, {}), [vector for vector, _ in one.known]
-        figures.append(_directions_off(own, one.right, [(vector.tail, vector.head) for vector in one.vectors]))
-        given += _directions_off(own, one.right, [(vector.tail, vector.head) for vector in known])
+        figures.append(_compared(own, one.right, [(vector.tail, vector.head) for vector in one.vectors]))
+        given += _compared(own, one.right, [(vector.tail, vector.head) for vector in known])
+    every = [ratio for figure in figures for ratio in figure]
+    if any(dot.plane in drawn for dot in picture.dots) and every and max(abs(one - 1) for one in every) < _EXACT:
+        yield OwnSheet(drawing.where)  # no hand and no other program draws such marks
     turn = _common_turn(figures)
-    if turn is None or any(_between(angle, turn) > _ALIKE for angle in given):
-        return None
-    places, good = _drawn_links(picture, mechanism)
-    right = running.replay_all(planning.plan(mechanism)).position
-    figures.append(_directions_off(places, {name: place(at) for name, at in right.items()}, [*good]))
-    half = _between(turn, math.pi) < _STRAIGHT
-    return None if half and sum(map(bool, figures)) < 2 else _common_turn(figures)
+    if turn and all(_between(one, turn) < _ALIKE for one in given):
+        places, good = _drawn_links(picture, mechanism)
+        right = running.replay_all(planning.plan(mechanism)).position
+        figures.append(_compared(places, {name: place(at) for name, at in right.items()}, [*good]))
+        alone = sum(map(bool, figures)) < 2 and _between(turn, -1) < _STRAIGHT
+        if not alone and (turn := _common_turn(figures)):
+            yield TurnedPage(drawing.where, math.degrees(cmath.phase(turn)) % 360)
 
 
-def _directions_off(drawn: Mapping[str, complex], right: Mapping[str, complex], pairs: Sequence[Pair]) -> list[float]:
+def _compared(drawn: Mapping[str, complex], right: Mapping[str, complex], pairs: Sequence[Pair]) -> list[complex]:
+    """Arrows as they are drawn, as multiples of the right ones."""
     there = [(drawn[b] - drawn[a], right[b] - right[a]) for a, b in pairs if {a, b} <= drawn.keys() & right.keys()]
     least = [_SHORT * max(map(abs, some)) for some in zip(*there, strict=True)]
-    return [cmath.phase(own / value) for own, value in there if abs(own) > least[0] and abs(value) > least[1]]
+    return [own / value for own, value in there if abs(own) > least[0] and abs(value) > least[1]]
 
 
-def _common_turn(figures: Sequence[Sequence[float]]) -> float | None:
-    every = [angle for figure in figures for angle in figure]
-    turn = max(every, key=lambda angle: sum(_between(angle, other) < _ALIKE for other in every), default=0.0)
-    alike = [[_between(angle, turn) < _ALIKE for angle in figure] for figure in figures if figure]
+def _common_turn(figures: Sequence[Sequence[complex]]) -> complex | None:
+    """One of the arrows that are turned alike, where most are."""
+    every = [ratio for figure in figures for ratio in figure]
+    turn = max(every, key=lambda one: sum(_between(one, other) < _ALIKE for other in every), default=1)
+    alike = [[_between(one, turn) < _ALIKE for one in figure] for figure in figures if figure]
     common = all(sum(each) > len(each) / 2 for each in alike) and sum(map(sum, alike)) >= _MOST * len(every)
-    return turn if common and len(every) >= _FEWEST and abs(turn) > _STRAIGHT else None
+    return turn if common and len(every) >= _FEWEST and _between(turn, 1) > _STRAIGHT else None
 
 
-def _between(one: float, other: float) -> float:
-    return abs(math.remainder(one - other, math.tau))
-
-
-def _is_own_sheet(
-    picture: PagePicture, drawn: Mapping[Plane, Mapping[str, complex]], shapes: Sequence[PaperPolygon]
-) -> bool:
-    """True of graphkin's own marks, each where it belongs: no hand and no other program draws both."""
-    off = [0.0 if any(dot.plane in drawn for dot in picture.dots) else math.inf]
-    for shape in shapes:
-        there = {letter: at for letter, at in drawn.get(shape.plane, {}).items() if letter in shape.right}
-        largest = max(map(abs, shape.right.values()), default=0.0) or 1.0
-        off += [abs(at - there[first] - shape.right[letter] + shape.right[first]) / largest
-                for first in [*there][:1] for letter, at in there.items()]  # fmt: skip
-    return max(off) < _EXACT
+def _between(one: complex, other: complex) -> float:
+    return abs(cmath.phase(one / other))

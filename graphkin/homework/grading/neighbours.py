@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
@@ -12,7 +12,7 @@ import numpy as np
 
 from graphkin.errors import AnotherStudent
 from graphkin.marking.key import KeyEntry, columns, columns_of, differences
-from graphkin.marking.records import Judged
+from graphkin.marking.records import Marked
 from graphkin.model.quantities import at_position
 
 _FEWEST, _PART = 3, 0.8  # so many numbers, and this part of them, agree with one other problem
@@ -39,13 +39,13 @@ class Neighbours:
             for name in ("right", "scatter", "tolerance")
         )
 
-    def agreeing(self, student: str, judged: Sequence[Judged]) -> AnotherStudent | None:
+    def agreeing(self, marked: Marked) -> AnotherStudent | None:
         """The other student whose right values most of these numbers are, where those are not the own right ones.
 
         Numbers that are right by both problems say nothing. Of a large class one problem is always near: what random
         numbers, between the least and the largest of the class, meet as nearly is no hint.
         """
-        some = [one for one in judged if one.given is not None and one.unit_right and one.text in self._columns]
+        some = [one for one in marked.judged if one.given is not None and one.unit_right and one.text in self._columns]
         which = np.array([self._columns[one.text] for one in some], dtype=int)
         given = np.array([[one.given for one in some]], dtype=float)
         off = np.abs(differences(columns_of(self._table, which), given, self._right[:, which]))
@@ -53,7 +53,7 @@ class Neighbours:
         own = np.array([one.verdict == "right" for one in some], dtype=bool)
         new = agrees & ~own
         enough = new.sum(axis=1) >= np.maximum(_FEWEST, _PART * (~(agrees & own)).sum(axis=1))
-        others = [k for k in np.flatnonzero(enough) if self.students[k] != student]
+        others = [k for k in np.flatnonzero(enough) if self.students[k] != marked.student]
         if not others:
             return None
         z = np.where(new, np.maximum(off / self._scatter[:, which], _NEAREST), 0.0)

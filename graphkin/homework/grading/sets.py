@@ -142,9 +142,8 @@ class KeySet(SetMarker):
 
     def remarks(self, marked: Marked) -> tuple[GraphkinError, ...]:
         """The other keys are read when the first has something wrong."""
-        if all(one.verdict not in ("wrong", "carried") for one in marked.judged):
-            return ()
-        remark = self._neighbours.agreeing(marked.student, marked.judged)
+        wrong = any(one.verdict in ("wrong", "carried") for one in marked.judged)
+        remark = self._neighbours.agreeing(marked) if wrong else None
         return () if remark is None else (remark,)
 
     @cached_property

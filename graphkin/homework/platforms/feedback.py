@@ -83,13 +83,10 @@ def at_the_end(page: Feedback) -> Iterator[str]:
 
 def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
     """All of it, a sentence a line."""
-    if result.status == "not marked":
-        yield reason(result, lang)
     for each in result.lines:
         yield say("feedback.stop", lang, text=quantity(result, each, lang, reveal))
     yield from diagnosis(result, lang, reveal)
-    yield from (say("feedback.note", lang, note=note) for note in result.notes)
-    yield from points_that_count(result, lang)
+    yield from at_the_end(Feedback(result, lang, reveal))
 
 
 def reason(result: Result, lang: Lang) -> str:
