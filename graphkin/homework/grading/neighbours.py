@@ -17,6 +17,7 @@ from graphkin.model.quantities import at_position
 
 _FEWEST, _PART = 3, 0.8  # so many numbers, and this part of them, agree with one other problem
 _CHANCE = 0.01  # a hit that random numbers make more often, on some problem of the set, is no hint
+_READ = ("unit", "sort", "right", "scatter", "tolerance")  # of a key's quantities
 _NEAREST = 0.1  # closer than this, in standard deviations, is no better
 
 
@@ -30,7 +31,7 @@ class Neighbours:
                 data = json.loads(path.read_text("utf-8-sig"))
                 parts = enumerate((data, *data.get("positions", ())), 1)
                 each = [(at_position(one["text"], at), one) for at, part in parts for one in part["quantities"]]
-                keys[student] = {text: KeyEntry(**one) for text, one in each}
+                keys[student] = {text: KeyEntry(text, *(one[key] for key in _READ)) for text, one in each}
         every = {text: entry for entries in keys.values() for text, entry in entries.items()}
         self.students, self._columns = (*keys,), {text: k for k, text in enumerate(every)}
         self._table, shape = columns([*every.values()]), (len(keys), len(every))
