@@ -88,9 +88,10 @@ def _explanations(marked: Marked, lang: Lang) -> Iterator[str]:
     if not marked.diagnosis.explanations and marked.departure is not None:
         yield departs(marked.departure, lang)
     for one in marked.diagnosis.explanations:
-        texts, explains = [mistakes_together(names, lang) for names in one.names], say("common.list", lang)
-        sure, explains = how_sure(one.probability, texts, lang), explains.join(one.explains)
-        yield say("marks.consistent", lang, what=joined(texts, lang), sure=sure, explains=explains)
+        texts = [mistakes_together(names, lang) for names in one.names]
+        what, sure = joined(texts, lang), how_sure(one.probability, texts, lang)
+        explains = say("common.list", lang).join(one.explains)
+        yield say("marks.consistent", lang, what=what, sure=sure, explains=explains)
 
 
 _CERTAIN, _PROBABLE = 0.99, 0.9

@@ -77,7 +77,7 @@ def at_the_end(page: Feedback) -> Iterator[str]:
     """Notes on what was passed over, and the points that count; of what was not marked, why."""
     if page.result.status == "not marked":
         yield reason(page.result, page.lang)
-    yield from (say("feedback.note", page.lang, note=note) for note in page.result.notes)
+    yield from (say("feedback.note", page.lang, note=as_on_sheets(page.result, note)) for note in page.result.notes)
     yield from points_that_count(page.result, page.lang)
 
 
