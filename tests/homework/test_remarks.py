@@ -20,9 +20,12 @@ from graphkin.homework.grading import SetMarker, judge_from, key_for
 from graphkin.homework.grading.neighbours import Neighbours
 from graphkin.homework.grading.sets import set_text
 from graphkin.homework.platforms.feedback import lines
-from graphkin.marking.records import HandedNumber, StudentWork
+from graphkin.marking.diagnosis import Diagnosis
+from graphkin.marking.records import Departure, Graded, HandedNumber, Judged, Marked, StudentWork
+from graphkin.outputs import marks_json
 from graphkin.outputs.key_json import key_text
 from graphkin.say import say
+from graphkin.say.marks import grade_lines
 
 ASKED = ("v B3", "omega 3", "a_n B3D", "a_k B3B2", "alpha 3")
 ANGLES = {"20231001": 50, "20231002": 55, "20231003": 60, "20231004": 65, "20231005": 70}
@@ -111,6 +114,8 @@ def test_only_the_teacher_sees_remarks(folder: Path, judge: SetMarker, tmp_path:
     there = {name for name, text in seen.items() if "20231001" in text or sheet in text}
     assert there == {"marks.json", "class.csv", "class.xlsx", "class-report.txt", "class-report.json"}
     data = {one["student"]: one for one in json.loads(seen["marks.json"])["results"]}
+    lines_of = map(json.loads, run(str(folder), str(tmp_path / "class.zip"), "--json").splitlines())
+    assert {line["student"]: line["remarks"] for line in lines_of} == {student: one["remarks"] for student, one in data.items()}
     assert data["20231005"]["remarks"] == [{"id": "another-student", "text": told}]
     assert [one["id"] for one in data["20231003"]["remarks"]] == ["own-sheet"]
     run(str(folder), str(out / "marks.json"), "-o", str(tmp_path / "again.json"))
@@ -153,6 +158,16 @@ def test_where_nothing_fits_the_first_value_astray_is_told():
     assert "leaves the right way" not in "\n".join(told(record(1, departure=astray), "answer"))
     without = "\n".join(told(record(1, mistakes=[], departure={**astray, "left": [], "right": []}), "answer"))
     assert "look at it again" in without
+
+
+def test_the_departure_is_in_the_record():
+    astray = Departure("omega 3", ("v_B3",), ("v_B2", "v_B3B2"))
+    judged = Judged("omega 3", "rad/s", -5.0, -3.9, 0.2, "wrong", points=1.0)
+    graded = Graded("s1", "s1.toml", "", Marked("s1", (judged,), Diagnosis(), astray))
+    written = marks_json.record(graded)
+    assert written["departure"] == {"quantity": "omega 3", "left": ["v_B3"], "right": ["v_B2", "v_B3B2"]}
+    assert results(written)[0].departure == astray
+    assert "  omega 3 is the first value that leaves the right way: there v_B3 = v_B2 + v_B3B2" in "\n".join(grade_lines(graded, "en"))
 
 
 def test_what_follows_from_the_mistake_is_told_as_that():
