@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import inf
+from typing import assert_never
 
 from graphkin.base.value import frozen
-from graphkin.construction import Construction, Equation, Measure, Roll, Simultaneous
+from graphkin.construction import Construction, Equation, Measure, Roll, Simultaneous, Step
 from graphkin.marking.answers import ArrowPlaces, Ends
 from graphkin.marking.scene import drawn_by
 from graphkin.model.quantities import Quantity, kinds
@@ -36,52 +37,75 @@ class DrawnAt:
 
 def drawing_order(method: Method, quantities: Sequence[Quantity], arrows: ArrowPlaces) -> list[DrawnAt]:
     """The place of each quantity."""
-    turns = method.facts().turns
-    nodes: dict[tuple[str, str], DrawnAt] = {}
-    rotations: dict[tuple[str, str], DrawnAt] = {}
-    ends: dict[Ends, DrawnAt] = {}
-    rank = 0
-    planes: dict[str, float] = {"position": 0.0}
+    order = _Order(method, arrows)
     for polygon, word in ((method.velocity, "omega"), (method.acceleration, "alpha")):
+        order.go_through(polygon, word)
+    return [order.place(quantity) for quantity in quantities]
+
+
+class _Order:
+    """The places of corners, rotations and arrows of both polygons, gone through step by step."""
+
+    def __init__(self, method: Method, arrows: ArrowPlaces) -> None:
+        self.turns, self.arrows = method.facts().turns, arrows
+        self.corners: dict[tuple[str, str], DrawnAt] = {}
+        self.rotations: dict[tuple[str, str], DrawnAt] = {}
+        self.ends: dict[Ends, DrawnAt] = {}
+        self.planes: dict[str, int] = {"position": 0}
+        self.rank = 0
+
+    def go_through(self, polygon: Construction, word: str) -> None:
         for part in polygon.parts:
             equation = part if isinstance(part, Equation) else None
             for step in part.steps if isinstance(part, Equation) else (part,):
-                rank += 1
-                here = DrawnAt(rank, polygon, equation)
-                for node in drawn_by(step):
-                    nodes.setdefault((polygon.plane, node), here)
-                match step:
-                    case Measure(quantity=quantity, of=link) if quantity == word:
-                        rotations.setdefault((word, turns[link].base), here)
-                    case Roll(angle=base) if base:
-                        rotations.setdefault((word, base), here)
-                    case Simultaneous(angles=angles):
-                        rotations.update({(word, base): here for base in angles if (word, base) not in rotations})
-                    case _:
-                        pass
+                self.rank += 1
+                for corner in drawn_by(step):
+                    self.corners.setdefault((polygon.plane, corner), DrawnAt(self.rank, polygon, equation))
+                closed = equation
+                if isinstance(step, Measure):  # off an arrow that an equation gave before
+                    closed = equation or self._latest(polygon.plane, step.tail, step.head).equation
+                for base in _rotations_of(step, word):
+                    here = DrawnAt(self.rank, polygon, closed)
+                    self.rotations.setdefault((word, self.turns[base].base), here)
             for term in (*equation.left, *equation.right) if equation is not None else ():
-                ends.setdefault((polygon.plane, term.tail, term.head), DrawnAt(rank, polygon, equation))
-        rank += 1
-        planes[polygon.plane] = rank
+                self.ends.setdefault((polygon.plane, term.tail, term.head), DrawnAt(self.rank, polygon, equation))
+        self.rank += 1
+        self.planes[polygon.plane] = self.rank
 
-    def place(quantity: Quantity) -> DrawnAt:
+    def _latest(self, plane: str, *corners: str) -> DrawnAt:
+        places = [self.corners[plane, corner] for corner in corners if (plane, corner) in self.corners]
+        return max(places, key=lambda at: at.rank, default=DrawnAt(inf))
+
+    def place(self, quantity: Quantity) -> DrawnAt:
+        """The place of one quantity; of one that is not drawn, after its plane."""
         match quantity:
             case kinds.Moving():
-                plane = "velocity" if quantity.letter == "v" else "acceleration"
-                arrow = arrows.of(quantity)
+                arrow = self.arrows.of(quantity)
                 if arrow is None:
-                    return DrawnAt(planes[plane])
-                first, tail, head = arrow[0]
-                places = [nodes[first, node] for node in (tail, head) if (first, node) in nodes]
-                return max(places, key=lambda at: at.rank, default=ends.get(arrow[0], DrawnAt(planes[plane])))
-            case kinds.Rotation() if quantity.word != "theta":
-                base = turns[quantity.link].base if quantity.link in turns else quantity.link
-                return rotations.get((quantity.word, base), DrawnAt(0.5 if quantity.word == "omega" else inf))
+                    return DrawnAt(self.planes["velocity" if quantity.letter == "v" else "acceleration"])
+                drawn = self._latest(*arrow[0])
+                return drawn if drawn.rank < inf else self.ends.get(arrow[0], drawn)
+            case kinds.Rotation(word="omega" | "alpha"):
+                base = self.turns[quantity.link].base if quantity.link in self.turns else quantity.link
+                return self.rotations.get((quantity.word, base), DrawnAt(0))
             case kinds.Component():
-                return place(quantity.whole)
+                return self.place(quantity.whole)
             case kinds.Quotient():
-                return max((place(half) for half in quantity.halves), key=lambda at: at.rank)
+                return max(map(self.place, quantity.halves), key=lambda at: at.rank)
+            case kinds.Rotation() | kinds.Displacement() | kinds.Place() | kinds.Track() | kinds.Centre():
+                return DrawnAt(self.planes["position"])
             case _:
-                return DrawnAt(planes["position"])
+                assert_never(quantity)
 
-    return [place(quantity) for quantity in quantities]
+
+def _rotations_of(step: Step, word: str) -> tuple[str, ...]:
+    """The links whose omega or alpha a step gives."""
+    match step:
+        case Measure(quantity=quantity, of=link) if quantity == word:
+            return (link,)
+        case Roll(angle=base) if base:
+            return (base,)
+        case Simultaneous(angles=angles):
+            return angles
+        case _:
+            return ()

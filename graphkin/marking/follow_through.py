@@ -12,6 +12,7 @@ from graphkin.base.geometry import Real, Value
 from graphkin.base.value import frozen
 from graphkin.construction import Coriolis, Image, LayOff, Measure, Plane, Plot, Size
 from graphkin.marking.answers import ArrowPlaces, Ends, arrows_of, drawn_answer
+from graphkin.marking.by_rotations import by_rotations
 from graphkin.marking.consequences import combined
 from graphkin.marking.hand import PolygonHand, Redrawing, redraw
 from graphkin.marking.key import Columns, Key, agrees, columns, differences, sense_only
@@ -76,13 +77,13 @@ class Own(PolygonHand):
                 along = 1.0 if quantity.along is None or np.iscomplexobj(value) else quantity.along
                 vector = value * along
                 each = sign * vector if np.iscomplexobj(vector) else np.abs(vector)
-                self.vectors.setdefault(ends, []).append(each)
-        self.poles = arrows.poles
+                self.vectors.setdefault(arrows.at_poles(ends), []).append(each)
+        self.poles, self.at_poles = arrows.poles, arrows.at_poles
 
     def _own(self, ends: Ends, right: Value, drawn_only: bool = False) -> Value:
         """The own vector, under any of the names that students use for it; of an own size, in the right direction. What
         is right where there is none."""
-        plane, tail, head = ends
+        plane, tail, head = ends = self.at_poles(ends)
         sign = 1
         if ends not in self.vectors:
             ends, sign = (plane, head, tail), -1
@@ -156,6 +157,7 @@ _FLAT = np.sin(np.radians(0.5))  # lines that meet under a smaller angle give no
 _SAME = 1e-6  # an own value that differs from a number of the problem by a smaller part is copied from it
 _ANSWERABLE = 5.0  # an own value is carried on between 1/5 and 5 times the right size
 _MOVES = 1e-3  # an own value that moves another by a smaller part of its tolerance does not enter it
+_ROUNDING = 0.015  # of a value that is calculated from others in three digits
 _STRETCH = 5.0  # a carried value that is larger than the right one may be off by as much more, within this
 
 
@@ -236,7 +238,7 @@ class CarriedProblem:
     @cached_property
     def _left(self) -> np.ndarray:
         """The part of each quantity's scatter that is left once one is known (known, quantities)."""
-        return once_known(self.key.together, [[k] for k in range(len(self.quantities))])[0]
+        return once_known(self.key.together)[0]
 
     def slips(self, given: np.ndarray, wrong: np.ndarray, there: np.ndarray) -> SlipOutcomes:
         """The outcomes of a slip in each wrong value (students, n) from which others follow that are wrong, too; for
@@ -244,6 +246,11 @@ class CarriedProblem:
         who, own = np.nonzero(wrong & self.usable(given))
         only = own[:, None] == np.arange(given.shape[1])
         followed = self._values(given[who], only)
+        rotations = by_rotations(self.method, self.plot, self.quantities, self.table.right, given[who], only)
+        for n, others, _ in rotations:  # the nearer of both ways
+            with np.errstate(invalid="ignore"):
+                nearer = np.abs(given[who, n] - others) < np.abs(given[who, n] - followed[:, n])
+            followed[nearer, n] = others[nearer]
         larger = np.abs(differences(self.table, followed, self.table.right)) > MOVED * self.table.scatter
         some = (larger & wrong[who] & ~self._alike[own]).any(axis=1)
         who, own, followed = who[some], own[some], np.where(only, np.nan, followed)[some]
@@ -255,6 +262,15 @@ class CarriedProblem:
         """The scatter of values that follow from own ones: so much of the right one's is left, more where they are
         larger, and the rounding of the own values."""
         return np.where(np.isfinite(followed), self.table.scatter * self._larger(followed) * left, np.nan)
+
+    def _tolerance(self, followed: np.ndarray, used: np.ndarray) -> np.ndarray:
+        """By how much values may be off that follow from own ones (students, n): less than the right ones, as a part of
+        the scatter comes in before the own values; at least the rounding of these, at most half of what follows."""
+        left = np.where(used[:, :, None], self._left, 1.0).min(axis=1, initial=1.0)
+        whole = self.table.tolerance * self._larger(followed)
+        rounding = np.minimum(_ROUNDING * np.abs(followed), whole)
+        most = np.where(self.table.angle, np.inf, 0.5 * np.abs(followed))
+        return np.asarray(np.minimum(np.maximum(whole * left, rounding), np.maximum(most, rounding)))
 
     def _larger(self, values: np.ndarray) -> np.ndarray:
         """By how much more values (students, n) may be off than the right ones: larger ones may by as much more."""
@@ -268,7 +284,7 @@ class CarriedProblem:
         used = known & allowed
         whole = self._values(given, used)
         moved = self._moved(whole, self.table.right)
-        tolerance = self.table.tolerance * self._larger(whole)
+        tolerance = self._tolerance(whole, used)
         values = np.where(moved, whole, np.nan)
         # own values that enter: without them others would follow
         who, own = np.nonzero(used)
@@ -277,9 +293,18 @@ class CarriedProblem:
         enters = {int(j): np.zeros_like(used) for j in np.unique(own)}
         for k, j, entered in zip(who.tolist(), own.tolist(), into, strict=True):
             enters[j][k] = entered
+        agree = wrong & agrees(self.table, given, values, tolerance)
+        rotations = by_rotations(self.method, self.plot, self.quantities, self.table.right, given, used)
+        for n, others, sources in rotations:  # by other rules than the polygon's
+            every = np.where(np.arange(values.shape[1]) == n, others[:, None], np.nan)
+            near = agrees(self.table, given, every, self._tolerance(every, used))
+            also = (wrong & ~agree & near & self._moved(every, self.table.right))[:, n]
+            agree[also, n], values[also, n] = True, others[also]
+            for j in sources:
+                enters[j][also, n] = used[also, j]
         texts = tuple(entry.text for entry in self.key.entries)
         return Carried(
-            texts, values, wrong & agrees(self.table, given, values, tolerance),
+            texts, values, agree,
             wrong & sense_only(self.table, given, values, tolerance), given, wrong & self._carries & ~allowed, enters,
         )  # fmt: skip
 

@@ -6,7 +6,6 @@ right or anything. Weights are logarithms of likelihoods times how often such wo
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from copy import copy
 from functools import cached_property
 from math import lgamma
@@ -164,7 +163,7 @@ class ScaledExplanations:
     def _slips(self) -> _NormalRows:
         """Right values but for one each, scattered as they are once that is known."""
         own = np.eye(len(self.table.right), dtype=bool)
-        together = once_known(self._right.usual, [[k] for k in range(len(own))])[1]
+        together = once_known(self._right.usual)[1]
         together[own[:, :, None] | own[:, None, :]] = 0.0
         values, scatters = (np.where(own, np.nan, one) for one in (self.table.right, self.table.scatter))
         return _NormalRows(self.table, values, scatters, self._right.usual, together)
@@ -177,19 +176,14 @@ class ScaledExplanations:
         return Weighed(weights + self.shares, worst, near, chance, right[:, 0] + _RIGHT, none.sum(axis=1) + _NONE)
 
 
-def once_known(together: np.ndarray, known: Sequence[Sequence[int]]) -> tuple[np.ndarray, np.ndarray]:
-    """What is left of scatters that go together (n, n) once some columns are known, for each choice of these: the part
-    of each standard deviation (choices, n), and the correlation (choices, n, n)."""
-    parts, correlations = [], []
-    for columns in known:
-        across = together[:, columns]
-        left = together - across @ np.linalg.pinv(together[np.ix_(columns, columns)], hermitian=True) @ across.T
-        part = np.sqrt(np.maximum(np.diag(left), LEFT**2))
-        correlation = left / np.outer(part, part)
-        np.fill_diagonal(correlation, 1.0)
-        parts.append(part)
-        correlations.append(np.clip(correlation, -1.0, 1.0))
-    return np.array(parts), np.array(correlations)
+def once_known(together: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """What is left of scatters that go together (n, n) once one of them is known, a row for each: the part of each
+    standard deviation (n, n), and the correlations (n, n, n)."""
+    left = together - together[:, :, None] * together[:, None, :]
+    parts = np.sqrt(np.maximum(np.diagonal(left, axis1=1, axis2=2), LEFT**2))
+    correlations = np.clip(left / (parts[:, :, None] * parts[:, None, :]), -1.0, 1.0)
+    correlations[:, np.arange(len(together)), np.arange(len(together))] = 1.0
+    return parts, correlations
 
 
 def visible(table: Columns, values: np.ndarray) -> np.ndarray:

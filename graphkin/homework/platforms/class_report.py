@@ -47,6 +47,7 @@ class ClassReport:
     habits       mistakes that show in several problems of a student, with how many students
     unexplained  how many are wrong somewhere and consistent with no known mistake
     ranges       how many scores in each tenth, the lowest first; the last holds 100 %
+    remarks      what the teacher should look at: student, file, remark
     mean, ..     of the scores, from 0 to 1; None where there are none
     """
 
@@ -58,6 +59,7 @@ class ClassReport:
     unexplained: int
     ranges: tuple[int, ...]
     habits: tuple[tuple[Habit, int], ...] = ()
+    remarks: tuple[tuple[str, str, str], ...] = ()
     mean: Decimal | None = None
     median: Decimal | None = None
     lowest: Decimal | None = None
@@ -83,10 +85,12 @@ class _Count:
     mistakes: dict[tuple[str, ...], tuple[Suspicion, int]] = field(default_factory=dict)
     scores: Counter[Decimal] = field(default_factory=Counter)
     habits: Counter[Habit] = field(default_factory=Counter)
+    remarks: list[tuple[str, str, str]] = field(default_factory=list)
 
     def add(self, result: Result) -> None:
         self.status[result.status] += 1
         self.status["overridden"] += result.override is not None
+        self.remarks.extend((result.student, result.file, remark) for remark in result.remarks)
         if result.score is not None:
             self.scores[result.score] += 1
         if result.status != "marked":
@@ -121,7 +125,7 @@ class _Count:
             spread = [mean, (order[(number - 1) // 2] + order[number // 2]) / 2, order[0], order[-1]]
         return ClassReport(
             status["marked"], status["not marked"], status["overridden"], steps, tuple(mistakes),
-            status["unexplained"], tuple(ranges), tuple(self.habits.most_common()), *spread,
+            status["unexplained"], tuple(ranges), tuple(self.habits.most_common()), tuple(self.remarks), *spread,
         )  # fmt: skip
 
 
@@ -148,7 +152,9 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
         counts = (f"{say(f'verdicts.verdict {name}', lang)} {step.verdicts.get(name, 0)}" for name in shown)
         verdicts = say("common.list", lang).join(counts)
         steps.append(say("class_report.step", lang, name=step.name, verdicts=verdicts, first=step.first))
-    parts = {"steps": steps, "mistakes": mistakes, "habits": habits, "distribution": distribution}
+    remarks = [say("class_report.remark", lang, student=student, file=file, remark=remark)
+               for student, file, remark in report.remarks]  # fmt: skip
+    parts = {"remarks": remarks, "steps": steps, "mistakes": mistakes, "habits": habits, "distribution": distribution}
     for title, texts in parts.items():
         if texts:
             yield from ("", say(f"class_report.part {title}", lang))
@@ -173,4 +179,5 @@ def report_record(report: ClassReport) -> dict[str, Plain]:
             {"ids": list(one.ids), "in_problems": one.shown, "of_problems": one.of, "count": count}
             for one, count in report.habits
         ],
+        "remarks": [{"student": who, "file": file, "remark": remark} for who, file, remark in report.remarks],
     }  # fmt: skip

@@ -21,7 +21,7 @@ from graphkin.say.catalogue import in_both, say
 from graphkin.say.marks import verdict
 
 _FRONT = ("student", "file", "status", "earned", "most", "override", "total", "score percent")
-_BACK = ("diagnosis", "reason")
+_BACK = ("remarks", "diagnosis", "reason")
 
 
 def quantities(results: Iterable[Result]) -> tuple[str, ...]:
@@ -51,7 +51,8 @@ def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang, several:
         by_name: dict[str, tuple[Cell, Cell]] = {line.name: (verdict(line, lang), line.points) for line in result.lines}
         middle = [cell for name in names for cell in by_name.get(name, ("", None))]
         diagnosis = suspected(result.suspicions[0], lang) if result.suspicions else ""
-        row = [*front_cells, *middle, diagnosis, texts_in([result.reason], lang)[0]]
+        remarks = say("common.semicolon", lang).join(result.remarks)
+        row = [*front_cells, *middle, remarks, diagnosis, texts_in([result.reason], lang)[0]]
         yield [*row, *([say("common.semicolon", lang).join(habits)] if several else [])]
 
 
