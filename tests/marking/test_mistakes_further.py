@@ -128,8 +128,8 @@ def test_answers_as_they_are_written_down():
         ("answers-swapped", "", "alpha 2", "alpha 3"): {"alpha 2": answers["alpha 3"], "alpha 3": answers["alpha 2"]},
         ("decimal-slip", "", "a E", "1/10"): {"a E": answers["a E"] / 10},
         ("decimal-slip", "", "alpha 2", "10"): {"alpha 2": answers["alpha 2"] * 10},
-        ("degrees-for-radians", "", "omega, alpha", "180/π"): {t: answers[t] * degree for t in texts if t[:2] in ("om", "al")},
-        ("degrees-for-radians", "", "alpha", "π/180"): {t: answers[t] / degree for t in texts if t[:2] == "al"},
+        ("degrees-for-radians", "", "ω, α", "180/π"): {t: answers[t] * degree for t in texts if t[:2] in ("om", "al")},
+        ("degrees-for-radians", "", "α", "π/180"): {t: answers[t] / degree for t in texts if t[:2] == "al"},
         ("degrees-for-radians", "", "omega 3", "180/π"): {"omega 3": answers["omega 3"] * degree},
         ("sense-not-given",): {"omega 2": -answers["omega 2"]},
     }.items():  # fmt: skip

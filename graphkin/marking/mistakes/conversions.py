@@ -100,10 +100,10 @@ def _throughout(scene: Scene) -> Iterator[Rewrite]:
 @mistake("degrees-for-radians", "unit", "3-2.1")
 def degrees(scene: Scene) -> Iterator[Rewrite]:
     """Rotations in degrees: all of them, those of one word, one alone, or one that is carried on."""
-    words = {word: [q.text for q in scene.quantities if isinstance(q, Rotation) and q.word == word]
-             for word in ("omega", "alpha")}  # fmt: skip
-    every = [text for texts in words.values() for text in texts]
-    groups = {", ".join(words): every, **words, **{text: [text] for text in every}}
+    turning = [quantity for quantity in scene.quantities if isinstance(quantity, Rotation)]
+    omegas, alphas = ([q.text for q in turning if q.word == word] for word in ("omega", "alpha"))
+    every = omegas + alphas
+    groups = {"ω, α": every, "ω": omegas, "α": alphas, **{text: [text] for text in every}}
     # of several that are the same rotations, the last one's name says most
     yield from _times("degrees-for-radians", {tuple(texts): name for name, texts in groups.items() if texts}, DEGREES)
     yield from _carried(scene, "degrees-for-radians", DEGREES)
