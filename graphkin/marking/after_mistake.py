@@ -72,7 +72,8 @@ def aftermath(
     with np.errstate(invalid="ignore", divide="ignore"):
         turned = np.abs(np.angle(drawn.vectors[row] / drawn.vectors[0])) > ASTRAY
     values = drawn.values[row]
-    own = wrong & ~problem.near(given, values) & problem.usable(given)
+    # beside a mistake that is known an own value may be of any size
+    own = wrong & ~problem.near(given, values) & problem.usable(given, of_any_size=True)
     some = np.flatnonzero(own.any(axis=1)).tolist()
     if some:
         values[some] = _with_own(problem, [columns[k] for k in some], given[some], own[some])

@@ -218,9 +218,9 @@ class CarriedProblem:
         """Of the right values: those of sizes along a guide, too."""
         return np.where(combined(self.method, self.plot, self.quantities, [()]).values[0] < 0, -1.0, 1.0)
 
-    def usable(self, given: np.ndarray) -> np.ndarray:
-        """The own values (students, n) that are carried on: nothing is gained by 0 or by a number of the problem."""
-        return np.asarray(usable(self.key, self.table, given) & self._carries)
+    def usable(self, given: np.ndarray, of_any_size: bool = False) -> np.ndarray:
+        """The own values (students, n) that are carried on, as `usable` has it."""
+        return np.asarray(usable(self.key, self.table, given, of_any_size) & self._carries)
 
     @cached_property
     def _carries(self) -> np.ndarray:
@@ -341,11 +341,11 @@ class CarriedProblem:
             return np.asarray(np.abs(values - others) > _MOVES * self.table.tolerance)
 
 
-def usable(key: Key, table: Columns, given: np.ndarray) -> np.ndarray:
+def usable(key: Key, table: Columns, given: np.ndarray, of_any_size: bool = False) -> np.ndarray:
     """The own values (students, n) that are carried on: nothing is gained by 0 or by a number of the problem."""
     with np.errstate(invalid="ignore", divide="ignore"):
         size, right = np.abs(given), np.abs(table.right)
-        bounded = (size >= right / _ANSWERABLE) & (size <= right * _ANSWERABLE)
+        bounded = (size >= right / _ANSWERABLE) & (size <= right * _ANSWERABLE) | of_any_size & (size > 0)
     copied = np.zeros(given.shape, dtype=bool)
     for number in key.given:
         copied |= np.abs(size - abs(number)) <= _SAME * abs(number)
