@@ -98,6 +98,7 @@ def by_hand(
     (("diameter-for-radius", "", "a^n_B3D", "l_BD/2"), {"normal": 0.5}),
     (("degrees-for-radians", "carried", "omega 3", "180/π"), {"omega": 180 / np.pi}),
     (("decimal-slip", "carried", "omega 3", "1/10"), {"omega": 0.1}),
+    (("decimal-slip", "carried", "alpha 3", "10"), {"alpha": 10}),
 ])  # fmt: skip
 def test_what_follows_in_a_lever(words: tuple[str, ...], factors: dict[str, float]):
     found = values(lever(), *words)

@@ -8,6 +8,7 @@ from itertools import combinations
 from math import pi
 
 from graphkin.base.geometry import number
+from graphkin.construction import Plane
 from graphkin.marking.answers import asked_of, sort_of
 from graphkin.marking.mistakes.readings import measured, reading
 from graphkin.marking.rewrite import Edit, Rewrite, RewrittenValue, Times
@@ -71,11 +72,11 @@ def _times(id: str, of: Mapping[tuple[str, ...], str], times: Mapping[str, float
             yield Rewrite(id, name, form, asked=tuple(RewrittenValue(text, factor) for text in texts), way=way)
 
 
-def _carried(scene: Scene, id: str, factors: Mapping[str, float]) -> Iterator[Rewrite]:
+def _carried(scene: Scene, id: str, factors: Mapping[str, float], plane: Plane = "velocity") -> Iterator[Rewrite]:
     """A rotation read so, and all that follows from it."""
-    for step, name in measured(scene, "velocity"):
+    for step, name in measured(scene, plane):
         for form, factor in factors.items():
-            yield Rewrite(id, name, form, reading("velocity", step, Times(factor)), way="carried")
+            yield Rewrite(id, name, form, reading(plane, step, Times(factor)), way="carried")
 
 
 def _throughout(scene: Scene) -> Iterator[Rewrite]:
@@ -120,6 +121,7 @@ def decimal_slip(scene: Scene) -> Iterator[Rewrite]:
     """One answer ten times too large or too small; or a rotation, and all that follows from it."""
     yield from _times("decimal-slip", {(q.text,): q.text for q in _asked(scene) if sort_of(q) != "angle"}, PLACES)
     yield from _carried(scene, "decimal-slip", PLACES)
+    yield from _carried(scene, "decimal-slip", PLACES, "acceleration")
 
 
 @mistake("answers-swapped", "answers", "3-2.1")
