@@ -138,7 +138,7 @@ def test_a_mistake_beside_a_value_that_nothing_explains():
 # --- what follows from own rotations ----------------------------------------------------------
 
 
-WHEEL = asking("s4-ex2", "omega 2", "v B").text.replace('points = ["B"]', "shape = { B = [0, 0], F = [0, 120] }").replace('"v B"', '"v F"')
+WHEEL = asking("s4-ex2", "omega 2", "v B").text.replace('points = ["B"]', "shape = { B = [0, 0], F = [0, 120] }").replace('"v B"', '"v F"') + '\n[[pose]]\nvector = "BF"\nangle = 30\n'
 
 
 @pytest.mark.parametrize(
