@@ -149,6 +149,12 @@ PHRASES: Phrases = {
                                          "{of} 沿曲柄方向画出（应与曲柄垂直）"),
     "mistakes.made velocity-along-link": ("the direction line of {of} drawn along the link instead of across it",
                                           "{of} 的方向线沿构件方向画出（应与构件垂直）"),
+    "mistakes.made velocity-along-link ccw": ("the direction line of {of} drawn along the link instead of across it, "
+                                              "and the rotation read off it as counter-clockwise",
+                                              "{of} 的方向线沿构件方向画出（应与构件垂直），并由它读出逆时针转动"),
+    "mistakes.made velocity-along-link cw": ("the direction line of {of} drawn along the link instead of across it, "
+                                             "and the rotation read off it as clockwise",
+                                             "{of} 的方向线沿构件方向画出（应与构件垂直），并由它读出顺时针转动"),
     "mistakes.made wrong-radius": ("the direction line of {of} drawn {form}: across the wrong radius",
                                    "{of} 的方向线取 {form}，半径取错"),
     "mistakes.made sliding-across": ("the direction line of the sliding {of} drawn across the guide instead of along "
@@ -197,6 +203,12 @@ PHRASES: Phrases = {
                                   "法向加速度 {of} 的大小误取为 {form}"),
     "mistakes.made tangential-along": ("the direction line of {of} drawn along the link instead of across it",
                                        "{of} 的方向线沿构件方向画出（应与构件垂直）"),
+    "mistakes.made tangential-along ccw": ("the direction line of {of} drawn along the link instead of across it, and "
+                                           "the angular acceleration read off it as counter-clockwise",
+                                           "{of} 的方向线沿构件方向画出（应与构件垂直），并由它读出逆时针角加速度"),
+    "mistakes.made tangential-along cw": ("the direction line of {of} drawn along the link instead of across it, and "
+                                          "the angular acceleration read off it as clockwise",
+                                          "{of} 的方向线沿构件方向画出（应与构件垂直），并由它读出顺时针角加速度"),
     "mistakes.made tangential-along crank": ("{of} laid along the velocity instead of towards the pivot",
                                              "{of} 沿速度方向画出（应指向转动中心）"),
     "mistakes.made wrong-tail": ("{of} laid off from the pole {form}, so that the arrow before it is lost",
