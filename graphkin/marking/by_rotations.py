@@ -26,35 +26,60 @@ class OffRate:
     sources: frozenset[int]
 
 
-def by_rotations(
+@frozen
+class OwnRotations:
+    """The rotations that students have of their own, and those of wheels that follow from these at their contacts.
+
+    rates   by how much they are off, own ones before those that follow
+    wheels  those that follow, by how much they are off
+    """
+
+    rates: Mapping[Rate, OffRate]
+    wheels: Mapping[Rate, OffRate]
+
+
+def own_rotations(
     method: Method, plot: Plot, quantities: Sequence[Quantity], right: np.ndarray, given: np.ndarray, used: np.ndarray
-) -> Iterator[tuple[int, np.ndarray, frozenset[int]]]:
-    """The quantities that follow from own rotations: the number, the value for each student (students,), NaN where none
-    follows, and the numbers of the own rotations. right: (quantities,); given, used: (students, quantities)."""
+) -> OwnRotations:
+    """Of given values that are used (students, quantities); right ones (quantities,)."""
     turns = plot.facts.turns
-    rotations = {k: (q.word, turns[q.link].base) for k, q in enumerate(quantities)
-                 if isinstance(q, Rotation) and q.word != "theta" and q.link in turns}  # fmt: skip
     rates: dict[Rate, OffRate] = {}
-    for k, rate in rotations.items():
+    for k, rate in _rotations(plot, quantities):
         if used[:, k].any():
             own = OffRate(np.where(used[:, k], given[:, k] - right[k], np.nan), frozenset({k}))
             rates[rate] = _either(rates.get(rate), own)
-    # the wheels of each contact, one after another, by what is known of the others there
-    for wheels in _contacts(method, turns):
-        *others, (wheel, radius) = wheels
+    wheels: dict[Rate, OffRate] = {}
+    for *others, (wheel, radius) in _contacts(method, turns) if rates else ():  # one after another
         for word in ("omega", "alpha"):
             parts = [(rates[word, base], r) for base, r in others if (word, base) in rates]
-            if not parts:
-                continue
-            some = np.any([np.isfinite(rate.off) for rate, _ in parts], axis=0)
-            off = -np.sum([r * np.nan_to_num(rate.off) for rate, r in parts], axis=0) / radius
-            follows = OffRate(np.where(some, off, np.nan), frozenset().union(*(rate.sources for rate, _ in parts)))
-            yield from ((k, right[k] + follows.off, follows.sources)
-                        for k, rate in rotations.items() if rate == (word, wheel))  # fmt: skip
-            rates[word, wheel] = _either(rates.get((word, wheel)), follows)
+            if parts:
+                some = np.any([np.isfinite(rate.off) for rate, _ in parts], axis=0)
+                off = -np.sum([r * np.nan_to_num(rate.off) for rate, r in parts], axis=0) / radius
+                sources = frozenset[int]().union(*(rate.sources for rate, _ in parts))
+                wheels[word, wheel] = OffRate(np.where(some, off, np.nan), sources)
+                rates[word, wheel] = _either(rates.get((word, wheel)), wheels[word, wheel])
+    return OwnRotations(rates, wheels)
+
+
+def by_rotations(
+    method: Method, plot: Plot, quantities: Sequence[Quantity], right: np.ndarray, own: OwnRotations
+) -> Iterator[tuple[int, np.ndarray, frozenset[int]]]:
+    """The quantities that follow from own rotations: the number, the value for each student (students,), NaN where none
+    follows, and the numbers of the own rotations."""
+    for k, rate in _rotations(plot, quantities):
+        if rate in own.wheels:
+            yield k, right[k] + own.wheels[rate].off, own.wheels[rate].sources
     for k, quantity in enumerate(quantities):
-        if isinstance(quantity, Moving):
-            yield from ((k, *outcome) for outcome in _of_point(method, plot, quantity, float(right[k]), rates))
+        if isinstance(quantity, Moving) and own.rates:
+            yield from ((k, *outcome) for outcome in _of_point(method, plot, quantity, float(right[k]), own.rates))
+
+
+def _rotations(plot: Plot, quantities: Sequence[Quantity]) -> Iterator[tuple[int, Rate]]:
+    """The quantities that are omega or alpha, by their numbers."""
+    turns = plot.facts.turns
+    for k, quantity in enumerate(quantities):
+        if isinstance(quantity, Rotation) and quantity.word != "theta" and quantity.link in turns:
+            yield k, (quantity.word, turns[quantity.link].base)
 
 
 def _either(first: OffRate | None, second: OffRate) -> OffRate:

@@ -23,7 +23,7 @@ _LIKELY = 0.5
 _SURE = 0.9  # so probable is a mistake that does not explain all
 _SAME = 0.5  # explanations whose values differ by less, in standard deviations, are one
 _CHANCE = 0.008  # a hit that random numbers make more often is no hint
-_BESIDE_SLIP = 4.0  # a mistake and a slip whose weights differ by less are one set
+_BESIDE_SLIP = 6.0  # a mistake and a slip whose weights differ by less are one set
 _AT_ONCE = 1 << 16  # weights that are held at once
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 
@@ -12,11 +12,11 @@ from graphkin.base.geometry import Real, Value
 from graphkin.base.value import frozen
 from graphkin.construction import Coriolis, Image, LayOff, Measure, Plane, Plot, Size
 from graphkin.marking.answers import ArrowPlaces, Ends, arrows_of, drawn_answer
-from graphkin.marking.by_rotations import by_rotations
+from graphkin.marking.by_rotations import OwnRotations, Rate, by_rotations, own_rotations
 from graphkin.marking.consequences import combined
 from graphkin.marking.hand import PolygonHand, Redrawing, redraw
 from graphkin.marking.key import Columns, Key, agrees, columns, differences, sense_only
-from graphkin.marking.weights import MOVED, SlipOutcomes, once_known
+from graphkin.marking.weights import SlipOutcomes, once_known
 from graphkin.model.quantities import Answer, Moving, Quantity, Rotation
 from graphkin.model.quantities.kinds import Component
 from graphkin.planning import Method
@@ -44,27 +44,35 @@ class Followed:
 
 
 def replay_with(
-    method: Method, right: Plot, own: Mapping[Quantity, Value], arrows: ArrowPlaces | None = None
-) -> Followed:
+    method: Method, right: Plot, own: Mapping[Quantity, Value], arrows: ArrowPlaces | None = None,
+    wheels: Mapping[Rate, Value] | None = None,
+) -> Followed:  # fmt: skip
     """Draw the polygons on from a student's own values, at the positions of the right plot.
 
     own  by quantity, SI: omega and alpha with their sense; of a vector the complex vector where it was drawn (or both
          its components), or its size. Scalars, or arrays over students with NaN where one has no value. Other
          quantities have no effect.
+    wheels  as of `Own`
 
     A vector's size alone is taken as read off or laid off in the direction it has: what is calculated from it follows,
     and what is drawn from a known arrow's end; a drawn vector moves its point.
     """
     arrows = arrows or arrows_of(method)
     shape = np.broadcast_shapes(*(np.shape(value) for value in own.values()))
-    return Followed(method, arrows, redraw(method, right, Own(own, arrows), shape))
+    return Followed(method, arrows, redraw(method, right, Own(own, arrows, wheels), shape))
 
 
 class Own(PolygonHand):
     """Draws with own values in their place."""
 
-    def __init__(self, own: Mapping[Quantity, Value], arrows: ArrowPlaces) -> None:
+    def __init__(
+        self, own: Mapping[Quantity, Value], arrows: ArrowPlaces, wheels: Mapping[Rate, Value] | None = None
+    ) -> None:
+        """wheels: omega and alpha of wheels that follow from own ones, which count where there is none of these."""
         self.rotations = {(q.word, q.link): value for q, value in own.items() if isinstance(q, Rotation)}
+        for rate, value in (wheels or {}).items():
+            first = self.rotations.get(rate)
+            self.rotations[rate] = value if first is None else _where_given(first, value)
         self.vectors: dict[Ends, list[Value]] = {}
         axes: dict[Moving, dict[str, Value]] = {}
         for quantity, value in own.items():
@@ -158,6 +166,7 @@ _SAME = 1e-6  # an own value that differs from a number of the problem by a smal
 _ANSWERABLE = 5.0  # an own value is carried on between 1/5 and 5 times the right size
 _MOVES = 1e-3  # an own value that moves another by a smaller part of its tolerance does not enter it
 _ROUNDING = 0.015  # of a value that is calculated from others in three digits
+_FELT = 0.3  # others follow from a value that moves one of them by so many standard deviations
 _STRETCH = 5.0  # a carried value that is larger than the right one may be off by as much more, within this
 
 
@@ -246,13 +255,12 @@ class CarriedProblem:
         who, own = np.nonzero(wrong & self.usable(given))
         only = own[:, None] == np.arange(given.shape[1])
         followed = self._values(given[who], only)
-        rotations = by_rotations(self.method, self.plot, self.quantities, self.table.right, given[who], only)
-        for n, others, _ in rotations:  # the nearer of both ways
+        for n, others, _ in self._by_rotations(given[who], only):  # the nearer of both ways
             with np.errstate(invalid="ignore"):
                 nearer = np.abs(given[who, n] - others) < np.abs(given[who, n] - followed[:, n])
             followed[nearer, n] = others[nearer]
-        larger = np.abs(differences(self.table, followed, self.table.right)) > MOVED * self.table.scatter
-        some = (larger & wrong[who] & ~self._alike[own]).any(axis=1)
+        moved = np.abs(differences(self.table, followed, self.table.right)) > _FELT * self.table.scatter
+        some = (moved & np.isfinite(given[who]) & ~self._alike[own]).any(axis=1)
         who, own, followed = who[some], own[some], np.where(only, np.nan, followed)[some]
         values, scatters = np.full((2, *given.shape, given.shape[1]), np.nan)
         values[who, own], scatters[who, own] = followed, self._scatter(followed, self._left[own])
@@ -261,7 +269,20 @@ class CarriedProblem:
     def _scatter(self, followed: np.ndarray, left: np.ndarray) -> np.ndarray:
         """The scatter of values that follow from own ones: so much of the right one's is left, more where they are
         larger, and the rounding of the own values."""
-        return np.where(np.isfinite(followed), self.table.scatter * self._larger(followed) * left, np.nan)
+        scatter = self.table.scatter * np.maximum(self._larger(followed), self._growth(followed)) * left
+        return np.where(np.isfinite(followed), scatter, np.nan)
+
+    def _growth(self, followed: np.ndarray) -> np.ndarray:
+        """By how much the largest value of each one's unit has grown (students, n): longer arrows, wider errors."""
+        units = [entry.unit for entry in self.key.entries]
+        growth = np.ones(followed.shape)
+        for unit in dict.fromkeys(units):
+            of = np.array([each == unit for each in units], dtype=bool)
+            before = np.abs(self.table.right[of]).max()
+            if before:
+                now = np.nan_to_num(np.abs(followed[:, of])).max(axis=1)
+                growth[:, of] = np.maximum(now / before, 1.0)[:, None]
+        return growth
 
     def _tolerance(self, followed: np.ndarray, used: np.ndarray) -> np.ndarray:
         """By how much values may be off that follow from own ones (students, n): less than the right ones, as a part of
@@ -294,8 +315,7 @@ class CarriedProblem:
         for k, j, entered in zip(who.tolist(), own.tolist(), into, strict=True):
             enters[j][k] = entered
         agree = wrong & agrees(self.table, given, values, tolerance)
-        rotations = by_rotations(self.method, self.plot, self.quantities, self.table.right, given, used)
-        for n, others, sources in rotations:  # by other rules than the polygon's
+        for n, others, sources in self._by_rotations(given, used):  # by other rules than the polygon's
             every = np.where(np.arange(values.shape[1]) == n, others[:, None], np.nan)
             near = agrees(self.table, given, every, self._tolerance(every, used))
             also = (wrong & ~agree & near & self._moved(every, self.table.right))[:, n]
@@ -314,13 +334,24 @@ class CarriedProblem:
         some = np.flatnonzero(used.any(axis=1))
         if not some.size:
             return right
-        followed = replay_with(self.method, self.plot, self.own(given[some], used[some]), self.arrows)
+        own = self._rotations(given[some], used[some])
+        wheels = {(word, base): getattr(self.plot, word)[base] + rate.off for (word, base), rate in own.wheels.items()}
+        followed = replay_with(self.method, self.plot, self.own(given[some], used[some]), self.arrows, wheels)
         for j, quantity in enumerate(self.quantities):
             value = followed.value(quantity).value
             right[some, j] = np.abs(value) if self.table.size[j] else value
         sines = np.broadcast_to(followed.least_sine, some.shape)
         right[some[~(sines > _FLAT)]] = np.nan
         return right
+
+    def _rotations(self, given: np.ndarray, used: np.ndarray) -> OwnRotations:
+        return own_rotations(self.method, self.plot, self.quantities, self.table.right, given, used)
+
+    def _by_rotations(
+        self, given: np.ndarray, used: np.ndarray
+    ) -> Iterator[tuple[int, np.ndarray, frozenset[int]]]:
+        own = self._rotations(given, used)
+        return by_rotations(self.method, self.plot, self.quantities, self.table.right, own)
 
     def own(self, given: np.ndarray, used: np.ndarray) -> dict[Quantity, Value]:
         """Own values (students, n) that are used, by quantity; NaN where a student has none."""
