@@ -6,7 +6,10 @@ from typing import ClassVar
 
 from graphkin.errors.base import Choice, GraphkinError, Lang, LocatedError
 
-__all__ = ["BadKey", "BadPencil", "NoKeyAtPosition", "NoMarks", "NoSuchProblem", "NothingToMark", "SaidBefore"]
+__all__ = [
+    "AnotherStudent", "BadKey", "BadPencil", "NoKeyAtPosition", "NoMarks", "NoSuchProblem", "NothingToMark", "OwnSheet",
+    "SaidBefore", "TurnedPage",
+]  # fmt: skip
 
 
 class BadKey(LocatedError):
@@ -73,7 +76,38 @@ class NoMarks(LocatedError):
 
 
 class SaidBefore(GraphkinError):
-    """The sentence about a submission from when it was marked first."""
+    """The sentence about a submission from when it was marked first; `id`: of a remark."""
 
     told: str
+    id: str = ""
     text: ClassVar[dict[Lang, str]] = {"en": "{told}", "zh": "{told}"}
+
+
+class TurnedPage(LocatedError):
+    degrees: float
+    id: ClassVar[str] = "turned"
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: turned? Its directions are all off by {degrees:.0f}°. Try --turned.",
+        "zh": "{where}：图是否转动过？各方向都偏转 {degrees:.0f}°。请试用 --turned。",
+    }
+
+
+class OwnSheet(LocatedError):
+    id: ClassVar[str] = "own-sheet"
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "{where}: graphkin's own sheet: its marks, its letters, and every point where it drew them.",
+        "zh": "{where}：这是 graphkin 自己画的图：标记、字母和各点位置都原样未动。",
+    }
+
+
+class AnotherStudent(GraphkinError):
+    """Numbers that are right for another student's problem, and not for the own."""
+
+    student: str
+    agreeing: int
+    count: int
+    id: ClassVar[str] = "another-student"
+    text: ClassVar[dict[Lang, str]] = {
+        "en": "agrees with {student}'s problem in {agreeing} of {count}",
+        "zh": "所交 {count} 个量中有 {agreeing} 个与 {student} 的题目相符",
+    }

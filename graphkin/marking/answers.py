@@ -9,7 +9,7 @@ import numpy as np
 
 from graphkin.base.geometry import Real, Value, dot
 from graphkin.base.value import frozen
-from graphkin.construction import Image, Normal, Plane, Site
+from graphkin.construction import Given, Image, Normal, Plane, Site
 from graphkin.errors import GraphkinError
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.key import Sort
@@ -80,15 +80,23 @@ class ArrowPlaces:
     """The places of arrows in the polygons of a method.
 
     nodes   by link and point, its name in each plane
+    resting the nodes that sit on the poles, as fixed points do
     parts   ends of the arrows seen from another point, by plane, part and both points of the plane
     """
 
     nodes: Mapping[tuple[str, str, Plane], str]
     poles: Mapping[Plane, str]
+    resting: frozenset[tuple[Plane, str]]
     parts: Mapping[tuple[Plane, str, str, str], Ends]
 
     def node(self, site: Seen | Site, plane: Plane) -> str | None:
         return self.poles[plane] if site.link == FRAME else self.nodes.get((site.link, site.point, plane))
+
+    def at_poles(self, ends: Ends) -> Ends:
+        """The arrow with its ends at the pole where they sit on it."""
+        plane, tail, head = ends
+        tail, head = (self.poles[plane] if (plane, node) in self.resting else node for node in (tail, head))
+        return plane, tail, head
 
     def of(self, quantity: kinds.Moving) -> tuple[Ends, int] | None:
         """The arrow a quantity names, and 1, or -1 where the polygon has it the other way round; None where none."""
@@ -117,7 +125,9 @@ def arrows_of(method: Method) -> ArrowPlaces:
                 for link in own if node.site.link in own else (node.site.link,):
                     nodes.setdefault((link, node.site.point, construction.plane), node.name)
     parts: dict[tuple[Plane, str, str, str], Ends] = {}
-    arrows = ArrowPlaces(nodes, {construction.plane: construction.pole for construction in polygons}, parts)
+    resting = frozenset((construction.plane, name) for construction in polygons for step in construction.steps
+                        if isinstance(step, Given) for name in step.also)  # fmt: skip
+    arrows = ArrowPlaces(nodes, {construction.plane: construction.pole for construction in polygons}, resting, parts)
     for construction in polygons:
         plane = construction.plane
         for term in construction.vectors().values():

@@ -116,9 +116,14 @@ def combined(
     values = _table([cut(answer.value, answer.unit) for answer in answers], len(columns), float)
     vectors = _table([np.nan if a.vector is None else cut(a.vector, a.unit) for a in answers], len(columns), complex)
     for row, rewrites in enumerate(columns):
+        read, whole = values[row].copy(), vectors[row].copy()
         for one in (one for rewrite in rewrites for one in rewrite.asked):  # drawn right and written otherwise
+            if not {one.quantity, one.other or one.quantity} <= numbers.keys():
+                continue
             k = numbers[one.quantity]
-            if np.isfinite(vectors[row, k]):
+            if one.other:
+                values[row, k], vectors[row, k] = read[numbers[one.other]], whole[numbers[one.other]]
+            elif np.isfinite(vectors[row, k]):
                 vectors[row, k] = one.factor * (vectors[row, k] if one.instead is None else one.instead)
                 values[row, k] = size_of(quantities[k], vectors[row, k])
             else:

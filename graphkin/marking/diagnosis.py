@@ -10,22 +10,31 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from dataclasses import field
+from functools import cached_property
 
 import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.marking.key import Columns, Hypotheses, Key, Name, agrees, columns_of, differences
-from graphkin.marking.weights import FITS, ONE, TWO, ScaledExplanations, Weighed
+from graphkin.marking.weights import FITS, ONE, TWO, ScaledExplanations, SlipOutcomes, Weighed
 
 MARGIN = 3.0  # explanations whose weights differ by less cannot be told apart: a factor of 20
 _LIKELY = 0.5
+_SURE = 0.9  # so probable is a mistake that does not explain all
 _SAME = 0.5  # explanations whose values differ by less, in standard deviations, are one
 _CHANCE = 0.008  # a hit that random numbers make more often is no hint
+_BESIDE_SLIP = 6.0  # a mistake and a slip whose weights differ by less are one set
 _AT_ONCE = 1 << 16  # weights that are held at once
 
 
 OtherMethods = Callable[[], Hypotheses]
 """Makes the outcomes of right work by other right methods; called where it is needed."""
+SlipsOf = Callable[[np.ndarray, np.ndarray, np.ndarray], SlipOutcomes]
+"""Gives the outcomes of slips in values (students, quantities of the key), of which some are wrong; for those of the
+quantities that are handed in."""
+PairsOf = Callable[[Name | None], Hypotheses]
+"""Makes the outcomes of two mistakes: of a first one with each other, or of any two."""
+SLIP = "slip"  # the id of a value that is off, with all after it as it follows
 
 
 @frozen
@@ -57,24 +66,26 @@ class Explainer:
 
     def __init__(
         self, key: Key, table: Columns, there: np.ndarray, hypotheses: Hypotheses, met: float,
-        other_methods: OtherMethods,
+        other_methods: OtherMethods, slips: SlipsOf | None = None,
     ) -> None:  # fmt: skip
-        """met: logarithm of how often one of the hypotheses is met."""
-        self.there, self._other_methods, self._hypotheses = there, other_methods, hypotheses
+        """met: logarithm of how often one of the hypotheses is met; slips: beside them."""
+        self.there, self._other_methods, self._hypotheses, self._slips = there, other_methods, hypotheses, slips
         self._scale = ScaledExplanations(key, table, there, hypotheses, met)
         rows = self._scale.rows
         self.texts = tuple(entry.text for entry, handed in zip(key.entries, there, strict=True) if handed)
         self._table = columns_of(table, there)
         self._values, self._scatters = (some[np.ix_(rows, there)] for some in (hypotheses.values, hypotheses.scatters))
 
-    @property
+    @cached_property
     def names(self) -> tuple[tuple[Name, ...], ...]:
-        return tuple(self._hypotheses.names[row] for row in self._scale.rows)
+        """Of the hypotheses that can be seen; then slips in each of the quantities, where these are looked for."""
+        slips = () if self._slips is None else (((SLIP, "", text, ""),) for text in self.texts)
+        return (*(self._hypotheses.names[row] for row in self._scale.rows), *slips)
 
     def only(self, k: int) -> Explainer:
         """An explainer that knows of explanation k alone."""
         one = copy(self)
-        one._scale = self._scale.only(k)
+        one._scale, one._slips = self._scale.only(k), None
         one._values, one._scatters = self._values[[k]], self._scatters[[k]]
         return one
 
@@ -88,11 +99,16 @@ class Explainer:
         """Of values of which some are wrong (students, quantities of the key), as many as are held at once."""
         step = max(_AT_ONCE // max(len(self._scale.rows), 1), 1)
         for k in range(0, len(given), step):
-            yield self._best(given[k : k + step, self.there], wrong[k : k + step, self.there])
+            yield self._best(given[k : k + step], wrong[k : k + step])
 
     def _best(self, given: np.ndarray, wrong: np.ndarray) -> Best:
+        slips = None if self._slips is None else self._slips(given, wrong, self.there)
+        given, wrong = given[:, self.there], wrong[:, self.there]
         weighed = self._scale.weigh(given)
-        same = self._sets(weighed)
+        if slips is not None:
+            weighed = weighed.beside(self._scale.weigh_slips(given, slips))
+        outcomes = _Outcomes(self._values, self._scatters, slips)
+        same = self._sets(weighed, outcomes)
         # logarithms of the sums of those in the set, and of all
         largest = weighed.weights.max(axis=1, initial=-np.inf)
         base = np.where(np.isfinite(largest), largest, 0.0)
@@ -109,32 +125,91 @@ class Explainer:
             margin, probability = together - np.maximum(others, rest), np.exp(together - total)
         same[(probability < _LIKELY) | (together < right + MARGIN)] = False
         who, row = np.nonzero(same)
-        reach = np.fmax(self._table.tolerance, FITS * self._scatters[row])
-        follows = wrong[who] & agrees(self._table, given[who], self._values[row], reach)
+        values, scatters = outcomes.of(who, row)
+        reach = np.fmax(self._table.tolerance, FITS * scatters)
+        follows = wrong[who] & (agrees(self._table, given[who], values, reach) | outcomes.slip_at(row))
         # some of a set may say nothing of what is wrong
         explained = np.bincount(who[follows.any(axis=1)], minlength=len(given)) > 0
         same &= explained[:, None]
         return Best(explained, same, weighed.weights, weighed.none, probability, margin, follows[explained[who]])
 
-    def _sets(self, weighed: Weighed) -> np.ndarray:
+    def partly(self, given: np.ndarray, wrong: np.ndarray) -> Iterator[Explanation | None]:
+        """For each student's values (students, quantities of the key) the mistake that explains two of the wrong ones
+        or more, though not all of them."""
+        step = max(_AT_ONCE // max(len(self._scale.rows) * int(self.there.sum()), 1), 1)
+        for k in range(0, len(given), step):
+            some, off = (each[k : k + step][:, self.there] for each in (given, wrong))
+            weighed = self._scale.weigh_partly(some, off)
+            fits = weighed.chance <= _CHANCE
+            for weights, row_fits, explained, none in zip(
+                weighed.weights, fits, weighed.explained, weighed.none, strict=True
+            ):
+                yield self._part(weights, row_fits, explained, float(none))
+
+    def _part(self, weights: np.ndarray, fits: np.ndarray, explained: np.ndarray, none: float) -> Explanation | None:
+        if not fits.any():
+            return None
+        best = int(np.where(fits, weights, -np.inf).argmax())
+        likely = weights - self._scale.shares
+        same = fits & (likely > likely[best] - MARGIN)
+        together = float(np.logaddexp.reduce(weights[same]))
+        others = max(none, float(weights[~same].max(initial=-np.inf)))
+        probability = float(np.exp(together - np.logaddexp(np.logaddexp.reduce(weights), none)))
+        if together < others + MARGIN or probability < _SURE:
+            return None
+        rows = [k for k in np.argsort(-weights, kind="stable") if same[k]]
+        explains = tuple(self.texts[n] for n in np.flatnonzero(explained[best]))
+        return Explanation(tuple(self.names[row] for row in rows), probability, together - others, explains)
+
+    def _sets(self, weighed: Weighed, outcomes: _Outcomes) -> np.ndarray:
         """The best of those that fit, with all that cannot be told from it (students, m)."""
         fits = (weighed.worst <= FITS) & (weighed.chance <= _CHANCE)
         who, row = np.nonzero(fits)
         if not who.size:
             return fits
         first = np.where(fits, weighed.weights, -np.inf).argmax(axis=1)[who]
-        likely = weighed.weights - self._scale.shares
+        shares = np.append(self._scale.shares, np.zeros(fits.shape[1] - len(self._scale.shares)))
+        likely = weighed.weights - shares
         alike = likely[who, row] > likely[who, first] - MARGIN
         # what scatters together is known roughly: values as near one by one are not told apart by that
         alike |= weighed.near[who, row] < weighed.near[who, first] + 2 * MARGIN
         # so are those that say nearly the same as the best, and judge the same
-        one, other = self._values[row], self._values[first]
+        (one, scatters), (other, _) = outcomes.of(who, row), outcomes.of(who, first)
         with np.errstate(invalid="ignore"):
-            close = np.abs(differences(self._table, one, other)) <= _SAME * self._scatters[first]
-        fits[who, row] = alike | np.all(close | np.isnan(one) & np.isnan(other), axis=1)
+            close = np.abs(differences(self._table, one, other)) <= _SAME * scatters
+        alike |= np.all(close | np.isnan(one) & np.isnan(other), axis=1)
+        # a slip may be of any size: beside a mistake it stands by its weight alone
+        mistakes = len(self._scale.rows)
+        outweighed = np.abs(weighed.weights[who, row] - weighed.weights[who, first]) > _BESIDE_SLIP
+        fits[who, row] = np.where((row < mistakes) & (first < mistakes), alike, (row == first) | ~outweighed)
         return fits
 
 
+class _Outcomes:
+    """The outcomes of hypotheses (m, n), which are the same for all students, and of slips after them."""
+
+    def __init__(self, values: np.ndarray, scatters: np.ndarray, slips: SlipOutcomes | None) -> None:
+        self._values, self._scatters, self._slips = values, scatters, slips
+
+    def of(self, who: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Values and scatters for pairs of a student and an explanation (pairs, n)."""
+        if self._slips is None or not len(row):
+            return self._values[row], self._scatters[row]
+        slip = row >= len(self._values)
+        values, scatters = np.empty((2, len(row), self._slips.values.shape[2]))
+        values[~slip], scatters[~slip] = self._values[row[~slip]], self._scatters[row[~slip]]
+        at = who[slip], row[slip] - len(self._values)
+        values[slip], scatters[slip] = self._slips.values[at], self._slips.scatters[at]
+        return values, scatters
+
+    def slip_at(self, row: np.ndarray) -> np.ndarray:
+        """The quantity in which each explanation has a slip, as booleans (pairs, n)."""
+        if self._slips is None:
+            return np.zeros((len(row), 1), dtype=bool)
+        return np.asarray(np.arange(self._slips.values.shape[2]) == (row - len(self._values))[:, None])
+
+
+_KEPT = 60  # so many explainers are kept
 _PAIRS_FROM = 4  # so many independent values, before two mistakes are looked for
 
 
@@ -170,34 +245,63 @@ class Diagnosis:
     evidence: Mapping[str, float] = field(default_factory=dict)
 
 
-def diagnoses(
-    key: Key, table: Columns, given: np.ndarray, wrong: np.ndarray, pairs: Callable[[], Hypotheses | None],
-    other_methods: OtherMethods,
-) -> list[Diagnosis]:  # fmt: skip
-    """For students who have handed in the same quantities: given, wrong (students, n).
+class Diagnostician:
+    """Diagnoses by a key those who have handed in the same quantities; what is made ready for these is kept.
 
-    pairs  makes the outcomes of two mistakes, other_methods those of right work by other methods, where needed
+    other_methods  makes the outcomes of right work by other methods, where needed; pairs, slips likewise
     """
-    there = np.isfinite(given).all(axis=0)
-    if not len(given) or not there.any():
-        return [Diagnosis() for _ in given]
-    one = Explainer(key, table, there, key.singles, ONE, other_methods)
-    by_one = []
-    first_ids = np.array([names[0][0] for names in one.names], dtype=object)
-    ids = list(dict.fromkeys(first_ids))
-    for best in one.best(given, wrong):
-        # by how much the best of each mistake's forms outweighs "none", for each student
-        evidence = [best.weights[:, first_ids == id].max(axis=1) - best.none for id in ids]
-        rows = np.stack(evidence, axis=1).tolist() if ids else [[] for _ in best.none]
-        for explanations, values in zip(_explanations(one, best), rows, strict=True):
-            by_one.append(Diagnosis(explanations, dict(zip(ids, values, strict=True))))
-    rest = np.array([k for k, diagnosis in enumerate(by_one) if not diagnosis.explanations], dtype=int)
-    if rest.size and independent(key, there) >= _PAIRS_FROM and (two := pairs()) is not None:
-        both = Explainer(key, table, there, two, TWO, other_methods)
-        each = (some for best in both.best(given[rest], wrong[rest]) for some in _explanations(both, best))
-        for k, explanations in zip(rest, each, strict=True):
-            by_one[k] = Diagnosis(explanations, by_one[k].evidence)
-    return by_one
+
+    def __init__(self, key: Key, table: Columns, pairs: PairsOf, other_methods: OtherMethods, slips: SlipsOf) -> None:
+        self._key, self._table, self._pairs = key, table, pairs
+        self._other_methods, self._slips = other_methods, slips
+        self._explainers: dict[tuple[bytes, int, Name | None], Explainer] = {}
+
+    def diagnoses(self, given: np.ndarray, wrong: np.ndarray) -> list[Diagnosis]:
+        """Of values, some of them wrong (students, quantities)."""
+        there = np.isfinite(given).all(axis=0)
+        if not len(given) or not there.any():
+            return [Diagnosis() for _ in given]
+        one = self._explainer(there, 1)
+        first_ids = np.array([names[0][0] for names in one.names], dtype=object)
+        ids = [id for id in dict.fromkeys(first_ids) if id != SLIP]
+        by_one = []
+        for best in one.best(given, wrong):
+            # by how much the best of each mistake's forms outweighs "none", for each student
+            evidence = [best.weights[:, first_ids == id].max(axis=1) - best.none for id in ids]
+            rows = np.stack(evidence, axis=1).tolist() if ids else [[] for _ in best.none]
+            for explanations, values in zip(_explanations(one, best), rows, strict=True):
+                by_one.append(Diagnosis(explanations, dict(zip(ids, values, strict=True))))
+        rest = np.array([k for k, diagnosis in enumerate(by_one) if not diagnosis.explanations], dtype=int)
+        if rest.size and independent(self._key, there) >= _PAIRS_FROM:
+            parts = one.partly(given[rest], wrong[rest])
+            for k, explanations in zip(rest, self._by_two(there, given[rest], wrong[rest], list(parts)), strict=True):
+                by_one[k] = Diagnosis(explanations, by_one[k].evidence)
+        return by_one
+
+    def _by_two(
+        self, there: np.ndarray, given: np.ndarray, wrong: np.ndarray, parts: Sequence[Explanation | None]
+    ) -> list[tuple[Explanation, ...]]:
+        """One mistake that explains a part, with a second beside it where that explains the rest; or any two."""
+        firsts = [None if part is None else part.names[0][0] for part in parts]
+        found: list[tuple[Explanation, ...]] = [() if part is None else (part,) for part in parts]
+        for first in dict.fromkeys(firsts):
+            students = [k for k, name in enumerate(firsts) if name == first]
+            two = self._explainer(there, 2, first)
+            each = (some for best in two.best(given[students], wrong[students]) for some in _explanations(two, best))
+            for k, explanations in zip(students, each, strict=True):
+                found[k] = explanations or found[k]
+        return found
+
+    def _explainer(self, there: np.ndarray, count: int, first: Name | None = None) -> Explainer:
+        """By one mistake, or by two."""
+        of = there.tobytes(), count, first
+        if of not in self._explainers:
+            if len(self._explainers) > _KEPT:
+                self._explainers.clear()
+            hypotheses, met = (self._key.singles, ONE) if count == 1 else (self._pairs(first), TWO)
+            slips = self._slips if count == 1 else None
+            self._explainers[of] = Explainer(self._key, self._table, there, hypotheses, met, self._other_methods, slips)
+        return self._explainers[of]
 
 
 def independent(key: Key, there: np.ndarray) -> int:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
 
@@ -12,9 +12,11 @@ from graphkin.base.geometry import Real, Value
 from graphkin.base.value import frozen
 from graphkin.construction import Coriolis, Image, LayOff, Measure, Plane, Plot, Size
 from graphkin.marking.answers import ArrowPlaces, Ends, arrows_of, drawn_answer
+from graphkin.marking.by_rotations import OwnRotations, Rate, by_rotations, own_rotations
 from graphkin.marking.consequences import combined
 from graphkin.marking.hand import PolygonHand, Redrawing, redraw
-from graphkin.marking.key import Columns, Key, agrees, columns, sense_only
+from graphkin.marking.key import Columns, Key, agrees, columns, differences, sense_only
+from graphkin.marking.weights import SlipOutcomes, once_known
 from graphkin.model.quantities import Answer, Moving, Quantity, Rotation
 from graphkin.model.quantities.kinds import Component
 from graphkin.planning import Method
@@ -42,27 +44,35 @@ class Followed:
 
 
 def replay_with(
-    method: Method, right: Plot, own: Mapping[Quantity, Value], arrows: ArrowPlaces | None = None
-) -> Followed:
+    method: Method, right: Plot, own: Mapping[Quantity, Value], arrows: ArrowPlaces | None = None,
+    wheels: Mapping[Rate, Value] | None = None,
+) -> Followed:  # fmt: skip
     """Draw the polygons on from a student's own values, at the positions of the right plot.
 
     own  by quantity, SI: omega and alpha with their sense; of a vector the complex vector where it was drawn (or both
          its components), or its size. Scalars, or arrays over students with NaN where one has no value. Other
          quantities have no effect.
+    wheels  as of `Own`
 
     A vector's size alone is taken as read off or laid off in the direction it has: what is calculated from it follows,
     and what is drawn from a known arrow's end; a drawn vector moves its point.
     """
     arrows = arrows or arrows_of(method)
     shape = np.broadcast_shapes(*(np.shape(value) for value in own.values()))
-    return Followed(method, arrows, redraw(method, right, Own(own, arrows), shape))
+    return Followed(method, arrows, redraw(method, right, Own(own, arrows, wheels), shape))
 
 
 class Own(PolygonHand):
     """Draws with own values in their place."""
 
-    def __init__(self, own: Mapping[Quantity, Value], arrows: ArrowPlaces) -> None:
+    def __init__(
+        self, own: Mapping[Quantity, Value], arrows: ArrowPlaces, wheels: Mapping[Rate, Value] | None = None
+    ) -> None:
+        """wheels: omega and alpha of wheels that follow from own ones, which count where there is none of these."""
         self.rotations = {(q.word, q.link): value for q, value in own.items() if isinstance(q, Rotation)}
+        for rate, value in (wheels or {}).items():
+            first = self.rotations.get(rate)
+            self.rotations[rate] = value if first is None else _where_given(first, value)
         self.vectors: dict[Ends, list[Value]] = {}
         axes: dict[Moving, dict[str, Value]] = {}
         for quantity, value in own.items():
@@ -75,13 +85,13 @@ class Own(PolygonHand):
                 along = 1.0 if quantity.along is None or np.iscomplexobj(value) else quantity.along
                 vector = value * along
                 each = sign * vector if np.iscomplexobj(vector) else np.abs(vector)
-                self.vectors.setdefault(ends, []).append(each)
-        self.poles = arrows.poles
+                self.vectors.setdefault(arrows.at_poles(ends), []).append(each)
+        self.poles, self.at_poles = arrows.poles, arrows.at_poles
 
     def _own(self, ends: Ends, right: Value, drawn_only: bool = False) -> Value:
         """The own vector, under any of the names that students use for it; of an own size, in the right direction. What
         is right where there is none."""
-        plane, tail, head = ends
+        plane, tail, head = ends = self.at_poles(ends)
         sign = 1
         if ends not in self.vectors:
             ends, sign = (plane, head, tail), -1
@@ -155,6 +165,8 @@ _FLAT = np.sin(np.radians(0.5))  # lines that meet under a smaller angle give no
 _SAME = 1e-6  # an own value that differs from a number of the problem by a smaller part is copied from it
 _ANSWERABLE = 5.0  # an own value is carried on between 1/5 and 5 times the right size
 _MOVES = 1e-3  # an own value that moves another by a smaller part of its tolerance does not enter it
+_ROUNDING = 0.015  # of a value that is calculated from others in three digits
+_FELT = 0.3  # others follow from a value that moves one of them by so many standard deviations
 _STRETCH = 5.0  # a carried value that is larger than the right one may be off by as much more, within this
 
 
@@ -215,27 +227,105 @@ class CarriedProblem:
         """Of the right values: those of sizes along a guide, too."""
         return np.where(combined(self.method, self.plot, self.quantities, [()]).values[0] < 0, -1.0, 1.0)
 
+    def usable(self, given: np.ndarray, of_any_size: bool = False) -> np.ndarray:
+        """The own values (students, n) that are carried on, as `usable` has it."""
+        return np.asarray(usable(self.key, self.table, given, of_any_size) & self._carries)
+
+    @cached_property
+    def _carries(self) -> np.ndarray:
+        carries = (isinstance(q, Moving) or (isinstance(q, Rotation) and q.word != "theta") for q in self.quantities)
+        return np.array(list(carries), dtype=bool)
+
+    @cached_property
+    def _alike(self) -> np.ndarray:
+        """Which quantities are one: rotations of links that turn together (quantities, quantities)."""
+        turns = self.plot.facts.turns
+        whose = [(q.word, turns[q.link].base) if isinstance(q, Rotation) and q.link in turns else q.text
+                 for q in self.quantities]  # fmt: skip
+        return np.array([[one == other for other in whose] for one in whose], dtype=bool)
+
+    @cached_property
+    def _left(self) -> np.ndarray:
+        """The part of each quantity's scatter that is left once one is known (known, quantities)."""
+        return once_known(self.key.together)[0]
+
+    def slips(self, given: np.ndarray, wrong: np.ndarray, there: np.ndarray) -> SlipOutcomes:
+        """The outcomes of a slip in each wrong value (students, n) from which others follow that are wrong, too; for
+        those of the quantities that are handed in."""
+        who, own = np.nonzero(wrong & self.usable(given))
+        only = own[:, None] == np.arange(given.shape[1])
+        followed = self._values(given[who], only)
+        for n, others, _ in self._by_rotations(given[who], only):  # the nearer of both ways
+            with np.errstate(invalid="ignore"):
+                nearer = np.abs(given[who, n] - others) < np.abs(given[who, n] - followed[:, n])
+            followed[nearer, n] = others[nearer]
+        moved = np.abs(differences(self.table, followed, self.table.right)) > _FELT * self.table.scatter
+        some = (moved & np.isfinite(given[who]) & ~self._alike[own]).any(axis=1)
+        who, own, followed = who[some], own[some], np.where(only, np.nan, followed)[some]
+        values, scatters = np.full((2, *given.shape, given.shape[1]), np.nan)
+        values[who, own], scatters[who, own] = followed, self._scatter(followed, self._left[own])
+        return SlipOutcomes(*(each[:, there][:, :, there] for each in (values, scatters)))
+
+    def _scatter(self, followed: np.ndarray, left: np.ndarray) -> np.ndarray:
+        """The scatter of values that follow from own ones: so much of the right one's is left, more where they are
+        larger, and the rounding of the own values."""
+        scatter = self.table.scatter * np.maximum(self._larger(followed), self._growth(followed)) * left
+        return np.where(np.isfinite(followed), scatter, np.nan)
+
+    def _growth(self, followed: np.ndarray) -> np.ndarray:
+        """By how much the largest value of each one's unit has grown (students, n): longer arrows, wider errors."""
+        units = [entry.unit for entry in self.key.entries]
+        growth = np.ones(followed.shape)
+        for unit in dict.fromkeys(units):
+            of = np.array([each == unit for each in units], dtype=bool)
+            before = np.abs(self.table.right[of]).max()
+            if before:
+                now = np.nan_to_num(np.abs(followed[:, of])).max(axis=1)
+                growth[:, of] = np.maximum(now / before, 1.0)[:, None]
+        return growth
+
+    def _tolerance(self, followed: np.ndarray, used: np.ndarray) -> np.ndarray:
+        """By how much values may be off that follow from own ones (students, n): less than the right ones, as a part of
+        the scatter comes in before the own values; at least the rounding of these, at most half of what follows."""
+        left = np.where(used[:, :, None], self._left, 1.0).min(axis=1, initial=1.0)
+        whole = self.table.tolerance * self._larger(followed)
+        rounding = np.minimum(_ROUNDING * np.abs(followed), whole)
+        most = np.where(self.table.angle, np.inf, 0.5 * np.abs(followed))
+        return np.asarray(np.minimum(np.maximum(whole * left, rounding), np.maximum(most, rounding)))
+
+    def _larger(self, values: np.ndarray) -> np.ndarray:
+        """By how much more values (students, n) may be off than the right ones: larger ones may by as much more."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            times = np.abs(values / self.table.right)
+        return np.asarray(np.clip(np.nan_to_num(times, nan=1.0, posinf=1.0), 1.0, _STRETCH))
+
     def carried(self, given: np.ndarray, known: np.ndarray, wrong: np.ndarray) -> Carried:
         """For values (students, n) of which some are wrong; `known`: those of them that can be carried on."""
-        carries = np.array([isinstance(q, Moving) or (isinstance(q, Rotation) and q.word != "theta")
-                            for q in self.quantities], dtype=bool)  # fmt: skip
-        allowed = usable(self.key, self.table, given)
-        used = known & allowed & carries
+        allowed = self.usable(given)
+        used = known & allowed
         whole = self._values(given, used)
         moved = self._moved(whole, self.table.right)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            larger = np.abs(whole) / np.abs(self.table.right)
-        tolerance = self.table.tolerance * np.clip(np.nan_to_num(larger, nan=1.0, posinf=1.0), 1.0, _STRETCH)
+        tolerance = self._tolerance(whole, used)
         values = np.where(moved, whole, np.nan)
-        every = np.arange(used.shape[1])
-        enters = {
-            int(j): self._moved(whole, self._values(given, used & (every != j))) & moved & used[:, [j]]
-            for j in np.flatnonzero(used.any(axis=0))
-        }
+        # own values that enter: without them others would follow
+        who, own = np.nonzero(used)
+        without = used[who] & (np.arange(used.shape[1]) != own[:, None])
+        into = self._moved(whole[who], self._values(given[who], without)) & moved[who]
+        enters = {int(j): np.zeros_like(used) for j in np.unique(own)}
+        for k, j, entered in zip(who.tolist(), own.tolist(), into, strict=True):
+            enters[j][k] = entered
+        agree = wrong & agrees(self.table, given, values, tolerance)
+        for n, others, sources in self._by_rotations(given, used):  # by other rules than the polygon's
+            every = np.where(np.arange(values.shape[1]) == n, others[:, None], np.nan)
+            near = agrees(self.table, given, every, self._tolerance(every, used))
+            also = (wrong & ~agree & near & self._moved(every, self.table.right))[:, n]
+            agree[also, n], values[also, n] = True, others[also]
+            for j in sources:
+                enters[j][also, n] = used[also, j]
         texts = tuple(entry.text for entry in self.key.entries)
         return Carried(
-            texts, values, wrong & agrees(self.table, given, values, tolerance),
-            wrong & sense_only(self.table, given, values, tolerance), given, wrong & carries & ~allowed, enters,
+            texts, values, agree,
+            wrong & sense_only(self.table, given, values, tolerance), given, wrong & self._carries & ~allowed, enters,
         )  # fmt: skip
 
     def _values(self, given: np.ndarray, used: np.ndarray) -> np.ndarray:
@@ -244,13 +334,9 @@ class CarriedProblem:
         some = np.flatnonzero(used.any(axis=1))
         if not some.size:
             return right
-        signed = np.where(self.table.size, np.abs(given) * self.signs, given)  # along a guide as the right one points
-        own = {
-            quantity: np.where(used[some, j], signed[some, j], np.nan)
-            for j, quantity in enumerate(self.quantities)
-            if used[some, j].any()
-        }
-        followed = replay_with(self.method, self.plot, own, self.arrows)
+        own = self._rotations(given[some], used[some])
+        wheels = {(word, base): getattr(self.plot, word)[base] + rate.off for (word, base), rate in own.wheels.items()}
+        followed = replay_with(self.method, self.plot, self.own(given[some], used[some]), self.arrows, wheels)
         for j, quantity in enumerate(self.quantities):
             value = followed.value(quantity).value
             right[some, j] = np.abs(value) if self.table.size[j] else value
@@ -258,17 +344,39 @@ class CarriedProblem:
         right[some[~(sines > _FLAT)]] = np.nan
         return right
 
+    def _rotations(self, given: np.ndarray, used: np.ndarray) -> OwnRotations:
+        return own_rotations(self.method, self.plot, self.quantities, self.table.right, given, used)
+
+    def _by_rotations(
+        self, given: np.ndarray, used: np.ndarray
+    ) -> Iterator[tuple[int, np.ndarray, frozenset[int]]]:
+        own = self._rotations(given, used)
+        return by_rotations(self.method, self.plot, self.quantities, self.table.right, own)
+
+    def own(self, given: np.ndarray, used: np.ndarray) -> dict[Quantity, Value]:
+        """Own values (students, n) that are used, by quantity; NaN where a student has none."""
+        signed = np.where(self.table.size, np.abs(given) * self.signs, given)  # along a guide as the right one points
+        return {
+            quantity: np.where(used[:, j], signed[:, j], np.nan)
+            for j, quantity in enumerate(self.quantities)
+            if used[:, j].any()
+        }
+
+    def near(self, given: np.ndarray, values: np.ndarray) -> np.ndarray:
+        """Given values (students, n) that are as others have it, as booleans."""
+        return agrees(self.table, given, values, self.table.tolerance * self._larger(values))
+
     def _moved(self, values: np.ndarray, others: np.ndarray) -> np.ndarray:
         """True for values that differ by more than counts; false where they cannot be drawn."""
         with np.errstate(invalid="ignore"):
             return np.asarray(np.abs(values - others) > _MOVES * self.table.tolerance)
 
 
-def usable(key: Key, table: Columns, given: np.ndarray) -> np.ndarray:
+def usable(key: Key, table: Columns, given: np.ndarray, of_any_size: bool = False) -> np.ndarray:
     """The own values (students, n) that are carried on: nothing is gained by 0 or by a number of the problem."""
     with np.errstate(invalid="ignore", divide="ignore"):
         size, right = np.abs(given), np.abs(table.right)
-        bounded = (size >= right / _ANSWERABLE) & (size <= right * _ANSWERABLE)
+        bounded = (size >= right / _ANSWERABLE) & (size <= right * _ANSWERABLE) | of_any_size & (size > 0)
     copied = np.zeros(given.shape, dtype=bool)
     for number in key.given:
         copied |= np.abs(size - abs(number)) <= _SAME * abs(number)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import chain, combinations, islice, product
 
@@ -12,7 +12,7 @@ import numpy as np
 from graphkin.construction import Measure, Plot
 from graphkin.marking.answers import asked_of, on_the_way, sort_of
 from graphkin.marking.consequences import combined, rewrites
-from graphkin.marking.key import Hypotheses, Key, KeyEntry, KeyStep, Marking
+from graphkin.marking.key import Hypotheses, Key, KeyEntry, KeyStep, Marking, Name
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import other_methods
 from graphkin.marking.tolerances import DRAWINGS, drawings_of, spread
@@ -247,15 +247,22 @@ def by_other_methods(method: Method, key: Key, quantities: Sequence[Quantity]) -
 _MOST = 6000  # pairs beyond so many are not tried: among so many, chance hits outweigh hints
 
 
-def pairs_of(method: Method, plot: Plot, key: Key, quantities: Sequence[Quantity]) -> Hypotheses:
-    """The outcomes of pairs of mistakes. Each of two scatters as much as the one that scatters more, in proportion."""
-    known = {one.name: one for one in rewrites(method, plot, quantities, key.marking.scales)}
+def pairs_of(
+    method: Method, plot: Plot, key: Key, quantities: Sequence[Quantity], known: Mapping[Name, Rewrite],
+    first: Name | None = None,
+) -> Hypotheses:  # fmt: skip
+    """The outcomes of pairs of mistakes, `known` by name, or of those with one `first`. Each of two scatters as much as
+    the one that scatters more, in proportion."""
     rows = {row[0]: k for k, row in enumerate(key.singles.names) if row[0] in known}
     # made at different places; what was drawn right and written otherwise only beside what was drawn wrong
     drawn, written = ([known[name] for name in rows if bool(known[name].edits) is edits] for edits in (True, False))
-    spots = {one.name: {edit.spot for edit in one.edits} for one in drawn}
-    apart = (pair for pair in combinations(drawn, 2) if spots[pair[0].name].isdisjoint(spots[pair[1].name]))
-    both = list(islice(chain(apart, product(drawn, written)), _MOST))
+    pairs: Iterable[tuple[Rewrite, Rewrite]] = chain(combinations(drawn, 2), product(drawn, written))
+    one = None if first is None else known.get(first)
+    if one is not None:
+        pairs = ((one, other) for other in (*drawn, *written)) if one.edits else ((other, one) for other in drawn)
+    spots = {name: {edit.spot for edit in one.edits} for name, one in known.items()}
+    apart = (pair for pair in pairs if spots[pair[0].name].isdisjoint(spots[pair[1].name]) and pair[0] is not pair[1])
+    both = list(islice(apart, _MOST))
     if not both:
         return Hypotheses((), np.empty((0, len(quantities))), np.empty((0, len(quantities))))
     values = combined(method, plot, quantities, both).values

@@ -12,16 +12,19 @@ import numpy as np
 
 from graphkin import files as loading
 from graphkin import planning
+from graphkin.base.value import frozen
 from graphkin.construction import Plot
+from graphkin.marking.after_mistake import aftermath
 from graphkin.marking.answers import readable
 from graphkin.marking.consequences import rewrites
-from graphkin.marking.diagnosis import Diagnosis, diagnoses
+from graphkin.marking.diagnosis import Diagnosis, Diagnostician
 from graphkin.marking.directions import WrittenDirections
+from graphkin.marking.drawing_order import DrawnAt, drawing_order
 from graphkin.marking.follow_through import Carried, CarriedProblem
 from graphkin.marking.key import Hypotheses, Key, KeyEntry, Name, agrees, columns, sense_only
 from graphkin.marking.key_making import by_other_methods, make_key, pairs_of
 from graphkin.marking.read_off import OffDrawing, as_drawn, pointing, read_off, turned_by
-from graphkin.marking.records import Drawn, Judged, Marked, StudentWork, Verdict, as_one, by_position
+from graphkin.marking.records import Departure, Drawn, Judged, Marked, StudentWork, Verdict, as_one, by_position
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import called_as_asked, same_answers
 from graphkin.model.quantities import Moving, Quantity, Rotation
@@ -30,6 +33,7 @@ from graphkin.running import replay_all
 
 _HALF = 0.5  # what a value is worth whose sense or whose unit alone is wrong
 _LARGE = 1e30
+_FIRSTS = 200  # the pairs of so many first mistakes are kept
 _FURTHER = 40  # so many quantities of a student beyond those of the key are marked at most
 
 
@@ -41,6 +45,7 @@ class Marker:
         self._method = method
         self._further: dict[str, Quantity | None] = {}
         self._wider: Marker | None = None
+        self._pairs: dict[Name | None, Hypotheses] = {}
         self._lock = Lock()
 
     @cached_property
@@ -82,9 +87,13 @@ class Marker:
         renamed = OffDrawing({texts[q]: x for q, x in off.values.items()}, tuple(texts[q] for q in off.no_sense))
         return renamed, {texts[quantity]: points for quantity, points in good.items()}
 
-    @cached_property
-    def pairs(self) -> Hypotheses:
-        return pairs_of(self.method, self.plot, self.key, self.quantities)
+    def pairs(self, first: Name | None) -> Hypotheses:
+        """The outcomes of two mistakes."""
+        if first not in self._pairs:
+            if len(self._pairs) > _FIRSTS:
+                self._pairs.clear()
+            self._pairs[first] = pairs_of(self.method, self.plot, self.key, self.quantities, self.known, first)
+        return self._pairs[first]
 
     @cached_property
     def other_methods(self) -> Hypotheses:
@@ -162,11 +171,51 @@ class Marker:
         if any(one is not None and one.vector is not None for one in numbers):
             used = wrong & ~strange & ~carried.unused
             works = [self.directions.judged(work, given[k], used[k]) for k, work in enumerate(works)]
-        diagnosed = zip(works, self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange), strict=True)
+            numbers = [work.numbers.get(entry.text) for work in works for entry in self.key.entries]
+        diagnosed = self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange)
+        diagnosed = [self._as_drawn(work, one) for work, one in zip(works, diagnosed, strict=True)]
+        astray = np.array([one is not None and one.points is False for one in numbers], dtype=bool).reshape(shape)
+        after = self._after(given, wrong & ~strange, carried, astray, diagnosed)
         return [
-            self._marked(work, k, given[k], right[k], untold[k], carried, self._as_drawn(work, diagnosis))
-            for k, (work, diagnosis) in enumerate(diagnosed)
+            self._marked(work, k, given[k], right[k], untold[k], carried, after, diagnosed[k])
+            for k, work in enumerate(works)
         ]
+
+    def _after(
+        self, given: np.ndarray, wrong: np.ndarray, carried: Carried, astray: np.ndarray, diagnosed: Sequence[Diagnosis]
+    ) -> AfterMistake:
+        """All but the first value that the named mistakes of each student explain follow from it."""
+        explains, left = np.zeros_like(wrong), (wrong & ~carried.agrees) | astray
+        values, texts = np.full(given.shape, np.nan), {entry.text: n for n, entry in enumerate(self.key.entries)}
+        named = [k for k, one in enumerate(diagnosed) if one.explanations]
+        for k in named:
+            explains[k, [texts[text] for text in diagnosed[k].explanations[0].explains]] = True
+        drawn = [k for k in named if all(name in self.known for name in diagnosed[k].explanations[0].names[0])]
+        if drawn:
+            columns = [tuple(self.known[name] for name in diagnosed[k].explanations[0].names[0]) for k in drawn]
+            outcomes = aftermath(self.problem, columns, given[drawn], wrong[drawn])
+            values[drawn] = outcomes.values
+            explains[drawn] |= self.problem.near(given[drawn], outcomes.values) & wrong[drawn]
+            explains[drawn] |= outcomes.turned & astray[drawn]
+        explains &= left
+        # the first of those that cost something, in the order of the drawing
+        costs = np.where(self.table.points > 0, self._ranks, self._ranks + self._ranks.max() + 1)
+        first = np.where(explains, costs, np.inf).argmin(axis=1)
+        # nothing is gained by handing in nought
+        follows = explains & (given != 0) & (np.arange(given.shape[1]) != first[:, None])
+        return AfterMistake(values, explains, follows)
+
+    @cached_property
+    def _order(self) -> list[DrawnAt]:
+        return drawing_order(self.method, self.quantities, self.problem.arrows)
+
+    @cached_property
+    def _ranks(self) -> np.ndarray:
+        """By which the quantities are in the order of the drawing, each its own number."""
+        order = sorted(range(len(self._order)), key=lambda n: (self._order[n].rank, n))
+        ranks = np.empty(len(order))
+        ranks[order] = np.arange(len(order))
+        return ranks
 
     def judged(self, given: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """The values (students, n) that are right, and those that are wrong; neither where paper cannot tell."""
@@ -183,11 +232,14 @@ class Marker:
         patterns, number = np.unique(np.isfinite(given[off]), axis=0, return_inverse=True)
         for k in range(len(patterns)):
             some = off[number.reshape(-1) == k]
-            pairs, other_methods = (lambda: self.pairs), (lambda: self.other_methods)
-            each = diagnoses(self.key, self.table, given[some], wrong[some], pairs, other_methods)
+            each = self._diagnostician.diagnoses(given[some], wrong[some])
             for row, one in zip(some, each, strict=True):
                 every[row] = one
         return every
+
+    @cached_property
+    def _diagnostician(self) -> Diagnostician:
+        return Diagnostician(self.key, self.table, self.pairs, lambda: self.other_methods, self.problem.slips)
 
     def _as_drawn(self, work: StudentWork, diagnosis: Diagnosis) -> Diagnosis:
         """By the arrows of a drawing that point another way."""
@@ -204,44 +256,67 @@ class Marker:
 
     def _marked(
         self, work: StudentWork, k: int, given: np.ndarray, right: np.ndarray, untold: np.ndarray, carried: Carried,
-        diagnosis: Diagnosis,
+        after: AfterMistake, diagnosis: Diagnosis,
     ) -> Marked:  # fmt: skip
         senses = sense_only(self.table, given, self.table.right, self.table.tolerance) | carried.sense_only[k]
-        judged = tuple(
-            Judged(entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, entry.doubt)
+        judged = {
+            n: Judged(entry.text, entry.unit, work.numbers[entry.text].value, entry.right, entry.tolerance, entry.doubt)
             if untold[n] and (entry.doubt == "dead point" or entry.doubt == "too small")  # paper cannot tell it
-            else self._judged(work, entry, n, given[n], bool(right[n]), bool(senses[n]), carried, k)
+            else self._judged(work, entry, n, given[n], bool(right[n]), bool(senses[n]), carried, after, k)
             for n, entry in enumerate(self.key.entries)
             if entry.points or entry.text in work.numbers or entry.text in work.unread
-        )
-        return Marked(work.student, judged, diagnosis)
+        }
+        astray = [n for n, one in judged.items() if one.verdict == "wrong" and one.unit_right]
+        departure = None
+        if astray and not diagnosis.explanations:
+            first = min(astray, key=lambda n: self._ranks[n])
+            departure = Departure(self.key.entries[first].text, *self._order[first].names())
+        return Marked(work.student, tuple(judged.values()), diagnosis, departure)
 
     def _judged(
         self, work: StudentWork, entry: KeyEntry, n: int, given: float, right: bool, sense_only: bool, carried: Carried,
-        k: int,
+        after: AfterMistake, k: int,
     ) -> Judged:  # fmt: skip
-        """One quantity; the better of both verdicts counts."""
+        """One quantity; the better of all verdicts counts."""
         if not np.isfinite(given) and entry.text in work.unread:
             written = work.unread[entry.text]
             return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "not read", written=written)
         if not np.isfinite(given):
             return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "missing", points=entry.points)
-        number, judged_by = work.numbers[entry.text], carried.values[k, n]
+        number, explained, follows = work.numbers[entry.text], bool(after.explains[k, n]), bool(after.follows[k, n])
         unit_right, points = number.unit_right, number.points if entry.sort == "size" else None
-        verdict: Verdict = "right" if right else "carried" if carried.agrees[k, n] else "wrong"
-        credit = _HALF if sense_only else 1.0 if verdict != "wrong" else 0.0
-        if not unit_right or points is False:
+        judged_by = after.values[k, n] if explained else carried.values[k, n]
+        agrees = bool(carried.agrees[k, n]) or follows
+        verdict: Verdict = "right" if right else "carried" if agrees else "wrong"
+        credit = 1.0 if right else self.key.marking.follows if agrees else 0.0
+        if sense_only and not agrees:
+            credit = _HALF
+        if not unit_right or (points is False and not follows):
             verdict, credit = "wrong", min(credit, _HALF)
-        by = judged_by if verdict == "carried" else entry.right
-        sense: Literal["right", "wrong"] | None = None if points is None else "right" if points else "wrong"
+        by = judged_by if verdict == "carried" and np.isfinite(judged_by) else entry.right
+        sense: Literal["right", "wrong"] | None = None if points is None else "right" if points or follows else "wrong"
         if entry.sort == "sense" and by != 0:
-            sense = "wrong" if sense_only or np.sign(given) != np.sign(by) else "right"
+            sense = "wrong" if (sense_only and not agrees) or np.sign(given) != np.sign(by) else "right"
+        follows_from = np.isfinite(judged_by) and not right and (verdict == "carried" or not explained)
         return Judged(
             entry.text, entry.unit, number.value, entry.right, entry.tolerance, verdict, sense, unit_right,
-            float(judged_by) if np.isfinite(judged_by) and not right else None,
-            carried.own(k, n) if not right else {}, carried.refused(k, n) if not right else (), credit, entry.points,
-            number.measured,
+            float(judged_by) if follows_from else None,
+            carried.own(k, n) if not right and not explained else {}, carried.refused(k, n) if not right else (),
+            credit, entry.points, number.measured, of_mistake=follows and verdict == "carried",
         )  # fmt: skip
+
+
+@frozen
+class AfterMistake:
+    """The values of students (students, n) and the mistakes that were named for them.
+
+    values    as the mistakes have them, with the students' own values beside; NaN where nothing is named
+    explains  those that are wrong or astray and as they have it; follows: these but the first of each student
+    """
+
+    values: np.ndarray
+    explains: np.ndarray
+    follows: np.ndarray
 
 
 def _widened(key: Key, method: Method, further: Sequence[Quantity]) -> Key:

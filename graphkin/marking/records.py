@@ -9,7 +9,8 @@ from typing import Literal
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import GraphkinError
-from graphkin.marking.diagnosis import Diagnosis, Explanation, Trace, added
+from graphkin.marking.diagnosis import SLIP, Diagnosis, Explanation, Trace, added
+from graphkin.marking.key import Name
 from graphkin.model.quantities import at_position, position_of
 
 Verdict = Literal["right", "carried", "wrong", "missing", "dead point", "too small", "not read"]
@@ -147,6 +148,12 @@ def by_position(work: StudentWork, count: int) -> list[StudentWork]:
     return [replace(work, numbers=numbers, unread=unread) for numbers, unread in zip(numbers_at, unread_at)]
 
 
+def _at(name: Name, at: int) -> Name:
+    """A slip is one at its position; a mistake is the same at all of them."""
+    id, way, of, form = name
+    return (id, way, at_position(of, at), form) if id == SLIP else name
+
+
 def as_one(student: str, parts: Sequence[Marked]) -> Marked:
     """One record of all positions; a mistake that shows at several is told once. Evidence is added as over several
     problems, of positions where something was handed in."""
@@ -161,8 +168,9 @@ def as_one(student: str, parts: Sequence[Marked]) -> Marked:
     evidence = added(Trace((), part.diagnosis.evidence) for part in handed_in)
     explanations: list[Explanation] = []
     for at, part in enumerate(parts, 1):
-        for one in part.diagnosis.explanations:
-            explains = tuple(at_position(text, at) for text in one.explains)
+        for each in part.diagnosis.explanations:
+            explains = tuple(at_position(text, at) for text in each.explains)
+            one = replace(each, names=tuple(tuple(_at(name, at) for name in names) for names in each.names))
             for k, other in enumerate(explanations):  # one that shares a mistake: as sure as the less sure of both
                 if both := tuple(names for names in other.names if names in one.names):
                     probability, margin = min(one.probability, other.probability), min(one.margin, other.margin)
@@ -170,4 +178,6 @@ def as_one(student: str, parts: Sequence[Marked]) -> Marked:
                     break
             else:
                 explanations.append(replace(one, explains=explains))
-    return Marked(student, judged, Diagnosis(tuple(explanations), evidence))
+    departures = (replace(part.departure, text=at_position(part.departure.text, at))
+                  for at, part in enumerate(parts, 1) if part.departure is not None)  # fmt: skip
+    return Marked(student, judged, Diagnosis(tuple(explanations), evidence), next(departures, None))

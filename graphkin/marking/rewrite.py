@@ -36,11 +36,13 @@ class Edit:
 
 @frozen
 class RewrittenValue:
-    """A handed-in value, by its quantity's text, that is not what was read: so many times it, or another instead."""
+    """A handed-in value, by its quantity's text, that is not what was read: so many times it, or another instead, or
+    what was read of another quantity."""
 
     quantity: str
     factor: complex = 1.0
     instead: complex | None = None
+    other: str = ""
 
 
 @frozen
@@ -83,13 +85,14 @@ def turned_back(link: str) -> Change:
     return lambda plot, right: -1j * np.sign(plot.omega[link]) * right
 
 
-def each_and_all(id: str, places: Sequence[tuple[str, Edit]], but: Sequence[str] = ()) -> Iterator[Rewrite]:
-    """A mistake made at each of some places alone, by name; and at all of them `but` some, where these are several."""
-    for name, edit in places:
-        yield Rewrite(id, name, edits=(edit,))
-    together = {name: edit for name, edit in places if name not in but}
+def each_and_all(alone: Sequence[Rewrite], but: Sequence[str] = ()) -> Iterator[Rewrite]:
+    """A mistake made at each of some places alone; and at all of them `but` some, where these are several."""
+    yield from alone
+    together = {one.of: one for one in alone if one.of not in but}
     if len(together) > 1:
-        yield Rewrite(id, ", ".join(together), edits=tuple(together.values()))
+        edits = tuple(edit for one in together.values() for edit in one.edits)
+        asked = tuple(value for one in together.values() for value in one.asked)
+        yield replace(alone[0], of=", ".join(together), edits=edits, asked=asked)
 
 
 def in_sense_of(plot: Redrawing, size: Value, right: Value, what: str) -> Value:

@@ -2,24 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import field
 from functools import cached_property
-from itertools import combinations
+from itertools import chain, combinations
 from typing import TypeVar
 
 import numpy as np
 
-from graphkin.base.geometry import place
+from graphkin.base.geometry import Value, place
 from graphkin.base.value import frozen
-from graphkin.construction import Construction, Equation, Plane, Plot, Site, Size, Step, Term, kinds
+from graphkin.construction import Construction, Coriolis, Equation, Normal, Plane, Plot, Site, Size, Step, Term, kinds
 from graphkin.marking.answers import ArrowPlaces, arrows_of
-from graphkin.marking.rewrite import Rewrite
+from graphkin.marking.hand import Redrawing, redraw
+from graphkin.marking.rewrite import Change, Edit, Rewrite, RewrittenValue, Times
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME
 from graphkin.model.naming import Seen
-from graphkin.model.quantities import Quantity
+from graphkin.model.quantities import Moving, Quantity
 from graphkin.planning import Method
+from graphkin.planning.equivalent import Contact
+from graphkin.planning.stages import Group, Mesh
 from graphkin.proof.readings import readings
 
 Known = TypeVar("Known", bound=Size)
@@ -46,6 +49,13 @@ class Scene:
         """The right ones."""
         return readings(self.method, self.plot)
 
+    @cached_property
+    def rolling(self) -> list[tuple[tuple[Contact, ...], tuple[str, ...]]]:
+        """Rolling contacts that together give rotations, with the base links of these."""
+        stages = (stage for stage in self.method.stages if isinstance(stage, Mesh | Group))
+        return [((one.contact,), (one.angle,) if one.angle else ()) if isinstance(one, Mesh)
+                else (one.contacts, one.angles) for one in stages]  # fmt: skip
+
     @property
     def polygons(self) -> tuple[Construction, Construction]:
         return self.method.velocity, self.method.acceleration
@@ -71,6 +81,42 @@ class Scene:
                 for chain in step.chains:
                     found = {size: "" for size, _ in chain.known if isinstance(size, kind)} | found
         return found
+
+    @cached_property
+    def rims(self) -> dict[Normal, str]:
+        """Normal accelerations about a wheel's centre of its named points that are found by image, with these."""
+        contacts = chain.from_iterable(contacts for contacts, _ in self.rolling)
+        wheels = chain.from_iterable(zip(each.wheels, each.centres, strict=True) for each in contacts)
+        centres = {wheel: centre for wheel, centre in wheels if centre}
+        images, known = self.images("acceleration"), self.sized("acceleration", Normal)
+        rims = ((Normal(link, centres[link], step.corners[2]), step.point)
+                for link in images if link in centres for step in images[link])  # fmt: skip
+        return {rim: node for rim, node in rims
+                if rim not in known and rim.tail != rim.head and rim.head in self.points(rim.link)}  # fmt: skip
+
+    def term(self, id: str, size: Size, name: str, change: Change | None, form: str = "", way: str = "") -> Rewrite:
+        """A known term of the accelerations that is otherwise, and what is handed in of it, where no arrow shows that;
+        or one that is right but not laid off."""
+        laid = (step for step in self.steps("acceleration") if isinstance(step, kinds.LayOff))
+        tips = {step.tip: step.start for step in laid if step.term.size == size}
+        if change is None and tips:
+            edits = [Edit(("laid", "acceleration", tip), _staying(start)) for tip, start in tips.items()]
+        elif size in self.rims:
+            edits = [Edit(("image", "acceleration", self.rims[size]), _moved(size, change or Times(0.0)))]
+        else:
+            edits = [Edit(("arrow", "acceleration", size), change or Times(0.0))]
+        return Rewrite(id, name, form, tuple(edits), tuple(self._handed_in(size, change)) if change else (), way)
+
+    def _handed_in(self, size: Size, change: Change) -> Iterator[RewrittenValue]:
+        """The terms of a size that are handed in and that no arrow shows, as a change makes them."""
+        part = {Coriolis: "k", Normal: "n"}.get(type(size))
+        moving = (quantity for quantity in self.quantities if isinstance(quantity, Moving))
+        for quantity in (q for q in moving if q.part == part and self.arrows.of(q) is None):
+            drawing = redraw(self.method, self.plot)
+            own, arrow = place(quantity.vector(self.motions)), place(drawing.arrow(size, "acceleration"))
+            for sign in (1, -1):  # as it is named, or the other way round
+                if abs(own - sign * arrow) <= 1e-9 * abs(arrow):
+                    yield RewrittenValue(quantity.text, instead=sign * place(change(drawing, arrow)))
 
     def images(self, plane: Plane) -> dict[str, list[kinds.Image]]:
         """Further points by image, by link."""
@@ -177,6 +223,20 @@ class Scene:
         return "△" + "".join(dict.fromkeys("".join(point for step in images for point in step.corners)))
 
 
+def _staying(start: str) -> Change:
+    return lambda plot, right: plot.acceleration[start]
+
+
+def _moved(size: Size, change: Change) -> Change:
+    """A point found by image, as a change of a term moves it."""
+
+    def moved(plot: Redrawing, right: Value) -> Value:
+        arrow = plot.arrow(size, "acceleration")
+        return right + change(plot, arrow) - arrow
+
+    return moved
+
+
 def drawn_by(step: Step) -> tuple[str, ...]:
     """The corners that a step adds to a polygon."""
     match step:
@@ -190,7 +250,7 @@ def drawn_by(step: Step) -> tuple[str, ...]:
             return ()
 
 
-Finder = Callable[[Scene], Iterator[Rewrite]]
+Finder = Callable[[Scene], Iterable[Rewrite]]
 
 
 @frozen

@@ -73,12 +73,16 @@ class Drawings:
             slips = [self._slip(plot, quantity) for quantity in quantities]
             readings = [np.broadcast_to(value + slip, hand.shape) for value, slip in zip(answers, slips, strict=True)]
         values = np.stack(readings, axis=-1).astype(float, copy=False) if readings else np.empty((*hand.shape, 0))
+        numbers = {quantity.text: k for k, quantity in enumerate(quantities)}
         for row, rewrites in enumerate(columns):
+            whole = values[row].copy()
             for written in (one for rewrite in rewrites for one in rewrite.asked):
-                k = [q.text for q in quantities].index(written.quantity)
+                k = numbers[written.quantity]
                 is_vector, read = isinstance(quantities[k], kinds.Moving), values[row, :, k]
                 factor = complex(written.factor)
-                if written.instead is None:  # so many times what was read
+                if written.other:
+                    values[row, :, k] = whole[:, numbers[written.other]]
+                elif written.instead is None:  # so many times what was read
                     values[row, :, k] = read * (abs(factor) if is_vector else factor.real)
                 else:  # another value, which scatters as what was read does
                     other = factor * written.instead

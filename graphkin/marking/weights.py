@@ -7,6 +7,7 @@ right or anything. Weights are logarithms of likelihoods times how often such wo
 from __future__ import annotations
 
 from copy import copy
+from functools import cached_property
 from math import lgamma
 
 import numpy as np
@@ -14,15 +15,17 @@ import numpy as np
 from graphkin.base.value import frozen
 from graphkin.marking.key import Columns, Hypotheses, Key, columns_of, differences, upright
 
-_RIGHT, ONE, TWO, _NONE = np.log((0.05, 0.35, 0.05, 0.1))
+_RIGHT, ONE, TWO, _SLIP, _NONE = np.log((0.05, 0.35, 0.05, 0.35, 0.1))
 """Logarithms of the frequencies, where a value is beyond its tolerance, of right work gone astray by the pencil alone,
-of one mistake, of two, and of other work."""
+of one mistake, of two, of one slip with all else consistent, and of other work."""
 MOVED = 3.0  # a mistake that moves no handed-in value by more standard deviations cannot be seen
+_ELSE = 0.2  # the part of a mistake's values that come from something else, where others do
 _COMMON = (0.5, 0.9)
 """Parts of the scatter of several values that may come from what they are all read off, beside none; the rest is each
 value's own."""
 FITS = 4.5  # a value that is off by more standard deviations is not explained
 _REACH = 5.0  # random numbers are of any size from the right one divided by this to it multiplied by this
+LEFT = 0.3  # of a scatter at least so large a part is left, whatever else is known: its own reading and rounding
 _TURN = 2 * np.pi
 _PRODUCT = 1 << 18  # products of a matrix of so many are left to one thread: more cost more than they give
 
@@ -34,7 +37,7 @@ class Weighed:
     weights (students, m); `right`, `none`: of right work, and of work that nothing explains (students,)
     worst   by how many standard deviations the worst value is off (students, m)
     near    sum of the squares of all values' deviations, in standard deviations (students, m)
-    chance  how often random numbers come as near to any of the explanations (students, m); 1 where that is far
+    chance  how often random numbers come as near to any of as many values (students, m); 1 where that is far
     """
 
     weights: np.ndarray
@@ -43,6 +46,40 @@ class Weighed:
     chance: np.ndarray
     right: np.ndarray
     none: np.ndarray
+
+    def beside(self, slips: Weighed) -> Weighed:
+        """With the weights of further explanations of the same students."""
+        weights, worst, near, chance = (
+            np.concatenate([getattr(one, name) for one in (self, slips)], axis=1)
+            for name in ("weights", "worst", "near", "chance")
+        )
+        return Weighed(weights, worst, near, chance, self.right, self.none)
+
+
+@frozen
+class WeighedPartly:
+    """The weights of explanations (students, m) where a part of the wrong values comes from something else.
+
+    chance     how often random numbers come as near to any explanation in as many values (students, m)
+    explained  which of the wrong values follow (students, m, n)
+    none       weights of work that nothing explains (students,)
+    """
+
+    weights: np.ndarray
+    chance: np.ndarray
+    explained: np.ndarray
+    none: np.ndarray
+
+
+@frozen
+class SlipOutcomes:
+    """The outcomes of a slip in each quantity: that one is off, all others are as they follow from it.
+
+    values, scatters  (students, n, n), a row for each quantity; NaN at its own, and where there is no slip in it
+    """
+
+    values: np.ndarray
+    scatters: np.ndarray
 
 
 class ScaledExplanations:
@@ -71,6 +108,31 @@ class ScaledExplanations:
         one.rows, one.shares, one._one = self.rows[[k]], self.shares[[k]], self._one.only(k)
         return one
 
+    def weigh_partly(self, given: np.ndarray, wrong: np.ndarray) -> WeighedPartly:
+        """For values (students, n) of which some are wrong, and of these some come from something else."""
+        table, one = self.table, self._one
+        values, scatters = np.where(one.judged, one.size, np.nan), 1 / np.where(one.judged, one.sharp, np.nan)
+        z = differences(table, given[:, None, :], values) / scatters
+        with np.errstate(invalid="ignore"):
+            explained = (np.abs(z) <= FITS) & wrong[:, None, :] & (shifts(table, values) > MOVED)
+        normal = -0.5 * z**2 - np.log(scatters * np.sqrt(2 * np.pi))
+        with np.errstate(invalid="ignore"):
+            mixed = np.logaddexp(np.log(1 - _ELSE) + normal, np.log(_ELSE) + _broad(table, given)[:, None, :])
+        weights = np.where(one.judged, mixed, _none_density(table, given)[:, None, :]).sum(axis=2) + self.shares
+        # how often random numbers hit as many of the wrong values so well
+        count, of = explained.sum(axis=2), np.broadcast_to(wrong.sum(axis=1)[:, None], weights.shape)
+        near = np.where(explained, z**2, 0.0).sum(axis=2)
+        crowded = np.where(one.judged, _crowded(table, values) + np.log(scatters), 0.0)
+        cells = np.where(explained, crowded, 0.0).sum(axis=2) + np.log(max(len(self.rows), 1))
+        factorial = np.cumsum(np.log(np.maximum(np.arange(given.shape[1] + 1), 1)))
+        choices = factorial[of] - factorial[count] - factorial[of - count]
+        halves = np.array([0.5 * n * np.log(np.pi) - lgamma(n / 2 + 1) for n in range(given.shape[1] + 1)])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ball = halves[count] + np.where(count, 0.5 * count * np.log(near), 0.0)
+        chance = np.where(count > 1, np.exp(np.minimum(ball + cells + choices, 0.0)), 1.0)
+        none = _none_density(table, given).sum(axis=1) + _NONE
+        return WeighedPartly(weights, chance, explained, none)
+
     def right_by(self, given: np.ndarray, methods: Hypotheses) -> np.ndarray:
         """Weights of right work by the likeliest of some methods (students,), their rows being right values."""
         own = None if methods.together is None else methods.together[:, self._there][:, :, self._there]
@@ -83,12 +145,45 @@ class ScaledExplanations:
         """Values of those who make mistake k (students, n), normal about what it gives; errors: standard normal."""
         return self._one.drawn(k, errors)
 
+    def weigh_slips(self, given: np.ndarray, slips: SlipOutcomes) -> Weighed:
+        """Slips in the values of students (students, n): the slip's own value may be anything, the others scatter about
+        what follows from it as right values do once it is known."""
+        table, own = self.table, np.eye(given.shape[1], dtype=bool)
+        off = differences(table, given[:, None, :], slips.values) / slips.scatters
+        row, who = np.nonzero((np.isfinite(off) | own).all(axis=2).T)  # row by row
+        near, worst, density, chance = self._slips.closely(np.where(own[row], 0.0, off[who, row]), row)
+        larger = np.nansum(np.log(slips.scatters[who, row]), axis=1)
+        weights = density - larger + _broad(table, given)[who, row] + _SLIP - np.log(len(own))
+        every = np.full((4, *given.shape), [[[-np.inf]], [[np.inf]], [[np.inf]], [[1.0]]])
+        every[:, who, row] = weights, worst, near, chance
+        weights, worst, near, chance = every
+        return Weighed(weights, worst, near, chance, np.empty(0), np.empty(0))
+
+    @cached_property
+    def _slips(self) -> _NormalRows:
+        """Right values but for one each, scattered as they are once that is known."""
+        own = np.eye(len(self.table.right), dtype=bool)
+        together = once_known(self._right.usual)[1]
+        together[own[:, :, None] | own[:, None, :]] = 0.0
+        values, scatters = (np.where(own, np.nan, one) for one in (self.table.right, self.table.scatter))
+        return _NormalRows(self.table, values, scatters, self._right.usual, together)
+
     def weigh(self, given: np.ndarray) -> Weighed:
         """For students' values (students, n)."""
         none = _none_density(self.table, given)
         weights, worst, near, chance = self._one.weigh(given, none)
         right = self._right.weigh(given, none)[0]
         return Weighed(weights + self.shares, worst, near, chance, right[:, 0] + _RIGHT, none.sum(axis=1) + _NONE)
+
+
+def once_known(together: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """What is left of scatters that go together (n, n) once one of them is known, a row for each: the part of each
+    standard deviation (n, n), and the correlations (n, n, n)."""
+    left = together - together[:, :, None] * together[:, None, :]
+    parts = np.sqrt(np.maximum(np.diagonal(left, axis1=1, axis2=2), LEFT**2))
+    correlations = np.clip(left / (parts[:, :, None] * parts[:, None, :]), -1.0, 1.0)
+    correlations[:, np.arange(len(together)), np.arange(len(together))] = 1.0
+    return parts, correlations
 
 
 def visible(table: Columns, values: np.ndarray) -> np.ndarray:
@@ -150,15 +245,18 @@ class _NormalRows:
         self.count = self.judged.sum(axis=1)
         self.own = np.where(self.judged, np.log(scatters), 0.0).sum(axis=1)
         self._axes: dict[int, tuple[np.ndarray, ...]] = {}
-        # by how many quantities are judged: a logarithm of how many of such rows random numbers meet, for cells of 1
+        # a logarithm of how many rows that judge as many quantities random numbers meet, for balls of radius 1
         crowded = self.own + np.where(self.judged, _crowded(table, self.size), 0.0).sum(axis=1)
-        self._cells = {int(n): float(np.logaddexp.reduce(crowded[self.count == n])) for n in np.unique(self.count)}
+        self._cells = np.zeros(len(values))
+        for size in np.unique(self.count):
+            ball = 0.5 * size * np.log(np.pi) - lgamma(size / 2 + 1)
+            self._cells[self.count == size] = ball + np.logaddexp.reduce(crowded[self.count == size])
 
     def only(self, k: int) -> _NormalRows:
         """Row k alone; chance hits it as often as all of them."""
         values, scatters = (some[[k]] for some in self.given)
         one = _NormalRows(self.table, values, scatters, self.usual)
-        one._axes[0], one._cells = self._apart(k), self._cells
+        one._axes[0], one._cells = self._apart(k), self._cells[[k]]
         return one
 
     def drawn(self, k: int, errors: np.ndarray) -> np.ndarray:
@@ -177,18 +275,9 @@ class _NormalRows:
         off = given[who] - self.size[row]
         if self.table.angle.any():
             off[:, self.table.angle] = _turned(off[:, self.table.angle])
-        z = off * self.sharp[row]
-        near[who, row], worst[who, row] = np.einsum("pn,pn->p", z, z), np.abs(z).max(axis=1, initial=0.0)
         weights = -0.5 * (near + self.count * np.log(2 * np.pi)) - np.log(1 + len(_COMMON))
-        weights[who, row] = self._closely(z, row, near[who, row])
-        # how many explanations random numbers come as near to: cells of that size about them
-        close = near[who, row]
-        hits = np.zeros_like(close)
-        with np.errstate(divide="ignore"):
-            for size, cells in self._cells.items():
-                ball = 0.5 * size * np.log(np.pi * close) - lgamma(size / 2 + 1) if size else 0.0
-                hits += np.exp(np.minimum(ball + cells, 0.0))
-        chance[who, row] = hits
+        close = self.closely(off * self.sharp[row], row)
+        near[who, row], worst[who, row], weights[who, row], chance[who, row] = close
         if not self.judged.all():  # of the quantities that a row does not judge nothing is known
             weights = weights - self.own + np.einsum("ns,nm->sm", none.T.copy(), (~self.judged.T).astype(float))
         else:
@@ -206,9 +295,10 @@ class _NormalRows:
             near += (_turned(given[:, k, None] - self.size[:, k]) * self.sharp[:, k]) ** 2
         return np.asarray(np.maximum(near, 0.0))
 
-    def _closely(self, z: np.ndarray, row: np.ndarray, near: np.ndarray) -> np.ndarray:
-        """Logarithm of the mean of densities of deviations (pairs, n) from rows (pairs,), in their order: with and
-        without a common part; near: sum of squares."""
+    def closely(self, z: np.ndarray, row: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Of deviations (pairs, n) from rows (pairs,), in their order, in standard deviations: sums of their squares,
+        the worst, logarithms of the mean of their densities with and without a common part, chance."""
+        near, worst = np.einsum("pn,pn->p", z, z), np.abs(z).max(axis=1, initial=0.0)
         squares = np.empty((len(near), 1 + len(_COMMON)))
         squares[:, 0] = near
         ends = np.flatnonzero(np.diff(row, append=-1)) + 1
@@ -217,7 +307,11 @@ class _NormalRows:
             axes, _, sharp, sizes = self._apart(int(row[start]))
             squares[start:end, 1:] = (z[start:end] @ axes) ** 2 @ sharp + sizes
         mean: np.ndarray = np.logaddexp.reduce(-0.5 * squares, axis=1) - np.log(1 + len(_COMMON))
-        return np.asarray(mean - 0.5 * self.count[row] * np.log(2 * np.pi))
+        count = self.count[row]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            radius = np.where(count, 0.5 * count * np.log(near), 0.0)
+        chance = np.exp(np.minimum(self._cells[row] + radius, 0.0))
+        return near, worst, mean - 0.5 * count * np.log(2 * np.pi), chance
 
     def _apart(self, row: int) -> tuple[np.ndarray, ...]:
         """Of a row: deviations along these axes (n, ..) do not hang together, and how far they go (..,); by what their

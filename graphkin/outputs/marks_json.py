@@ -24,7 +24,7 @@ HEAD = f'{{"kind": "{KIND}", "format": {FORMAT},\n"results": ['
 END = "]}"
 Json = dict[str, Plain]
 Record = Mapping[str, Any]  # a record as it is read
-_LINE = ("format", "student", "file", "status", "reason", "score")
+_LINE = ("format", "student", "file", "status", "reason", "score", "departure", "remarks")
 _QUANTITY = ("given", "right", "carried", "tolerance", "verdict", "sense")
 _MISTAKE = ("ids", "probability", "margin", "explains")
 
@@ -50,6 +50,7 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
             "unit": one.unit, "unit_right": one.unit_right, "own": dict(one.own), "refused": list(one.refused),
             "points": one.points, "credit": one.credit, **({"measured": True} if one.measured else {}),
             **({"written": one.written} if one.written else {}),
+            **({"of_mistake": True} if one.of_mistake else {}),
         }  # fmt: skip
     mistakes: list[Plain] = []
     for each in () if marked is None else marked.diagnosis.explanations:
@@ -60,6 +61,12 @@ def record(graded: Graded, lang: Lang = "en") -> Json:
         })  # fmt: skip
     notes = [note.message(lang) for note in graded.notes]
     whole |= {"quantities": quantities, "mistakes": mistakes, "place": graded.place, "notes": notes}
+    if graded.remarks:
+        remarks = [{"id": str(getattr(one, "id", "")), "text": one.message(lang)} for one in graded.remarks]
+        whole["remarks"] = [*remarks]
+    if marked is not None and marked.departure is not None:
+        text, left, right = marked.departure.text, marked.departure.left, marked.departure.right
+        whole["departure"] = {"quantity": text, "left": list(left), "right": list(right)}
     if marked is not None:
         whole["evidence"] = {id: _rounded(weight) for id, weight in marked.diagnosis.evidence.items()}
     if marked is not None and graded.drawn:

@@ -8,7 +8,7 @@ from typing import Literal, Protocol
 
 from graphkin.errors import Lang
 from graphkin.marking.key import Name
-from graphkin.marking.records import Graded, Marked, Verdict
+from graphkin.marking.records import Departure, Graded, Marked, Verdict
 from graphkin.model.quantities import EDGE
 from graphkin.say.catalogue import is_phrase, say
 from graphkin.say.numbers import number
@@ -23,6 +23,7 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
     if marked is None:
         reason = "" if graded.reason is None else graded.reason.message(lang)
         yield say("marks.not marked", lang, student=graded.student, file=graded.file, reason=reason)
+        yield from _remarks(graded, lang)
         return
     score = "–" if marked.score is None else f"{marked.score:.2f}"
     yield say("marks.student", lang, student=graded.student, file=graded.file, score=score)
@@ -36,18 +37,33 @@ def grade_lines(graded: Graded, lang: Lang) -> Iterator[str]:
         sizes = [given, edge_value(one.right, one.unit), tolerance, EDGE[one.unit].sign]
         rows.append([one.text, *sizes, verdict(one, lang)])
     yield from (f"  {row}" for row in marks_table(rows))
-    # values judged with the student's own earlier ones, and those that were not carried on
-    units, between = {one.text: one.unit for one in marked.judged}, say("common.list", lang)
-    for one in marked.judged:
-        if one.own and one.carried is not None:
-            own = between.join(f"{text} = {edge_value(value, units[text])}" for text, value in one.own.items())
-            yes, follows = "yes" if one.verdict == "carried" else "no", edge_value(one.carried, one.unit)
-            yield "  " + say(f"marks.judged with {yes}", lang, own=own, quantity=one.text, value=follows)
-    refused = dict.fromkeys(text for one in marked.judged if one.verdict == "wrong" for text in one.refused)
-    if refused:
-        yield "  " + say("marks.not carried", lang, own=between.join(refused))
+    yield from (f"  {line}" for line in _carried(marked, lang))
     yield from (f"  {line}" for line in _explanations(marked, lang))
     yield from (f"  {say('marks.note', lang, note=note.message(lang))}" for note in graded.notes)
+    yield from _remarks(graded, lang)
+
+
+def _remarks(graded: Graded, lang: Lang) -> Iterator[str]:
+    """Said to the teacher alone."""
+    return (f"  {say('marks.look', lang, remark=remark.message(lang))}" for remark in graded.remarks)
+
+
+def _carried(marked: Marked, lang: Lang) -> Iterator[str]:
+    """Values judged with the student's own earlier ones, those that were not carried on, and what follows from a
+    mistake."""
+    units, between = {one.text: one.unit for one in marked.judged}, say("common.list", lang)
+    explained = {text for one in marked.diagnosis.explanations for text in one.explains}
+    for one in marked.judged:
+        useful = one.verdict == "carried" or one.text not in explained
+        if one.own and one.carried is not None and useful and not one.of_mistake:
+            own = between.join(f"{text} = {edge_value(value, units[text])}" for text, value in one.own.items())
+            yes, follows = "yes" if one.verdict == "carried" else "no", edge_value(one.carried, one.unit)
+            yield say(f"marks.judged with {yes}", lang, own=own, quantity=one.text, value=follows)
+    refused = dict.fromkeys(text for one in marked.judged if one.verdict == "wrong" for text in one.refused)
+    if refused:
+        yield say("marks.not carried", lang, own=between.join(refused))
+    if followed := [one.text for one in marked.judged if one.of_mistake]:
+        yield say("marks.follows", lang, quantity=between.join(followed))
 
 
 def interrupted(path: Path, lang: Lang) -> str:
@@ -69,15 +85,33 @@ def _explanations(marked: Marked, lang: Lang) -> Iterator[str]:
     """Of wrong numbers; a unit that alone is wrong stands in its verdict."""
     if not any(one.verdict in ("wrong", "carried") and one.unit_right for one in marked.judged):
         return
-    if not marked.diagnosis.explanations:
-        yield say("marks.none fits", lang)
-    for explanation in marked.diagnosis.explanations:
-        key = "marks.consistent" if len(explanation.names) == 1 else "marks.cannot tell"
-        explains = say("common.list", lang).join(explanation.explains)
-        texts = distinct_mistakes(mistakes_together(names, lang) for names in explanation.names)
-        more = [say("marks.more", lang, count=len(texts) - _SETS)] if len(texts) > _SETS else []
-        what = say("marks.or", lang).join([*texts[:_SETS], *more])
-        yield say(key, lang, what=what, probability=f"{explanation.probability:.0%}", explains=explains)
+    if not marked.diagnosis.explanations and marked.departure is not None:
+        yield departs(marked.departure, lang)
+    for one in marked.diagnosis.explanations:
+        texts = [mistakes_together(names, lang) for names in one.names]
+        what, sure = joined(texts, lang), how_sure(one.probability, texts, lang)
+        explains = say("common.list", lang).join(one.explains)
+        yield say("marks.consistent", lang, what=what, sure=sure, explains=explains)
+
+
+_CERTAIN, _PROBABLE = 0.99, 0.9
+"""Explanations are told apart by a factor of 20, which alone is 0.95: a hundredth is left to all mistakes that are in
+no list."""
+
+
+def how_sure(probability: float, mistakes: Iterable[str], lang: Lang) -> str:
+    """In words. Of several mistakes that cannot be told apart none is certain."""
+    if probability >= _CERTAIN and len(distinct_mistakes(mistakes)) == 1:
+        return say("marks.sure certainly", lang)
+    return say(f"marks.sure {'probably' if probability >= _PROBABLE else 'possibly'}", lang)
+
+
+def departs(one: Departure, lang: Lang, in_full: bool = True) -> str:
+    """The first value that leaves the right way, where no mistake explains them all; in full with its equation."""
+    if not (in_full and one.left and one.right):
+        return say("marks.departs", lang, quantity=one.text)
+    equation = " = ".join(" + ".join(side) for side in (one.left, one.right))
+    return say("marks.departs there", lang, quantity=one.text, equation=equation)
 
 
 class VerdictData(Protocol):
@@ -124,6 +158,15 @@ def distinct_mistakes(texts: Iterable[str]) -> list[str]:
     """Each once, and not again with more behind it, as `.., and carried on`: these cannot be told apart."""
     each = list(dict.fromkeys(texts))
     return [text for text in each if not any(text.startswith((f"{other}, ", f"{other}，")) for other in each)]
+
+
+def joined(texts: Iterable[str], lang: Lang) -> str:
+    """Mistakes that cannot be told apart, as one."""
+    each = distinct_mistakes(text.strip().rstrip(".。") for text in texts)
+    if len(each) == 1:
+        return each[0]
+    more = [say("marks.more", lang, count=len(each) - _SETS)] if len(each) > _SETS else []
+    return say("marks.one of", lang, mistakes=say("marks.or", lang).join([*each[:_SETS], *more]))
 
 
 def mistake_kind(id: str, lang: Lang) -> str:

@@ -8,18 +8,21 @@ lengths have together.
 from __future__ import annotations
 
 import cmath
+import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
 from pathlib import PurePosixPath
 
 import numpy as np
 
+from graphkin import planning, running
+from graphkin.base.geometry import place
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.errors import GraphkinError, LetterTwice, NoLetters, NoScaleDrawn, Where
-from graphkin.model.mechanism import FRAME
+from graphkin.errors import GraphkinError, LetterTwice, NoLetters, NoScaleDrawn, OwnSheet, TurnedPage, Where
+from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.quantities import Rotation
 from graphkin.submissions import numbers
 from graphkin.submissions.answers import answers
@@ -93,7 +96,9 @@ def measured(
     planes = sorted({plane for plane, _ in letters.points})
     notes += [NoScaleDrawn(where, plane, _KEYS[plane]) for plane in planes if plane not in scales]
     own = tuple(sorted(calibrated.keys() - claimed.keys()))
-    return values, MeasuredDrawing(letters.points, scales, own, turned, where), notes
+    drawing = MeasuredDrawing(letters.points, scales, own, turned, where)
+    remarks = tuple(_page_remarks(picture, drawing, shapes, asked.mechanism))
+    return values, replace(drawing, remarks=remarks), notes
 
 
 def _written_on(
@@ -142,19 +147,7 @@ def directions(picture: PagePicture, questions: Questions, where: Where, limits:
                 axes[read[0]] = axis
     if not axes:
         return {}
-    pairs = ((link, pair) for link in mechanism.links.values() for pair in combinations(mechanism.named(link.name), 2))
-    sizes: dict[Pair, float] = {pair: size for link, pair in pairs if (size := abs(link.arm(*pair))) > 0}  # [m]
-    names = {name: (name,) for name in mechanism.points}
-    figure = PaperPolygon("position", names, tuple(PolygonVector("", *pair) for pair in sizes), ())
-    places = {name: place for (_, name), place in find_letters(picture, [figure]).points.items()}
-    lengths = {(one, other): abs(places[other] - places[one]) / size for (one, other), size in sizes.items()
-               if one in places and other in places}  # fmt: skip
-    if len(lengths) < _LENGTHS:
-        return {}
-    scale = float(np.median(list(lengths.values())))
-    good = {pair for pair, each in lengths.items() if abs(each - scale) <= _OFF * scale}
-    if len(good) < _LENGTHS or len(good) <= _AGREE * len(lengths):
-        return {}
+    places, good = _drawn_links(picture, mechanism)
     fixed = next((pair for pair in combinations(mechanism.named(FRAME), 2) if pair in good), None)
     turned = 0.0  # the angle by which the page is turned, by two fixed points [rad]
     if limits.turned and fixed is not None:
@@ -165,3 +158,72 @@ def directions(picture: PagePicture, questions: Questions, where: Where, limits:
             angle, ends = cmath.phase(places[head] - places[tail]) - turned, (places[tail], places[head])
             values[question] = HandedValue("", angle, where=where, ends=ends)
     return values
+
+
+def _drawn_links(picture: PagePicture, mechanism: Mechanism) -> tuple[dict[str, complex], set[Pair]]:
+    """The points of a drawn mechanism, and the pairs of a link that are as far apart as they are given; none where too
+    few are."""
+    pairs = ((link, pair) for link in mechanism.links.values() for pair in combinations(mechanism.named(link.name), 2))
+    sizes: dict[Pair, float] = {pair: size for link, pair in pairs if (size := abs(link.arm(*pair))) > 0}  # [m]
+    names = {name: (name,) for name in mechanism.points}
+    figure = PaperPolygon("position", names, tuple(PolygonVector("", *pair) for pair in sizes), ())
+    places = {name: place for (_, name), place in find_letters(picture, [figure]).points.items()}
+    lengths = {(one, other): abs(places[other] - places[one]) / size for (one, other), size in sizes.items()
+               if one in places and other in places}  # fmt: skip
+    scale = float(np.median(list(lengths.values()))) if lengths else 0.0
+    good = {pair for pair, each in lengths.items() if abs(each - scale) <= _OFF * scale}
+    enough = len(good) >= _LENGTHS and len(good) > _AGREE * len(lengths)
+    return places, good if enough else set()
+
+
+# --- for the teacher: a page that stands turned, a sheet of graphkin's own ------------------------
+
+_ALIKE, _STRAIGHT = math.radians(6), math.radians(15)
+"""Directions that are off by angles that differ by less are off alike; those off by less are not turned."""
+_MOST = 2 / 3  # of all directions, and more than half of each figure's, are off alike on a turned page
+_FEWEST = 3  # directions by which a turn is told
+_SHORT = 0.02  # an arrow that is a smaller part of its figure's longest says nothing
+_EXACT = 5e-4  # every arrow of a sheet of graphkin's own is as long and points as it should but for this part
+
+
+def _page_remarks(
+    picture: PagePicture, drawing: MeasuredDrawing, shapes: Sequence[PaperPolygon], mechanism: Mechanism
+) -> Iterator[GraphkinError]:
+    """A page that seems to be turned is so with both polygons alike, with what is given, and with the mechanism where
+    it is drawn. A polygon that alone is turned by half a turn may be a mistake: a driver's sense."""
+    drawn, figures, given = drawing.in_si(), [], list[complex]()
+    for one in shapes:
+        own, known = drawn.get(one.plane, {}), [vector for vector, _ in one.known]
+        figures.append(_compared(own, one.right, [(vector.tail, vector.head) for vector in one.vectors]))
+        given += _compared(own, one.right, [(vector.tail, vector.head) for vector in known])
+    every = [ratio for figure in figures for ratio in figure]
+    if any(dot.plane in drawn for dot in picture.dots) and every and max(abs(one - 1) for one in every) < _EXACT:
+        yield OwnSheet(drawing.where)  # no hand and no other program draws such marks
+    turn = _common_turn(figures)
+    if turn and all(_between(one, turn) < _ALIKE for one in given):
+        places, good = _drawn_links(picture, mechanism)
+        right = running.replay_all(planning.plan(mechanism)).position
+        figures.append(_compared(places, {name: place(at) for name, at in right.items()}, [*good]))
+        alone = sum(map(bool, figures)) < 2 and _between(turn, -1) < _STRAIGHT
+        if not alone and (turn := _common_turn(figures)):
+            yield TurnedPage(drawing.where, math.degrees(cmath.phase(turn)) % 360)
+
+
+def _compared(drawn: Mapping[str, complex], right: Mapping[str, complex], pairs: Sequence[Pair]) -> list[complex]:
+    """Arrows as they are drawn, as multiples of the right ones."""
+    there = [(drawn[b] - drawn[a], right[b] - right[a]) for a, b in pairs if {a, b} <= drawn.keys() & right.keys()]
+    least = [_SHORT * max(map(abs, some)) for some in zip(*there, strict=True)]
+    return [own / value for own, value in there if abs(own) > least[0] and abs(value) > least[1]]
+
+
+def _common_turn(figures: Sequence[Sequence[complex]]) -> complex | None:
+    """One of the arrows that are turned alike, where most are."""
+    every = [ratio for figure in figures for ratio in figure]
+    turn = max(every, key=lambda one: sum(_between(one, other) < _ALIKE for other in every), default=1)
+    alike = [[_between(one, turn) < _ALIKE for one in figure] for figure in figures if figure]
+    common = all(sum(each) > len(each) / 2 for each in alike) and sum(map(sum, alike)) >= _MOST * len(every)
+    return turn if common and len(every) >= _FEWEST and _between(turn, 1) > _STRAIGHT else None
+
+
+def _between(one: complex, other: complex) -> float:
+    return abs(cmath.phase(one / other))

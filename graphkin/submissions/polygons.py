@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import field
 
 from graphkin import construction as kinds
 from graphkin import planning, running
@@ -35,12 +36,14 @@ class PaperPolygon:
     letters  by letter those that mean the same point: of the pole also the fixed points', that sit on it
     vectors  all arrows between letters
     known    vectors that are laid off from what is given alone, with their values [m/s, m/s^2], the first first
+    right    where each letter belongs [m, m/s, m/s^2]
     """
 
     plane: Plane
     letters: Mapping[str, tuple[str, ...]]
     vectors: tuple[PolygonVector, ...]
     known: tuple[tuple[PolygonVector, complex], ...]
+    right: Mapping[str, complex] = field(default_factory=dict)
 
 
 def polygons(mechanism: Mechanism, questions: Questions) -> tuple[PaperPolygon, ...]:
@@ -70,7 +73,8 @@ def polygons(mechanism: Mechanism, questions: Questions) -> tuple[PaperPolygon, 
                 vector = by_ends.get(ends, PolygonVector("", *ends))
                 if vector.tail in values and vector.head in values:
                     known.append((vector, place(values[vector.head]) - place(values[vector.tail])))
-        polygons.append(PaperPolygon(construction.plane, letters, vectors, tuple(known)))
+        right = {letter: place(values[letter]) for letter in letters if letter in values}
+        polygons.append(PaperPolygon(construction.plane, letters, vectors, tuple(known), right))
     return tuple(polygons)
 
 

@@ -78,6 +78,7 @@ class MeasuredDrawing:
     calibrated  the planes whose scale was taken from their known first vector
     turned      by plane: by how much the drawn polygon stands turned, where it may [rad]
     where       the file
+    remarks     for the teacher: what should be looked at
     """
 
     points: Mapping[tuple[Plane, str], complex]
@@ -85,6 +86,7 @@ class MeasuredDrawing:
     calibrated: tuple[Plane, ...] = ()
     turned: Mapping[Plane, float] = field(default_factory=dict)
     where: Where = NOWHERE
+    remarks: tuple[GraphkinError, ...] = ()
 
     def in_si(self) -> dict[Plane, dict[str, complex]]:
         """Points from the first of their plane on, SI, turned back; of planes whose scale is known."""

@@ -49,7 +49,7 @@ def test_the_line_of_a_submission():
     (line,) = lines("ex3-1", handed(CORIOLIS))
     assert set(line) == {"format", "student", "file", "status", "score", "quantities", "mistakes"}
     assert (line["format"], line["student"], line["file"], line["status"]) == (1, "s1", "s1.toml", "marked")
-    assert line["score"] == pytest.approx(0.2)
+    assert line["score"] == pytest.approx(0.4)  # alpha 3 follows from the term that is left out
     assert set(line["quantities"]) == {"omega 2", "omega 3", "alpha 2", "alpha 3", "a_k B3B2", "v B3B2"}
     for one in line["quantities"].values():
         assert set(one) == {"given", "right", "carried", "tolerance", "verdict", "sense"}

@@ -105,7 +105,7 @@ def test_a_hint_tells_only_where_to_look(homework: Path, results: Path):
     done = run(homework / "keys", homework / "in", "-o", results, "--format", "gradescope", "--reveal", "hint", "--lang", "zh")
     assert done.exit_code == 0, done.output
     text = json.dumps(json.loads(told(results, "p0", "habit")), ensure_ascii=False)
-    assert "4 题中有 3 题：检查哥氏加速度。" in text
+    assert "4 题中有 3 题：检查科氏加速度。" in text
     assert "指向反了" not in text
 
 

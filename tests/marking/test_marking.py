@@ -251,7 +251,7 @@ def test_what_fits_nothing_gets_nothing():
 def test_two_mistakes_where_there_are_values_enough():
     """The wrong length for omega 3, and the Coriolis term left out."""
     values = {"v B3": 0.271, "v B3B2": 0.321, "omega 3": -5.65, "omega 2": -5.65, "a_k B3B2": 0.0}
-    hypotheses, key = marker().pairs, marker().key
+    hypotheses, key = marker().pairs(None), marker().key
     row = next(k for k, names in enumerate(hypotheses.names)
                if {name[0] for name in names} == {"wrong-length", "coriolis-omitted"} and "l_CD" in names[0])  # fmt: skip
     values |= {text: float(hypotheses.values[row, key.number(text)]) for text in ("alpha 3", "a_n B3D", "a_t B3D")}

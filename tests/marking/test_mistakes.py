@@ -27,6 +27,7 @@ from graphkin.marking import (
     rewrites,
     rewritten,
 )
+from graphkin.marking.diagnosis import SLIP
 from graphkin.model.quantities import Moving, Quantity, read
 from graphkin.planning import Method, plan
 from graphkin.proof.readings import readings
@@ -101,6 +102,16 @@ TABLE = [
     ("ex3-1", ("normal-outward", "", "a_B2"), {"alpha 3": "8.57"}),
     ("ex3-5", ("normal-outward", "", "a^n_CB"), {"alpha 2": "28.5", "alpha 3": "34.7"}),
     ("ex3-5", ("normal-outward", "", "a^n_CD"), {"alpha 2": "50.5", "alpha 3": "60.2"}),
+    ("ex3-1", ("normal-doubled", "", "a^n_B3D"), {"alpha 3": "47.85", "omega 3": "-3.919"}),
+    ("ex3-5", ("normal-doubled", "", "a^n_CB"), {"alpha 2": "38.3", "alpha 3": "61.3"}),
+    ("ex3-1", ("normal-not-laid-off", "", "a^n_B3D"), {"a_n B3D": "1.063", "alpha 3": "76.6"}),
+    ("ex3-5", ("normal-not-laid-off", "", "a^n_CD"), {"alpha 2": "42.8", "alpha 3": "56.3"}),
+    ("ex3-1", ("diameter-for-radius", "", "omega 3", "2 l_BD"), {"omega 3": "-1.960", "omega 2": "-1.960"}),
+    ("ex3-1", ("coriolis-not-laid-off",), {"omega 3": "-3.919", "a_k B3B2": "2.515", "alpha 3": "12.46",
+                                          "a_r B3B2": "2.168"}),
+    ("ex3-1", ("degrees-for-radians", "", "ω, α", "180/π"), {"omega 3": "-224.6", "alpha 3": "3565.2"}),
+    ("ex3-1", ("decimal-slip", "", "alpha 3", "1/10"), {"alpha 3": "6.222", "omega 3": "-3.919"}),
+    ("ex3-1", ("sense-not-given",), {"omega 3": "3.919", "omega 2": "3.919", "alpha 3": "62.22"}),
     ("ex3-1", ("coriolis-omitted",), {"a_k B3B2": "0.0", "alpha 3": "12.46", "a_r B3B2": "2.168"}),
     ("ex3-1", ("coriolis-reversed",), {"alpha 3": "-37.3", "a_r B3B2": "4.52"}),
     ("ex3-1", ("coriolis-half",), {"a_k B3B2": "1.257", "alpha 3": "37.3"}),
@@ -152,7 +163,8 @@ def hold_printed(found: float, digits: str):
 
 def test_every_mistake_is_in_the_table_or_beyond():
     beyond = {"centre-ratio", "centre-acceleration-zero", "arm-ignored", "relative-as-absolute", "slider-normal-term",
-              "driver-acceleration-dropped", "other-assembly", "angle-clockwise", "conversion"}  # fmt: skip
+              "driver-acceleration-dropped", "driver-acceleration-reversed", "driver-reversed-one", "other-assembly",
+              "angle-clockwise", "answers-swapped", "conversion"}  # fmt: skip
     assert {words[0] for _, words, _ in TABLE} | beyond == set(MISTAKES), "a row of TABLE for each, or a test beyond it"
 
 
@@ -353,9 +365,9 @@ def test_every_way_has_its_words():
     found = {f"mistakes.made {rewrite.id} {rewrite.way}".rstrip() for name in ASKED for (rewrite,) in led_to(name).columns}
     assert found <= set(PHRASES)
     made = {key.split(" ")[1] for key in PHRASES if key.startswith("mistakes.made ")}
-    assert made == set(MISTAKES)
+    assert made == {*MISTAKES, SLIP}
     topics = {key.removeprefix("mistakes.look ") for key in PHRASES if key.startswith("mistakes.look ")}
-    assert {one.topic for one in MISTAKES.values()} == topics
+    assert {*(one.topic for one in MISTAKES.values()), SLIP} == topics
 
 
 def test_names_tell_rewrites_apart():

@@ -217,7 +217,7 @@ def test_factors_of_units_and_scales():
         ("conversion", "", "v C", "1/μ_v"): (1, 1, 1, 200, 1),
         ("conversion", "", "a C", "μ_v/μ_a"): (1, 1, 1, 1, 0.1),
         ("conversion", "", "omega 3", "μ_l"): (1, 0.0005, 1, 1, 1),
-        ("conversion", "", "alpha 3", "180/π"): (1, 1, 180 / np.pi, 1, 1),
+        ("conversion", "", "alpha 3", "30/π"): (1, 1, 30 / np.pi, 1, 1),
     }.items():
         assert values(found, *words) == pytest.approx(answers * factors, rel=1e-12), words
     carried = values(found, "conversion", "carried", "omega 2", "2π")

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import os
 from statistics import NormalDist
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -26,7 +27,7 @@ from graphkin.marking.power import power
 from graphkin.marking.records import HandedNumber, StudentWork
 from graphkin.marking.synonyms import other_methods
 from graphkin.marking.tolerances import Drawings, drawings_of, pencil_of
-from graphkin.marking.weights import ONE
+from graphkin.marking.weights import ONE, SlipOutcomes
 from graphkin.outputs.key_json import key_data, key_of
 
 TRIALS = int(os.environ.get("GRAPHKIN_POWER", "0"))
@@ -72,6 +73,8 @@ def made_up(*rows: tuple[float, ...], together: float = 0.0, known: bool = True)
     marking = Marking({"position": 1.0, "velocity": 1.0, "acceleration": 1.0}, 0.0)
     marker = Marker(Key("made up", "", "", marking, entries, (), np.eye(count), singles))
     marker.other_methods = Hypotheses((), np.empty((0, count)), np.empty((0, count)))  # there is nothing to draw
+    nothing = np.full((1, count, count), np.nan)  # and nothing follows from anything
+    marker.problem = SimpleNamespace(slips=lambda given, wrong, there: SlipOutcomes(nothing, nothing))  # type: ignore[assignment]
     return marker
 
 

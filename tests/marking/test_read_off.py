@@ -26,7 +26,8 @@ from graphkin.submissions import Limits
 
 NAMES = ("ex3-5", "clockwise")
 NOT_DRAWN = ("omega-sense", "wrong-length", "sliding-as-turning", "absolute-for-relative", "centre-ratio",
-             "centre-acceleration-zero", "block-omega", "conversion", "other-assembly")  # fmt: skip
+             "centre-acceleration-zero", "block-omega", "conversion", "other-assembly", "diameter-for-radius",
+             "degrees-for-radians", "decimal-slip", "answers-swapped", "sense-not-given")  # fmt: skip
 """Mistakes of reading and of reckoning, which a polygon does not show, and the link in another place."""
 
 
@@ -67,7 +68,7 @@ def test_rotations_are_read_as_the_mistake_has_them(name: str):
     one, seen = marker(name), 0
     rows = {names[0]: row for row, names in enumerate(one.key.singles.names)}
     for rewrite, points in made(name):
-        if rewrite.name[0] in NOT_DRAWN or rewrite.name[1] in ("segment", "length") or rewrite.name not in rows:
+        if rewrite.name[0] in NOT_DRAWN or rewrite.name[1] in ("segment", "length", "cw", "ccw") or rewrite.name not in rows:
             continue
         found, _ = one.off_drawing(points, {}, {})
         for entry, value in zip(one.key.entries, one.key.singles.values[rows[rewrite.name]], strict=True):
@@ -126,7 +127,7 @@ def svg(points: Drawn, scales: dict[str, float]) -> str:
 def test_a_drawing_alone_is_marked_whole(tmp_path: Path):
     one = marker("ex3-1")
     scales = {"velocity": 0.005, "acceleration": 0.05}
-    for id, best in (("coriolis-reversed", "wrong"), ("normal-omitted", "right")):
+    for id, best, last in (("coriolis-reversed", "wrong", "carried"), ("normal-omitted", "right", "wrong")):
         points = next(points for rewrite, points in made("ex3-1") if rewrite.name[0] == id)
         (tmp_path / "s1.svg").write_text(svg(points, scales), encoding="utf-8")
         (found,) = grade(one.key, [tmp_path / "s1.svg"], Limits())
@@ -135,7 +136,7 @@ def test_a_drawing_alone_is_marked_whole(tmp_path: Path):
         assert all(each.given is not None for each in found.marked.judged)
         assert any("omega 3" in note.message("en") and "omega 3" in note.message("zh") for note in found.notes)
         assert judged["omega 3"].verdict == "right"
-        assert judged["alpha 3"].verdict == "wrong"
+        assert judged["alpha 3"].verdict == last  # one mistake costs one item
         assert (judged["a_k B3B2"].verdict, judged["a_k B3B2"].sense) == (best, best)
         assert any(id in each.ids for each in found.marked.diagnosis.explanations)
 
@@ -147,11 +148,25 @@ def test_an_arrow_astray_tells_mistakes_apart():
     arrows = {text: vector for text, vector in vectors(one, points).items() if text.startswith("v")}
     found, told = one.off_drawing({"velocity": points["velocity"]}, arrows, {})
     assert told == {"v B2": False}
-    for pointing, expected in ((told, {"driver-reversed"}), ({}, {"driver-reversed", "omega-sense"})):
+    for pointing, expected in ((told, {"driver-reversed"}), ({}, {"driver-reversed", "omega-sense", "sense-not-given"})):
         numbers = {text: HandedNumber(abs(vector), points=pointing.get(text)) for text, vector in arrows.items()}
         numbers |= {text: HandedNumber(value) for text, value in found.values.items()}
         (marked,) = one.mark([StudentWork("s", numbers)])
         assert {id for each in marked.diagnosis.explanations for id in each.ids} == expected
+
+
+def test_a_drawing_with_the_driver_reversed_is_marked(tmp_path: Path):
+    """Its crank's arrow points the other way, which is not asked for: no mistake of writing asked answers down says
+    anything of that."""
+    document = tomllib.loads(library.load("ex3-1").text)
+    document["ask"] = ["omega 3", "alpha 3"]
+    key = key_drawn(api.plan(loading.from_dict(document, name="asked")))
+    points = drawn(marker("clockwise").plot)
+    (tmp_path / "s1.svg").write_text(svg(points, {"velocity": 0.005, "acceleration": 0.05}), encoding="utf-8")
+    (found,) = grade(key, [tmp_path / "s1.svg"], Limits())
+    assert found.marked is not None, found.reason
+    assert {each.text: each.verdict for each in found.marked.judged if each.points} == {"omega 3": "wrong", "alpha 3": "right"}
+    assert any("driver-reversed" in each.ids for each in found.marked.diagnosis.explanations)
 
 
 def test_directions_stay_when_marks_are_made_anew(tmp_path: Path):

@@ -224,3 +224,8 @@ def said_in(tree: ast.Module) -> Iterator[str]:
 
 def is_chinese(text: str) -> bool:
     return re.search("[\u4e00-\u9fff]", text) is not None and "\u9fff" not in text
+
+
+def test_coriolis_has_one_name():
+    """The book's."""
+    assert not [name for name, (_, zh) in catalogue().items() if "哥氏" in zh]

@@ -15,7 +15,7 @@ from pathlib import Path
 import book
 import pytest
 
-from graphkin import api
+from graphkin import api, loads
 from graphkin.errors import LetterTwice, NoLetters, NoScaleDrawn, Where
 from graphkin.files import library
 from graphkin.model.quantities import read as quantity
@@ -370,3 +370,46 @@ def test_raised_and_lowered_pieces_of_a_text():
 def test_dxf_without_its_reader(monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setitem(sys.modules, "ezdxf", None)
     assert "pip install ezdxf" in handed("a.dxf", b"0\nEOF\n").reason.message("en")
+
+
+# --- remarks on how a page looks ----------------------------------------------------------------
+
+
+def seen(found: Submission) -> list[str]:
+    return [remark.id for drawing in found.drawings.values() for remark in drawing.remarks]
+
+
+@pytest.mark.parametrize("turn", [37.0, 90.0, 180.0, 270.0])
+def test_a_turned_page_is_remarked_upon(turn: float):
+    (remark,) = handed("a.svg", svg(math.radians(turn))).drawings[1].remarks
+    assert (remark.id, round(remark.degrees)) == ("turned", turn)
+    assert seen(handed("a.svg", svg(math.radians(turn)), Limits(turned=True))) == []
+    assert seen(handed("a.svg", svg())) == []
+
+
+def test_a_polygon_alone_that_is_upside_down_may_be_a_mistake():
+    """A driver taken the other way round turns the velocity polygon, and nothing else."""
+    marks = {turn: re.findall(rb"<(?:path[^>]*/|text.*?</text)>", svg(math.radians(turn))) for turn in (0, 90, 180)}
+    count = len(VECTORS["velocity"]) + len(LETTERS["velocity"])
+    start, accelerations = svg().partition(b"<path")[0], marks[0][count:]
+    pages = {turn: start + b"".join(some[:count]) for turn, some in marks.items()}
+    both = handed("a.svg", pages[180] + b"".join(accelerations) + b"</svg>")
+    assert set(off(both)) >= EVERY - {"v B2"}
+    assert seen(both) == []
+    assert [seen(handed("a.svg", pages[turn] + b"</svg>")) for turn in (0, 90, 180)] == [[], ["turned"], []]
+
+
+def test_the_mechanism_tells_a_turned_page_from_a_reversed_driver():
+    drawing, page = three_figures(str, str, str)
+    turned = page.replace(b'297">', b'297"><g transform="rotate(180 90 150)">').replace(b"</svg>", b"</g></svg>")
+    assert seen(handed("a.svg", turned, drawing=drawing)) == ["turned"]
+    assert seen(handed("a.svg", page, drawing=drawing)) == []
+
+
+def test_a_sheet_of_graphkin_s_own_is_remarked_upon():
+    page = DRAWING.sheet()._repr_svg_().encode()
+    assert seen(handed("a.svg", page)) == ["own-sheet"]
+    assert seen(handed("a.svg", svg(dots=True))) == []
+    other = loads(DRAWING.mechanism.text.replace("omega = 10", "omega = -10"))
+    assert other.drivers[0].rate == -DRAWING.mechanism.drivers[0].rate
+    assert seen(handed("a.svg", api.Drawing.of(other).sheet()._repr_svg_().encode())) == []

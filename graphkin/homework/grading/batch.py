@@ -60,6 +60,7 @@ class EarlierReading:
     notes: tuple[SaidBefore, ...]
     prints: tuple[str, ...]
     drawn: Drawn
+    remarks: tuple[SaidBefore, ...] = ()
 
 
 def earlier_reading(record: Record, where: Where) -> EarlierReading:
@@ -76,7 +77,11 @@ def earlier_reading(record: Record, where: Where) -> EarlierReading:
         prints = tuple(map(str, record.get("fingerprints", ())))
         unread = {text: str(each["written"]) for text, each in record["quantities"].items() if each.get("written")}
         work = StudentWork(student, numbers, unread)
-        return EarlierReading(student, file, place, work, reason, notes, prints, drawn_of(record))
+        remarks = tuple(
+            SaidBefore(str(one["text"]), str(one["id"])) for one in record.get("remarks", ())
+            if one["id"] != errors.AnotherStudent.id  # that is found anew
+        )  # fmt: skip
+        return EarlierReading(student, file, place, work, reason, notes, prints, drawn_of(record), remarks)
     except (KeyError, TypeError, ValueError, AttributeError):
         raise NoMarks(where) from None
 
@@ -121,9 +126,10 @@ def marked(some: list[Item], judge: SetMarker, limits: Limits, reading: str) -> 
         place, outcome = (one.work.student, one.file, one.place), one.reason or next(marks)
         if isinstance(outcome, GraphkinError):
             prints = () if isinstance(outcome, _ONCE_MORE) else one.prints
-            records.append(Graded(*place, None, outcome, one.notes, prints=prints))
+            records.append(Graded(*place, None, outcome, one.notes, prints=prints, remarks=one.remarks))
         else:
-            records.append(Graded(*place, outcome, None, one.notes, one.drawn, one.prints))
+            remarks = (*one.remarks, *judge.remarks(outcome))
+            records.append(Graded(*place, outcome, None, one.notes, one.drawn, one.prints, remarks))
     return records
 
 
@@ -138,6 +144,7 @@ class Read:
     notes: tuple[GraphkinError, ...]
     prints: tuple[str, ...]
     drawn: Drawn
+    remarks: tuple[GraphkinError, ...] = ()
 
 
 def _read(item: Handed | EarlierReading, judge: SetMarker, limits: Limits, reading: str) -> Read:
@@ -169,7 +176,8 @@ def _read(item: Handed | EarlierReading, judge: SetMarker, limits: Limits, readi
         reason = OwnFault(Where(one.file), type(problem).__name__)
     once_more = isinstance(reason, _ONCE_MORE)
     drawn = {} if one.drawn is None else one.drawn.in_si()
-    return Read(work, one.file, one.place, reason, (*notes, *more), () if once_more else prints, drawn)
+    remarks = tuple(remark for drawing in one.drawings.values() for remark in drawing.remarks)
+    return Read(work, one.file, one.place, reason, (*notes, *more), () if once_more else prints, drawn, remarks)
 
 
 def _read_before(item: EarlierReading, judge: SetMarker) -> Read:
@@ -180,7 +188,7 @@ def _read_before(item: EarlierReading, judge: SetMarker) -> Read:
     except GraphkinError as problem:
         reason = problem
     prints = (*item.prints[:2], asked_print(judge, item.student), judge.key_print(item.student)) if item.prints else ()
-    return Read(item.work, item.file, item.place, reason, item.notes, prints, item.drawn)
+    return Read(item.work, item.file, item.place, reason, item.notes, prints, item.drawn, item.remarks)
 
 
 def asked_print(judge: SetMarker, student: str) -> str:

@@ -14,9 +14,11 @@ from dataclasses import replace
 from functools import cached_property
 from pathlib import Path
 
-from graphkin.errors import BadKey, Where
+from graphkin.errors import BadKey, GraphkinError, Where
 from graphkin.homework.grading.keys import USUAL, Pencils, key_file, key_from, text_of
+from graphkin.homework.grading.neighbours import Neighbours
 from graphkin.marking.marker import Marker
+from graphkin.marking.records import Marked
 from graphkin.submissions import ReadableProblem
 
 KIND = "graphkin keys"
@@ -38,6 +40,10 @@ class SetMarker:
     def key_print(self, student: str) -> str:
         """A fingerprint of the student's key."""
         raise NotImplementedError
+
+    def remarks(self, marked: Marked) -> tuple[GraphkinError, ...]:
+        """The remarks that other students' keys give on one student's numbers."""
+        return ()
 
 
 def asked_by(marker: Marker) -> ReadableProblem:
@@ -129,6 +135,16 @@ class KeySet(SetMarker):
             for old in list(self._made)[:-_KEPT]:
                 self._made.pop(old, None)
         return marker
+
+    @cached_property
+    def _neighbours(self) -> Neighbours:
+        return Neighbours({student: self.path.parent / name for student, name in self.files.items()})
+
+    def remarks(self, marked: Marked) -> tuple[GraphkinError, ...]:
+        """The other keys are read when the first has something wrong."""
+        wrong = any(one.verdict in ("wrong", "carried") for one in marked.judged)
+        remark = self._neighbours.agreeing(marked) if wrong else None
+        return () if remark is None else (remark,)
 
     @cached_property
     def _print(self) -> str:

@@ -13,11 +13,11 @@ from decimal import ROUND_DOWN, Decimal
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang, NoRightNumber
-from graphkin.homework.platforms.feedback import joined
 from graphkin.homework.platforms.question import Part, Question, Text, Wrong
 from graphkin.homework.platforms.result import texts_in
 from graphkin.homework.platforms.tables import points, rounded, tolerated
 from graphkin.say.catalogue import say
+from graphkin.say.marks import joined
 
 RING = Decimal("2.5")  # half of the points are given within so many tolerances
 

@@ -49,6 +49,7 @@ class ClassReport:
     unread       answers that were not read: student, quantity, text; and how many there are
     unexplained  how many are wrong somewhere and consistent with no known mistake
     ranges       how many scores in each tenth, the lowest first; the last holds 100 %
+    remarks      what the teacher should look at: student, file, remark
     mean, ..     of the scores, from 0 to 1; None where there are none
     """
 
@@ -62,6 +63,7 @@ class ClassReport:
     habits: tuple[tuple[Habit, int], ...] = ()
     unread: tuple[tuple[str, str, str], ...] = ()
     not_read: int = 0
+    remarks: tuple[tuple[str, str, str], ...] = ()
     mean: Decimal | None = None
     median: Decimal | None = None
     lowest: Decimal | None = None
@@ -88,10 +90,12 @@ class _Count:
     scores: Counter[Decimal] = field(default_factory=Counter)
     habits: Counter[Habit] = field(default_factory=Counter)
     unread: list[tuple[str, str, str]] = field(default_factory=list)
+    remarks: list[tuple[str, str, str]] = field(default_factory=list)
 
     def add(self, result: Result) -> None:
         self.status[result.status] += 1
         self.status["overridden"] += result.override is not None
+        self.remarks.extend((result.student, result.file, remark) for remark in result.remarks)
         if result.score is not None:
             self.scores[result.score] += 1
         if result.status != "marked":
@@ -131,7 +135,7 @@ class _Count:
         return ClassReport(
             status["marked"], status["not marked"], status["overridden"], steps, tuple(mistakes),
             status["unexplained"], tuple(ranges), tuple(self.habits.most_common()), tuple(self.unread),
-            status["not read"], *spread,
+            status["not read"], tuple(self.remarks), *spread,
         )  # fmt: skip
 
 
@@ -162,7 +166,10 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
               for student, name, text in report.unread]  # fmt: skip
     if report.not_read > len(unread):
         unread.append(say("marks.more", lang, count=report.not_read - len(unread)))
-    parts = {"unread": unread, "steps": steps, "mistakes": mistakes, "habits": habits, "distribution": distribution}
+    remarks = [say("class_report.remark", lang, student=student, file=file, remark=remark)
+               for student, file, remark in report.remarks]  # fmt: skip
+    parts = {"remarks": remarks, "unread": unread, "steps": steps, "mistakes": mistakes, "habits": habits,
+             "distribution": distribution}  # fmt: skip
     for title, texts in parts.items():
         if texts:
             yield from ("", say(f"class_report.part {title}", lang))
@@ -188,4 +195,5 @@ def report_record(report: ClassReport) -> dict[str, Plain]:
             {"ids": list(one.ids), "in_problems": one.shown, "of_problems": one.of, "count": count}
             for one, count in report.habits
         ],
+        "remarks": [{"student": who, "file": file, "remark": remark} for who, file, remark in report.remarks],
     }  # fmt: skip

@@ -21,7 +21,7 @@ from graphkin.say.catalogue import in_both, say
 from graphkin.say.marks import verdict
 
 _FRONT = ("student", "file", "status", "earned", "most", "override", "total", "score percent")
-_BACK = ("diagnosis", "reason")
+_BACK = ("remarks", "diagnosis", "reason")
 
 
 def quantities(results: Iterable[Result]) -> tuple[str, ...]:
@@ -56,7 +56,8 @@ def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang, several:
         middle = [cell for name in names for cell in by_name.get(name, ("", None))]
         diagnosis = suspected(result.suspicions[0], lang) if result.suspicions else ""
         why = say("common.semicolon", lang).join(filter(None, [texts_in([result.reason], lang)[0], *reasons]))
-        row = [*front_cells, *middle, diagnosis, why]
+        remarks = say("common.semicolon", lang).join(result.remarks)
+        row = [*front_cells, *middle, remarks, diagnosis, why]
         yield [*row, *([say("common.semicolon", lang).join(habits)] if several else [])]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from typing import Literal
 
@@ -15,13 +16,12 @@ from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
 from graphkin.model.quantities.reading import respelled
 from graphkin.say.catalogue import say
-from graphkin.say.marks import distinct_mistakes, mistake_hint, mistake_kind, mistakes_together, verdict
-from graphkin.say.names import symbols
+from graphkin.say.marks import departs, how_sure, joined, mistake_hint, mistake_kind, mistakes_together, verdict
+from graphkin.say.names import symbols, vector
 from graphkin.say.numbers import number
 
 Reveal = Literal["hint", "mistake", "answer"]
 """A hint: the verdicts, and where to look again; a mistake: what the numbers are consistent with; the right values."""
-SETS = 4  # so many mistakes that cannot be told apart are written out; of more the number is said
 
 
 @frozen
@@ -51,14 +51,15 @@ def table(page: Feedback) -> Iterator[tuple[str, ...]]:
         values[0] = values[0] or one_line(line.written)
         points, most = exponentless(line.points), exponentless(line.most)
         worth = say("feedback.of", page.lang, points=points, most=most) if line.most else ""
-        yield (_in_signs(page.result, line.name), *values, verdict(line, page.lang), worth)
+        yield (as_on_sheets(page.result, line.name), *values, verdict(line, page.lang), worth)
 
 
-def _in_signs(result: Result, text: str) -> str:
-    """A text with the quantities of the problem as the sheets write them: ω3, aᵏ_B3B2."""
+def as_on_sheets(result: Result, text: str) -> str:
+    """A text with the quantities and the arrows of the problem as the sheets write them: ω3, aᵏ_B3B2."""
     known = {name for line in result.lines for name in (line.name, line.name.split(" #")[0].split(" @")[0])}
     turning = ("theta ", "omega ", "alpha ")
-    return respelled(text, lambda typed: symbols(typed) if typed in known or typed.startswith(turning) else typed)
+    typed = respelled(text, lambda typed: symbols(typed) if typed in known or typed.startswith(turning) else typed)
+    return re.sub(r"\b[va]\^[nktr]_[\w@]+", lambda arrow: vector(arrow[0]), typed)
 
 
 def under_table(page: Feedback) -> Iterator[str]:
@@ -66,7 +67,7 @@ def under_table(page: Feedback) -> Iterator[str]:
     result, lang = page.result, page.lang
     for line in result.lines:
         for text in arithmetic(result, line, lang, page.reveal):
-            name = _in_signs(result, line.name)
+            name = as_on_sheets(result, line.name)
             yield say("feedback.stop", lang, text=say("feedback.line", lang, name=name, verdict=text))
     if any(line.verdict == "carried" for line in result.lines):
         yield say("verdicts.carried means", lang)
@@ -77,19 +78,16 @@ def at_the_end(page: Feedback) -> Iterator[str]:
     """Notes on what was passed over, and the points that count; of what was not marked, why."""
     if page.result.status == "not marked":
         yield reason(page.result, page.lang)
-    yield from (say("feedback.note", page.lang, note=note) for note in page.result.notes)
+    yield from (say("feedback.note", page.lang, note=as_on_sheets(page.result, note)) for note in page.result.notes)
     yield from points_that_count(page.result, page.lang)
 
 
 def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
     """All of it, a sentence a line."""
-    if result.status == "not marked":
-        yield reason(result, lang)
     for each in result.lines:
         yield say("feedback.stop", lang, text=quantity(result, each, lang, reveal))
     yield from diagnosis(result, lang, reveal)
-    yield from (say("feedback.note", lang, note=note) for note in result.notes)
-    yield from points_that_count(result, lang)
+    yield from at_the_end(Feedback(result, lang, reveal))
 
 
 def reason(result: Result, lang: Lang) -> str:
@@ -100,7 +98,7 @@ def reason(result: Result, lang: Lang) -> str:
 
 def quantity(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> str:
     """One quantity: verdict, the number that was handed in, the right one where that is told, points."""
-    texts = [say("feedback.line", lang, name=_in_signs(result, line.name), verdict=verdict(line, lang))]
+    texts = [say("feedback.line", lang, name=as_on_sheets(result, line.name), verdict=verdict(line, lang))]
     if line.given is not None:
         texts.append(say("feedback.given", lang, value=shown(line.given, line.unit)))
     elif line.written:
@@ -116,9 +114,13 @@ def quantity(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> st
 
 def arithmetic(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> Iterator[str]:
     """`judged with your omega 3 = 5.65 rad/s: it should be 3.63 m/s^2: yes`, where that may be told."""
-    if line.carried is not None and (reveal == "answer" or (reveal == "mistake" and line.verdict == "carried")):
+    shows = reveal == "answer" or (reveal == "mistake" and line.verdict == "carried")
+    useful = line.verdict == "carried" or not any(line.name in one.explains for one in result.suspicions)
+    if line.of_mistake:
+        yield from [] if reveal == "hint" else [say("feedback.follows", lang)]
+    elif line.carried is not None and line.own and shows and useful:
         units = {other.name: other.unit for other in result.lines}
-        values = (f"{_in_signs(result, name)} = {shown(x, units.get(name, ''))}" for name, x in line.own.items())
+        values = (f"{as_on_sheets(result, name)} = {shown(x, units.get(name, ''))}" for name, x in line.own.items())
         own = say("common.list", lang).join(values)
         agrees = say("feedback.yes" if line.verdict == "carried" else "feedback.no", lang)
         yield say("feedback.carried", lang, own=own, value=shown(line.carried, line.unit), agrees=agrees)
@@ -132,14 +134,19 @@ def shown(value: float, unit: str) -> str:
 
 
 def diagnosis(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
-    """The mistakes of the numbers, or, as a hint, where to look again; then those that show in several problems."""
+    """The mistakes of the numbers, or, as a hint, where to look again; of numbers that no mistake explains, where they
+    leave the right way; then mistakes that show in several problems."""
+    if result.departure is not None and not result.suspicions:
+        text = say("feedback.stop", lang, text=departs(result.departure, lang, in_full=reveal != "hint"))
+        yield as_on_sheets(result, text)
     for one in result.suspicions:
         if reveal == "hint":
             yield from _hints(one, lang)
         else:
             explained = say("common.list", lang).join(one.explains)
-            text = say("feedback.consistent", lang, explains=explained, mistake=suspected(one, lang))
-            yield _in_signs(result, say("feedback.stop", lang, text=text))
+            sure, mistake = how_sure(one.probability, _in_words(one, lang), lang), suspected(one, lang)
+            text = say("feedback.consistent", lang, explains=explained, mistake=mistake, sure=sure)
+            yield as_on_sheets(result, say("feedback.stop", lang, text=text))
     for shared in result.habits:
         whole = say("feedback.stop", lang, text=habit(shared, lang))
         text = " ".join(_hints(shared, lang)) if reveal == "hint" else whole
@@ -158,16 +165,11 @@ def _hints(one: Suspicion | Habit, lang: Lang) -> list[str]:
 
 def suspected(one: Suspicion, lang: Lang) -> str:
     """The mistakes in words, or by their ids."""
-    return joined([mistakes_together(names, lang) for names in one.names] or list(one.ids), lang)
+    return joined(_in_words(one, lang), lang)
 
 
-def joined(texts: list[str], lang: Lang) -> str:
-    """Mistakes that cannot be told apart, as one."""
-    each = distinct_mistakes(text.strip().rstrip(".。") for text in texts)
-    if len(each) == 1:
-        return each[0]
-    more = [say("marks.more", lang, count=len(each) - SETS)] if len(each) > SETS else []
-    return say("feedback.one of", lang, mistakes=say("feedback.or", lang).join([*each[:SETS], *more]))
+def _in_words(one: Suspicion, lang: Lang) -> list[str]:
+    return [mistakes_together(names, lang) for names in one.names] or list(one.ids)
 
 
 def points_that_count(result: Result, lang: Lang) -> Iterator[str]:

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 
 from graphkin.errors import Lang, OwnFault, Where
 from graphkin.homework.grading import SetMarker
-from graphkin.homework.platforms.feedback import Reveal
+from graphkin.homework.platforms.feedback import Reveal, as_on_sheets
 from graphkin.homework.platforms.result import Result, ResultPicture, Suspicion
 from graphkin.marking import Rewrite, rewrites
 from graphkin.marking.consequences import DrawingComparison, compare_drawings
@@ -76,7 +76,8 @@ class PolygonPictures:
             return ResultPicture(say("pictures.nothing", lang), "", b"") if mistake else None
         label = [say("pictures.position", lang, at=at)] if at > 1 else []
         if changed is not None:
-            label.append(say("pictures.shows", lang, mistake=mistakes_together(mistake, lang)))
+            shows = as_on_sheets(result, mistakes_together(mistake, lang))
+            label.append(say("pictures.shows", lang, mistake=shows))
             thick = any(changed.arrows.values()) or any(changed.images.values())
             label += [say("pictures.thick", lang)] if thick else []
             label += [] if answer else [say("pictures.no scale", lang)]

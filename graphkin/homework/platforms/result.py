@@ -18,7 +18,7 @@ from graphkin.homework.platforms.question import Text
 from graphkin.homework.platforms.tables import HUNDREDTH, points
 from graphkin.marking.diagnosis import Habit, Trace
 from graphkin.marking.key import Name
-from graphkin.marking.records import Verdict
+from graphkin.marking.records import Departure, Verdict
 from graphkin.outputs.marks_json import END, HEAD, drawn_of, record_of, records_in
 
 FORMAT = 1
@@ -33,6 +33,7 @@ class ResultLine:
     sense       whether the sense was right, where it was judged by itself; `unit_right`: the same of its unit
     credit      what it is worth, of 1; points: of `most`
     written     the answer as it was written, where it was not read
+    of_mistake  whether it follows from the mistake that was named
     """
 
     name: str
@@ -49,18 +50,21 @@ class ResultLine:
     points: Decimal = Decimal(0)
     most: Decimal = Decimal(0)
     written: str = ""
+    of_mistake: bool = False
 
 
 @frozen
 class Suspicion:
     """Mistakes that the numbers are consistent with and that cannot be told apart.
 
-    names  one mistake, or two made together, for each way in which they give the numbers
+    names        one mistake, or two made together, for each way in which they give the numbers
+    probability  of all of them together
     """
 
     ids: tuple[str, ...]
     explains: tuple[str, ...]
     names: tuple[tuple[Name, ...], ...] = ()
+    probability: float = 0.0
 
 
 @frozen
@@ -82,6 +86,8 @@ class Result:
     override  the teacher's own points, which count instead
     drawn     points that were measured on a drawing, by plane and letter, SI, from any of them
     habits    mistakes that show in several problems of the student
+    departure  where the numbers leave the right way, if no mistake explains them
+    remarks    for the teacher alone: no student's page or platform shows them
     """
 
     student: str
@@ -95,6 +101,8 @@ class Result:
     override: Decimal | None = None
     drawn: Mapping[Plane, Mapping[str, complex]] = field(default_factory=dict)
     habits: tuple[Habit, ...] = ()
+    departure: Departure | None = None
+    remarks: tuple[str, ...] = ()
 
     @property
     def earned(self) -> Decimal:
@@ -131,11 +139,15 @@ def from_record(record: Record, where: Where) -> Result:
             raise ValueError(f"format {record['format']!r}, status {record['status']!r}")
         lines = tuple(_line(str(name), each) for name, each in record["quantities"].items())
         reason = record.get("reason")  # it is written in one language
+        left_at = record.get("departure")
+        sides = [] if left_at is None else [tuple(map(_string, left_at[side])) for side in ("left", "right")]
         texts: Text = {} if reason in (None, "") else {"en": _string(reason), "zh": _string(reason)}
         return Result(
             _string(record["student"]), _string(record["file"]), record["status"], texts, lines,
             tuple(map(_suspicion, record["mistakes"])), sum((line.most for line in lines), Decimal(0)),
             tuple(map(_string, record.get("notes", ()))), drawn=drawn_of(record),
+            departure=None if left_at is None else Departure(_string(left_at["quantity"]), *sides),
+            remarks=tuple(_string(each["text"]) for each in record.get("remarks", ())),
         )  # fmt: skip
     except (KeyError, TypeError, ValueError, ArithmeticError, AttributeError) as error:
         raise NotAResult(where, f"{type(error).__name__}: {error}"[:200]) from None
@@ -151,7 +163,7 @@ def _line(name: str, each: Record) -> ResultLine:
     return ResultLine(
         name, _number(each["given"]), _finite(each["right"]), _number(each["carried"]), _finite(each["tolerance"]),
         each["verdict"], each["sense"], _string(each["unit"]), bool(each["unit_right"]), credit, own,
-        points(worth * credit), points(worth), _string(each.get("written", "")),
+        points(worth * credit), points(worth), _string(each.get("written", "")), bool(each.get("of_mistake")),
     )  # fmt: skip
 
 
@@ -160,7 +172,8 @@ def _suspicion(each: Record) -> Suspicion:
         tuple((_string(name["id"]), _string(name["way"]), _string(name["of"]), _string(name["form"])) for name in some)
         for some in each.get("names", ())
     )
-    return Suspicion(tuple(map(_string, each["ids"])), tuple(map(_string, each["explains"])), names)
+    ids, explains = (tuple(map(_string, each[key])) for key in ("ids", "explains"))
+    return Suspicion(ids, explains, names, _finite(each.get("probability", 0.0)))
 
 
 def _number(value: object) -> float | None:

@@ -1,7 +1,8 @@
 """The mistakes: one small function each, which says where it can be made. Importing enters them all.
 
-`centres`: ratios of rotations. `conversions`: units and scales. `coriolis`. `directions`: of unknown arrows. `driving`:
-what is given. `link_motion`: images and normal accelerations. `readings`: omega, alpha and segments of the polygon.
+`centres`: ratios of rotations. `conversions`: units, scales and written answers. `coriolis`. `directions`: of unknown
+arrows. `driving`: what is given. `link_motion`: images, normal accelerations, a diameter for a radius. `readings`:
+omega, alpha and segments of the polygon.
 """
 
 from __future__ import annotations

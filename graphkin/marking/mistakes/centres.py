@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import chain, combinations, product
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
 
 import numpy as np
 
 from graphkin.base.geometry import Value, cross, number, place
-from graphkin.construction import Meet, Simultaneous
+from graphkin.construction import Meet, Plane, Simultaneous
 from graphkin.marking.hand import Redrawing
-from graphkin.marking.rewrite import Change, Edit, Rewrite, RewrittenValue, Times
+from graphkin.marking.mistakes.link_motion import PLANES
+from graphkin.marking.rewrite import Change, Edit, Rewrite, RewrittenValue, Times, each_and_all
 from graphkin.marking.scene import Scene, mistake
 from graphkin.model.mechanism import FRAME
 from graphkin.model.quantities import Centre, Moving, Quotient, Rotation
 from graphkin.planning.equivalent import Contact
 from graphkin.planning.position import in_step
-from graphkin.planning.stages import Group, Mesh
 
+Law = Mapping[str, float]  # sum of coefficient * rate = 0
 REST = 1e-9  # what counts as nothing, as part of the largest of its kind
 
 
@@ -44,6 +45,7 @@ def centre_ratio(scene: Scene) -> Iterator[Rewrite]:
                 text = f"ω{scene.method.mechanism.called(crank)}"
                 yield _ratio(quantity.text, text, RewrittenValue(quantity.text, instead=driven**2 / value))
             yield _ratio(quantity.text, "", RewrittenValue(quantity.text, -1.0), "sense")
+    yield from _ratios_of_radii(scene)
 
 
 def _ratio(of: str, form: str, written: RewrittenValue, way: str = "") -> Rewrite:
@@ -105,7 +107,89 @@ def acceleration_zero(scene: Scene) -> Iterator[Rewrite]:
             yield Rewrite("centre-acceleration-zero", f"a_{node.of}", "", edits, way="point")
 
 
-# --- wheels on an arm --------------------------------------------------------------------------
+# --- wheels ------------------------------------------------------------------------------------
+
+
+def _ratios_of_radii(scene: Scene) -> Iterator[Rewrite]:
+    """Of two wheels upside down, or with the sense of wheels that touch from within where they do from without, or the
+    other way round: at each contact that gives a rotation."""
+    for contacts, bases in scene.rolling:
+        for contact in contacts:
+            of, form = _moving(scene, contact, bases), ", ".join(map(scene.method.mechanism.called, contact.wheels))
+            if not of or not contact.arm or contact.arm in contact.wheels:
+                continue
+            one, other = (dict(contact.angles)[wheel] for wheel in contact.wheels)
+            ways = {"meshing": (one, -other), "radii": (np.copysign(other, one), np.copysign(one, other))}
+            for way, (a, b) in ways.items():
+                law = dict(zip((*contact.wheels, contact.arm), (a, b, -(a + b)), strict=True))
+                edits = _by_law(scene, contacts, bases, contact, law)
+                if edits and abs(a - one) + abs(b - other) > REST * abs(one):
+                    yield Rewrite("centre-ratio", ", ".join(of.values()), form, tuple(edits), way=way)
+
+
+def _moving(scene: Scene, contact: Contact, bases: Sequence[str]) -> dict[str, str]:
+    """The wheels of a contact that turn with some links, with the names of their rotations."""
+    wheels = (wheel for wheel in contact.wheels if any(scene.turns_with(wheel, base) for base in bases))
+    return {wheel: scene.rotation_name("omega", wheel) for wheel in wheels}
+
+
+def _by_law(scene: Scene, contacts: Sequence[Contact], bases: Sequence[str], contact: Contact, law: Law) -> list[Edit]:
+    """Another law of one of some contacts: put into the equations that hold it; where none does, rotations as all laws
+    together give them, and what is drawn of their wheels. Nothing where they do not."""
+    turns, laws = scene.plot.facts.turns, [law if each is contact else dict(each.angles) for each in contacts]
+    counts = np.array([[sum(c for w, c in one.items() if turns[w].base == base) for base in bases] for one in laws])
+    given = len(laws) == len(bases) == np.linalg.matrix_rank(counts)
+    edits: list[Edit] = []
+    for plane, word in zip(PLANES, ("omega", "alpha"), strict=True):
+        solved = (step for step in scene.steps(plane) if isinstance(step, Simultaneous))
+        if any(in_step(contact) in step.contacts for step in solved):
+            parts = ((link, Times(law.get(link, 0.0) / c)) for link, c in contact.angles)
+            edits += (Edit(("rolling", plane, in_step(contact), link), change) for link, change in parts)
+        elif not given:
+            return []
+        else:
+            shares = dict(zip(bases, np.linalg.inv(counts), strict=True))
+            rates = {link: _by_laws(laws, shares, link, word) for link, turn in turns.items() if turn.base in bases}
+            edits += (Edit(("settled", word, link), rate) for link, rate in rates.items())
+            edits += (edit for each in contacts for edit in _on_wheels(scene, plane, each, rates))
+    return edits
+
+
+def _by_laws(laws: Sequence[Law], shares: Mapping[str, Sequence[float]], of: str, word: str) -> Change:
+    """A rate as laws of contacts give it, which together give some unknown ones; shares: by the base of these, how much
+    of what is known in each law counts."""
+
+    def change(plot: Redrawing, right: Value) -> Value:
+        facts, order = plot.facts, 1 if word == "omega" else 2
+        beyond = {link: facts.relative_rate(link, order) for link, turn in facts.turns.items() if turn.base in shares}
+        known: dict[str, Value] = getattr(plot, word) | beyond
+        sums = (sum(c * known[link] for link, c in law.items()) for law in laws)
+        each = zip(shares[facts.turns[of].base], sums, strict=True)
+        return known[of] - sum(share * total for share, total in each) + 0 * right
+
+    return change
+
+
+def _on_wheels(scene: Scene, plane: Plane, contact: Contact, rates: Mapping[str, Change]) -> Iterator[Edit]:
+    """Points of wheels found by image, where the wheel's own rotation about its centre puts them; a centre, where the
+    arm's about the other one does."""
+    for wheel, centre, other in zip(contact.wheels, contact.centres, contact.centres[::-1], strict=True):
+        for step in scene.images(plane).get(wheel, ()) if wheel in rates else ():
+            link, about = (contact.arm, other) if step.corners[2] == centre else (wheel, centre)
+            node = scene.construction(plane).pole if scene.fixed(about) else scene.node(about, link, plane)
+            if link in rates and node is not None:
+                turned = _turned(plane, node, (about, step.corners[2]), link, rates[link])
+                yield Edit(("image", plane, step.point), turned)
+
+
+def _turned(plane: Plane, node: str, arm: tuple[str, str], link: str, rate: Change) -> Change:
+    """The motion of the end of an arm about its other one."""
+
+    def change(plot: Redrawing, right: Value) -> Value:
+        turning = 1j * rate(plot, 0.0) - (0 if plane == "velocity" else plot.omega[link] ** 2)
+        return plot.points(plane)[node] + turning * plot.arm(*arm) if node in plot.points(plane) else right
+
+    return change
 
 
 @mistake("arm-ignored", "wheels", "11-2")
@@ -113,68 +197,16 @@ def arm_ignored(scene: Scene) -> Iterator[Rewrite]:
     """omega_a / omega_b = -r_b / r_a with the wheels' own rotations, though the arm that bears them turns. At one
     contact, or at all; the wheels after it turn as their own contacts then have it. Where wheels and arm are found
     together, the law of the contact is put into the equations without the arm."""
-    contacts = []  # those on an arm that give the rotation of a wheel, after that wheel
-    for stage in scene.method.stages:
-        if isinstance(stage, Mesh) and stage.angle and stage.contact.arm:
-            wheel = next((w for w in stage.contact.wheels if scene.turns_with(w, stage.angle)), "")
-            if wheel and not scene.turns_with(wheel, stage.contact.arm):
-                contacts.append((wheel, stage.contact))
-    wrong = [k for k, (_, contact) in enumerate(contacts) if _matters(scene, contact)]
-    for k in wrong:
-        yield _ignoring(scene, contacts, {k})
-    if len(wrong) > 1:
-        yield _ignoring(scene, contacts, set(wrong))
-    together = dict(_found_together(scene))
-    for name, edits in together.items():
-        yield Rewrite("arm-ignored", name, edits=edits)
-    if len(together) > 1:
-        yield Rewrite("arm-ignored", ", ".join(together), edits=tuple(chain(*together.values())))
-
-
-def _found_together(scene: Scene) -> Iterator[tuple[str, tuple[Edit, ...]]]:
-    """Contacts on an arm in groups whose rotations several equations give, by the wheels that these give; those with a
-    driven wheel last, which alone give the other one."""
-
-    def driven_wheel(contact: Contact) -> str | None:
-        return next((wheel for wheel in contact.wheels if wheel != FRAME and scene.driven(wheel)), None)
-
-    contacts = [c for stage in scene.method.stages if isinstance(stage, Group) for c in stage.contacts]
-    for contact in sorted(contacts, key=lambda contact: driven_wheel(contact) is not None):
-        wheels = [wheel for wheel in contact.wheels if not scene.driven(wheel)]
-        borne = contact.arm and not any(scene.turns_with(wheel, contact.arm) for wheel in wheels)
-        if wheels and borne and _matters(scene, contact):
-            spots = (("rolling", plane, in_step(contact), contact.arm) for plane in ("velocity", "acceleration"))
-            name = ", ".join(scene.rotation_name("omega", wheel) for wheel in wheels)
-            edits = [Edit(spot, Times(0.0)) for spot in spots]
-            # the ratio to a driven wheel, where velocities are drawn by the points of contact, which know no arm
-            solved = (step for step in scene.steps("velocity") if isinstance(step, Simultaneous))
-            if driven_wheel(contact) is not None and all(in_step(contact) not in step.contacts for step in solved):
-                for wheel, quantity in product(wheels, ("omega", "alpha")):
-                    edits.append(Edit(("settled", quantity, wheel), _by_contact(contact, wheel, quantity, contact.arm)))
-            yield name, tuple(edits)
-
-
-def _matters(scene: Scene, contact: Contact) -> bool:
-    return bool(scene.plot.omega[contact.arm] or scene.plot.alpha[contact.arm])
-
-
-def _ignoring(scene: Scene, contacts: list[tuple[str, Contact]], wrong: set[int]) -> Rewrite:
-    edits = tuple(
-        Edit(("settled", quantity, wheel), _by_contact(contact, wheel, quantity, contact.arm if k in wrong else ""))
-        for k, (wheel, contact) in enumerate(contacts)
-        if k >= min(wrong)
-        for quantity in ("omega", "alpha")
-    )
-    wheels = (contacts[k][0] for k in sorted(wrong))
-    return Rewrite("arm-ignored", ", ".join(scene.rotation_name("omega", wheel) for wheel in wheels), edits=edits)
-
-
-def _by_contact(contact: Contact, wheel: str, quantity: str, without: str) -> Change:
-    """A wheel's rate as a contact gives it, from the rotations of all others of its links but one."""
-    own = sum(c for link, c in contact.angles if link == wheel)
-
-    def change(plot: Redrawing, right: Value) -> Value:
-        table: dict[str, Value] = getattr(plot, quantity)
-        return -sum(c * table[link] for link, c in contact.angles if link not in (wheel, without)) / own + 0 * right
-
-    return change
+    alone = {}
+    for contacts, bases in scene.rolling:
+        # those with a driven wheel last, which alone give the other one
+        for contact in sorted(contacts, key=lambda one: any(w != FRAME and scene.driven(w) for w in one.wheels)):
+            wheels, arm = _moving(scene, contact, bases), contact.arm
+            if not arm or not wheels or any(scene.turns_with(wheel, arm) for wheel in wheels):
+                continue
+            law = {link: c for link, c in contact.angles if link != arm}
+            own = [scene.plot.facts.turns[wheel].base for wheel in wheels]
+            edits, name = _by_law(scene, (contact,), own, contact, law), ", ".join(wheels.values())
+            if edits and (scene.plot.omega[arm] or scene.plot.alpha[arm]):
+                alone[name] = Rewrite("arm-ignored", name, edits=tuple(edits))
+    yield from each_and_all([*alone.values()])

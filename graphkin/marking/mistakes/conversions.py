@@ -1,16 +1,23 @@
-"""Mistakes of units and scales: factors of one value, of a kind, of all lengths, of what is given, or carried on."""
+"""Mistakes of units and scales: factors of one value, of a kind, of all lengths, of what is given, or carried on; and
+of writing answers down: exchanged, without their sense, with the decimal point elsewhere."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
 from math import pi
 
+from graphkin.base.geometry import number
+from graphkin.construction import Plane
+from graphkin.marking.answers import asked_of, sort_of
 from graphkin.marking.mistakes.readings import measured, reading
 from graphkin.marking.rewrite import Edit, Rewrite, RewrittenValue, Times
 from graphkin.marking.scene import Scene, mistake
-from graphkin.model.quantities import Moving, Quantity, Rotation
+from graphkin.model.quantities import Moving, Quantity, Quotient, Rotation
 
-TURNS = {"30/π": 30 / pi, "60": 60.0, "1/60": 1 / 60, "2π": 2 * pi, "1/2π": 1 / (2 * pi), "180/π": 180 / pi}
+TURNS = {"30/π": 30 / pi, "60": 60.0, "1/60": 1 / 60, "2π": 2 * pi, "1/2π": 1 / (2 * pi)}
+DEGREES = {"180/π": 180 / pi, "π/180": pi / 180}
+PLACES = {"10": 10.0, "1/10": 0.1}
 THOUSANDS = {"10³": 1e3, "10⁻³": 1e-3}
 GIVEN = {"30/π": 30 / pi, "60": 60.0, "1/2π": 1 / (2 * pi)}
 """Turns per minute taken for rad/s; made into rad with the minute left; turns per second taken for rad/s."""
@@ -35,14 +42,11 @@ def factors(unit: str, scales: Mapping[str, float]) -> dict[str, float]:
 
 @mistake("conversion", "unit", "3-2.1")
 def conversion(scene: Scene) -> Iterator[Rewrite]:
-    """A unit or a scale is converted wrongly: rpm as rad/s, deg as rad, a thousand times."""
+    """A unit or a scale is converted wrongly: rpm as rad/s, a thousand times."""
     asked = [q for q in scene.quantities if isinstance(q, Moving) or (isinstance(q, Rotation) and q.word != "theta")]
     yield from _written(scene, asked)
     yield from _throughout(scene)
-    # a rotation read so, and all that follows from it
-    for step, name in measured(scene, "velocity"):
-        for form, factor in factors("rad/s", scene.scales).items():
-            yield Rewrite("conversion", name, form, reading("velocity", step, Times(factor)), way="carried")
+    yield from _carried(scene, "conversion", factors("rad/s", scene.scales))
     # the speed that drives: revolutions per minute taken for rad/s, and the like
     for k, driver in enumerate(scene.method.drivers):
         for form, factor in (THOUSANDS if driver.kind == "slide" else GIVEN).items():
@@ -54,15 +58,25 @@ def _written(scene: Scene, asked: Sequence[Quantity]) -> Iterator[Rewrite]:
     """Handed-in values alone; all of one unit, each of them, and rotations with the other sense."""
     for unit in dict.fromkeys(quantity.unit for quantity in asked):
         kind = [quantity.text for quantity in asked if quantity.unit == unit]
-        for form, factor in factors(unit, scene.scales).items():
-            if len(kind) > 1:
-                values = tuple(RewrittenValue(text, factor) for text in kind)
-                yield Rewrite("conversion", unit, form, asked=values, way="kind")
-            for text in kind:
-                yield Rewrite("conversion", text, form, asked=(RewrittenValue(text, factor),))
-    for quantity in asked:
-        if isinstance(quantity, Rotation) and quantity.word == "alpha":
-            yield Rewrite("conversion", quantity.text, asked=(RewrittenValue(quantity.text, -1.0),), way="sense")
+        if len(kind) > 1:
+            yield from _times("conversion", {tuple(kind): unit}, factors(unit, scene.scales), "kind")
+        yield from _times("conversion", {(text,): text for text in kind}, factors(unit, scene.scales))
+    alphas = [quantity.text for quantity in asked if isinstance(quantity, Rotation) and quantity.word == "alpha"]
+    yield from _times("conversion", {(text,): text for text in alphas}, {"": -1.0}, "sense")
+
+
+def _times(id: str, of: Mapping[tuple[str, ...], str], times: Mapping[str, float], way: str = "") -> Iterator[Rewrite]:
+    """Handed-in values, some together under a name, each of the factors times what they are."""
+    for form, factor in times.items():
+        for texts, name in of.items():
+            yield Rewrite(id, name, form, asked=tuple(RewrittenValue(text, factor) for text in texts), way=way)
+
+
+def _carried(scene: Scene, id: str, factors: Mapping[str, float], plane: Plane = "velocity") -> Iterator[Rewrite]:
+    """A rotation read so, and all that follows from it."""
+    for step, name in measured(scene, plane):
+        for form, factor in factors.items():
+            yield Rewrite(id, name, form, reading(plane, step, Times(factor)), way="carried")
 
 
 def _throughout(scene: Scene) -> Iterator[Rewrite]:
@@ -79,3 +93,49 @@ def _throughout(scene: Scene) -> Iterator[Rewrite]:
             RewrittenValue(text, factor) for texts, factor in zip(kinds.values(), each, strict=True) for text in texts
         )
         yield Rewrite("conversion", ", ".join(kinds), form, asked=tuple(values), way=way)
+
+
+# --- answers as they are written down ---------------------------------------------------------
+
+
+@mistake("degrees-for-radians", "unit", "3-2.1")
+def degrees(scene: Scene) -> Iterator[Rewrite]:
+    """Rotations in degrees: all of them, those of one word, one alone, or one that is carried on."""
+    turning = [quantity for quantity in scene.quantities if isinstance(quantity, Rotation)]
+    omegas, alphas = ([q.text for q in turning if q.word == word] for word in ("omega", "alpha"))
+    every = omegas + alphas
+    groups = {"ω, α": every, "ω": omegas, "α": alphas, **{text: [text] for text in every}}
+    # of several that are the same rotations, the last one's name says most
+    yield from _times("degrees-for-radians", {tuple(texts): name for name, texts in groups.items() if texts}, DEGREES)
+    yield from _carried(scene, "degrees-for-radians", DEGREES)
+
+
+def _asked(scene: Scene) -> list[Quantity]:
+    """What the problem asks for, of what is handed in."""
+    texts = {quantity.text for quantity in asked_of(scene.method.mechanism).values()}
+    return [quantity for quantity in scene.quantities if quantity.text in texts]
+
+
+@mistake("decimal-slip", "unit", "3-2.1")
+def decimal_slip(scene: Scene) -> Iterator[Rewrite]:
+    """One answer ten times too large or too small; or a rotation, and all that follows from it."""
+    yield from _times("decimal-slip", {(q.text,): q.text for q in _asked(scene) if sort_of(q) != "angle"}, PLACES)
+    yield from _carried(scene, "decimal-slip", PLACES)
+    yield from _carried(scene, "decimal-slip", PLACES, "acceleration")
+
+
+@mistake("answers-swapped", "answers", "3-2.1")
+def answers_swapped(scene: Scene) -> Iterator[Rewrite]:
+    """Each of two answers of one unit written in the other's place."""
+    for one, other in combinations(_asked(scene), 2):
+        if one.unit == other.unit:
+            asked = RewrittenValue(one.text, other=other.text), RewrittenValue(other.text, other=one.text)
+            yield Rewrite("answers-swapped", one.text, other.text, asked=asked)
+
+
+@mistake("sense-not-given", "unit", "3-2.1 (3-1)")
+def sense_not_given(scene: Scene) -> Iterator[Rewrite]:
+    """All rotations and their ratios as magnitudes."""
+    signed = [q for q in scene.quantities if isinstance(q, Rotation | Quotient) and sort_of(q) == "sense"]
+    negative = [q.text for q in signed if number(q.answer(scene.motions).value) < 0]
+    yield from _times("sense-not-given", {tuple(negative): ", ".join(negative)} if negative else {}, {"": -1.0})

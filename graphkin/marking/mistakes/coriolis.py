@@ -23,20 +23,21 @@ def terms(scene: Scene) -> Iterator[tuple[Coriolis, str]]:
         yield size, name or f"a^k_{nodes[size.head].of}{nodes[size.tail].of}"
 
 
-def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
+def _each(scene: Scene, id: str, change: Change | None) -> Iterator[Rewrite]:
     """Every term alone; and all, as by one who does not know better."""
-    return each_and_all(id, [(name, Edit(("arrow", "acceleration", size), change)) for size, name in terms(scene)])
+    return each_and_all([scene.term(id, size, name, change) for size, name in terms(scene)])
 
 
-for _id, _factor in {"coriolis-omitted": 0.0, "coriolis-reversed": -1.0, "coriolis-half": 0.5}.items():
-    mistake(_id, "coriolis", RULE)(partial(_each, id=_id, change=Times(_factor)))
+_CHANGES = {"omitted": Times(0.0), "reversed": Times(-1.0), "half": Times(0.5), "not-laid-off": None}
+for _id, _change in _CHANGES.items():
+    mistake(f"coriolis-{_id}", "coriolis", RULE)(partial(_each, id=f"coriolis-{_id}", change=_change))
 
 
 @mistake("coriolis-not-turned", "coriolis", RULE)
 def not_turned(scene: Scene) -> Iterator[Rewrite]:
     """In the direction of v_r."""
-    edits = [(name, Edit(("arrow", "acceleration", size), turned_back(size.link))) for size, name in terms(scene)]
-    return each_and_all("coriolis-not-turned", edits)
+    change = [(size, name, turned_back(size.link)) for size, name in terms(scene)]
+    return each_and_all([scene.term("coriolis-not-turned", *each) for each in change])
 
 
 @mistake("coriolis-crank-omega", "coriolis", RULE)
@@ -52,8 +53,7 @@ def crank_omega(scene: Scene) -> Iterator[Rewrite]:
                     return 2j * (in_sense_of(plot, own, plot.omega[size.link], "rad/s") if way else own) * slip
 
                 form = f"ω{scene.method.mechanism.called(link)}"
-                edits = (Edit(("arrow", "acceleration", size), change),)
-                yield Rewrite("coriolis-crank-omega", name, form, edits, way=way)
+                yield scene.term("coriolis-crank-omega", size, name, change, form, way)
 
 
 @mistake("coriolis-absolute-velocity", "coriolis", RULE)
@@ -65,8 +65,7 @@ def absolute_velocity(scene: Scene) -> Iterator[Rewrite]:
             def change(plot: Redrawing, right: Value, size: Coriolis = size, end: str = end) -> Value:
                 return in_sense_of(plot, 2 * plot.omega[size.link] * plot.velocity[end], right, "m/s^2")
 
-            form = scene.velocity_name(end)
-            yield Rewrite("coriolis-absolute-velocity", name, form, (Edit(("arrow", "acceleration", size), change),))
+            yield scene.term("coriolis-absolute-velocity", size, name, change, scene.velocity_name(end))
 
 
 @mistake("block-omega", "coriolis", RULE)

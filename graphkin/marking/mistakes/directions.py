@@ -34,11 +34,26 @@ def measured_over(scene: Scene, plane: Plane, across: Across) -> Measure | None:
 def _along(scene: Scene, plane: Plane, id: str) -> Iterator[Rewrite]:
     for meet, ray, name in rays(scene, plane):
         if isinstance(ray.direction, Across):
-            edits = [Edit(("line", plane, meet, ray), Times(-1j))]
+            line = Edit(("line", plane, meet, ray), Times(-1j))
             step = measured_over(scene, plane, ray.direction)
-            if step is not None:  # the rotation over a lever has no sense to be read, where its arrow lies along that
-                edits.append(Edit(("read", plane, step.quantity, step.of), Times(np.nan)))
-            yield Rewrite(id, name, edits=tuple(edits))
+            if step is None:
+                yield Rewrite(id, name, edits=(line,))
+                continue
+            # the rotation over a lever has no sense to be read, where its arrow lies along that: none, or either
+            readings: dict[str, Change] = {"": Times(np.nan), "ccw": _whole_arrow(plane, step, 1.0),
+                                           "cw": _whole_arrow(plane, step, -1.0)}  # fmt: skip
+            for way, change in readings.items():
+                yield Rewrite(id, name, edits=(line, Edit(("read", plane, step.quantity, step.of), change)), way=way)
+
+
+def _whole_arrow(plane: Plane, step: Measure, sense: float) -> Change:
+    """A rotation by the whole of an arrow, with a sense."""
+
+    def change(plot: Redrawing, right: Value) -> Value:
+        points = plot.points(plane)
+        return sense * np.abs(points[step.head] - points[step.tail]) / np.abs(plot.arm(*step.lever))
+
+    return change
 
 
 @mistake("velocity-along-link", "velocity-direction", "3-2.1 (3-1)")

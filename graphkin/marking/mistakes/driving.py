@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
+from functools import partial
 
 import numpy as np
 
@@ -13,31 +14,41 @@ from graphkin.model.mechanism import FRAME
 
 
 @mistake("driver-reversed", "driver", "3-2.1 (3-1)")
-def reversed_(scene: Scene) -> Iterator[Rewrite]:
-    """Every driver alone, and all together."""
-    edits = {k: Edit(("rate", k), Times(-1.0)) for k, driver in enumerate(scene.method.drivers) if driver.rate}
-    for k, edit in edits.items():
-        yield Rewrite("driver-reversed", scene.method.drivers[k].name, edits=(edit,))
-    if len(edits) > 1:
-        yield Rewrite("driver-reversed", "", edits=tuple(edits.values()), way="all")
+def reversed_(scene: Scene) -> Iterable[Rewrite]:
+    """The only driver, or all together."""
+    alone = _of_drivers(scene, "driver-reversed", "rate", -1.0)
+    edits = tuple(edit for one in alone for edit in one.edits)
+    return alone if len(alone) < 2 else [Rewrite("driver-reversed", "", edits=edits, way="all")]
+
+
+@mistake("driver-reversed-one", "driver", "3-2.1 (3-1)")
+def one_reversed(scene: Scene) -> Iterable[Rewrite]:
+    """One of several drivers."""
+    alone = _of_drivers(scene, "driver-reversed-one", "rate", -1.0)
+    return alone if len(alone) > 1 else ()
+
+
+def _of_drivers(scene: Scene, id: str, word: str, factor: float) -> list[Rewrite]:
+    """Every driver's rate or acceleration so many times."""
+    return [Rewrite(id, driver.name, edits=(Edit((word, k), Times(factor)),))
+            for k, driver in enumerate(scene.method.drivers) if getattr(driver, word)]  # fmt: skip
 
 
 @mistake("driver-along-crank", "driver", "3-2.1 (3-1)")
 def along_crank(scene: Scene) -> Iterator[Rewrite]:
     """The velocity of a crank pin is drawn along the crank."""
-    turning = [(size, name) for size, name in scene.sized("velocity", Turning).items() if scene.driven(size.link)]
-    relative = [(size, name) for size, name in scene.sized("velocity", Relative).items() if size.part == ""]
-    for size, name in (*turning, *relative):
-        if name:
-            yield Rewrite("driver-along-crank", name, edits=(Edit(("arrow", "velocity", size), Times(-1j)),))
+    for size, name in driven_velocities(scene):
+        yield Rewrite("driver-along-crank", name, edits=(Edit(("arrow", "velocity", size), Times(-1j)),))
 
 
-@mistake("driver-acceleration-dropped", "driver", "3-2.1 (3-2)")
-def acceleration_dropped(scene: Scene) -> Iterator[Rewrite]:
-    """The angular acceleration of a driver is taken for 0."""
-    for k, driver in enumerate(scene.method.drivers):
-        if driver.acceleration:
-            yield Rewrite("driver-acceleration-dropped", driver.name, edits=(Edit(("acceleration", k), Times(0.0)),))
+def driven_velocities(scene: Scene) -> Iterator[tuple[Turning | Relative, str]]:
+    """Velocities of crank pins, with their names."""
+    yield from ((size, n) for size, n in scene.sized("velocity", Turning).items() if n and scene.driven(size.link))
+    yield from ((size, n) for size, n in scene.sized("velocity", Relative).items() if n and size.part == "")
+
+
+for _id, _factor in {"driver-acceleration-dropped": 0.0, "driver-acceleration-reversed": -1.0}.items():
+    mistake(_id, "driver", "3-2.1 (3-2)")(partial(_of_drivers, id=_id, word="acceleration", factor=_factor))
 
 
 @mistake("relative-as-absolute", "driver", "3-2.1 (3-3)")

@@ -8,10 +8,11 @@ from functools import partial
 import numpy as np
 
 from graphkin.base.geometry import Value, unit
-from graphkin.construction import LETTER, AlongGuide, Image, Normal, Plane, Ray, Relative, Size
+from graphkin.construction import LETTER, AlongGuide, Image, Normal, Plane, Ray, Relative, Tangential
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.mistakes.directions import rays
-from graphkin.marking.mistakes.readings import image_edit
+from graphkin.marking.mistakes.driving import driven_velocities
+from graphkin.marking.mistakes.readings import image_edit, measured, reading
 from graphkin.marking.rewrite import Change, Edit, Rewrite, Times, each_and_all, in_sense_of
 from graphkin.marking.scene import Scene, drawn_by, mistake
 
@@ -76,36 +77,36 @@ def _coincident(scene: Scene, plane: Plane, node: str, drawn: list[str]) -> str 
 RULE_OF_NORMALS = "3-2.1 (3-2)"
 
 
-def _normals(scene: Scene) -> Iterator[tuple[Size, str]]:
-    """Every normal term, the crank's and those of driven rotations too."""
-    for size, name in scene.sized("acceleration", Normal).items():
+def normals(scene: Scene) -> Iterator[tuple[Normal | Relative, str]]:
+    """Every normal term, the crank's, those of driven rotations and of wheels' rims too."""
+    for size, name in (scene.sized("acceleration", Normal) | dict.fromkeys(scene.rims, "")).items():
         yield size, name or f"a^n_{size.head}{size.tail}"
     for turn, name in scene.sized("acceleration", Relative).items():
         if turn.part == "n":
             yield turn, name or f"a^n_{turn.head}{turn.tail}"
 
 
-def _each(scene: Scene, id: str, change: Change) -> Iterator[Rewrite]:
+def _each(scene: Scene, id: str, change: Change | None) -> Iterator[Rewrite]:
     """Every term alone; and those of all links that are not driven."""
-    edits = [(name, Edit(("arrow", "acceleration", size), change)) for size, name in _normals(scene)]
-    driven = [name for size, name in _normals(scene) if isinstance(size, Normal) and scene.driven(size.link)]
-    return each_and_all(id, edits, driven)
+    driven = [name for size, name in normals(scene) if isinstance(size, Normal) and scene.driven(size.link)]
+    return each_and_all([scene.term(id, size, name, change) for size, name in normals(scene)], driven)
 
 
-for _id, _factor in {"normal-omitted": 0.0, "normal-outward": -1.0}.items():
-    mistake(_id, "normal", RULE_OF_NORMALS)(partial(_each, id=_id, change=Times(_factor)))
+_CHANGES = {"omitted": Times(0.0), "outward": Times(-1.0), "doubled": Times(2.0), "not-laid-off": None}
+for _id, _change in _CHANGES.items():
+    mistake(f"normal-{_id}", "normal", RULE_OF_NORMALS)(partial(_each, id=f"normal-{_id}", change=_change))
 
 
 @mistake("normal-size", "normal", RULE_OF_NORMALS)
 def normal_size(scene: Scene) -> Iterator[Rewrite]:
     """In the right direction: omega l; omega^2; v^2 / l with an absolute v, or that of sliding; another l."""
-    for normal, name in scene.sized("acceleration", Normal).items():
-        length = scene.length(normal.tail, normal.head)
-        if not scene.method.mechanism.usual.cut(length * scene.plot.omega[normal.link] ** 2, "m/s^2"):
+    for normal, name in normals(scene):
+        if not isinstance(normal, Normal):
             continue
-        for form, change in _sizes(scene, normal, length):
-            edits = (Edit(("arrow", "acceleration", normal), change),)
-            yield Rewrite("normal-size", name or f"a^n_{normal.head}{normal.tail}", form, edits)
+        length = scene.length(normal.tail, normal.head)
+        if scene.method.mechanism.usual.cut(length * scene.plot.omega[normal.link] ** 2, "m/s^2"):
+            for form, change in _sizes(scene, normal, length):
+                yield scene.term("normal-size", normal, name, change, form)
 
 
 def _sizes(scene: Scene, normal: Normal, length: float) -> Iterator[tuple[str, Change]]:
@@ -134,6 +135,36 @@ def _squared(tail: str, head: str, length: float) -> Change:
         return in_sense_of(plot, np.abs(plot.velocity[head] - plot.velocity[tail]) ** 2 / length, right, "m/s^2")
 
     return change
+
+
+@mistake("diameter-for-radius", "length", "3-2.1")
+def diameter_for_radius(scene: Scene) -> Iterator[Rewrite]:
+    """One length twice or half as long: in omega = v / l or alpha = a^t / l, carried on; in the velocity of a crank's
+    point, alone or with its acceleration; in one normal acceleration."""
+    id = "diameter-for-radius"
+    for plane in PLANES:
+        for step, name in measured(scene, plane):
+            for form, times in _twice_or_half(scene, *step.lever):
+                yield Rewrite(id, name, form, reading(plane, step, Times(1 / times)))
+    own: dict[Normal | Tangential | Relative, str] = {**scene.sized("acceleration", Tangential), **dict(normals(scene))}
+    for crank, name in driven_velocities(scene):
+        same = {size: called for size, called in own.items()
+                if (size.link, size.tail, size.head) == (crank.link, crank.tail, crank.head)}  # fmt: skip
+        for form, times in _twice_or_half(scene, crank.tail, crank.head):
+            edits = [Edit(("arrow", "velocity", crank), Times(times))]
+            yield Rewrite(id, name, form, tuple(edits))
+            edits += [Edit(("arrow", "acceleration", size), Times(times)) for size in same]
+            if same:
+                yield Rewrite(id, ", ".join((name, *same.values())), form, tuple(edits))
+    for size, name in normals(scene):
+        for form, times in _twice_or_half(scene, size.tail, size.head):
+            yield scene.term(id, size, name, Times(times), form)
+
+
+def _twice_or_half(scene: Scene, tail: str, head: str) -> tuple[tuple[str, float], ...]:
+    """Both wrong lengths as they are written, and how many times the right one each is."""
+    name = scene.length_name(tail, head)
+    return (f"2 {name}", 2.0), (f"{name}/2", 0.5)
 
 
 @mistake("slider-normal-term", "normal", RULE_OF_NORMALS)

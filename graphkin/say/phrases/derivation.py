@@ -112,7 +112,7 @@ PHRASES: Phrases = {
     "derivation.renamed tips": ("{letter} is a point of the mechanism here, so the ends of {part} are called {tip}.",
                                 "本题中 {letter} 为机构上的点，故{part}的终点记为 {tip}。"),
     "derivation.tips n": ("normal components", "法向分量"),
-    "derivation.tips k": ("Coriolis components", "哥氏分量"),
+    "derivation.tips k": ("Coriolis components", "科氏分量"),
     "derivation.held still": ("The driver of link {links} is at rest, so the link stands still: {fixed}.",
                               "构件 {links} 的原动件此时静止，故该构件不动：{fixed}。"),
     "derivation.held still, several": ("The drivers of links {links} are at rest, so these links stand still: {fixed}.",
@@ -145,7 +145,7 @@ PHRASES: Phrases = {
     "derivation.no sliding": ("as {relative} = 0", "因 {relative} = 0"),
     "derivation.path of the slot": ("The path of {point} is straight in link {link}, so the Coriolis term takes "
                                     "{rate}.",
-                                    "{point} 相对构件 {link} 沿直线移动，故哥氏加速度取 {rate}。"),
+                                    "{point} 相对构件 {link} 沿直线移动，故科氏加速度取 {rate}。"),
     "derivation.chosen": ("The coincident point is taken at {point}, where {known} is known.",
                           "重合点取在 {point} 处，因该处 {known} 已知。"),
     "derivation.quarter turned": ("{relative} turned by 90° in the sense of {rate}: {direction}",

@@ -1,0 +1,169 @@
+"""Marks as a fair teacher gives them: a mistake costs one item, a slip is told as one, what follows is carried."""
+
+from __future__ import annotations
+
+import json
+import re
+from dataclasses import replace
+from functools import cache
+
+import pytest
+
+from graphkin.files import library, loads
+from graphkin.homework.grading import key_for
+from graphkin.marking.marker import Marker
+from graphkin.marking.records import HandedNumber, Marked, StudentWork
+from graphkin.model.mechanism import Mechanism
+
+EVERY = ("v B3B2", "omega 3", "a_n B3D", "a_k B3B2", "a_r B3B2", "alpha 3")
+
+
+def asking(name: str, *questions: str) -> Mechanism:
+    """A library mechanism that asks for something else."""
+    bare = re.sub(r"(?m)^ask\s*=.*$", "", library.load(name).text)
+    return loads(f"ask = {json.dumps(questions)}\n{bare}", name=name)
+
+
+@cache
+def marker(name: str, *questions: str) -> Marker:
+    return Marker(key_for(asking(name, *questions)))
+
+
+def marked(one: Marker, **values: float) -> Marked:
+    numbers = {text.replace("__", " "): HandedNumber(value) for text, value in values.items()}
+    return one.mark([StudentWork("s", numbers)])[0]
+
+
+def verdicts(found: Marked) -> dict[str, str]:
+    return {one.text: one.verdict for one in found.judged if one.given is not None}
+
+
+def ids(found: Marked) -> tuple[str, ...]:
+    return tuple(id for one in found.diagnosis.explanations for id in one.ids)
+
+
+def of_ex3_1(v: float, omega: float, a_n: float, a_k: float, a_r: float, alpha: float) -> Marked:
+    return marked(marker("ex3-1", *EVERY), **dict(zip(EVERY, (v, omega, a_n, a_k, a_r, alpha), strict=True)))
+
+
+# example 3-1 drawn by hand with one mistake: v_B3B2, omega 3, a^n_B3D, a^k, a^r, alpha 3
+BY_HAND = {
+    "driver-along-crank": (0.0712, -2.683, 0.498, 0.382, 6.54, 12.5),
+    "coriolis-reversed": (0.321, -3.92, 1.06, 2.515, 4.52, -37.3),
+    "coriolis-half": (0.321, -3.92, 1.06, 1.257, 1.00, 37.3),
+    "coriolis-omitted": (0.321, -3.92, 1.06, 0.0, 2.168, 12.46),
+    "wrong-length": (0.321, -5.65, 2.21, 3.63, 0.27, 68.7),
+}
+
+
+@pytest.mark.parametrize("id", ["coriolis-reversed", "coriolis-half", "coriolis-omitted"])
+def test_one_mistake_costs_one_item(id: str):
+    found = of_ex3_1(*BY_HAND[id])
+    assert id in ids(found)
+    assert list(verdicts(found).values()).count("wrong") == 1
+    assert found.score == pytest.approx(5 / 6)
+    following = [one for one in found.judged if one.verdict == "carried"]
+    assert following
+    assert all(one.credit == 1.0 for one in following)
+
+
+def test_the_first_value_in_the_order_of_the_drawing_is_the_one_that_costs():
+    """Though alpha is asked for first."""
+    one = marker("ex3-1", "alpha 3", "omega 3", "a_k B3B2")
+    found = marked(one, **{"alpha 3": 19.1, "omega 3": 2.868, "a_k B3B2": 1.97})
+    assert "sliding-across" in ids(found)
+    assert verdicts(found) == {"alpha 3": "carried", "omega 3": "wrong", "a_k B3B2": "carried"}
+    assert all(one.carried is None for one in found.judged if one.verdict == "wrong")
+
+
+@pytest.mark.parametrize(("follows", "score"), [(1.0, 5 / 6), (0.5, 4.5 / 6), (0.0, 4 / 6)])
+def test_what_follows_is_worth_what_the_teacher_says(follows: float, score: float):
+    one = marker("ex3-1", *EVERY)
+    key = replace(one.key, marking=replace(one.key.marking, follows=follows))
+    found = marked(Marker(key, one.method), **dict(zip(EVERY, BY_HAND["coriolis-reversed"], strict=True)))
+    assert found.score == pytest.approx(score)
+
+
+def test_nothing_is_gained_by_nought():
+    found = of_ex3_1(0.321, -3.92, 1.06, 0.0, 0.0, 12.46)
+    assert verdicts(found)["a_r B3B2"] == "wrong"
+
+
+# --- slips ------------------------------------------------------------------------------------
+
+
+def test_a_slip_with_all_else_consistent_is_told_as_one():
+    """omega 3 = -5.2 by no known mistake, and what is calculated and drawn with it."""
+    found = of_ex3_1(0.321, -5.2, 1.871, 3.337, 0.256, 68.1)
+    assert ids(found) == ("slip",)
+    assert found.diagnosis.explanations[0].names == ((("slip", "", "omega 3", ""),),)
+    assert list(verdicts(found).values()).count("wrong") == 1
+    assert found.departure is None
+
+
+def test_the_same_number_twice_is_no_slip_that_others_follow():
+    """Block and guide turn together: one number is said twice, and nothing follows from it."""
+    found = marked(marker("ex3-1", "omega 2", "omega 3", "alpha 3"), **{"omega 2": -7.1, "omega 3": -7.1, "alpha 3": 62.2})
+    assert not found.diagnosis.explanations
+
+
+def test_where_nothing_fits_the_first_step_off_the_way_is_named():
+    found = of_ex3_1(0.321, -3.92, 1.06, 6.0, 7.7, 500.0)
+    assert not found.diagnosis.explanations
+    assert found.departure is not None
+    assert found.departure.text == "a_k B3B2"
+    assert found.departure.left == ("a^n_B3D", "a^t_B3D")
+    assert found.departure.right == ("a_B2", "a^k_B3B2", "a^r_B3B2")
+
+
+def test_one_value_that_vetoes_no_other():
+    """All six say that the Coriolis term is reversed; that another mistake says little of them does not matter."""
+    assert ids(of_ex3_1(0.325, -4.02, 1.11, 2.60, 4.55, -38.5)) == ("coriolis-reversed",)
+
+
+# --- two mistakes -----------------------------------------------------------------------------
+
+
+def test_a_mistake_beside_a_value_that_nothing_explains():
+    one = marker("ex3-5", "v CB", "v E", "omega 2", "omega 3", "a_n CB", "alpha 2", "alpha 3")
+    right = {entry.text: entry.right for entry in one.key.entries if entry.points}
+    wrong = {text: -value if text.startswith("omega") else value for text, value in right.items()}
+    found = marked(one, **{**wrong, "alpha 3": 7.77 * right["alpha 3"]})
+    assert "driver-reversed" in ids(found)
+    assert "alpha 3" not in found.diagnosis.explanations[0].explains
+    assert verdicts(found)["alpha 3"] == "wrong"
+    assert found.score == pytest.approx(5.5 / 7)  # a wrong sense alone is half a mistake
+
+
+# --- what follows from own rotations ----------------------------------------------------------
+
+
+WHEEL = asking("s4-ex2", "omega 2", "v B").text.replace('points = ["B"]', "shape = { B = [0, 0], F = [0, 120] }").replace('"v B"', '"v F"') + '\n[[pose]]\nvector = "BF"\nangle = 30\n'
+
+
+@pytest.mark.parametrize(
+    ("name", "own", "follows", "by"),
+    [
+        ("ex3-1", "omega 3", "v C", None),  # v = omega l of a point of the rocker
+        ("p3-5", "v C2C3", "a_k C2C3", None),  # the block turns about a fixed point, at the pole
+        ("p3-12", "omega 2", "omega 3", -20 / 25),  # gears: omega 3 by so much of what omega 2 is off
+        ("wheel", "omega 2", "v F", None),  # a point of a wheel that rolls
+    ],
+)
+def test_a_value_follows_from_an_own_one(name: str, own: str, follows: str, by: float | None):
+    one = Marker(key_for(loads(WHEEL, name="wheel"))) if name == "wheel" else marker(name, own, follows)
+    right = {entry.text: entry.right for entry in one.key.entries if entry.points}
+    value = 1.4 * right[follows] if by is None else right[follows] + by * 0.4 * right[own]
+    found = marked(one, **{own: 1.4 * right[own], follows: value})
+    assert verdicts(found) == {own: "wrong", follows: "carried"}
+    [carried] = [each for each in found.judged if each.text == follows]
+    assert own in carried.own
+
+
+def test_a_carried_value_has_a_tolerance_of_its_own():
+    """Once omega is known a^n is calculated: what the pencil errs by in omega is no excuse any more."""
+    one = marker("ex3-1", *EVERY)
+    entry = next(entry for entry in one.key.entries if entry.text == "a_n B3D")
+    right = 5.2**2 * 0.0692  # omega² l_BD
+    assert verdicts(marked(one, **{"omega 3": -5.2, "a_n B3D": right}))["a_n B3D"] == "carried"
+    assert verdicts(marked(one, **{"omega 3": -5.2, "a_n B3D": right + entry.tolerance}))["a_n B3D"] == "wrong"
