@@ -12,7 +12,7 @@ from graphkin.base.geometry import Real, Value
 from graphkin.base.value import frozen
 from graphkin.construction import Coriolis, Image, LayOff, Measure, Plane, Plot, Size
 from graphkin.marking.answers import ArrowPlaces, Ends, arrows_of, drawn_answer
-from graphkin.marking.by_rotations import OwnRotations, Rate, by_rotations, own_rotations
+from graphkin.marking.by_rotations import OwnRotations, Rate, by_contacts, own_rotations
 from graphkin.marking.consequences import combined
 from graphkin.marking.hand import PolygonHand, Redrawing, redraw
 from graphkin.marking.key import Columns, Key, agrees, columns, differences, sense_only
@@ -45,30 +45,33 @@ class Followed:
 
 def replay_with(
     method: Method, right: Plot, own: Mapping[Quantity, Value], arrows: ArrowPlaces | None = None,
-    wheels: Mapping[Rate, Value] | None = None,
+    wheels: Mapping[Rate, Value] | None = None, calculates: bool = False,
 ) -> Followed:  # fmt: skip
     """Draw the polygons on from a student's own values, at the positions of the right plot.
 
     own  by quantity, SI: omega and alpha with their sense; of a vector the complex vector where it was drawn (or both
          its components), or its size. Scalars, or arrays over students with NaN where one has no value. Other
          quantities have no effect.
-    wheels  as of `Own`
+    wheels, calculates  as of `Own`
 
     A vector's size alone is taken as read off or laid off in the direction it has: what is calculated from it follows,
     and what is drawn from a known arrow's end; a drawn vector moves its point.
     """
     arrows = arrows or arrows_of(method)
     shape = np.broadcast_shapes(*(np.shape(value) for value in own.values()))
-    return Followed(method, arrows, redraw(method, right, Own(own, arrows, wheels), shape))
+    return Followed(method, arrows, redraw(method, right, Own(own, arrows, wheels, calculates), shape))
 
 
 class Own(PolygonHand):
     """Draws with own values in their place."""
 
     def __init__(
-        self, own: Mapping[Quantity, Value], arrows: ArrowPlaces, wheels: Mapping[Rate, Value] | None = None
-    ) -> None:
-        """wheels: omega and alpha of wheels that follow from own ones, which count where there is none of these."""
+        self, own: Mapping[Quantity, Value], arrows: ArrowPlaces, wheels: Mapping[Rate, Value] | None = None,
+        calculates: bool = False,
+    ) -> None:  # fmt: skip
+        """wheels: omega and alpha of wheels that follow from own ones, which count where there is none of these;
+        calculates: further points of a link by its own rotation, not by image."""
+        self.calculates = calculates
         self.rotations = {(q.word, q.link): value for q, value in own.items() if isinstance(q, Rotation)}
         for rate, value in (wheels or {}).items():
             first = self.rotations.get(rate)
@@ -87,6 +90,7 @@ class Own(PolygonHand):
                 each = sign * vector if np.iscomplexobj(vector) else np.abs(vector)
                 self.vectors.setdefault(arrows.at_poles(ends), []).append(each)
         self.poles, self.at_poles = arrows.poles, arrows.at_poles
+        self.turned: set[tuple[str, str]] = set()
 
     def _own(self, ends: Ends, right: Value, drawn_only: bool = False) -> Value:
         """The own vector, under any of the names that students use for it; of an own size, in the right direction. What
@@ -118,6 +122,12 @@ class Own(PolygonHand):
         return self._own((plane, self.poles[plane], point), right, drawn_only=True)
 
     def corner(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+        if self.calculates and {("omega", step.link), ("alpha", step.link)} & self.turned:
+            base = next((node for node in step.base if node == self.poles[plane]), step.base[0])
+            arm = plot.arm(step.corners[step.base.index(base)], step.corners[2])
+            omega, alpha = plot.omega[step.link], plot.alpha.get(step.link, 0.0)
+            turned = 1j * omega if plane == "velocity" else 1j * alpha - omega**2
+            plot.met[plane, step.point] = right = plot.points(plane)[base] + turned * arm
         return self._own((plane, self.poles[plane], step.point), right)
 
     def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Real) -> Real:
@@ -147,6 +157,7 @@ class Own(PolygonHand):
             off = np.where(leads[link], own - right[link], off)
             led = led | leads[link]
         more: Real = off[()]
+        self.turned.update((quantity, link) for link in links)
         for link in links:
             plot.before[quantity, link] = right[link] + np.where(leads.get(link, False), 0.0, more)
             own = self.rotations.get((quantity, link), np.nan)
@@ -255,7 +266,7 @@ class CarriedProblem:
         who, own = np.nonzero(wrong & self.usable(given))
         only = own[:, None] == np.arange(given.shape[1])
         followed = self._values(given[who], only)
-        for n, others, _ in self._by_rotations(given[who], only):  # the nearer of both ways
+        for n, others, _ in self._otherwise(given[who], only):  # the nearer of both ways
             with np.errstate(invalid="ignore"):
                 nearer = np.abs(given[who, n] - others) < np.abs(given[who, n] - followed[:, n])
             followed[nearer, n] = others[nearer]
@@ -315,7 +326,7 @@ class CarriedProblem:
         for k, j, entered in zip(who.tolist(), own.tolist(), into, strict=True):
             enters[j][k] = entered
         agree = wrong & agrees(self.table, given, values, tolerance)
-        for n, others, sources in self._by_rotations(given, used):  # by other rules than the polygon's
+        for n, others, sources in self._otherwise(given, used):  # by other rules than the polygon's
             every = np.where(np.arange(values.shape[1]) == n, others[:, None], np.nan)
             near = agrees(self.table, given, every, self._tolerance(every, used))
             also = (wrong & ~agree & near & self._moved(every, self.table.right))[:, n]
@@ -328,15 +339,16 @@ class CarriedProblem:
             wrong & sense_only(self.table, given, values, tolerance), given, wrong & self._carries & ~allowed, enters,
         )  # fmt: skip
 
-    def _values(self, given: np.ndarray, used: np.ndarray) -> np.ndarray:
-        """The outcomes of the own values that are used; the right values where none is."""
+    def _values(self, given: np.ndarray, used: np.ndarray, calculates: bool = False) -> np.ndarray:
+        """The outcomes of the own values that are used; the right values where none is; calculates: as of `Own`."""
         right = np.broadcast_to(self.table.right, given.shape).copy()
         some = np.flatnonzero(used.any(axis=1))
         if not some.size:
             return right
         own = self._rotations(given[some], used[some])
         wheels = {(word, base): getattr(self.plot, word)[base] + rate.off for (word, base), rate in own.wheels.items()}
-        followed = replay_with(self.method, self.plot, self.own(given[some], used[some]), self.arrows, wheels)
+        given, used = given[some], used[some]
+        followed = replay_with(self.method, self.plot, self.own(given, used), self.arrows, wheels, calculates)
         for j, quantity in enumerate(self.quantities):
             value = followed.value(quantity).value
             right[some, j] = np.abs(value) if self.table.size[j] else value
@@ -347,11 +359,23 @@ class CarriedProblem:
     def _rotations(self, given: np.ndarray, used: np.ndarray) -> OwnRotations:
         return own_rotations(self.method, self.plot, self.quantities, self.table.right, given, used)
 
-    def _by_rotations(
+    def _otherwise(
         self, given: np.ndarray, used: np.ndarray
     ) -> Iterator[tuple[int, np.ndarray, frozenset[int]]]:
+        """What own rotations give otherwise than the polygon: the number of a quantity, its values (students,), the
+        numbers of the rotations."""
         own = self._rotations(given, used)
-        return by_rotations(self.method, self.plot, self.quantities, self.table.right, own)
+        yield from by_contacts(self.plot, self.quantities, self.table.right, own)
+        sources = frozenset[int]().union(*(rate.sources for rate in own.rates.values()))
+        if sources and self._images:
+            values = self._values(given, used, calculates=True)
+            yield from ((n, values[:, n], sources) for n in range(len(self.quantities)))
+
+    @cached_property
+    def _images(self) -> bool:
+        """True where a point is found by image."""
+        polygons = (self.method.velocity, self.method.acceleration)
+        return any(isinstance(step, Image) for polygon in polygons for step in polygon.steps)
 
     def own(self, given: np.ndarray, used: np.ndarray) -> dict[Quantity, Value]:
         """Own values (students, n) that are used, by quantity; NaN where a student has none."""

@@ -25,7 +25,7 @@ _COMMON = (0.5, 0.9)
 value's own."""
 FITS = 4.5  # a value that is off by more standard deviations is not explained
 _REACH = 5.0  # random numbers are of any size from the right one divided by this to it multiplied by this
-LEFT = 0.3  # of a scatter at least so large a part is left, whatever else is known: its own reading and rounding
+LEFT = 0.7  # of a scatter at least so large a part is left, whatever else is known: its own reading and rounding
 _TURN = 2 * np.pi
 _PRODUCT = 1 << 18  # products of a matrix of so many are left to one thread: more cost more than they give
 
