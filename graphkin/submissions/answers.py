@@ -70,7 +70,8 @@ def answers(entries: Iterable[Entry], questions: Questions, limits: Limits) -> A
         elif value.value is not None:
             same = math.isclose(first.value, value.value, rel_tol=1e-9) and first.sense in (None, value.sense)
             twice = errors.AnsweredTwice(value.where, question, first.text[:60], value.text[:60])
-            values[question] = value if same else replace(first, value=None, vector=None, fault=twice)
+            both = f"{first.text}; {value.text}"
+            values[question] = value if same else replace(first, text=both, value=None, vector=None, fault=twice)
     return Answers(values, stated, tuple(notes))
 
 
@@ -100,7 +101,8 @@ def _value(raw: object, quantity: Quantity, unit: str, scales: Mapping[Plane, fl
         case str():
             return _text(raw, quantity, unit, scales)
         case {"value": inner, **more} if not isinstance(inner, dict | list):
-            beside = (more.get(name, "") for name in ("unit", "sense", "direction"))
+            way = more.get("direction", "")
+            beside = (more.get("unit", ""), more.get("sense", ""), f"∠ {way}" if isinstance(way, int | float) else way)
             parts = [str(part) for part in (inner, *beside) if part is not None]
             return _text(" ".join(parts), quantity, unit, scales)
         case [x, y]:
@@ -139,7 +141,7 @@ def _pair(x: object, y: object, quantity: Quantity, unit: str) -> HandedValue:
     """A place or a vector by its components."""
     if not isinstance(quantity, Centre | Moving):
         return HandedValue(f"{x}, {y}"[:60], None, fault=errors.WrongType(NOWHERE, "quantity", "[ .. ]"))
-    halves = [parsed_value(str(half), quantity.unit, unit) for half in (x, y)]
+    halves = [parsed_value(str(half), quantity.unit, unit, False) for half in (x, y)]
     text = ", ".join(half.text[:60] for half in halves)
     if (fault := next((half.fault for half in halves if half.value is None), None)) is not None:
         return HandedValue(text, None, fault=fault)

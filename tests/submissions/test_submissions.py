@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import csv
 import io
 import json
@@ -130,6 +131,15 @@ def test_one_question_answered_twice():
     found = answers([("w3", 3.92, NOWHERE), ("ω3", "3.92 ccw", NOWHERE), ("ω2", 1, NOWHERE), ("w2", 2, NOWHERE)], Questions(MECHANISM), Limits())
     assert found.values["omega 3"].value == 3.92
     assert isinstance(found.values["omega 2"].fault, AnsweredTwice)
+    assert found.values["omega 2"].text == "1; 2"
+
+
+def test_a_direction_beside_its_size_in_a_table_of_its_own():
+    raw = {"value": 0.271, "unit": "m/s", "direction": 252.5}
+    entries = [("v B", raw, NOWHERE), ("v C", {**raw, "direction": "左"}, NOWHERE), ("v B3B2", [-0.08, -0.26], NOWHERE)]
+    found = answers(entries, Questions(MECHANISM), Limits()).values
+    assert math.degrees(cmath.phase(found["v B"].vector)) == pytest.approx(252.5 - 360)
+    assert (found["v C"].vector, found["v B3B2"].vector) == (-0.271, -0.08 - 0.26j)
 
 
 # --- files ------------------------------------------------------------------------------------
