@@ -96,9 +96,10 @@ _FRACTION = r"(?:(?P<whole>[0-9]{1,9}) )?(?P<top>[0-9]{1,9}) ?/ ?(?P<bottom>[0-9
 _PI = r"(?P<times>[0-9]+(?:[.,][0-9]+)? ?\*? ?)?(?:π|pi(?![a-z]))(?: ?/ ?(?P<over>[0-9]{1,9})" + _NO_MORE + ")?"
 _NUMBER = re.compile(rf"(?:{_FRACTION}|{_PI}|{_DECIMAL})(?![0-9a-z]*[0-9])")
 
+_WHERE = " (?:the|an?|c?cw|clock|counter|anti|drawing|fig)"  # `in the ..`, not inches
 _ATOM = (
     r"(?:rad(?:ian)?s?|deg(?:ree)?s?|°|度|弧度|毫米|厘米|米|millimet(?:er|re)s?|met(?:er|re)s?|mm|cm|km|m"
-    r"|in(?:ch(?:es)?)?(?! (?:the|a|c|d|f|v))|ft|feet|foot|rev(?:olution)?s?|rpm|r|转|圈|s(?:ec(?:ond)?s?)?|秒"
+    rf"|inch(?:es)?|in(?!{_WHERE})|ft|feet|foot|rev(?:olution)?s?|rpm|r|转|圈|s(?:ec(?:ond)?s?)?|秒"
     r"|min(?:ute)?s?|分钟?|h(?:ours?)?|小时|%)"
     r"(?: ?(?:\^|\*\*) ?(?:\([+-]?[1-3]\)|[+-]?[1-3])|[+-]?[1-3](?![0-9.,]*[0-9])| ?squared|的?平方|²)?"
 )
@@ -128,7 +129,7 @@ _LEXICON = (  # of two that begin alike the longer one first
             r"|[↺⟲🔄⊙]|out of (?:the )?(?:page|paper)|(?:垂直)?纸面向外"),
     ("cw", r"clock[- ]?wise|cw(?![a-z])|c\.w\.?|[顺順][时時][针針钟鐘]|[顺順]|[↻⟳🔃⊗]|into (?:the )?(?:page|paper)"
            r"|(?:垂直)?纸面向[里内]"),
-    ("", r"or so|左右|上下"),
+    ("", rf"or so|左右|上下|in(?={_WHERE})"),
     ("z", r"quadrant|象限|偏|below|above|以[上下内外]|大于|小于|超过|相反|反[向转]|正转|opposite|wrong|错|作废"
           r"|[或非不未?]|(?:not?|or)(?![a-z])"),
     ("x", r"[下上左右如见][图面表]"),
@@ -136,7 +137,7 @@ _LEXICON = (  # of two that begin alike the longer one first
          r"|almost|est\."
          r"|magnitude|size|value|speed|answer|final|result|hence|therefore|(?:an?|and|with)(?= )|towards?|pointing"
          r"|directed|direction|signs?|sense|rotat(?:ion|ing|es)|turn(?:ing|s)|units?|side|horizontal(?:ly)?|vertical(?:ly)?"
-         r"|measured|in(?= (?:the|a|c|d|f|v))|velocity|acceleration|角?加?速度|大?约(?:为|等于)?|大概|近似|大小|数值|值"
+         r"|measured|velocity|acceleration|角?加?速度|大?约(?:为|等于)?|大概|近似|大小|数值|值"
          r"|结果|答案?|[解求测量]?得到?|估[计读算]|计算|读数|测量|由图|[故即且沿取以设的号其]|i\.e\.|所以|因此|规定|单位|方向(?!角)|转向|旋向|指向|[朝往向方边侧斜](?!向角)"
          r"|水平|竖直|铅[垂直]|垂直(?=向|朝)|转动|旋转|∴|[.!](?= |$)"),
     ("a", r"∠|∡|@|/_|(?:at|arg)(?![a-z])|方向角|夹角|角度|angle|[θφϑϕ][0-9a-z_']*|<(?= ?[+-]?[0-9.]+ ?(?:°|deg))"),
@@ -379,7 +380,8 @@ class _Reading:
             signed = (sign or 1) * min(self.upward, default=1)
             if (self.wants_sign and not sign) or (self.ways and not self.vector):
                 raise self.doubt()
-            if (sense and sign and signed != sense) or (sign < 0 and max(toward.real, toward.imag) > 0.1):
+            against = max(toward.real, toward.imag) > 0.1 or (sense and signed != sense)
+            if sign < 0 and number and against:
                 raise self.doubt(senses=True)
             numbers.append(((sense or signed) * number, own or unit))
         units = [own for _, own in self.parts.values() if own]
