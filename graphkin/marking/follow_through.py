@@ -14,7 +14,7 @@ from graphkin.construction import Coriolis, Image, LayOff, Measure, Plane, Plot,
 from graphkin.marking.answers import ArrowPlaces, Ends, arrows_of, drawn_answer
 from graphkin.marking.by_rotations import OwnRotations, Rate, by_contacts, own_rotations
 from graphkin.marking.consequences import combined
-from graphkin.marking.hand import PolygonHand, Redrawing, redraw
+from graphkin.marking.hand import PolygonHand, Redrawing, redraw, turned_about
 from graphkin.marking.key import Columns, Key, agrees, columns, differences, sense_only
 from graphkin.marking.weights import SlipOutcomes, once_known
 from graphkin.model.quantities import Answer, Moving, Quantity, Rotation
@@ -123,11 +123,9 @@ class Own(PolygonHand):
 
     def corner(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
         if self.calculates and {("omega", step.link), ("alpha", step.link)} & self.turned:
-            base = next((node for node in step.base if node == self.poles[plane]), step.base[0])
-            arm = plot.arm(step.corners[step.base.index(base)], step.corners[2])
-            omega, alpha = plot.omega[step.link], plot.alpha.get(step.link, 0.0)
-            turned = 1j * omega if plane == "velocity" else 1j * alpha - omega**2
-            plot.met[plane, step.point] = right = plot.points(plane)[base] + turned * arm
+            fixed = next((corner for corner, node in zip(step.corners, step.base, strict=False)
+                          if node == self.poles[plane]), "")  # fmt: skip
+            plot.met[plane, step.point] = right = turned_about(plot, plane, step, fixed)
         return self._own((plane, self.poles[plane], step.point), right)
 
     def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Real) -> Real:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -47,8 +47,21 @@ class PolygonHand(Hand["Redrawing"]):
         return self.crossing(plot, plane, point, right)
 
     def image(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+        if plot.wheels.get(step.link, step.corners[2]) != step.corners[2]:
+            right = turned_about(plot, plane, step, plot.wheels[step.link])
         plot.met[plane, step.point] = right
         return self.corner(plot, plane, step, right)
+
+
+def turned_about(plot: Redrawing, plane: Plane, step: Image, centre: str) -> Value:
+    """A further point of a link by v = omega l, or a^n and a^t, about another of its points that is drawn, the centre
+    where that is one."""
+    k = step.corners.index(centre) if centre in step.corners[:2] else 0
+    arm = plot.arm(step.corners[k], step.corners[2])
+    omega = plot.omega[step.link]
+    turned = 1j * omega if plane == "velocity" else 1j * plot.alpha[step.link] - omega**2
+    value: Value = plot.points(plane)[step.base[k]] + turned * arm
+    return value
 
 
 @dataclass
@@ -59,6 +72,7 @@ class Redrawing(Plot):
     by_hand   who draws
     before    omega and alpha by link as they follow from all before, where the hand has put another value
     met       points of the polygons as they follow from all before, likewise, where lines cross or by image
+    wheels    the centres of links that roll: their further points are calculated from the rotation, not by image
     least     the size up to which a value of an SI unit is nothing in this mechanism
     """
 
@@ -66,6 +80,7 @@ class Redrawing(Plot):
     laid: dict[tuple[Plane, str, str], Value] = field(default_factory=dict)
     before: dict[tuple[str, str], Real] = field(default_factory=dict)
     met: dict[tuple[Plane, str], Value] = field(default_factory=dict)
+    wheels: Mapping[str, str] = field(default_factory=dict)
     least: Callable[[str], float] = field(default=lambda unit: 0.0)
 
     def arrow(self, size: Size, plane: Plane) -> Value:
@@ -85,9 +100,12 @@ def redraw(method: Method, right: Plot, hand: PolygonHand = RIGHT, shape: tuple[
 
     shape  of the values, where the hand gives arrays: it broadcasts with that of the positions
     """
+    # a wheel's centre is the last of a contact on a line, and each of two wheels has its own
+    wheels = {wheel: centre for contact in method.structure.tying
+              for wheel, centre in zip(contact.wheels[::-1], contact.centres[::-1], strict=False)}  # fmt: skip
     plot = Redrawing(
         hand.facts(right.facts), right.near, right.follows, right.position,
-        theta=dict(right.theta), s=right.s, by_hand=hand, least=method.mechanism.usual.least,
+        theta=dict(right.theta), s=right.s, by_hand=hand, wheels=wheels, least=method.mechanism.usual.least,
     )  # fmt: skip
     polygons = (method.velocity, method.acceleration)
     if shape and any(isinstance(step, Simultaneous) for polygon in polygons for step in polygon.steps):
