@@ -30,13 +30,10 @@ _FAILED = 0.05  # where the links do not meet in a larger part of the drawings, 
 _NOTHING = 1e-9  # a value that is a smaller part of the largest of its kind is 0
 
 
-def make_key(
-    method: Method, marking: Marking, quantities: Sequence[Quantity] = (), points: Mapping[str, float] | None = None
-) -> Key:
+def make_key(method: Method, marking: Marking, quantities: Sequence[Quantity] = ()) -> Key:
     """The key of a mechanism at its drawn position.
 
     quantities  further ones that may be handed in, beside what is asked and what is met on the way
-    points      what quantities are worth; those that are asked count 1 each where nothing is said
     """
     mechanism, plot = method.mechanism, replay_all(method)
     asked = asked_of(mechanism)
@@ -53,8 +50,7 @@ def make_key(
     failed = drawings.failed + (1 - drawings.failed) * np.isnan(drawn).mean(axis=0)
     drawn = np.where(sizes, np.abs(drawn), drawn)
     hardly = drawings_of(method, marking, DRAWINGS, _HARDLY).values(every)[0]
-    worth = {text: points[text] for text in asked if points and text in points}
-    worth = worth or dict.fromkeys(asked or [q.text for q in every], 1.0)
+    worth = {text: mechanism.worth.get(text, 1.0) for text in asked} or {q.text: 1.0 for q in every}
     entries = tuple(
         _doubted(
             _entry(words.get(q.text, q.text), q, value, deviation, naturals[q.unit], marking, worth),

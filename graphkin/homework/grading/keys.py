@@ -56,24 +56,18 @@ def key_from(source: str, pencils: Pencils = USUAL) -> Key:
     return key_file(path) if path.suffix.lower() == ".json" else key_for(api.load(source), pencils)
 
 
-def key_for(
-    mechanism: Mechanism, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = (),
-    points: Mapping[str, float] | None = None,
-) -> Key:  # fmt: skip
+def key_for(mechanism: Mechanism, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = ()) -> Key:
     """The key of a mechanism, which both roads must give, with one for each further position that it asks for, at the
     same scales. Raises NothingToMark, NoKeyAtPosition."""
     method = api.plan(mechanism)
-    key = key_drawn(method, pencils, quantities, points)
-    further = (make_key(there, key.marking, quantities, points) for there in further_methods(method))
+    key = key_drawn(method, pencils, quantities)
+    further = (make_key(there, key.marking, quantities) for there in further_methods(method))
     return replace(key, further=tuple(further))
 
 
-def key_drawn(
-    method: Method, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = (),
-    points: Mapping[str, float] | None = None,
-) -> Key:  # fmt: skip
+def key_drawn(method: Method, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = ()) -> Key:
     """The key of the drawn position alone. Raises NothingToMark."""
-    key = make_key(method, marking_of(method, pencils), quantities, points)
+    key = make_key(method, marking_of(method, pencils), quantities)
     if not any(entry.points for entry in key.entries):
         raise NothingToMark(method.mechanism.where("ask"))
     return key
@@ -91,7 +85,8 @@ def marking_of(method: Method, pencils: Pencils = USUAL, scales: Mapping[str, fl
             of_sheet = scales_of(method, plot, "en")
             scales = {key: float(of_sheet[plane]) for plane, key in KEYS.items()}
     lengths: dict[str, float] = {plane: pencils.length_mm * scales[key] for plane, key in KEYS.items()}
-    return Marking(lengths, math.radians(pencils.angle_deg), dict(scales), pencils.sigmas, pencils.relative)
+    angle, follows = math.radians(pencils.angle_deg), method.mechanism.follows
+    return Marking(lengths, angle, dict(scales), pencils.sigmas, pencils.relative, follows)
 
 
 def key_file(path: Path) -> Key:

@@ -67,7 +67,7 @@ def write_problems(
         for suffix, text in _handed_out(template, variant, name, lang).items():
             yield _write(folder / f"{name}{suffix}", text, force)
         if keys:
-            key = key_for(variant.mechanism, points=template.points or None)
+            key = key_for(variant.mechanism)
             if len(rates) < _TRIED:  # right work by pencil, what is asked handed in: parts judged wrong, and mistaken
                 rates.append(alarms(Marker(key), [entry.text for entry in key.entries if entry.points]))
             yield _write(folder / f"{name}{KEY}", key_text(key), force)
@@ -143,7 +143,7 @@ def _handed_out(template: Template, variant: Variant, name: str, lang: Lang) -> 
         drawing[FIGURE] = begin + inline(problem_sheet(method, shown[0], lang)) + "\n"
     figure = ("", True) if shown is None else (f"{name}{FIGURE}", shown[1])
     others = [text for _, text in own.names]
-    text = problem(variant.mechanism, own.id, others, template.points, lang, variant.drawn, *figure)
+    text = problem(variant.mechanism, own.id, others, lang, variant.drawn, *figure)
     return {".toml": head + template.text(variant.numbers), ".txt": text, **drawing}
 
 
@@ -167,5 +167,6 @@ def _listed(
         file, own = f"{names[variant.student.id]}.toml", dict(variant.student.names)
         students[variant.student.id] = {"file": file, "names": own, "values": values, "shared": variant.shared}
     whole: dict[str, object] = {"format": 1, "program": MARK, "template": template.name, "seed": seed}
-    whole |= {"points": dict(template.points), "told": told_data(told), "students": students}
+    points = dict(variants[0].mechanism.worth) if variants else {}
+    whole |= {"points": points, "told": told_data(told), "students": students}
     return json.dumps(whole, ensure_ascii=False, indent=1, allow_nan=False) + "\n"

@@ -123,8 +123,7 @@ PHRASES: Phrases = {
                                 "{student} 有 override，但不在本次提交中；已保留该 override。"),
     # === what a student is told of a submission, and of a number on a platform
     "feedback.right": ("Right.", "正确。"),
-    "feedback.ring": ("Close, but less exact than a careful drawing allows. Half of the points.",
-                      "接近，但精度低于仔细作图所能达到的。得一半分。"),
+    "feedback.other sense": ("Right but for its sense (sign). Half of the points.", "除转向（符号）外正确。得一半分。"),
     "feedback.number consistent": ("This number is consistent with: {mistake}", "此数与下述错误相符：{mistake}"),
     "feedback.not marked why": ("not marked: {reason}", "未评阅：{reason}"),
     "feedback.no reason": ("no reason is given", "未说明原因"),
