@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import assert_never
 
 import numpy as np
@@ -12,7 +13,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, LayOff, Plane, Plot, Simultaneous, Term, terms
 from graphkin.marking.answers import ArrowPlaces, arrows_of, drawn_answer, readable, size_of
 from graphkin.marking.hand import Redrawing, redraw
-from graphkin.marking.key import Key, KeyEntry, Marking, Sort
+from graphkin.marking.key import TELLS, Key, KeyEntry, Marking, Sort, part_off
 from graphkin.marking.pencil import Mark, Pencil, PencilHand, Slips, called, drawn_positions, seed_of
 from graphkin.marking.rewrite import Rewrite
 from graphkin.model.mechanism import ROUNDING
@@ -148,6 +149,7 @@ def drawings_of(method: Method, marking: Marking, count: int, part: float = 1.0)
 
 
 _FEWER = 500
+_LARGER = (1.5, 2.0, 2.5, 3.0, 4.0, 5.0)  # so many times as large a drawing is tried
 _COUNTS = 1e-4  # a step with a smaller part of the scatter is left out
 
 
@@ -162,11 +164,20 @@ class Cost:
 
 
 @frozen
+class UntoldAnswer:
+    """An answer of which a larger part may be off than `TELLS`; `scales`: at which it is less, where there are any."""
+
+    part: float
+    scales: Mapping[str, float] | None
+
+
+@frozen
 class Tolerances:
     """Quantities with what they may be off, and steps, the costliest first.
 
     drawings  how often the construction was drawn
     failed    part of the drawings whose links did not meet
+    untold    answers that paper does not tell, by what is asked
     """
 
     key: Key
@@ -174,6 +185,7 @@ class Tolerances:
     costs: tuple[Cost, ...]
     drawings: int
     failed: float
+    untold: Mapping[str, UntoldAnswer]
 
     def worst(self, text: str) -> Cost | None:
         """The step that costs a quantity most."""
@@ -202,7 +214,27 @@ def tolerances(key: Key, method: Method) -> Tolerances:
         costs.append(Cost(mark, names.get(mark.of, ""), by_text, over_all))
     costly = sorted((cost for cost in costs if max(cost.parts.values()) > _COUNTS), key=lambda cost: -cost.over_all)
     failed = every.failed + (1 - every.failed) * float(np.isnan(values).any(axis=1).mean())
-    return Tolerances(key, key.entries, tuple(costly), DRAWINGS, failed)
+    return Tolerances(key, key.entries, tuple(costly), DRAWINGS, failed, _untold(key, method, quantities))
+
+
+def _untold(key: Key, method: Method, quantities: Sequence[Quantity]) -> dict[str, UntoldAnswer]:
+    """The answers that paper does not tell, each with the first larger drawing that does."""
+    size, sorts = method.mechanism.usual.size, [entry.sort for entry in key.entries]
+    right = np.array([entry.right for entry in key.entries])
+    untold = {
+        entry.text: UntoldAnswer(part, None)
+        for entry in key.entries if entry.points and (part := part_off(entry, size(entry.unit))) > TELLS
+    }  # fmt: skip
+    for times in _LARGER if untold and not key.marking.relative else ():
+        lengths = {plane: error / times for plane, error in key.marking.lengths.items()}
+        drawn = drawings_of(method, replace(key.marking, lengths=lengths), DRAWINGS).values(quantities)[0]
+        scales = {name: scale / times for name, scale in key.marking.scales.items()}
+        for entry, scatter in zip(key.entries, spread(drawn, right, sorts), strict=True):
+            there = untold.get(entry.text)
+            allowed = replace(entry, tolerance=key.marking.sigmas * scatter)
+            if there is not None and there.scales is None and part_off(allowed, size(entry.unit)) <= TELLS:
+                untold[entry.text] = UntoldAnswer(there.part, scales)
+    return untold
 
 
 def _arrows(method: Method) -> dict[tuple[str, ...], str]:

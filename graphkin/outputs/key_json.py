@@ -108,7 +108,7 @@ class _KeyReader:
         self._require(all(isinstance(part, str) for part in text), "mechanism")
         item, planes = data["marking"], ("position", "velocity", "acceleration")
         lengths = {plane: self._number(item["lengths"][plane], plane) for plane in planes}
-        scales = {str(name): self._number(x, "scales") for name, x in item["scales"].items()}
+        scales = {name: self._number(item["scales"][name], "scales") for name in ("length", "velocity", "acceleration")}
         angle, sigmas, relative = (self._number(item[name], name) for name in ("angle", "sigmas", "relative"))
         follows = self._number(item.get("follows", 1.0), "follows")
         self._require(min(*lengths.values(), angle, relative) >= 0 and sigmas > 0 and 0 <= follows <= 1, "marking")

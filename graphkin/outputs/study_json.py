@@ -87,6 +87,7 @@ def tolerance_data(tolerances: Tolerances) -> Json:
             entry.text: {
                 "unit": entry.unit, "right": entry.right, "scatter": entry.scatter, "tolerance": entry.tolerance,
                 "asked": entry.points > 0, **({"doubt": entry.doubt} if entry.doubt else {}),
+                **_untold(tolerances, entry.text),
             }
             for entry in tolerances.entries
         },
@@ -98,6 +99,12 @@ def tolerance_data(tolerances: Tolerances) -> Json:
             for cost in tolerances.costs
         ],
     }  # fmt: skip
+
+
+def _untold(tolerances: Tolerances, text: str) -> Json:
+    """The part of a value that may be off, where it is not told, and the scales at which it would be, or null."""
+    one = tolerances.untold.get(text)
+    return {} if one is None else {"part": one.part, "scales": None if one.scales is None else dict(one.scales)}
 
 
 def power_data(power: Power) -> Json:

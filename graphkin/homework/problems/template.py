@@ -15,11 +15,12 @@ from graphkin import files as loading
 from graphkin.base.value import frozen
 from graphkin.errors import BrokenToml, NoRange, NotATemplate, Where
 from graphkin.files.source import read_text, read_toml
-from graphkin.files.toml import parsed
+from graphkin.files.toml import parsed, replaced_values
 from graphkin.model.mechanism import Mechanism
 
 _SPAN = re.compile(r"""\{(?:[^{}"'#]|"[^"\n]*"|'[^'\n]*')*\}""")
 _NUMBER = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(.*?)\s*", re.S)
+_SCALES = re.compile(r"^[ \t]*(?:\[[ \t]*)?scales\b", re.M)
 _MARK = 7_310_000_000_000
 MOST = 100_000  # values that one range has at most
 
@@ -60,14 +61,19 @@ class Template:
     pieces: tuple[str, ...]
     ranges: tuple[TemplateRange, ...]
 
-    def text(self, numbers: Sequence[int]) -> str:
-        """The mechanism file with the value of each range that has this number."""
+    def text(self, numbers: Sequence[int], scales: Mapping[str, float] | None = None) -> str:
+        """The mechanism file with the value of each range that has this number, and with these scales of the paper."""
         values = [each.value(number) for each, number in zip(self.ranges, numbers, strict=True)]
-        return "".join(part for pair in zip(self.pieces, [*values, ""], strict=True) for part in pair)
+        text = "".join(part for pair in zip(self.pieces, [*values, ""], strict=True) for part in pair)
+        if not scales:
+            return text
+        if _SCALES.search(text):
+            return replaced_values(text, {("scales", key): scale for key, scale in scales.items()})
+        return f"{text.rstrip()}\n\n[scales]\n" + "".join(f"{key} = {scale}\n" for key, scale in scales.items())
 
-    def mechanism(self, numbers: Sequence[int]) -> Mechanism:
+    def mechanism(self, numbers: Sequence[int], scales: Mapping[str, float] | None = None) -> Mechanism:
         """Raises what loading raises."""
-        return loading.loads(self.text(numbers), name=self.name, file=self.file)
+        return loading.loads(self.text(numbers, scales), name=self.name, file=self.file)
 
 
 def read_template(path: Path) -> Template:
