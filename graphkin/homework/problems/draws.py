@@ -203,7 +203,7 @@ class _Goal:
     def likely_first(self, tries: Sequence[tuple[int, ...]]) -> list[tuple[int, ...]]:
         """Numbers whose problem should be like the usual one first, each in their order; others, the nearest first."""
         off = np.abs(_terms(np.array(tries) / self.counts) @ self.weights).max(axis=1, initial=0.0)
-        return [tries[k] for k in np.argsort(np.maximum(off, _LIKE / 2), kind="stable")]
+        return [tries[k] for k in np.argsort(np.maximum(off, _LIKE), kind="stable")]
 
     def against(self, one: _DrawnProblem) -> Refused | None:
         """What is against a problem by what a pencil can do."""
