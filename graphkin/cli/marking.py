@@ -254,4 +254,4 @@ def pencils_of(pencil: str | None, sigmas: float | None = None, relative: float 
         if not (0 <= length <= 10 and 0 <= angle <= 30):
             raise BadPencil(Where("--pencil"), pencil)
         said |= {"length_mm": length, "angle_deg": angle}
-    return Pencils(**said, said=frozenset(said))
+    return Pencils(**said, said=tuple(said))

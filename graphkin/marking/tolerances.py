@@ -164,20 +164,13 @@ class Cost:
 
 
 @frozen
-class UntoldAnswer:
-    """An answer of which a larger part may be off than `TELLS`; `scales`: at which it is less, where there are any."""
-
-    part: float
-    scales: Mapping[str, float] | None
-
-
-@frozen
 class Tolerances:
     """Quantities with what they may be off, and steps, the costliest first.
 
     drawings  how often the construction was drawn
     failed    part of the drawings whose links did not meet
-    untold    answers that paper does not tell, by what is asked
+    untold    answers that paper does not tell: the part that may be off, more than `TELLS`, and the scales of a larger
+              drawing that tells it, where one does
     """
 
     key: Key
@@ -185,7 +178,7 @@ class Tolerances:
     costs: tuple[Cost, ...]
     drawings: int
     failed: float
-    untold: Mapping[str, UntoldAnswer]
+    untold: Mapping[str, tuple[float, Mapping[str, float] | None]]
 
     def worst(self, text: str) -> Cost | None:
         """The step that costs a quantity most."""
@@ -217,23 +210,23 @@ def tolerances(key: Key, method: Method) -> Tolerances:
     return Tolerances(key, key.entries, tuple(costly), DRAWINGS, failed, _untold(key, method, quantities))
 
 
-def _untold(key: Key, method: Method, quantities: Sequence[Quantity]) -> dict[str, UntoldAnswer]:
+def _untold(
+    key: Key, method: Method, quantities: Sequence[Quantity]
+) -> dict[str, tuple[float, Mapping[str, float] | None]]:
     """The answers that paper does not tell, each with the first larger drawing that does."""
-    size, sorts = method.mechanism.usual.size, [entry.sort for entry in key.entries]
-    right = np.array([entry.right for entry in key.entries])
-    untold = {
-        entry.text: UntoldAnswer(part, None)
-        for entry in key.entries if entry.points and (part := part_off(entry, size(entry.unit))) > TELLS
-    }  # fmt: skip
-    for times in _LARGER if untold and not key.marking.relative else ():
+    size, right = method.mechanism.usual.size, np.array([entry.right for entry in key.entries])
+    parts = {entry.text: part_off(entry, size(entry.unit)) for entry in key.entries if entry.points}
+    untold: dict[str, tuple[float, Mapping[str, float] | None]]
+    untold = {text: (part, None) for text, part in parts.items() if part > TELLS}
+    for times in reversed(_LARGER) if untold and not key.marking.relative else ():
         lengths = {plane: error / times for plane, error in key.marking.lengths.items()}
         drawn = drawings_of(method, replace(key.marking, lengths=lengths), DRAWINGS).values(quantities)[0]
-        scales = {name: scale / times for name, scale in key.marking.scales.items()}
-        for entry, scatter in zip(key.entries, spread(drawn, right, sorts), strict=True):
-            there = untold.get(entry.text)
-            allowed = replace(entry, tolerance=key.marking.sigmas * scatter)
-            if there is not None and there.scales is None and part_off(allowed, size(entry.unit)) <= TELLS:
-                untold[entry.text] = UntoldAnswer(there.part, scales)
+        scatters = spread(drawn, right, [entry.sort for entry in key.entries])
+        for entry, scatter in zip(key.entries, scatters, strict=True):
+            there = part_off(replace(entry, tolerance=key.marking.sigmas * scatter), size(entry.unit))
+            if entry.text in untold and there <= TELLS:
+                scales = {name: scale / times for name, scale in key.marking.scales.items()}
+                untold[entry.text] = parts[entry.text], scales
     return untold
 
 

@@ -76,7 +76,8 @@ def _xy(place: Value) -> Plain:
 
 
 def tolerance_data(tolerances: Tolerances) -> Json:
-    """Each quantity, and each step of the pencil with its part in the scatter."""
+    """Each quantity, and each step of the pencil with its part in the scatter. Of an answer that is not told also the
+    part that may be off, and the scales of a larger drawing that tells it, or null."""
     key, marking = tolerances.key, tolerances.key.marking
     length, angle = marking.on_paper
     return {
@@ -87,7 +88,7 @@ def tolerance_data(tolerances: Tolerances) -> Json:
             entry.text: {
                 "unit": entry.unit, "right": entry.right, "scatter": entry.scatter, "tolerance": entry.tolerance,
                 "asked": entry.points > 0, **({"doubt": entry.doubt} if entry.doubt else {}),
-                **_untold(tolerances, entry.text),
+                **dict(zip(("part", "told at scales"), tolerances.untold.get(entry.text, ()))),
             }
             for entry in tolerances.entries
         },
@@ -99,12 +100,6 @@ def tolerance_data(tolerances: Tolerances) -> Json:
             for cost in tolerances.costs
         ],
     }  # fmt: skip
-
-
-def _untold(tolerances: Tolerances, text: str) -> Json:
-    """The part of a value that may be off, where it is not told, and the scales at which it would be, or null."""
-    one = tolerances.untold.get(text)
-    return {} if one is None else {"part": one.part, "scales": None if one.scales is None else dict(one.scales)}
 
 
 def power_data(power: Power) -> Json:

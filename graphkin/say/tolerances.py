@@ -48,12 +48,10 @@ def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
         rows.append([name, right, scatter, tolerance, part, unit, f"{cost}{steep}"])
     yield from marks_table(rows)
     yield say("tolerances.asked", lang)
-    for text, one in tolerances.untold.items():
-        advice = say("tolerances.no larger", lang)
-        if one.scales is not None:
-            advice = say("tolerances.larger", lang, scales=_scales(one.scales, lang))
-        words = {"quantity": in_signs(text, lang), "part": f"{one.part:.1%}", "most": f"{TELLS:.0%}"}
-        yield say("tolerances.untold", lang, **words, advice=advice)
+    for text, (off, scales) in tolerances.untold.items():
+        larger = scales and say("tolerances.larger", lang, scales=_scales(scales, lang))
+        words = {"quantity": in_signs(text, lang), "part": f"{off:.1%}", "most": f"{TELLS:.0%}"}
+        yield say("tolerances.untold", lang, **words, advice=larger or say("tolerances.no larger", lang))
     yield ""
     yield say("tolerances.costs", lang)
     yield from (f"  {cost.over_all:6.1%}  {_step(cost, lang)}" for cost in tolerances.costs[:_MOST_STEPS])

@@ -59,7 +59,7 @@ def test_numbers_hang_on_seed_and_id_and_on_no_order(template: Path):
 
 
 def test_every_variant_is_posed_well(template: Path):
-    for variant in variants(read_template(template), roster("25"), "3"):
+    for variant in variants(read_template(template), roster("12"), "3"):
         found = well_posed(variant.mechanism)
         assert not isinstance(found, str)
         plot = api.replay(api.plan(variant.mechanism))

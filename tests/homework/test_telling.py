@@ -128,7 +128,7 @@ def template(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_the_problems_taken_are_the_better_ones(template: Path):
     read_one, goal = read_template(template), draws._Goal.of(read_template(template), "1", USUAL)
     found = variants(read_one, roster("12"), "1")
-    others = (one for _, one in draws._sample(read_one, "others", USUAL) if one is not None)
+    others = (one for one in draws._sample(read_one, "others", USUAL).values() if one is not None)
     usual = [goal.always.told(one.tells).lost for one in others if goal.against(one) is None]
     assert len(usual) > 5
     assert np.mean([one.told.lost for one in found]) < np.mean(usual)
@@ -199,9 +199,9 @@ def four_bars(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_a_pencil_tells_every_answer_and_all_about_as_well(four_bars: Path):
     """By the key that is made of the student's own file: some of the template's problems are told badly, none of the set."""
     read_one = read_template(four_bars)
-    sample = [one for _, one in draws._sample(read_one, "1", USUAL) if one is not None]
+    sample = [one for one in draws._sample(read_one, "1", USUAL).values() if one is not None]
     assert max(max(one.parts.values()) for one in sample) > TELLS
-    found = [parts(loading.loads(variant.mechanism.text)) for variant in variants(read_one, roster("8"), "1")]
+    found = [parts(loading.loads(variant.mechanism.text)) for variant in variants(read_one, roster("6"), "1")]
     for question in read_one.mechanism([0, 0]).ask:
         own = [one[question] for one in found]
         assert max(own) <= TELLS
@@ -211,7 +211,7 @@ def test_a_pencil_tells_every_answer_and_all_about_as_well(four_bars: Path):
 def test_further_positions_are_told_as_well(four_bars: Path, tmp_path: Path):
     path = tmp_path / "two.toml"
     path.write_text(CRANKS.replace("omega = 10", "also = [100], omega = 10"), encoding="utf-8")
-    found = [parts(variant.mechanism) for variant in variants(read_template(path), roster("2"), "1")]
+    found = [parts(variant.mechanism) for variant in variants(read_template(path), roster("1"), "1")]
     assert len(found[0]) == 6
     assert max(max(one.values()) for one in found) <= TELLS
 
@@ -243,12 +243,10 @@ def test_a_question_that_no_pencil_tells_is_named(lang, tmp_path: Path, monkeypa
 
 
 def test_scales_are_in_the_file_and_its_sheet_has_room(four_bars: Path):
-    for template in (four_bars, ):
-        (variant,) = variants(read_template(template), roster("1"), "1")
-        stated = variant.mechanism.scales
-        assert sorted(stated) == ["acceleration", "length", "velocity"]
-        method = api.plan(variant.mechanism)
-        assert {KEYS[plane]: scale for plane, scale in scales_of(method, replay_all(method), "en").items()} == stated
+    (variant,) = variants(read_template(four_bars), roster("1"), "1")
+    stated, method = variant.mechanism.scales, api.plan(variant.mechanism)
+    assert sorted(stated) == ["acceleration", "length", "velocity"]
+    assert {KEYS[plane]: scale for plane, scale in scales_of(method, replay_all(method), "en").items()} == stated
 
 
 # --- figures ----------------------------------------------------------------------------------

@@ -28,7 +28,7 @@ from graphkin.results import driver_values
 from graphkin.running import replay_all
 
 _LARGEST = 64 << 20
-_PAGE = complex(140.0, 105.0)  # of any figure that is drawn as large as a page allows [mm]
+_PAGE = complex(130.0, 97.0)  # of any figure that is drawn as large as a page allows [mm]
 _SAME = 1e-6  # values of both mechanisms that differ by a smaller part, of the largest of their kind, are the same
 KEYS: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
@@ -46,7 +46,7 @@ class Pencils:
     angle_deg: float = 0.25
     sigmas: float = 3.0
     relative: float = 0.0
-    said: frozenset[str] = frozenset()
+    said: tuple[str, ...] = ()
 
 
 USUAL = Pencils()
@@ -66,7 +66,7 @@ def remade(key: Key, pencils: Pencils) -> Key:
     if not pencils.said:
         return key
     sigmas = pencils.sigmas if "sigmas" in pencils.said else own.sigmas
-    relative = pencils.relative if pencils.said & {"sigmas", "relative"} else own.relative
+    relative = pencils.relative if {"sigmas", "relative"} & {*pencils.said} else own.relative
     marking = replace(own, sigmas=sigmas, relative=relative)
     mechanism = loads(key.text, name=key.name)
     if "length_mm" in pencils.said:

@@ -133,17 +133,12 @@ class KeySet(SetMarker):
 
     @cached_property
     def _print(self) -> str:
-        return fingerprint(json.dumps(self.files), *self._said)
-
-    @property
-    def _said(self) -> tuple[str, ...]:
-        """What was said of the pencil, as texts."""
-        return tuple(f"{name} {getattr(self.pencils, name)}" for name in sorted(self.pencils.said))
+        return fingerprint(json.dumps(self.files), repr(self.pencils))
 
     def key_print(self, student: str) -> str:
         """Of the key's file; of one who is not of the class, of the list of the class."""
         try:
-            return fingerprint((self.path.parent / self.files[student]).read_bytes(), *self._said)
+            return fingerprint((self.path.parent / self.files[student]).read_bytes(), repr(self.pencils))
         except (KeyError, OSError):
             return self._print
 

@@ -5,11 +5,10 @@ Only when two students would get the same problem does the list of students matt
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
 import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -84,7 +83,7 @@ def _variant(template: Template, student: Student, seed: str, others: _GivenOut,
         if isinstance(draw, str):
             refused[draw] += 1
             if draw == "assembly" and attempt + 1 == refused[draw] == _HOPELESS:
-                well_posed(template.mechanism(numbers))  # raises what is wrong with the template
+                _drawn(template, numbers, goal.pencils)  # raises what is wrong with the template
             continue
         good.append(draw)
         if draw[0].shared or len(good) == LOOKED_AT or draw[0].told.lost <= goal.lost:
@@ -122,6 +121,7 @@ def _posed(
     own = _ProblemAnswers(answers(posed), tells.right, tells.tolerance)
     shared = others.have(numbers, own)
     if shared and apart:
+        others.numbers.add(numbers)
         return "taken"
     sides = drawn_sides(posed.method, posed.drawn)
     return Variant(student, numbers, posed.method.mechanism, sides, goal.always.told(tells), shared), own
@@ -183,7 +183,7 @@ class _Goal:
     @classmethod
     def of(cls, template: Template, seed: str, pencils: Pencils) -> _Goal:
         """By problems that are nobody's."""
-        tried = dict(_sample(template, seed, pencils))
+        tried = _sample(template, seed, pencils)
         sample = [one for one in tried.values() if one is not None]
         most = TELLS / math.exp(_LIKE)
         centres = [{text: min(part, most) for text, part in each.parts.items()} for each in sample]
@@ -232,20 +232,24 @@ def _alike(usual: Mapping[str, float], parts: Mapping[str, float]) -> bool:
     return all(abs(off) < _LIKE for off in _beside(usual, parts).values())
 
 
-def _sample(
-    template: Template, seed: str, pencils: Pencils = USUAL
-) -> Iterator[tuple[tuple[int, ...], _DrawnProblem | None]]:
+def _sample(template: Template, seed: str, pencils: Pencils) -> dict[tuple[int, ...], _DrawnProblem | None]:
     """Numbers that are nobody's with their problem, none where they are no good: as many as show enough."""
-    enough = 0
+    tried: dict[tuple[int, ...], _DrawnProblem | None] = {}
+    told = failed = 0
     for attempt in range(_SAMPLE_TRIES):
-        numbers, one = _numbers(template, "", seed, attempt), None
-        with contextlib.suppress(GraphkinError):
+        numbers = _numbers(template, "", seed, attempt)
+        if numbers in tried or told == _SAMPLE or failed == len(tried) == _HOPELESS:
+            continue
+        tried[numbers] = None
+        try:
             drawn = _drawn(template, numbers, pencils)
-            one = None if isinstance(drawn, str) else drawn
-        yield numbers, one
-        enough += one is not None and max(one.parts.values(), default=0.0) <= TELLS
-        if enough == _SAMPLE:
-            return
+        except GraphkinError:
+            failed += 1
+            continue
+        if not isinstance(drawn, str):
+            tried[numbers] = drawn
+            told += max(drawn.parts.values(), default=0.0) <= TELLS
+    return tried
 
 
 def _numbers(template: Template, student: str, seed: str, attempt: int) -> tuple[int, ...]:
@@ -270,8 +274,8 @@ class _ProblemAnswers:
 
 
 class _GivenOut:
-    """Numbers and answers that other students have; and numbers that are no good problem, each with why; and
-    the least part of each answer that may be off in any problem."""
+    """Numbers and answers that other students have, or nearly; numbers that are no good problem, each with why; and the
+    least part of each answer that may be off in any problem."""
 
     def __init__(self) -> None:
         self.refused: dict[tuple[int, ...], Refused] = {}
