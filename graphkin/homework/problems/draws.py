@@ -77,11 +77,11 @@ def _variant(template: Template, student: Student, seed: str, others: _GivenOut,
     """The student's draw that is unlike the others' and hides the fewest mistakes."""
     refused: Counter[Refused] = Counter()
     good: list[tuple[Variant, _ProblemAnswers]] = []
-    tries = [_numbers(template, student.id, seed, attempt) for attempt in range(_TRIES)]
-    for attempt, numbers in enumerate(goal.likely_first(tries)):
+    tries = goal.likely_first([_numbers(template, student.id, seed, attempt) for attempt in range(_TRIES)])
+    for attempt, numbers in enumerate([*tries, *tries[:_APART]]):  # at last those that others have, too
         draw = _posed(template, student, numbers, others, goal, attempt < _APART)
         if isinstance(draw, str):
-            refused[draw] += 1
+            refused[draw] += attempt < _TRIES
             if draw == "assembly" and attempt + 1 == refused[draw] == _HOPELESS:
                 _drawn(template, numbers, goal.pencils)  # raises what is wrong with the template
             continue
