@@ -26,11 +26,11 @@ _Record = TypeVar("_Record")
 RESULT_FORMATS = ("json", "csv", "xlsx", "moodle", "gradescope", "prairielearn", "canvas", "pages", "report")
 MARKS = "marks.json"  # in a folder of results graphkin's own records, from which everything else there is made
 
-pencil_option = click.option("--pencil", default="0.25,0.25", metavar="MM,DEG", show_default=True,
+pencil_option = click.option("--pencil", metavar="MM,DEG", show_default="0.25,0.25",
     help="What a pencil errs by: a length on paper, and a direction (standard deviations).")  # fmt: skip
-sigmas_option = click.option("--sigmas", type=click.FloatRange(0.1, 100), default=3.0, show_default=True,
+sigmas_option = click.option("--sigmas", type=click.FloatRange(0.1, 100), show_default="3",
     help="How many standard deviations are right.")  # fmt: skip
-relative_option = click.option("--relative", type=click.FloatRange(0, 1), default=0.0, metavar="PART",
+relative_option = click.option("--relative", type=click.FloatRange(0, 1), metavar="PART",
     help="Allow this part of the right value instead, such as 0.02.")  # fmt: skip
 
 
@@ -60,7 +60,7 @@ def grade(key: str, submissions: tuple[str, ...], **options: Any) -> None:
 
     KEY is a key.json, a folder of problems with a key each, a mechanism file or a library mechanism. SUBMISSION is a
     file of answers or a drawing, a class table, a zip of a whole class, a folder, or a file of marks, whose numbers are
-    marked anew. Errors of a pencil count where the key is made of a mechanism.
+    marked anew. A key.json keeps the pencil and the tolerances that it was made with, but for those said here.
 
     A problem that asks for further positions (`also`) is marked at each: "omega 3 #2" is omega 3 at the second, and so
     is "omega 3 @ 120" where the driver stands at 120; "drawing #2.svg" is its drawing.
@@ -94,8 +94,8 @@ def grade(key: str, submissions: tuple[str, ...], **options: Any) -> None:
 @shared.driver_options
 @shared.speaking
 def tolerance(
-    mechanism: str, pencil: str, sigmas: float, relative: float, power: bool, asked: bool, trials: int, as_json: bool,
-    at: DriverOptions, lang: Lang,
+    mechanism: str, pencil: str | None, sigmas: float | None, relative: float | None, power: bool, asked: bool,
+    trials: int, as_json: bool, at: DriverOptions, lang: Lang,
 ) -> None:  # fmt: skip
     """Print what accuracy paper allows: the construction is drawn many times with a pencil that errs.
 
@@ -115,7 +115,7 @@ def tolerance(
     from graphkin.say.tolerances import power_lines, tolerance_lines
 
     method = shared.position(shared.read(mechanism), at).moved_method
-    marker = Marker(grading.key_drawn(method, _pencils(pencil, sigmas, relative)))
+    marker = Marker(grading.key_drawn(method, pencils_of(pencil, sigmas, relative)))
     scatter = tolerances(marker.key, marker.method)
     texts = [entry.text for entry in marker.key.entries if entry.points] if asked else None
     tried = power_of(marker, trials, texts) if power else None
@@ -137,9 +137,9 @@ class _Grading:
     kinds: tuple[str, ...]
     reveal: Reveal
     assignment: str
-    pencil: str
-    sigmas: float
-    relative: float
+    pencil: str | None
+    sigmas: float | None
+    relative: float | None
     turned: bool
     letters: str
     jobs: int
@@ -158,7 +158,7 @@ class _Grading:
         problems = grading.problems_of(key, submissions)
         if self.output is not None and not self.kinds and problems[0].name:
             raise click.UsageError("several problems are written into a folder: say --format, such as --format json")
-        pencils = _pencils(self.pencil, self.sigmas, self.relative)
+        pencils = pencils_of(self.pencil, self.sigmas, self.relative)
         names = tuple(name.strip() for name in self.letters.split(",") if name.strip())
         settings = grading.MarkingOptions(Limits(turned=self.turned, names=names), self.jobs, words=self.lang)
         judges = [grading.judge_from(problem.key, pencils) for problem in problems]
@@ -241,14 +241,17 @@ def _counted(records: Iterable[_Record], printed: bool) -> Iterator[_Record]:
         yield from bar
 
 
-def _pencils(pencil: str, sigmas: float, relative: float) -> Pencils:
-    """The errors of a pencil by the options. Raises BadPencil."""
+def pencils_of(pencil: str | None, sigmas: float | None = None, relative: float | None = None) -> Pencils:
+    """The errors of a pencil and what is allowed, by the options that were said. Raises BadPencil."""
     from graphkin.homework.grading import Pencils
 
-    try:
-        length, angle = (float(part) for part in pencil.split(","))
-    except ValueError:
-        raise BadPencil(Where("--pencil"), pencil) from None
-    if not (0 <= length <= 10 and 0 <= angle <= 30):
-        raise BadPencil(Where("--pencil"), pencil)
-    return Pencils(length, angle, sigmas, relative)
+    said = {name: value for name, value in (("sigmas", sigmas), ("relative", relative)) if value is not None}
+    if pencil is not None:
+        try:
+            length, angle = (float(part) for part in pencil.split(","))
+        except ValueError:
+            raise BadPencil(Where("--pencil"), pencil) from None
+        if not (0 <= length <= 10 and 0 <= angle <= 30):
+            raise BadPencil(Where("--pencil"), pencil)
+        said |= {"length_mm": length, "angle_deg": angle}
+    return Pencils(**said, said=tuple(said))

@@ -7,6 +7,7 @@ from pathlib import Path
 import click
 
 from graphkin.cli import shared
+from graphkin.cli.marking import pencil_option, pencils_of
 from graphkin.errors import Lang
 
 PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong")
@@ -20,11 +21,13 @@ PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong")
               help="Folder to write.")
 @click.option("--format", "kinds", type=click.Choice(PLATFORMS), multiple=True,
               help="Write the whole set for a platform, too, answers and mistakes in it; again for each.")
+@pencil_option
 @shared.force_option
 @shared.speaking
 def problems(
-    template: Path, students: str, seed: str, output: Path, kinds: tuple[str, ...], force: bool, lang: Lang
-) -> None:
+    template: Path, students: str, seed: str, output: Path, kinds: tuple[str, ...], pencil: str | None,
+    force: bool, lang: Lang,
+) -> None:  # fmt: skip
     """Write a problem for each student: one mechanism, each with numbers of their own.
 
     TEMPLATE is a mechanism file in which numbers may be ranges: AB = { from = 20, to = 30, step = 1 }. A student's
@@ -40,8 +43,9 @@ def problems(
     from graphkin.say.problems import remark
 
     read = sets.read_template(template)
-    variants = sets.variants(read, sets.roster(students), seed)
-    count = sum(1 for _ in platforms.write_problems(output, read, variants, seed, lang, force))
+    pencils = pencils_of(pencil)
+    variants = sets.variants(read, sets.roster(students), seed, pencils)
+    count = sum(1 for _ in platforms.write_problems(output, read, variants, seed, lang, force, pencils=pencils))
     click.echo(f"{output}: {count}")
     click.echo(platforms.told_of(output))
     if kinds:

@@ -28,20 +28,24 @@ class NoRange(LocatedError):
 
 
 class NoVariant(LocatedError):
-    """No draw of a student's numbers gave a problem that can be solved on paper; `refused` says what for, how often."""
+    """No draw of a student's numbers gave a problem that can be solved on paper; `refused` says what for, how often;
+    `question` is one that a pencil tells in none of them, `part` how much of the answer may be off at best."""
 
     student: str
     tries: int
     refused: tuple[tuple[str, int], ...]
+    question: str = ""
+    part: float = 0.0
     text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: none of {tries} draws for student {student!r} can be solved well on paper ({refused}). Narrow the "
-        "ranges to where the mechanism moves well, or widen them if too few variants are left.",
-        "zh": "{where}：为学生 {student!r} 抽取 {tries} 次均得不到适合作图的题目（{refused}）。请把范围缩小到机构运动良好的区域，若可选的题目太少则放宽范围。",
+        "en": "{where}: none of {tries} draws for student {student!r} can be solved well on paper ({refused}). {untold}Narrow "
+        "the ranges to where the mechanism moves well, or widen them if too few variants are left.",
+        "zh": "{where}：为学生 {student!r} 抽取 {tries} 次均得不到适合作图的题目（{refused}）。{untold}请把范围缩小到机构运动良好的区域，若可选的题目太少则放宽范围。",
     }
 
     def _words(self, lang: Lang) -> dict[str, object]:
         reasons = {"en": ", ", "zh": "，"}[lang].join(f"{_REFUSED[what][lang]}: {times}" for what, times in self.refused)
-        return {**super()._words(lang), "refused": reasons}
+        untold = _UNTOLD[lang].format(question=self.question, part=self.part) if self.question else ""
+        return {**super()._words(lang), "refused": reasons, "untold": untold}
 
 
 _REFUSED: dict[str, dict[Lang, str]] = {
@@ -49,6 +53,13 @@ _REFUSED: dict[str, dict[Lang, str]] = {
     "dead point": {"en": "near a dead point", "zh": "接近死点"},
     "short": {"en": "a vector too short to measure", "zh": "矢量太短"},
     "taken": {"en": "like another student's", "zh": "与其他学生相同"},
+    "untold": {"en": "an answer that a pencil cannot tell", "zh": "所求量作图误差过大"},
+    "unlike": {"en": "an answer of another accuracy than others have", "zh": "所求量的作图精度与其他题相差过大"},
+}
+_UNTOLD: dict[Lang, str] = {
+    "en": "A pencil gives {question} to within {part:.0%} at best, which tells nothing: ask for another quantity, move the "
+    "ranges, state finer [scales], or allow for a finer pencil with --pencil. ",
+    "zh": "作图求 {question} 的允差至少为 {part:.0%}，无法评判：请改求其他量、改变范围、在 [scales] 中取更大的图，或用 --pencil 指定更细的铅笔。",
 }
 
 

@@ -193,6 +193,9 @@ def check_questions(draft: Draft, mechanism: Mechanism) -> None:
                 raise errors.NoQuestion(NOWHERE, question, meant(mechanism, question) or "")
         except GraphkinError as problem:
             draft.problems.append(problem.at(draft.where("ask", number)))
+    for question in mechanism.worth:
+        if question not in mechanism.ask:
+            draft.problems.append(errors.UnknownQuantity(draft.where("points", question), question, mechanism.ask))
 
 
 def remarks(mechanism: Mechanism) -> Iterator[errors.NoRate]:

@@ -16,10 +16,12 @@ LINE: Mapping[str, str] = {
 EXAMPLES: Mapping[str, Mapping[str, str]] = {
     "file": {
         "title": 'title = "Shaper"', "source": 'source = "Example 3-1"', "ask": 'ask = ["omega 3", "v C"]',
-        "frame": "[frame]", "links": "[links.1]", "slide": "[[slide]]", "gear": "[[gear]]", "roll": "[[roll]]",
-        "cam": "[[cam]]", "driver": "[[driver]]", "pose": "[[pose]]", "sketch": "[sketch]", "scales": "[scales]",
+        "points": "[points]", "frame": "[frame]", "links": "[links.1]", "slide": "[[slide]]", "gear": "[[gear]]",
+        "roll": "[[roll]]", "cam": "[[cam]]", "driver": "[[driver]]", "pose": "[[pose]]", "sketch": "[sketch]",
+        "scales": "[scales]",
     },
     "title": {"en": 'en = "Shaper"', "zh": 'zh = ".."'},
+    "points": {"follows": 'follows = "half"', FURTHER: '"omega 3" = 2'},
     "frame": {"name": 'name = "4"', FURTHER: "D = [78, 0]"},
     "link": {
         "points": 'points = ["B"]', "ccw": 'ccw = ["B", "C", "E"]',

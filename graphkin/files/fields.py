@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, dataclass_transform
 from pydantic_core import PydanticCustomError
 
 from graphkin.base.value import frozen
-from graphkin.errors import NOWHERE, BadName, GraphkinError, NotOneOf, WrongType
+from graphkin.errors import NOWHERE, BadName, GraphkinError, NotOneOf, OutOfRange, WrongType
 from graphkin.files import values
 from graphkin.files.values import name_reader, shown_value, si_quantity
 from graphkin.model.mechanism import Dimension
@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 MEASURE_PATTERN = r"^([A-Z][0-9]*'*){2,3}$"
 POINT_PATTERN = r"^[A-Z][0-9]*'*$"
+QUESTION_PATTERN = "[ ,0-9]"  # every question has one of these; no key that is a word has
+MOST_POINTS = 1e6
 Schema = dict[str, Any]
 """The rule for a value, as pydantic's core or as JSON Schema reads it: `type`, and what belongs to that type."""
 NUMBER: Schema = {"type": ["number", "string"]}  # the rule of JSON Schema for any quantity
@@ -106,10 +108,26 @@ def _flag(value: object) -> bool:
     return value
 
 
-def _side(value: str) -> str:
-    if value not in ("left", "right"):
-        raise NotOneOf(NOWHERE, shown_value(value), ("left", "right"))
-    return value
+def _one_of(*words: str) -> FieldKind:
+    """One of some words."""
+
+    def checked(value: str) -> str:
+        if value not in words:
+            raise NotOneOf(NOWHERE, shown_value(value), words)
+        return value
+
+    kind = _text("name", checked)
+    kind.json["enum"] = [*words]
+    return kind
+
+
+def _worth(value: object) -> float:
+    """The points of an answer."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise WrongType(NOWHERE, "number", shown_value(value))
+    if not 0 <= value < MOST_POINTS:
+        raise OutOfRange(NOWHERE, shown_value(value))
+    return float(value)
 
 
 def _vector(value: object) -> tuple[str, str]:
@@ -133,8 +151,8 @@ NAME, NEW_NAME = _text("name"), _text("name", name_reader(values.SLIDE, "slide")
 LINK_KEY = _text("name", name_reader(values.LINK, "link"), pattern=r"^[\w']+$")
 POINT_NAME = _text("name", name_reader(values.POINT, "point"), type="string", pattern=POINT_PATTERN)
 VECTOR = _kind(_vector, {"type": "string", "pattern": r"^([A-Z][0-9]*'*){2}$"})
-SIDE = _text("name", _side)
-SIDE.json["enum"] = ["left", "right"]
+SIDE, FOLLOWS = _one_of("left", "right"), _one_of("full", "half", "none")
+WORTH = _kind(_worth, {"type": "number", "minimum": 0, "exclusiveMaximum": MOST_POINTS})
 
 
 def list_of(item: FieldKind, kind: str = "list", count: int | None = None) -> FieldKind:

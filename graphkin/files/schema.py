@@ -24,6 +24,7 @@ FURTHER = "*"  # stands for the keys of a table that are not named one by one: p
 Place = Sequence[float]
 Vector = tuple[str, str]
 Side = Literal["left", "right"]
+Follows = Literal["full", "half", "none"]
 
 
 @table
@@ -142,6 +143,14 @@ class ScalesTable:
 
 
 @table
+class PointsTable:
+    """`[points]`: what each question is worth, by its text, and a value that follows rightly from a wrong one."""
+
+    follows: Follows = key(fields.FOLLOWS, default="full")
+    worth: Mapping[str, float] = further(fields.QUESTION_PATTERN, fields.WORTH)
+
+
+@table
 class SketchTable:
     """`[sketch]`: points by their names."""
 
@@ -155,6 +164,7 @@ class File:
     title: Titles = key(TITLES, default=Titles())
     source: Titles = key(TITLES, default=Titles())
     ask: Sequence[str] = key(fields.list_of(fields.TEXT), default=())
+    points: PointsTable = key(fields.one_table(PointsTable), default=PointsTable(worth={}))
     frame: FrameTable = key(fields.one_table(FrameTable), default=FrameTable(points={}))
     links: Mapping[str, LinkTable] = key(fields.mapping(fields.LINK_KEY, fields.entry(LinkTable)))
     slide: Sequence[SlideTable] = key(fields.tables(SlideTable), default=())
@@ -168,16 +178,16 @@ class File:
 
 
 TABLES: Mapping[str, type] = {
-    "file": File, "title": Titles, "frame": FrameTable, "link": LinkTable, "slide": SlideTable, "gear": GearTable,
-    "roll": RollTable, "cam": CamTable, "profile": ProfileTable, "driver": DriverTable, "pose": PoseTable,
-    "sketch": SketchTable, "scales": ScalesTable,
+    "file": File, "title": Titles, "points": PointsTable, "frame": FrameTable, "link": LinkTable, "slide": SlideTable,
+    "gear": GearTable, "roll": RollTable, "cam": CamTable, "profile": ProfileTable, "driver": DriverTable,
+    "pose": PoseTable, "sketch": SketchTable, "scales": ScalesTable,
 }  # fmt: skip
 """The tables as they are called in the file, in the order in which one writes them."""
 
 TABLES_AT: Mapping[tuple[str, ...], type] = {
     (): File, ("title",): Titles, ("source",): Titles, ("slide", "title"): Titles, ("slide",): SlideTable,
     ("gear",): GearTable, ("roll",): RollTable, ("cam",): CamTable, ("cam", "profiles"): ProfileTable,
-    ("driver",): DriverTable, ("pose",): PoseTable, ("scales",): ScalesTable,
+    ("points",): PointsTable, ("driver",): DriverTable, ("pose",): PoseTable, ("scales",): ScalesTable,
 }  # fmt: skip
 """The table at a path, item numbers left out, where its keys are known."""
 

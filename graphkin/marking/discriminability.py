@@ -19,7 +19,7 @@ from graphkin.construction import Plot
 from graphkin.marking.consequences import SAME, combined, rewrites
 from graphkin.marking.diagnosis import Explainer
 from graphkin.marking.key import KeyEntry, Marking, Name, columns, columns_of, differences, upright
-from graphkin.marking.key_making import asked_alone
+from graphkin.marking.key_making import AskedAnswers, asked_alone
 from graphkin.planning import Method
 
 
@@ -46,9 +46,11 @@ class MistakeVisibility:
     failed: float = 0.0
 
 
-def mistake_visibility(method: Method, plot: Plot, marking: Marking) -> MistakeVisibility:
-    """By what a mechanism asks for, at the position of a plot."""
-    quantities, entries, failed = asked_alone(method, plot, marking)
+def mistake_visibility(
+    method: Method, plot: Plot, marking: Marking, asked: AskedAnswers | None = None
+) -> MistakeVisibility:
+    """By what a mechanism asks for, at the position of a plot; asked: these answers, where they are known."""
+    quantities, entries, failed = asked or asked_alone(method, plot, marking)
     singles = rewrites(method, plot, quantities, marking.scales)
     values = combined(method, plot, quantities, [(one,) for one in singles]).values
     return replace(compared(entries, [one.name for one in singles], values), failed=failed)

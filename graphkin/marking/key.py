@@ -74,6 +74,13 @@ class KeyEntry:
         return self.tolerance if self.doubt in ("", "steep") else min(self.tolerance, TELLS * abs(self.right))
 
 
+def part_off(entry: KeyEntry, usual: float) -> float:
+    """The part of a value that may be off: of its usual size where it is 0 or, as places and angles, has no zero of
+    its own."""
+    size = abs(entry.right) if "/s" in entry.unit or entry.unit == "1" else 0.0
+    return entry.tolerance / (size or usual)
+
+
 @frozen
 class Hypotheses:
     """Outcomes of mistakes: a row each, a column a quantity of the key; NaN where it says nothing of a quantity.

@@ -12,11 +12,11 @@ import numpy as np
 from graphkin.construction import Measure, Plot
 from graphkin.marking.answers import asked_of, on_the_way, sort_of
 from graphkin.marking.consequences import combined, rewrites
-from graphkin.marking.key import Hypotheses, Key, KeyEntry, KeyStep, Marking, Name
+from graphkin.marking.key import Hypotheses, Key, KeyEntry, KeyStep, Marking, Name, part_off
 from graphkin.marking.rewrite import Rewrite
 from graphkin.marking.synonyms import other_methods
 from graphkin.marking.tolerances import DRAWINGS, drawings_of, spread
-from graphkin.model.mechanism import Mechanism
+from graphkin.model.mechanism import Mechanism, Usual
 from graphkin.model.quantities import EDGE, Quantity
 from graphkin.planning import Method
 from graphkin.running import replay_all
@@ -30,13 +30,10 @@ _FAILED = 0.05  # where the links do not meet in a larger part of the drawings, 
 _NOTHING = 1e-9  # a value that is a smaller part of the largest of its kind is 0
 
 
-def make_key(
-    method: Method, marking: Marking, quantities: Sequence[Quantity] = (), points: Mapping[str, float] | None = None
-) -> Key:
+def make_key(method: Method, marking: Marking, quantities: Sequence[Quantity] = ()) -> Key:
     """The key of a mechanism at its drawn position.
 
     quantities  further ones that may be handed in, beside what is asked and what is met on the way
-    points      what quantities are worth; those that are asked count 1 each where nothing is said
     """
     mechanism, plot = method.mechanism, replay_all(method)
     asked = asked_of(mechanism)
@@ -53,8 +50,7 @@ def make_key(
     failed = drawings.failed + (1 - drawings.failed) * np.isnan(drawn).mean(axis=0)
     drawn = np.where(sizes, np.abs(drawn), drawn)
     hardly = drawings_of(method, marking, DRAWINGS, _HARDLY).values(every)[0]
-    worth = {text: points[text] for text in asked if points and text in points}
-    worth = worth or dict.fromkeys(asked or [q.text for q in every], 1.0)
+    worth = {text: mechanism.worth.get(text, 1.0) for text in asked} or {q.text: 1.0 for q in every}
     entries = tuple(
         _doubted(
             _entry(words.get(q.text, q.text), q, value, deviation, naturals[q.unit], marking, worth),
@@ -72,17 +68,18 @@ def make_key(
     )  # fmt: skip
 
 
-def asked_alone(
-    method: Method, plot: Plot, marking: Marking
-) -> tuple[tuple[Quantity, ...], tuple[KeyEntry, ...], float]:
-    """The quantities asked for, and what paper allows of them, without anything on the way and of fewer drawings; with
-    the part of these whose links do not meet."""
+AskedAnswers = tuple[tuple[Quantity, ...], tuple[KeyEntry, ...], float]
+
+
+def asked_alone(method: Method, plot: Plot, marking: Marking) -> AskedAnswers:
+    """The quantities asked for, and what paper allows of them, without anything on the way; with the part of the
+    drawings whose links do not meet."""
     asked = asked_of(method.mechanism)
     every = tuple({quantity.text: quantity for quantity in asked.values()}.values())
     words = {quantity.text: question for question, quantity in asked.items()}
     right = _right(method, plot, every)
     naturals, worth = _naturals(method, every, right), dict.fromkeys(asked, 1.0)
-    drawings = drawings_of(method, marking, _FEW)
+    drawings = drawings_of(method, marking, DRAWINGS)
     drawn = drawings.values(every)[0]
     scatters = spread(drawn, right, [sort_of(quantity) for quantity in every])
     entries = tuple(
@@ -90,6 +87,11 @@ def asked_alone(
         for q, value, deviation in zip(every, right, scatters, strict=True)
     )
     return every, entries, drawings.failed + (1 - drawings.failed) * float(np.isnan(drawn).any(axis=1).mean())
+
+
+def parts_off(method: Method, entries: Sequence[KeyEntry]) -> dict[str, float]:
+    """The part of each value that may be off, by its question."""
+    return {entry.text: part_off(entry, method.mechanism.usual.size(entry.unit)) for entry in entries}
 
 
 def steps_of(method: Method) -> tuple[KeyStep, ...]:
@@ -143,10 +145,28 @@ def _entry(
 ) -> KeyEntry:  # fmt: skip
     half = half_digit(float(right), quantity.unit, natural)
     deviation = float(deviation) if np.isfinite(deviation) else 0.0
-    scatter = math.hypot(deviation, half / math.sqrt(3))
-    allowed = marking.relative * abs(right) if marking.relative and right else marking.sigmas * scatter
-    tolerance, points = max(float(allowed), half), worth.get(text, 0.0)
+    scatter, points = math.hypot(deviation, half / math.sqrt(3)), worth.get(text, 0.0)
+    tolerance = _tolerance(right, scatter, half, marking)
     return KeyEntry(text, quantity.unit, sort_of(quantity), float(right), scatter, tolerance, points)
+
+
+def _tolerance(right: float, scatter: float, half: float, marking: Marking) -> float:
+    """Of a value, by its scatter or as a part of it; at least half of its last digit."""
+    allowed = marking.relative * abs(right) if marking.relative and right else marking.sigmas * scatter
+    return max(float(allowed), half)
+
+
+def allowed_anew(entries: Sequence[KeyEntry], marking: Marking, usual: Usual) -> tuple[KeyEntry, ...]:
+    """The entries of a key with what is allowed by another marking."""
+    anew: list[KeyEntry] = []
+    for entry in entries:
+        natural = max(abs(other.right) for other in entries if other.unit == entry.unit) or usual.size(entry.unit)
+        half = half_digit(entry.right, entry.unit, natural)
+        one = replace(entry, tolerance=_tolerance(entry.right, entry.scatter, half, marking))
+        told = "" if entry.doubt == "too small" else entry.doubt
+        small = told != "dead point" and part_off(one, usual.size(entry.unit)) > 1
+        anew.append(replace(one, doubt="too small" if small else told))
+    return tuple(anew)
 
 
 def _doubted(entry: KeyEntry, usual: float, deviation: float, proportional: float, failed: float) -> KeyEntry:
@@ -156,12 +176,11 @@ def _doubted(entry: KeyEntry, usual: float, deviation: float, proportional: floa
     proportional  what it would scatter by, were that in proportion to the pencil's errors
     failed        part of the drawings in which it has no value
     """
-    size = abs(entry.right) if "/s" in entry.unit or entry.unit == "1" else 0.0
     small = max(deviation, proportional) <= half_digit(entry.right, entry.unit, usual)
     steep = not (small or 1 / _STEEP <= deviation / proportional <= _STEEP)
     if steep and failed > _FAILED:
         return replace(entry, doubt="dead point")
-    return replace(entry, doubt="too small" if entry.tolerance > (size or usual) else "steep" if steep else "")
+    return replace(entry, doubt="too small" if part_off(entry, usual) > 1 else "steep" if steep else "")
 
 
 _PRODUCT = 2**17

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import assert_never
 
 import numpy as np
@@ -12,7 +13,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, LayOff, Plane, Plot, Simultaneous, Term, terms
 from graphkin.marking.answers import ArrowPlaces, arrows_of, drawn_answer, readable, size_of
 from graphkin.marking.hand import Redrawing, redraw
-from graphkin.marking.key import Key, KeyEntry, Marking, Sort
+from graphkin.marking.key import TELLS, Key, KeyEntry, Marking, Sort, part_off
 from graphkin.marking.pencil import Mark, Pencil, PencilHand, Slips, called, drawn_positions, seed_of
 from graphkin.marking.rewrite import Rewrite
 from graphkin.model.mechanism import ROUNDING
@@ -152,6 +153,7 @@ def drawings_of(method: Method, marking: Marking, count: int, part: float = 1.0)
 
 
 _FEWER = 500
+_LARGER = (1.5, 2.0, 2.5, 3.0, 4.0, 5.0)  # so many times as large a drawing is tried
 _COUNTS = 1e-4  # a step with a smaller part of the scatter is left out
 
 
@@ -171,6 +173,8 @@ class Tolerances:
 
     drawings  how often the construction was drawn
     failed    part of the drawings whose links did not meet
+    untold    answers that paper does not tell: the part that may be off, more than `TELLS`, and the scales of a larger
+              drawing that tells it, where one does
     """
 
     key: Key
@@ -178,6 +182,7 @@ class Tolerances:
     costs: tuple[Cost, ...]
     drawings: int
     failed: float
+    untold: Mapping[str, tuple[float, Mapping[str, float] | None]]
 
     def worst(self, text: str) -> Cost | None:
         """The step that costs a quantity most."""
@@ -206,7 +211,27 @@ def tolerances(key: Key, method: Method) -> Tolerances:
         costs.append(Cost(mark, names.get(mark.of, ""), by_text, over_all))
     costly = sorted((cost for cost in costs if max(cost.parts.values()) > _COUNTS), key=lambda cost: -cost.over_all)
     failed = every.failed + (1 - every.failed) * float(np.isnan(values).any(axis=1).mean())
-    return Tolerances(key, key.entries, tuple(costly), DRAWINGS, failed)
+    return Tolerances(key, key.entries, tuple(costly), DRAWINGS, failed, _untold(key, method, quantities))
+
+
+def _untold(
+    key: Key, method: Method, quantities: Sequence[Quantity]
+) -> dict[str, tuple[float, Mapping[str, float] | None]]:
+    """The answers that paper does not tell, each with the first larger drawing that does."""
+    size, right = method.mechanism.usual.size, np.array([entry.right for entry in key.entries])
+    parts = {entry.text: part_off(entry, size(entry.unit)) for entry in key.entries if entry.points}
+    untold: dict[str, tuple[float, Mapping[str, float] | None]]
+    untold = {text: (part, None) for text, part in parts.items() if part > TELLS}
+    for times in reversed(_LARGER) if untold and not key.marking.relative else ():
+        lengths = {plane: error / times for plane, error in key.marking.lengths.items()}
+        drawn = drawings_of(method, replace(key.marking, lengths=lengths), DRAWINGS).values(quantities)[0]
+        scatters = spread(drawn, right, [entry.sort for entry in key.entries])
+        for entry, scatter in zip(key.entries, scatters, strict=True):
+            there = part_off(replace(entry, tolerance=key.marking.sigmas * scatter), size(entry.unit))
+            if entry.text in untold and there <= TELLS:
+                scales = {name: scale / times for name, scale in key.marking.scales.items()}
+                untold[entry.text] = parts[entry.text], scales
+    return untold
 
 
 def _arrows(method: Method) -> dict[tuple[str, ...], str]:

@@ -175,6 +175,7 @@ class Mechanism:
     scales    given paper scales: "length" [m/mm], "velocity" [(m/s)/mm], "acceleration" [(m/s^2)/mm]
     text      the file, to be put into drawings and shown; `lines` gives the line of each of its keys
     given     what the file states, by place and in its order: tables and lists, each followed by what is in it
+    worth     points of an answer, by question; follows: the part of them where it follows rightly from a wrong one
     """
 
     name: str
@@ -194,6 +195,8 @@ class Mechanism:
     replaced: tuple[Pair, ...] = ()
     slide_titles: Mapping[str, Mapping[Lang, str]] = field(default_factory=dict)
     given: Mapping[KeyPath, GivenValue] = field(default_factory=dict)
+    worth: Mapping[str, float] = field(default_factory=dict)
+    follows: float = 1.0
 
     @cached_property
     def owners(self) -> dict[str, tuple[str, ...]]:

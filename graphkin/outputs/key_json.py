@@ -44,7 +44,7 @@ def key_data(key: Key) -> Json:
         "mechanism": key.text,
         "marking": {
             "lengths": dict(marking.lengths), "angle": marking.angle, "scales": dict(marking.scales),
-            "sigmas": marking.sigmas, "relative": marking.relative,
+            "sigmas": marking.sigmas, "relative": marking.relative, "follows": marking.follows,
         },
         "given": list(key.given),
         "quantities": [
@@ -108,11 +108,12 @@ class _KeyReader:
         self._require(all(isinstance(part, str) for part in text), "mechanism")
         item, planes = data["marking"], ("position", "velocity", "acceleration")
         lengths = {plane: self._number(item["lengths"][plane], plane) for plane in planes}
-        scales = {str(name): self._number(x, "scales") for name, x in item["scales"].items()}
+        scales = {name: self._number(item["scales"][name], "scales") for name in ("length", "velocity", "acceleration")}
         angle, sigmas, relative = (self._number(item[name], name) for name in ("angle", "sigmas", "relative"))
-        self._require(min(*lengths.values(), angle, relative) >= 0 and sigmas > 0, "marking")
+        follows = self._number(item.get("follows", 1.0), "follows")
+        self._require(min(*lengths.values(), angle, relative) >= 0 and sigmas > 0 and 0 <= follows <= 1, "marking")
         return Key(
-            text[0], text[1], text[2], Marking(lengths, angle, scales, sigmas, relative), entries,
+            text[0], text[1], text[2], Marking(lengths, angle, scales, sigmas, relative, follows), entries,
             tuple(self._number(x, "given") for x in data["given"]), together, self._mistakes(data["mistakes"], count),
             {str(lang): str(title) for lang, title in data["title"].items()},
             tuple(KeyStep(str(step["plane"]), *(tuple(map(str, step[name])) for name in ("left", "right", "gives")))

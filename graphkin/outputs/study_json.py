@@ -76,7 +76,8 @@ def _xy(place: Value) -> Plain:
 
 
 def tolerance_data(tolerances: Tolerances) -> Json:
-    """Each quantity, and each step of the pencil with its part in the scatter."""
+    """Each quantity, and each step of the pencil with its part in the scatter. Of an answer that is not told also the
+    part that may be off, and the scales of a larger drawing that tells it, or null."""
     key, marking = tolerances.key, tolerances.key.marking
     length, angle = marking.on_paper
     return {
@@ -87,6 +88,7 @@ def tolerance_data(tolerances: Tolerances) -> Json:
             entry.text: {
                 "unit": entry.unit, "right": entry.right, "scatter": entry.scatter, "tolerance": entry.tolerance,
                 "asked": entry.points > 0, **({"doubt": entry.doubt} if entry.doubt else {}),
+                **dict(zip(("part", "told at scales"), tolerances.untold.get(entry.text, ()))),
             }
             for entry in tolerances.entries
         },

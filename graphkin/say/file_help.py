@@ -20,9 +20,9 @@ from graphkin.say.text_table import width
 _WIDE, _INDENT = 110, 4
 _LINED = ("roll", "profile")  # the tables that have the keys of a line from `slide`
 _SIGNS = {
-    "file": "TOML", "title": "title", "frame": "[frame]", "link": "[links.NAME]", "slide": "[[slide]]",
-    "gear": "[[gear]]", "roll": "[[roll]]", "cam": "[[cam]]", "profile": "profiles", "driver": "[[driver]]",
-    "pose": "[[pose]]", "sketch": "[sketch]", "scales": "[scales]",
+    "file": "TOML", "title": "title", "points": "[points]", "frame": "[frame]", "link": "[links.NAME]",
+    "slide": "[[slide]]", "gear": "[[gear]]", "roll": "[[roll]]", "cam": "[[cam]]", "profile": "profiles",
+    "driver": "[[driver]]", "pose": "[[pose]]", "sketch": "[sketch]", "scales": "[scales]",
 }  # fmt: skip
 """The head of each table in the file."""
 _FOLLOWING = " ，。；：、）”"  # these begin no line
@@ -74,7 +74,7 @@ def _key_sentence(table: str, key: str, lang: Lang) -> str:
 def _dimensions(table: str, key: str) -> tuple[Dimension, ...]:
     """The dimensions of the number that a key takes."""
     if key == FURTHER:
-        return ("length", "angle") if table == "link" else ("length",)
+        return ("length", "angle") if table == "link" else () if table == "points" else ("length",)
     kind = keys(TABLES[table])[key].metadata["kind"]
     return () if kind.dimension is None else (kind.dimension,)
 

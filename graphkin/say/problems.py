@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import assert_never
 
 from graphkin.errors import Lang
@@ -22,12 +22,12 @@ MADE = "-- graphkin problems"  # the last line of a text that this program wrote
 
 
 def problem(
-    mechanism: Mechanism, student: str, others: Sequence[str], points: Mapping[str, float], lang: Lang,
-    drawn: DrawnSides | None = None, figure: str = "", there: bool = True,
+    mechanism: Mechanism, student: str, others: Sequence[str], lang: Lang, drawn: DrawnSides | None = None,
+    figure: str = "", there: bool = True,
 ) -> str:  # fmt: skip
     """The text of one student's problem.
 
-    others  what else the student is called; points: by question, else 1
+    others  what else the student is called
     drawn   in which assembly; figure: the file that shows it, `there` or in another position
     """
     called = " ".join((student, *others))
@@ -36,7 +36,7 @@ def problem(
     lines += ["", say("problems.find", lang)]
     marked = asked_of(mechanism)
     for question in mechanism.ask:
-        quantity, worth, credit = read(mechanism, question), "", points.get(question, 1.0)
+        quantity, worth, credit = read(mechanism, question), "", mechanism.worth.get(question, 1.0)
         if question in marked:
             worth = say("problems.points one" if credit == 1 else "problems.points many", lang, points=credit)
         halves = () if quantity is None else quantity.halves

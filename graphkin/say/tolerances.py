@@ -8,6 +8,7 @@ import numpy as np
 
 from graphkin.errors import Lang
 from graphkin.marking.discriminability import LOOKED_AT, WELL, SetDiscriminability
+from graphkin.marking.key import TELLS
 from graphkin.marking.power import MistakePower, Power
 from graphkin.marking.tolerances import Cost, Tolerances
 from graphkin.model.quantities import EDGE
@@ -27,8 +28,7 @@ def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
     yield key.title.get(lang) or next(iter(key.title.values()), key.name)
     length, angle = marking.on_paper
     yield say("tolerances.pencil", lang, length=f"{length:g}", angle=f"{angle:g}", count=tolerances.drawings)
-    scales = say("common.and", lang).join(_SCALES[key].format(f"{x:g}") for key, x in marking.scales.items())
-    yield say("tolerances.scales", lang, scales=scales)
+    yield say("tolerances.scales", lang, scales=_scales(marking.scales, lang))
     allowed = "tolerances.allowed part" if marking.relative else "tolerances.allowed"
     yield say(allowed, lang, sigmas=f"{marking.sigmas:g}", part=f"{marking.relative:.3g}")
     heads = ("marks.column quantity", "marks.column right value", "tolerances.column scatter", "verdicts.tolerance",
@@ -48,9 +48,17 @@ def tolerance_lines(tolerances: Tolerances, lang: Lang) -> Iterator[str]:
         rows.append([name, right, scatter, tolerance, part, unit, f"{cost}{steep}"])
     yield from marks_table(rows)
     yield say("tolerances.asked", lang)
+    for text, (off, scales) in tolerances.untold.items():
+        larger = scales and say("tolerances.larger", lang, scales=_scales(scales, lang))
+        words = {"quantity": in_signs(text, lang), "part": f"{off:.1%}", "most": f"{TELLS:.0%}"}
+        yield say("tolerances.untold", lang, **words, advice=larger or say("tolerances.no larger", lang))
     yield ""
     yield say("tolerances.costs", lang)
     yield from (f"  {cost.over_all:6.1%}  {_step(cost, lang)}" for cost in tolerances.costs[:_MOST_STEPS])
+
+
+def _scales(scales: Mapping[str, float], lang: Lang) -> str:
+    return say("common.and", lang).join(_SCALES[key].format(f"{x:.3g}") for key, x in scales.items())
 
 
 def _step(cost: Cost, lang: Lang) -> str:

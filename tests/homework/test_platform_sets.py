@@ -8,6 +8,7 @@ import math
 import os
 import re
 import zipfile
+from dataclasses import replace
 from decimal import Decimal
 from pathlib import Path
 from random import Random
@@ -29,6 +30,8 @@ from graphkin.homework.platforms.alternatives import most
 from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.moodle_set import weights
 from graphkin.homework.platforms.tables import line, points, read_table, unharmed
+from graphkin.marking.marker import Marker
+from graphkin.marking.records import HandedNumber, StudentWork
 from graphkin.model.quantities import EDGE, read
 from graphkin.outputs.files import FileInTheWay
 
@@ -41,7 +44,7 @@ HOSTILE = (
 OMEGA = Part("omega 3", -1.25, 0.025, "rad/s", 2.0, (
     Wrong(("omega-sense",), 1.25, 0.025, {"en": "The sense is wrong.", "zh": "转向错误。"}),
     Wrong(("wrong-length",), -2.0, 0.04, {"en": "The length is another link's.", "zh": "长度取错。"}),
-))  # fmt: skip
+), has_sense=True)  # fmt: skip
 ALPHA = Part("alpha 3", 62.2, 3.1, "rad/s^2", 3.0, (
     Wrong(("coriolis-omitted", "block-omega"), 12.46, 2.0, {"en": "No Coriolis term.", "zh": "漏了科氏加速度。"}),
     Wrong(("coriolis-reversed",), -37.3, 2.5, {"en": "The Coriolis term points the other way.", "zh": "科氏加速度反向。"}),
@@ -82,8 +85,8 @@ def held(part: Part, value: float):
 @pytest.mark.parametrize(
     ("value", "percent", "ids"),
     [
-        (-1.25, 100, ()), (-1.275, 100, ()), (-1.225, 100, ()), (-1.2751, 50, ()), (-1.3125, 50, ()), (-1.32, None, None),
-        (1.25, 0, ("omega-sense",)), (1.2251, 0, ("omega-sense",)), (-2.0, 0, ("wrong-length",)), (0.0, None, None),
+        (-1.25, 100, ()), (-1.275, 100, ()), (-1.225, 100, ()), (-1.2751, None, None),
+        (1.25, 50, ("omega-sense",)), (1.2251, 50, ("omega-sense",)), (1.2249, None, None), (-2.0, 0, ("wrong-length",)), (0.0, None, None),
     ],
 )  # fmt: skip
 def test_alternatives(value, percent, ids):
@@ -92,24 +95,31 @@ def test_alternatives(value, percent, ids):
     assert (found and found.ids) == ids
 
 
-def test_right_numbers_come_first_then_rings_then_mistakes_by_tolerance():
-    there = alternatives(SET.questions[0], ALPHA)
+def test_right_numbers_come_first_then_the_other_sense_then_mistakes_by_tolerance():
+    there = alternatives(SET.questions[0], replace(ALPHA, has_sense=True))
     assert [one.percent for one in there] == [100, 50, 0, 0]
     assert there[2].tolerance < there[3].tolerance
+    assert [one.percent for one in alternatives(SET.questions[0], ALPHA)] == [100, 0, 0]
 
 
 def test_a_mistake_that_touches_the_right_value_is_left_out():
     assert all("too-near" not in one.ids for one in alternatives(SET.questions[0], ALPHA))
 
 
-def test_the_ring_leaves_the_middle_of_a_mistake():
-    near = Part("v", 10.0, 1.0, "", 1.0, (Wrong(("m",), 12.4, 0.4, {"en": "m", "zh": "m"}),))
-    assert held(near, 12.1).percent == 50
-    assert held(near, 12.2).ids == held(near, 12.4).ids == held(near, 12.8).ids == ("m",)
-    assert held(near, 7.85).percent == 50
-    assert held(near, 7.7) is None
-    touching = Part("v", 10.0, 1.0, "", 1.0, (Wrong(("m",), 12.01, 1.0, {"en": "m", "zh": "m"}),))
-    assert (held(touching, 11.3).percent, held(touching, 11.6).ids) == (50, ("m",))
+@pytest.mark.parametrize("name", ["ex3-1", "ex3-5", "p3-14"])
+def test_a_number_is_worth_what_it_is_to_grade(name):
+    """Right, wrong but for its sense, or wrong: whatever is handed in alone, off by whatever part of the tolerance."""
+    mechanism = graphkin.load(name)
+    marker = Marker(grading.key_for(mechanism))
+    question = question_of("s1", marker.key, {"en": "?", "zh": "?"})
+    for part, entry in zip(question.parts, (one for one in marker.key.entries if one.points), strict=True):
+        factor = EDGE[entry.unit].factor
+        values = [sign * entry.right + off * entry.allowed for sign in (1, -1) for off in (-2.4, -1.1, -0.9, 0, 0.9, 1.1, 2.4)]
+        works = [StudentWork(str(k), {entry.text: HandedNumber(value)}) for k, value in enumerate(values)]
+        for value, marked in zip(values, marker.mark(works), strict=True):
+            (one,) = (each for each in marked.judged if each.text == entry.text)
+            there = (a for a in alternatives(question, part) if a.holds(Decimal(repr(value * factor))))
+            assert next((a.percent for a in there), 0) == 100 * one.credit, (entry.text, value)
 
 
 def test_mistakes_that_give_the_same_are_said_together():
@@ -122,7 +132,7 @@ def test_mistakes_that_give_the_same_are_said_together():
 def test_any_right_number_counts():
     part = Part("theta 3", 170.0, 1.0, "deg", 1.0, (), also=(-190.0,))
     assert held(part, -190.4).percent == 100
-    assert held(part, -192.0).percent == 50
+    assert held(part, -192.0) is None
 
 
 @pytest.mark.parametrize("bad", [float("nan"), float("inf")])
@@ -136,7 +146,7 @@ def test_a_key_without_a_number_is_refused(bad, tmp_path: Path):
 
 def test_a_mistake_without_a_number_is_passed_over():
     part = Part("v", 1.0, 0.1, "", 1.0, (Wrong(("m",), float("nan"), 0.1, {}), Wrong(("m",), 2.0, float("inf"), {})))
-    assert [one.percent for one in alternatives(SET.questions[0], part)] == [100, 50]
+    assert [one.percent for one in alternatives(SET.questions[0], part)] == [100]
 
 
 # --- Moodle -----------------------------------------------------------------------------------
@@ -149,13 +159,11 @@ def test_moodle_grades(kind, lang, tmp_path: Path):
     for field, part in zip(fields, (OMEGA, ALPHA), strict=True):
         assert field.weight == part.points
         assert field.grade(part.number)[0] == 1
-        ring, said = field.grade(part.number - 1.6 * part.tolerance)
-        assert ring == 0.5
-        assert said
+        assert field.grade(part.number - 1.01 * part.tolerance) == (0, "")
         for wrong in part.wrongs:
             if wrong.ids != ("too-near",):
                 share, said = field.grade(wrong.number)
-                assert share == 0
+                assert share == (0.5 if wrong.ids == ("omega-sense",) else 0)
                 assert wrong.mistake[lang].rstrip(".。") in shown(said)
         assert field.grade(1e6) == (0, "")
 
@@ -218,7 +226,7 @@ def test_moodle_tells_the_mistakes_of_a_key(name, tmp_path: Path):
     """A library mechanism's own key: what tells its mistakes is there, and the right values are right."""
     mechanism = graphkin.load(name)
     asked = [read(mechanism, text) for text in (*mechanism.ask, f"theta {mechanism.moving[-1]}")]
-    key = grading.key_for(mechanism, quantities=asked, points={quantity.text: 1.0 for quantity in asked})
+    key = grading.key_for(mechanism, quantities=asked)
     question = question_of("s1", key, {"en": "?", "zh": "?"})
     asked = [entry for entry in key.entries if entry.points]
     (found,) = imported(written(tmp_path, "moodle", ProblemSet("r", [question])))
@@ -231,9 +239,9 @@ def test_moodle_tells_the_mistakes_of_a_key(name, tmp_path: Path):
         assert ids or entry.sort == "angle"
         for wrong in part.wrongs:
             first = next((one for one in there if one.holds(Decimal(repr(wrong.number)))), None)
-            if first is not None and first.percent == 0:
+            if first is not None and first.percent < 100:
                 share, said = field.grade(wrong.number)
-                assert share == 0
+                assert share == first.percent / 100
                 assert "consistent with" in said
                 assert wrong.ids[0] in first.ids
             else:
@@ -257,7 +265,7 @@ def test_moodle_takes_any_text(text, tmp_path_factory: pytest.TempPathFactory):
     for kind in ("moodle", "moodle-numerical"):
         (question,) = imported(written(folder, kind, problems))
         (field,) = question.fields
-        assert [one.fraction for one in field.answers] == [1, 0.5, 0]
+        assert [one.fraction for one in field.answers] == [1, 0]
         assert visible(f"[{text}]") in " ".join(shown(field.grade(5.0)[1]).split())
         assert visible(f"[{text}]") in " ".join(shown(re.sub("</?p>", " ", question.text)).split())
     for kind in ("qti", "csv", "xuexitong"):

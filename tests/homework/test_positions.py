@@ -183,7 +183,7 @@ def test_platforms_and_the_text_have_every_position(key: Key):
     mechanism = moved("ex3-1")
     assert [part.name for part in parts if "omega 3" in part.name] == ["omega 3", "omega 3 #2", "omega 3 #3"]
     for lang in ("en", "zh"):
-        text = problem(mechanism, "s1", (), {}, lang)  # type: ignore[arg-type]
+        text = problem(mechanism, "s1", (), lang)  # type: ignore[arg-type]
         assert "#2" in text
         assert "AB = 67°" in text
         values: dict[str, Any] = {}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from itertools import combinations, islice
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -17,9 +17,8 @@ from graphkin import files as loading
 from graphkin.cli import main
 from graphkin.files import library
 from graphkin.homework.grading import key_for
-from graphkin.homework.grading.keys import marking_of
+from graphkin.homework.grading.keys import KEYS, USUAL, marking_of
 from graphkin.homework.problems import draws, read_template, roster, variants, well_posed
-from graphkin.homework.problems.draws import DrawingSizes
 from graphkin.homework.problems.posed import shown_at
 from graphkin.marking.discriminability import (
     Always,
@@ -28,9 +27,11 @@ from graphkin.marking.discriminability import (
     mistake_visibility,
     set_discriminability,
 )
-from graphkin.marking.key import KeyEntry
+from graphkin.marking.key import TELLS, KeyEntry, part_off
+from graphkin.model.quantities import at_position
 from graphkin.running import replay_all
 from graphkin.say.tolerances import discriminability_lines
+from graphkin.sheet import scales_of
 
 SENSE, SIZE = (KeyEntry(text, "rad/s", sort, 10.0, 0.1, 0.3) for text, sort in (("omega 3", "sense"), ("v C", "size")))
 NAN = float("nan")
@@ -125,17 +126,18 @@ def template(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_the_problems_taken_are_the_better_ones(template: Path):
-    read_one, goal = read_template(template), draws._Goal.of(read_template(template), "1")
+    read_one, goal = read_template(template), draws._Goal.of(read_template(template), "1", USUAL)
     found = variants(read_one, roster("12"), "1")
-    first = [next(draws._sample(read_one, f"other {k}")) for k in range(12)]
-    usual = [goal.always.told(goal.visibility(one)).lost for one in first]
+    others = (one for one in draws._sample(read_one, "others", USUAL).values() if one is not None)
+    usual = [goal.always.told(one.tells).lost for one in others if goal.against(one) is None]
+    assert len(usual) > 5
     assert np.mean([one.told.lost for one in found]) < np.mean(usual)
 
 
 def test_no_answer_of_a_neighbour_is_right(template: Path):
     read_one = read_template(template)
-    goal, problems = draws._Goal.of(read_one, "1"), [well_posed(v.mechanism) for v in variants(read_one, roster("12"), "1")]
-    for one, other in combinations([goal.visibility(posed) for posed in problems if not isinstance(posed, str)], 2):
+    problems = [draws._drawn(read_one, v.numbers, USUAL) for v in variants(read_one, roster("12"), "1")]
+    for one, other in combinations([drawn.tells for drawn in problems if not isinstance(drawn, str)], 2):
         assert np.any(np.abs(one.right - other.right) > np.minimum(one.tolerance, other.tolerance))
 
 
@@ -167,14 +169,84 @@ def test_what_a_set_tells_in_chinese(template: Path):
     assert not any("正确作图" in line for line in lines), "no problem was tried"
 
 
-def test_scales_are_about_those_of_the_sheet(tmp_path: Path):
-    """Without laying out a sheet for each problem."""
-    (tmp_path / "a.toml").write_text(TEXT, encoding="utf-8")
-    some = list(islice(draws._sample(read_template(tmp_path / "a.toml"), "1"), 5))
-    paper = DrawingSizes.of(some[:3])
-    for posed in some:
-        about, right = paper.marking(posed).scales, marking_of(posed.method).scales
-        assert all(0.4 < about[key] / right[key] < 2.5 for key in right)
+# --- what a pencil can tell --------------------------------------------------------------------
+
+
+def parts(mechanism) -> dict[str, float]:
+    """What may be off of each answer that the mechanism's key asks for, as a part of it."""
+    keys = key_for(mechanism).positions
+    each = ((at_position(e.text, at), e) for at, key in enumerate(keys, 1) for e in key.entries if e.points)
+    return {text: part_off(e, mechanism.usual.size(e.unit)) for text, e in each}
+
+
+CRANKS = """ask = ["omega 3", "alpha 3", "v C"]
+frame = { name = "4", A = [0, 0], D = [80, 0] }
+links.1.AB = { from = 20, to = 36, step = 1 }
+links.2.BC = 70
+links.3.DC = 60
+driver = [{ vector = "AB", angle = { from = 0, to = 355, step = 5 }, omega = 10 }]
+sketch.C = [80, 60]
+"""
+
+
+@pytest.fixture(scope="module")
+def four_bars(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("template") / "cranks.toml"
+    path.write_text(CRANKS, encoding="utf-8")
+    return path
+
+
+def test_a_pencil_tells_every_answer_and_all_about_as_well(four_bars: Path):
+    """By the key that is made of the student's own file: some of the template's problems are told badly, none of the set."""
+    read_one = read_template(four_bars)
+    sample = [one for one in draws._sample(read_one, "1", USUAL).values() if one is not None]
+    assert max(max(one.parts.values()) for one in sample) > TELLS
+    found = [parts(loading.loads(variant.mechanism.text)) for variant in variants(read_one, roster("6"), "1")]
+    for question in read_one.mechanism([0, 0]).ask:
+        own = [one[question] for one in found]
+        assert max(own) <= TELLS
+        assert max(own) < 3 * min(own)
+
+
+def test_further_positions_are_told_as_well(four_bars: Path, tmp_path: Path):
+    path = tmp_path / "two.toml"
+    path.write_text(CRANKS.replace("omega = 10", "also = [100], omega = 10"), encoding="utf-8")
+    found = [parts(variant.mechanism) for variant in variants(read_template(path), roster("1"), "1")]
+    assert len(found[0]) == 6
+    assert max(max(one.values()) for one in found) <= TELLS
+
+
+def test_numbers_that_promise_well_are_tried_first(four_bars: Path):
+    read_one = read_template(four_bars)
+    goal = draws._Goal.of(read_one, "1", USUAL)
+    tries = [(length, angle) for length in range(0, 17, 4) for angle in range(0, 72, 6)]
+    good = []
+    for numbers in goal.likely_first(tries):
+        drawn = draws._drawn(read_one, numbers, USUAL)
+        good.append(not isinstance(drawn, str) and goal.against(drawn) is None)
+    assert sorted(goal.likely_first(tries)) == tries
+    assert sum(good[:15]) > 2 * sum(good[-15:])
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_a_question_that_no_pencil_tells_is_named(lang, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    for name in ("_TRIES", "_SAMPLE_TRIES"):
+        monkeypatch.setattr(draws, name, 15)
+    path = tmp_path / "it.toml"
+    path.write_text(CRANKS.replace("from = 0, to = 355", "from = 60, to = 100"), encoding="utf-8")
+    args = ["problems", str(path), "--students", "1", "-o", str(tmp_path / "set"), "--lang", lang]
+    result = CliRunner().invoke(main, [*args, "--pencil", "2,2"])
+    assert result.exit_code == 3
+    assert re.search(r"(omega 3|alpha 3) (to within|的允差至少为) \d\d%", result.stderr)
+    assert not (tmp_path / "set").exists()
+    assert CliRunner().invoke(main, args).exit_code == 0
+
+
+def test_scales_are_in_the_file_and_its_sheet_has_room(four_bars: Path):
+    (variant,) = variants(read_template(four_bars), roster("1"), "1")
+    stated, method = variant.mechanism.scales, api.plan(variant.mechanism)
+    assert sorted(stated) == ["acceleration", "length", "velocity"]
+    assert {KEYS[plane]: scale for plane, scale in scales_of(method, replay_all(method), "en").items()} == stated
 
 
 # --- figures ----------------------------------------------------------------------------------

@@ -213,7 +213,7 @@ def test_angles_count_modulo_a_turn():
 
 
 def test_points_of_questions():
-    key = key_for(api.load("ex3-1"), points={"omega 3": 3.0, "alpha 3": 1.0})
+    key = key_for(replace(api.load("ex3-1"), ask=("omega 3", "alpha 3"), worth={"omega 3": 3.0}))
     found = Marker(key).mark([StudentWork("s", {"omega 3": HandedNumber(-3.92)})])[0]
     assert found.score == pytest.approx(0.75)
     assert [one.text for one in found.judged] == ["omega 3", "alpha 3"]

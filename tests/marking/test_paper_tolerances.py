@@ -19,15 +19,17 @@ from graphkin.errors import GraphkinError
 from graphkin.files import library
 from graphkin.homework.grading import key_for, marking_of
 from graphkin.marking.answers import readable
-from graphkin.marking.key import Key, KeyEntry
-from graphkin.marking.key_making import half_digit
+from graphkin.marking.key import TELLS, Key, KeyEntry, part_off
+from graphkin.marking.key_making import asked_alone, half_digit, parts_off
 from graphkin.marking.marker import Marker
 from graphkin.marking.pencil import Slips, _on_paper, drawn_positions, seed_of
 from graphkin.marking.records import HandedNumber, StudentWork
 from graphkin.marking.tolerances import Drawings, pencil_of, spread, tolerances
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.pairs import Slide
+from graphkin.outputs.study_json import tolerance_data
 from graphkin.planning import Method, plan
+from graphkin.running import replay_all
 from graphkin.running.path import turned
 from graphkin.say.tolerances import tolerance_lines
 
@@ -80,6 +82,27 @@ def test_a_dead_point_is_said_in_both_languages(place: str) -> None:
     assert found.failed > 0.05
     assert "near a dead point: paper cannot tell this value" in rows["en"]
     assert "接近死点，图上无法确定该值" in rows["zh"]
+
+
+@pytest.mark.parametrize(("place", "larger"), [("ex3-7", True), ("s3-shaper", False)])
+def test_an_answer_that_no_problem_asks_is_named(place: str, larger: bool) -> None:
+    """With the scales at which it might be asked, where there are any; no other asked answer is."""
+    key, method = marker(place).key, marker(place).method
+    found, usual = tolerances(key, method), method.mechanism.usual
+    wide = [e.text for e in key.entries if e.points and part_off(e, usual.size(e.unit)) > TELLS]
+    assert [*found.untold] == wide == ["alpha 4"]
+    part, told = found.untold["alpha 4"]
+    for lang, words in (("en", "`graphkin problems` asks no such value"), ("zh", "graphkin problems 不考查这样的量")):
+        (line,) = (line for line in tolerance_lines(found, lang) if words in line)
+        assert f"{part:.1%}" in line
+        assert ("μ_v" in line) is larger
+    data = tolerance_data(found)["quantities"]
+    assert isinstance(data, dict)
+    assert data["alpha 4"] == data["alpha 4"] | {"part": part, "told at scales": told}
+    for scales in ({name: scale / 5 for name, scale in key.marking.scales.items()}, told):
+        if scales is not None:
+            entries = asked_alone(method, replay_all(method), marking_of(method, scales=scales))[1]
+            assert (parts_off(method, entries)["alpha 4"] <= TELLS) is larger
 
 
 def handed(one: Marker, factor: float) -> Iterator[tuple[KeyEntry, str, float]]:

@@ -14,10 +14,10 @@ from graphkin.base.geometry import number, place
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
 from graphkin.errors import BadKey, GraphkinError, NoFile, NoKeyAtPosition, NothingToMark, Unreadable, Where
-from graphkin.files import from_dict
-from graphkin.marking.answers import asked_of
+from graphkin.files import from_dict, loads
+from graphkin.marking.answers import asked_of, readable
 from graphkin.marking.key import Key, Marking
-from graphkin.marking.key_making import make_key
+from graphkin.marking.key_making import allowed_anew, make_key
 from graphkin.model.kinematic_state import Motions
 from graphkin.model.mechanism import FRAME, Driver, Mechanism, Pose
 from graphkin.model.quantities import Quantity
@@ -28,6 +28,7 @@ from graphkin.results import driver_values
 from graphkin.running import replay_all
 
 _LARGEST = 64 << 20
+_PAGE = complex(130.0, 97.0)  # of any figure that is drawn as large as a page allows [mm]
 _SAME = 1e-6  # values of both mechanisms that differ by a smaller part, of the largest of their kind, are the same
 KEYS: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
@@ -38,12 +39,14 @@ class Pencils:
 
     length_mm, angle_deg   standard deviations of a length laid off or read, and of a direction
     sigmas     how many standard deviations are right; relative: a part of the right value instead, where it is not 0
+    said       which of these hold for a key that is stored, too, in place of its own
     """
 
     length_mm: float = 0.25
     angle_deg: float = 0.25
     sigmas: float = 3.0
     relative: float = 0.0
+    said: tuple[str, ...] = ()
 
 
 USUAL = Pencils()
@@ -53,27 +56,44 @@ def key_from(source: str, pencils: Pencils = USUAL) -> Key:
     """A key.json, or a key made of a mechanism file or a library mechanism. Raises what loading and planning raise,
     BadKey, NothingToMark."""
     path = Path(source)
-    return key_file(path) if path.suffix.lower() == ".json" else key_for(api.load(source), pencils)
+    return remade(key_file(path), pencils) if path.suffix.lower() == ".json" else key_for(api.load(source), pencils)
 
 
-def key_for(
-    mechanism: Mechanism, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = (),
-    points: Mapping[str, float] | None = None,
-) -> Key:  # fmt: skip
+def remade(key: Key, pencils: Pencils) -> Key:
+    """A stored key by what was said of the pencil and of what is allowed. With another pencil it is drawn up anew from
+    its own file, at its own scales; else each tolerance is made anew of the scatter that it has."""
+    own = key.marking
+    if not pencils.said:
+        return key
+    sigmas = pencils.sigmas if "sigmas" in pencils.said else own.sigmas
+    relative = pencils.relative if {"sigmas", "relative"} & {*pencils.said} else own.relative
+    marking = replace(own, sigmas=sigmas, relative=relative)
+    mechanism = loads(key.text, name=key.name)
+    if "length_mm" in pencils.said:
+        lengths: dict[str, float] = {plane: pencils.length_mm * own.scales[scale] for plane, scale in KEYS.items()}
+        marking = replace(marking, lengths=lengths, angle=math.radians(pencils.angle_deg))
+        method, points = api.plan(mechanism, key.coincident), {entry.text: entry.points for entry in key.entries}
+        quantities = [q for text in points if (q := readable(mechanism, text)) is not None]
+        made = make_key(method, marking, quantities)
+        entries = [replace(entry, points=points.get(entry.text, 0.0)) for entry in made.entries]
+        made = replace(made, entries=tuple(entries), text=key.text, title=key.title)
+    else:
+        made = replace(key, marking=marking, entries=allowed_anew(key.entries, marking, mechanism.usual))
+    return replace(made, further=tuple(remade(further, pencils) for further in key.further))
+
+
+def key_for(mechanism: Mechanism, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = ()) -> Key:
     """The key of a mechanism, which both roads must give, with one for each further position that it asks for, at the
     same scales. Raises NothingToMark, NoKeyAtPosition."""
     method = api.plan(mechanism)
-    key = key_drawn(method, pencils, quantities, points)
-    further = (make_key(there, key.marking, quantities, points) for there in further_methods(method))
+    key = key_drawn(method, pencils, quantities)
+    further = (make_key(there, key.marking, quantities) for there in further_methods(method))
     return replace(key, further=tuple(further))
 
 
-def key_drawn(
-    method: Method, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = (),
-    points: Mapping[str, float] | None = None,
-) -> Key:  # fmt: skip
+def key_drawn(method: Method, pencils: Pencils = USUAL, quantities: Sequence[Quantity] = ()) -> Key:
     """The key of the drawn position alone. Raises NothingToMark."""
-    key = make_key(method, marking_of(method, pencils), quantities, points)
+    key = make_key(method, marking_of(method, pencils), quantities)
     if not any(entry.points for entry in key.entries):
         raise NothingToMark(method.mechanism.where("ask"))
     return key
@@ -91,7 +111,22 @@ def marking_of(method: Method, pencils: Pencils = USUAL, scales: Mapping[str, fl
             of_sheet = scales_of(method, plot, "en")
             scales = {key: float(of_sheet[plane]) for plane, key in KEYS.items()}
     lengths: dict[str, float] = {plane: pencils.length_mm * scales[key] for plane, key in KEYS.items()}
-    return Marking(lengths, math.radians(pencils.angle_deg), dict(scales), pencils.sigmas, pencils.relative)
+    angle, follows = math.radians(pencils.angle_deg), method.mechanism.follows
+    return Marking(lengths, angle, dict(scales), pencils.sigmas, pencils.relative, follows)
+
+
+def page_scales(method: Method, plot: Plot) -> dict[str, float]:
+    """The file's own scales; others are the finest at which a figure has room on a page, lying or standing."""
+    from graphkin.sheet.composition import Planes
+    from graphkin.sheet.paper import finest
+    from graphkin.sheet.window import PLANES, corners
+
+    planes, scales = Planes(method, plot, PLANES, "construction", "en"), {}
+    for plane, key in KEYS.items():
+        low, high = corners(planes.values(plane))
+        finest_ones = (finest(high - low, room) for room in (_PAGE, complex(_PAGE.imag, _PAGE.real)))
+        scales[key] = method.mechanism.scales.get(key) or min(finest_ones)
+    return scales
 
 
 def key_file(path: Path) -> Key:

@@ -15,7 +15,7 @@ from functools import cached_property
 from pathlib import Path
 
 from graphkin.errors import BadKey, GraphkinError, Where
-from graphkin.homework.grading.keys import USUAL, Pencils, key_file, key_from, text_of
+from graphkin.homework.grading.keys import USUAL, Pencils, key_file, key_from, remade, text_of
 from graphkin.homework.grading.neighbours import Neighbours
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Marked
@@ -120,10 +120,10 @@ def _one_key(name: str, packed: bytes) -> SetMarker:
 
 
 class KeySet(SetMarker):
-    """The keys of a set, by student; `files` are beside the set's own file, `path`."""
+    """The keys of a set, by student; `files` are beside the set's own file, `path`, and hold but for `pencils`."""
 
-    def __init__(self, path: Path, files: Mapping[str, str]) -> None:
-        self.path, self.files = path, dict(files)
+    def __init__(self, path: Path, files: Mapping[str, str], pencils: Pencils = USUAL) -> None:
+        self.path, self.files, self.pencils = path, dict(files), pencils
         self._made: dict[str, Marker] = {}
 
     def marker(self, student: str) -> Marker | None:
@@ -131,7 +131,8 @@ class KeySet(SetMarker):
             return None
         marker = self._made.get(student)
         if marker is None:
-            marker = self._made[student] = Marker(key_file(self.path.parent / self.files[student]))
+            key = remade(key_file(self.path.parent / self.files[student]), self.pencils)
+            marker = self._made[student] = Marker(key)
             for old in list(self._made)[:-_KEPT]:
                 self._made.pop(old, None)
         return marker
@@ -148,20 +149,20 @@ class KeySet(SetMarker):
 
     @cached_property
     def _print(self) -> str:
-        return fingerprint(json.dumps(self.files))
+        return fingerprint(json.dumps(self.files), repr(self.pencils))
 
     def key_print(self, student: str) -> str:
         """Of the key's file; of one who is not of the class, of the list of the class."""
         try:
-            return fingerprint((self.path.parent / self.files[student]).read_bytes())
+            return fingerprint((self.path.parent / self.files[student]).read_bytes(), repr(self.pencils))
         except (KeyError, OSError):
             return self._print
 
     def __reduce__(self) -> tuple[Callable[..., SetMarker], tuple[object, ...]]:
-        return _key_set, (str(self.path), self._print)
+        return _key_set, (str(self.path), self._print, self.pencils)
 
     @classmethod
-    def read(cls, path: Path, data: Mapping[str, object]) -> KeySet:
+    def read(cls, path: Path, data: Mapping[str, object], pencils: Pencils = USUAL) -> KeySet:
         """Raises BadKey."""
         students = data.get("students")
         if data.get("format") != FORMAT or not isinstance(students, dict):
@@ -169,11 +170,11 @@ class KeySet(SetMarker):
         for student, name in students.items():
             if not isinstance(name, str) or Path(name).name != name:
                 raise BadKey(Where(str(path)), f"students: {student}")
-        return cls(path, students)
+        return cls(path, students, pencils)
 
 
-def _key_set(path: str, name: str) -> SetMarker:
-    return _ready((path, name), lambda: KeySet.read(Path(path), json.loads(text_of(Path(path)))))
+def _key_set(path: str, name: str, pencils: Pencils) -> SetMarker:
+    return _ready((path, name), lambda: KeySet.read(Path(path), json.loads(text_of(Path(path))), pencils))
 
 
 def set_text(files: Mapping[str, str]) -> str:
@@ -195,5 +196,5 @@ def judge_from(source: str, pencils: Pencils = USUAL) -> SetMarker:
         except (ValueError, RecursionError):
             data = None  # the reader of one key says what is wrong
         if isinstance(data, dict) and data.get("kind") == KIND:
-            return KeySet.read(path, data)
+            return KeySet.read(path, data, pencils)
     return OneKey(Marker(key_from(str(path) if path.suffix else source, pencils)))

@@ -1,15 +1,16 @@
 """The answers to a number, in the order in which they are tried: the one value that every format of a set writes.
 
-The first alternative within its tolerance counts, as in Moodle: right ones first, then a ring of half credit, then
-mistakes, the narrowest first. The ring leaves the middle half of a mistake, so that a mistake's number finds its words;
-a mistake that cannot be told from the right value is left out.
+The first alternative within its tolerance counts, as in Moodle: right ones first, then half of the points for the right
+one with the other sense, as `grade` gives, then mistakes, the narrowest first. A mistake that cannot be told from the
+right value is left out.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from decimal import ROUND_DOWN, Decimal
+from dataclasses import replace
+from decimal import Decimal
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang, NoRightNumber
@@ -18,8 +19,6 @@ from graphkin.homework.platforms.result import texts_in
 from graphkin.homework.platforms.tables import points, rounded, tolerated
 from graphkin.say.catalogue import say
 from graphkin.say.marks import joined
-
-RING = Decimal("2.5")  # half of the points are given within so many tolerances
 
 
 @frozen
@@ -46,8 +45,12 @@ def alternatives(question: Question, part: Part) -> tuple[Alternative, ...]:
     tolerance = tolerated(part.tolerance)
     right = [Alternative(rounded(number, part.tolerance), tolerance, 100) for number in (part.number, *part.also)]
     wrongs = _told_apart(right, _mistakes(part.wrongs))
-    rings = [ring for one in right if (ring := _ring(one, wrongs)) is not None]
-    return (*right, *rings, *wrongs)
+    if not part.has_sense:
+        return (*right, *wrongs)
+    other = Alternative(-right[0].number, tolerance, 50)
+    alike = [one for one in wrongs if other.holds(one.number)]
+    ids = tuple(dict.fromkeys(id for one in alike for id in one.ids))
+    return (*right, replace(other, ids=ids, mistakes=tuple(text for one in alike for text in one.mistakes)), *wrongs)
 
 
 def most(question: Question) -> Decimal:
@@ -58,7 +61,7 @@ def most(question: Question) -> Decimal:
 def sentence(alternative: Alternative, lang: Lang) -> str:
     """The answer to a number, in words."""
     if not alternative.ids:
-        return say("feedback.right" if alternative.percent == 100 else "feedback.ring", lang)
+        return say("feedback.right" if alternative.percent == 100 else "feedback.other sense", lang)
     mistake = joined(texts_in(alternative.mistakes, lang), lang)
     return say("feedback.stop", lang, text=say("feedback.number consistent", lang, mistake=mistake))
 
@@ -77,7 +80,7 @@ def _mistakes(wrongs: Iterable[Wrong]) -> list[Alternative]:
     for k, wrong in enumerate(wrongs):
         if math.isfinite(wrong.number) and math.isfinite(wrong.tolerance) and wrong.tolerance >= 0:
             number, tolerance = rounded(wrong.number, wrong.tolerance), tolerated(wrong.tolerance)
-            one = Alternative(number, tolerance, wrong.percent, wrong.ids, (wrong.mistake,))
+            one = Alternative(number, tolerance, 0, wrong.ids, (wrong.mistake,))
             same = (wrong.ids, wrong.form, f"{wrong.number:.9g}") if wrong.form else (k,)
             if same not in mistakes or _length(one) < _length(mistakes[same]):
                 mistakes[same] = one
@@ -101,18 +104,5 @@ def _told_apart(right: Sequence[Alternative], mistakes: Sequence[Alternative]) -
         if not any(before.number == one.number and before.tolerance == one.tolerance for before in answers):
             ids = tuple(dict.fromkeys(name for other in alike for name in other.ids))
             texts = tuple(text for other in alike for text in other.mistakes)
-            percent = max(other.percent for other in alike)
-            answers.append(Alternative(one.number, one.tolerance, percent, ids, texts))
+            answers.append(Alternative(one.number, one.tolerance, 0, ids, texts))
     return tuple(answers)
-
-
-def _ring(one: Alternative, wrongs: Sequence[Alternative]) -> Alternative | None:
-    """Half of the points about a right number; not in the middle half of a mistake; none where that is nothing more."""
-    edges = [abs(one.number - wrong.number) - wrong.tolerance / 2 for wrong in wrongs]
-    reach = one.tolerance * RING
-    if edges and min(edges) <= reach:
-        edge = min(edges)
-        step = Decimal(1).scaleb((one.tolerance or edge).adjusted() - 3)
-        reach = edge.quantize(step, ROUND_DOWN)
-        reach = reach if reach < edge else reach - step
-    return Alternative(one.number, reach, 50) if reach > one.tolerance else None

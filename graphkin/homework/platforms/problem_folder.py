@@ -14,7 +14,7 @@ from typing import ClassVar
 from graphkin.api import plan
 from graphkin.errors import CannotWrite, GraphkinError, Lang
 from graphkin.homework.grading import SetMarker, key_for, set_text
-from graphkin.homework.grading.keys import USUAL
+from graphkin.homework.grading.keys import USUAL, Pencils
 from graphkin.homework.platforms.question import ProblemSet, question_of
 from graphkin.homework.platforms.set_formats import SETS
 from graphkin.homework.problems import Template, Variant
@@ -44,7 +44,7 @@ _MARKS = [MARK.encode(), b'"kind": "graphkin key']
 
 def write_problems(
     folder: Path, template: Template, variants: tuple[Variant, ...], seed: str, lang: Lang, force: bool = False,
-    keys: bool = True,
+    keys: bool = True, pencils: Pencils = USUAL,
 ) -> Iterator[Path]:  # fmt: skip
     """Writes NAME.toml, .txt, .svg and .key.json for each student, then key.json, by which the whole set is marked,
     set.mistakes.txt, which mistakes its answers tell apart, and set.json; gives each path when it is whole.
@@ -67,11 +67,11 @@ def write_problems(
         for suffix, text in _handed_out(template, variant, name, lang).items():
             yield _write(folder / f"{name}{suffix}", text, force)
         if keys:
-            key = key_for(variant.mechanism, points=template.points or None)
+            key = key_for(variant.mechanism, pencils)
             if len(rates) < _TRIED:  # right work by pencil, what is asked handed in: parts judged wrong, and mistaken
                 rates.append(alarms(Marker(key), [entry.text for entry in key.entries if entry.points]))
             yield _write(folder / f"{name}{KEY}", key_text(key), force)
-    power = set_discriminability([variant.told for variant in variants], (USUAL.length_mm, USUAL.angle_deg), rates)
+    power = set_discriminability([variant.told for variant in variants], (pencils.length_mm, pencils.angle_deg), rates)
     if keys:
         yield _write(folder / TOLD, "\n".join((*discriminability_lines(power, lang), "", MADE, "")), force)
         index = {student: f"{name}{KEY}" for student, name in names.items()}
@@ -143,8 +143,8 @@ def _handed_out(template: Template, variant: Variant, name: str, lang: Lang) -> 
         drawing[FIGURE] = begin + inline(problem_sheet(method, shown[0], lang)) + "\n"
     figure = ("", True) if shown is None else (f"{name}{FIGURE}", shown[1])
     others = [text for _, text in own.names]
-    text = problem(variant.mechanism, own.id, others, template.points, lang, variant.drawn, *figure)
-    return {".toml": head + template.text(variant.numbers), ".txt": text, **drawing}
+    text = problem(variant.mechanism, own.id, others, lang, variant.drawn, *figure)
+    return {".toml": head + variant.mechanism.text, ".txt": text, **drawing}
 
 
 def _write(path: Path, text: str, force: bool) -> Path:
@@ -167,5 +167,6 @@ def _listed(
         file, own = f"{names[variant.student.id]}.toml", dict(variant.student.names)
         students[variant.student.id] = {"file": file, "names": own, "values": values, "shared": variant.shared}
     whole: dict[str, object] = {"format": 1, "program": MARK, "template": template.name, "seed": seed}
-    whole |= {"points": dict(template.points), "told": told_data(told), "students": students}
+    points = dict(variants[0].mechanism.worth) if variants else {}
+    whole |= {"points": points, "told": told_data(told), "students": students}
     return json.dumps(whole, ensure_ascii=False, indent=1, allow_nan=False) + "\n"

@@ -1,7 +1,7 @@
 """A problem set as QTI 1.2 in a zip, as Canvas takes it in; PrairieLearn and Brightspace read the same.
 
 An assessment a student, a `numerical_question` a number. Canvas gives all points for any answer that an item lists, so
-only right numbers are listed: no ring, no mistakes. It rounds answers below 0.0001 to 0.
+only right numbers are listed: no halves, no mistakes. It rounds answers below 0.0001 to 0.
 """
 
 from __future__ import annotations

@@ -22,7 +22,6 @@ class Wrong:
     """A number that follows from a known mistake.
 
     ids      of mistakes that all give it; mistake: in words, to stand after `is consistent with`
-    percent  of the points that it is still worth
     form     what was taken instead: mistakes of one id and form that give one number cannot be told apart by it
     """
 
@@ -30,7 +29,6 @@ class Wrong:
     number: float
     tolerance: float
     mistake: Text
-    percent: int = 0
     form: str = ""
 
 
@@ -40,7 +38,7 @@ class Part:
 
     name    as it is read: "omega 3"; `label`: as it is printed
     number  the right one, in `unit`; `also`: others that are as right, such as an angle and a turn more
-    points  for a right number
+    points  for a right number; has_sense: half of them for its opposite
     """
 
     name: str
@@ -51,6 +49,7 @@ class Part:
     wrongs: tuple[Wrong, ...] = ()
     also: tuple[float, ...] = ()
     label: str = ""
+    has_sense: bool = False
 
     @property
     def heading(self) -> str:
@@ -83,11 +82,13 @@ def question_of(id: str, key: Key, text: Text) -> Question:
             if not entry.points:
                 continue
             name, unit = at_position(entry.text, at), EDGE[entry.unit]
-            # an angle is as right with a turn more or less
-            also = (entry.right - math.copysign(math.tau, entry.right),) if entry.sort == "angle" else ()
+            # an angle is as right with a turn more or less, a size with a minus
+            others = {"angle": entry.right - math.copysign(math.tau, entry.right), "size": -entry.right}
+            also = (others[entry.sort],) if entry.sort in others else ()
             parts.append(Part(
                 name, entry.right * unit.factor, entry.allowed * unit.factor, unit.sign, entry.points,
                 tuple(_wrongs(here, column, entry)), tuple(number * unit.factor for number in also),
+                has_sense=entry.sort == "sense" and entry.doubt in ("", "steep") and abs(entry.right) > entry.tolerance,
             ))  # fmt: skip
     return Question(id, text, tuple(parts))
 

@@ -5,25 +5,28 @@ Only when two students would get the same problem does the list of students matt
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
+import math
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import islice
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
-from graphkin.construction import Plane
 from graphkin.errors import GraphkinError, NoVariant, Where
-from graphkin.homework.grading.keys import KEYS, marking_of
+from graphkin.homework.grading.keys import USUAL, Pencils, further_methods, marking_of, page_scales
 from graphkin.homework.problems.posed import PosedProblem, Refused, answers, well_posed
 from graphkin.homework.problems.roster import Student
 from graphkin.homework.problems.template import Template
 from graphkin.marking.discriminability import LOOKED_AT, Always, Discriminability, MistakeVisibility, mistake_visibility
-from graphkin.marking.key import Marking
+from graphkin.marking.key import TELLS, Marking
+from graphkin.marking.key_making import AskedAnswers, asked_alone, parts_off
 from graphkin.model.mechanism import Mechanism
+from graphkin.model.quantities import at_position
+from graphkin.running import replay_all
 from graphkin.running.drawn_sides import DrawnSides, drawn_sides
 
 _TRIES = 200
@@ -32,9 +35,14 @@ _APART = 60  # so many draws look for numbers that no other student has; then we
 _DISTINCT = 0.02
 """Two problems whose answers all differ by a smaller part, or by less than paper allows, are like each other."""
 _FAILS = 0.02  # where more of the drawings with a pencil do not close, a dead point is too near
-_SAMPLE, _SAMPLE_TRIES = 9, 60
-"""So many problems show how well mistakes can be told apart in a template; of so many draws at most."""
-_LAID_OUT = 3  # so many sheets of the sample are laid out, for the usual size of a drawing
+_SAMPLE, _TOLD, _SAMPLE_TRIES = 24, 9, 150
+"""So many problems show how accurate a template's answers are, and so many of those that are alike how well mistakes
+can be told apart; of so many draws at most."""
+_LIKE = math.log(3) / 2
+"""What may be off of answers to one question, as parts of them, differs by a smaller logarithm from the usual part, so
+that for two students it differs by less than a factor of 3."""
+_PRINTED = 0.01  # a smaller part is that of three printed digits, and is like any other
+_FAR, _STIFF = 2.0, 0.1  # that logarithm of problems that are none; and how little guesses follow single problems
 
 
 @frozen
@@ -55,10 +63,12 @@ class Variant:
     shared: bool = False
 
 
-def variants(template: Template, students: Sequence[Student], seed: str) -> tuple[Variant, ...]:
+def variants(
+    template: Template, students: Sequence[Student], seed: str, pencils: Pencils = USUAL
+) -> tuple[Variant, ...]:
     """In the order of the students. Raises NoVariant, and what is wrong with the template itself."""
     order = sorted(students, key=lambda student: hashlib.sha256(_bytes(seed, student.id)).digest())
-    others, goal = _GivenOut(), _Goal.of(template, seed)
+    others, goal = _GivenOut(), _Goal.of(template, seed, pencils)
     own = {student.id: _variant(template, student, seed, others, goal) for student in order}
     return tuple(own[student.id] for student in students)
 
@@ -67,19 +77,21 @@ def _variant(template: Template, student: Student, seed: str, others: _GivenOut,
     """The student's draw that is unlike the others' and hides the fewest mistakes."""
     refused: Counter[Refused] = Counter()
     good: list[tuple[Variant, _ProblemAnswers]] = []
-    for attempt in range(_TRIES):
-        numbers = _numbers(template, student.id, seed, attempt)
+    tries = goal.likely_first([_numbers(template, student.id, seed, attempt) for attempt in range(_TRIES)])
+    for attempt, numbers in enumerate([*tries, *tries[:_APART]]):  # at last those that others have, too
         draw = _posed(template, student, numbers, others, goal, attempt < _APART)
         if isinstance(draw, str):
-            refused[draw] += 1
+            refused[draw] += attempt < _TRIES
             if draw == "assembly" and attempt + 1 == refused[draw] == _HOPELESS:
-                well_posed(template.mechanism(numbers))  # raises what is wrong with the template
+                _drawn(template, numbers, goal.pencils)  # raises what is wrong with the template
             continue
         good.append(draw)
         if draw[0].shared or len(good) == LOOKED_AT or draw[0].told.lost <= goal.lost:
             break
     if not good:
-        raise NoVariant(Where(template.file), student.id[:60], _TRIES, tuple(refused.most_common()))
+        question, part = max(others.least.items(), key=lambda item: item[1], default=("", 0.0))
+        untold = (question, part) if part > TELLS else ("", 0.0)
+        raise NoVariant(Where(template.file), student.id[:60], _TRIES, tuple(refused.most_common()), *untold)
     best, own = min(good, key=lambda pair: (pair[0].shared, pair[0].told.lost))
     others.numbers.add(best.numbers)
     others.answers.append(own)
@@ -95,51 +107,149 @@ def _posed(
     if numbers in others.refused:
         return others.refused[numbers]
     try:
-        mechanism = template.mechanism(numbers)
-        posed = well_posed(mechanism)
+        drawn = _drawn(template, numbers, goal.pencils)
     except GraphkinError:
         return "assembly"
-    if isinstance(posed, str) or (tells := goal.visibility(posed)).failed > _FAILS:
-        others.refused[numbers] = posed if isinstance(posed, str) else "dead point"
-        return others.refused[numbers]
+    if isinstance(drawn, str):
+        others.refused[numbers] = drawn
+        return drawn
+    others.least |= {text: min(part, others.least.get(text, part)) for text, part in drawn.parts.items()}
+    if (against := goal.against(drawn)) is not None:
+        others.refused[numbers] = against
+        return against
+    posed, tells = drawn.posed, drawn.tells
     own = _ProblemAnswers(answers(posed), tells.right, tells.tolerance)
     shared = others.have(numbers, own)
     if shared and apart:
+        others.numbers.add(numbers)
         return "taken"
     sides = drawn_sides(posed.method, posed.drawn)
-    return Variant(student, numbers, mechanism, sides, goal.always.told(tells), shared), own
+    return Variant(student, numbers, posed.method.mechanism, sides, goal.always.told(tells), shared), own
+
+
+@frozen
+class _DrawnProblem:
+    """A problem at the scales that its file states.
+
+    asked  what a pencil allows of its answers at the drawn position, as of `asked_alone`
+    parts  of each answer at any position: what may be off
+    """
+
+    posed: PosedProblem
+    marking: Marking
+    asked: AskedAnswers
+    parts: Mapping[str, float]
+
+    @cached_property
+    def tells(self) -> MistakeVisibility:
+        """The mistakes that the answers at the drawn position tell apart."""
+        return mistake_visibility(self.posed.method, self.posed.drawn, self.marking, self.asked)
+
+
+def _drawn(template: Template, numbers: tuple[int, ...], pencils: Pencils) -> _DrawnProblem | Refused:
+    """The problem with these numbers, or what is against it. Raises what loading and solving raise."""
+    posed = well_posed(template.mechanism(numbers))
+    if isinstance(posed, str):
+        return posed
+    marking = marking_of(posed.method, pencils, page_scales(posed.method, posed.drawn))
+    # its pencil errs as that of its key does, by the text of its file
+    mechanism = template.mechanism(numbers, marking.scales)
+    posed = replace(posed, method=replace(posed.method, mechanism=mechanism))
+    asked = asked_alone(posed.method, posed.drawn, marking)
+    parts = parts_off(posed.method, asked[1])
+    for at, there in enumerate(further_methods(posed.method), 2):
+        some = parts_off(there, asked_alone(there, replay_all(there), marking)[1])
+        parts |= {at_position(text, at): part for text, part in some.items()}
+    return _DrawnProblem(posed, marking, asked, parts)
 
 
 @frozen
 class _Goal:
-    """The best a template can do: its paper, mistakes that are always the same, how many its better problems lose."""
+    """The best a template can do.
 
-    paper: DrawingSizes
+    always  mistakes that are always the same; lost: how many its better problems lose
+    usual   of each question: the part of the answer that may be off in the problem that most are like
+    counts  of the values of each range; weights: of terms of the numbers (terms, questions), for a guess of how far
+            the parts are from the usual ones, so that few problems are solved in vain
+    """
+
+    pencils: Pencils
     always: Always
     lost: int
+    usual: Mapping[str, float]
+    counts: Array
+    weights: Array
 
     @classmethod
-    def of(cls, template: Template, seed: str) -> _Goal:
+    def of(cls, template: Template, seed: str, pencils: Pencils) -> _Goal:
         """By problems that are nobody's."""
-        sample = list(islice(_sample(template, seed), _SAMPLE))
-        paper = DrawingSizes.of(sample)
-        tellings = [mistake_visibility(one.method, one.drawn, paper.marking(one)) for one in sample]
+        tried = _sample(template, seed, pencils)
+        sample = [one for one in tried.values() if one is not None]
+        most = TELLS / math.exp(_LIKE)
+        centres = [{text: min(part, most) for text, part in each.parts.items()} for each in sample]
+        usual = max(centres, key=lambda one: sum(_alike(one, each.parts) for each in sample), default={})
+        tellings = [each.tells for each in sample if _alike(usual, each.parts)][:_TOLD]
         always = Always(tellings)
         lost = sorted(always.told(each).lost for each in tellings)
-        return cls(paper, always, lost[(len(lost) - 1) // 3] if lost else 0)
+        best = lost[(len(lost) - 1) // 3] if lost else 0
+        counts = np.array([each.count for each in template.ranges])
+        none = dict.fromkeys(usual, _FAR)
+        off = [[*(none if one is None else _beside(usual, one.parts)).values()] for one in tried.values()]
+        terms = _terms(np.array([*tried]) / counts)
+        stiff = terms.T @ terms + _STIFF * np.eye(terms.shape[1])
+        weights = np.linalg.solve(stiff, terms.T @ np.clip(off, -_FAR, _FAR))
+        return cls(pencils, always, best, usual, counts, weights)
 
-    def visibility(self, posed: PosedProblem) -> MistakeVisibility:
-        """The mistakes that the answers at the drawn position tell apart."""
-        return mistake_visibility(posed.method, posed.drawn, self.paper.marking(posed))
+    def likely_first(self, tries: Sequence[tuple[int, ...]]) -> list[tuple[int, ...]]:
+        """Numbers whose problem should be like the usual one first, each in their order; others, the nearest first."""
+        off = np.abs(_terms(np.array(tries) / self.counts) @ self.weights).max(axis=1, initial=0.0)
+        return [tries[k] for k in np.argsort(np.maximum(off, _LIKE), kind="stable")]
+
+    def against(self, one: _DrawnProblem) -> Refused | None:
+        """What is against a problem by what a pencil can do."""
+        if one.asked[2] > _FAILS:
+            return "dead point"
+        if any(part > TELLS for part in one.parts.values()):
+            return "untold"
+        return None if _alike(self.usual, one.parts) else "unlike"
 
 
-def _sample(template: Template, seed: str) -> Iterator[PosedProblem]:
-    """Problems of a template that are nobody's."""
+def _terms(numbers: Array) -> Array:
+    """Terms of numbers (.., n) from 0 to 1 for a smooth function of them: products of up to two, and waves."""
+    x = np.column_stack([np.ones(len(numbers)), 2 * numbers - 1])
+    pairs = (x[:, :, None] * x[:, None, :])[:, *np.triu_indices(x.shape[1])]
+    turns = np.pi * x[:, 1:]
+    return np.column_stack([pairs, *(wave(k * turns) for k in (1, 2, 3) for wave in (np.sin, np.cos))])
+
+
+def _beside(usual: Mapping[str, float], parts: Mapping[str, float]) -> dict[str, float]:
+    """Logarithms of the parts beside the usual ones."""
+    return {text: math.log(max(parts[text], _PRINTED) / max(part, _PRINTED)) for text, part in usual.items()}
+
+
+def _alike(usual: Mapping[str, float], parts: Mapping[str, float]) -> bool:
+    """True where no part is so far from the usual one that two such might be unlike each other."""
+    return all(abs(off) < _LIKE for off in _beside(usual, parts).values())
+
+
+def _sample(template: Template, seed: str, pencils: Pencils) -> dict[tuple[int, ...], _DrawnProblem | None]:
+    """Numbers that are nobody's with their problem, none where they are no good: as many as show enough."""
+    tried: dict[tuple[int, ...], _DrawnProblem | None] = {}
+    told = failed = 0
     for attempt in range(_SAMPLE_TRIES):
-        with contextlib.suppress(GraphkinError):
-            posed = well_posed(template.mechanism(_numbers(template, "", seed, attempt)))
-            if not isinstance(posed, str):
-                yield posed
+        numbers = _numbers(template, "", seed, attempt)
+        if numbers in tried or told == _SAMPLE or failed == len(tried) == _HOPELESS:
+            continue
+        tried[numbers] = None
+        try:
+            drawn = _drawn(template, numbers, pencils)
+        except GraphkinError:
+            failed += 1
+            continue
+        if not isinstance(drawn, str):
+            tried[numbers] = drawn
+            told += max(drawn.parts.values(), default=0.0) <= TELLS
+    return tried
 
 
 def _numbers(template: Template, student: str, seed: str, attempt: int) -> tuple[int, ...]:
@@ -164,10 +274,12 @@ class _ProblemAnswers:
 
 
 class _GivenOut:
-    """Numbers and answers that other students have; and numbers that are no good problem, each with why."""
+    """Numbers and answers that other students have, or nearly; numbers that are no good problem, each with why; and the
+    least part of each answer that may be off in any problem."""
 
     def __init__(self) -> None:
         self.refused: dict[tuple[int, ...], Refused] = {}
+        self.least: dict[str, float] = {}
         self.numbers: set[tuple[int, ...]] = set()
         self.answers: list[_ProblemAnswers] = []
 
@@ -187,34 +299,3 @@ def _any_alike(others: Array, own: Array, part: float, off: Array | float) -> bo
     """True where all answers (n,) are those of one of the others (problems, n), but for a part of them or so much."""
     reach = np.maximum(part * np.maximum(np.abs(others), np.abs(own)), off)
     return bool(np.any(np.all(np.abs(others - own) <= reach, axis=1)))
-
-
-# --- the paper that a template's problems fit on, without laying out the sheet of each --------------------------------
-
-
-@frozen
-class DrawingSizes:
-    """The usual size of a drawing on paper [mm], by plane."""
-
-    sizes: Mapping[Plane, float]
-
-    @classmethod
-    def of(cls, some: Sequence[PosedProblem]) -> DrawingSizes:
-        """Of the sheets of a few problems."""
-        laid_out = [(one, marking_of(one.method).scales) for one in some[:_LAID_OUT]]
-        return cls({
-            plane: float(np.median([_across(one, plane) / scales[key] for one, scales in laid_out] or [100.0]))
-            for plane, key in KEYS.items()
-        })  # fmt: skip
-
-    def marking(self, posed: PosedProblem) -> Marking:
-        """The pencil's errors at the file's scales or at those that make this problem's drawings as large."""
-        own = {key: _across(posed, plane) / self.sizes[plane] for plane, key in KEYS.items()}
-        return marking_of(posed.method, scales={**own, **posed.method.mechanism.scales})
-
-
-def _across(posed: PosedProblem, plane: Plane) -> float:
-    """The longest distance between points of a plane along an axis [SI]; 1 where all are one."""
-    points = np.array([complex(z) for z in posed.drawn.points(plane).values()])
-    points = points[np.isfinite(points)]
-    return float(max(np.ptp(points.real), np.ptp(points.imag))) or 1.0 if points.size else 1.0

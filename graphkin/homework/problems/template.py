@@ -1,8 +1,5 @@
 """A template: a mechanism file in which numbers may be ranges, `AB = { from = 20, to = 30, step = 1 }`.
 
-    [points]                 # what each question is worth; left out, 1 each
-    "omega 3" = 2
-
 Ranges stand wherever a number does: lengths, angles, speeds, with units as texts (`from = "60 rpm"`). A variant is the
 template's own text with numbers in their places: comments and layout stay.
 """
@@ -16,15 +13,14 @@ from pathlib import Path
 
 from graphkin import files as loading
 from graphkin.base.value import frozen
-from graphkin.errors import BrokenToml, NoRange, NotATemplate, OutOfRange, UnknownQuantity, Where
+from graphkin.errors import BrokenToml, NoRange, NotATemplate, Where
 from graphkin.files.source import read_text, read_toml
-from graphkin.files.toml import parsed
+from graphkin.files.toml import parsed, replaced_values
 from graphkin.model.mechanism import Mechanism
 
 _SPAN = re.compile(r"""\{(?:[^{}"'#]|"[^"\n]*"|'[^'\n]*')*\}""")
-_HEADER = re.compile(r"^[ \t]*\[", re.M)
-_POINTS = re.compile(r"^[ \t]*\[[ \t]*points[ \t]*\][^\n]*\n?", re.M)
 _NUMBER = re.compile(r"\s*([+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(.*?)\s*", re.S)
+_SCALES = re.compile(r"^[ \t]*(?:\[[ \t]*)?scales\b", re.M)
 _MARK = 7_310_000_000_000
 MOST = 100_000  # values that one range has at most
 
@@ -58,46 +54,43 @@ class Template:
     """A template's text taken apart.
 
     pieces  the text between the ranges, one more than there are ranges
-    points  what each question is worth, by the question as the file asks it
     """
 
     name: str
     file: str
     pieces: tuple[str, ...]
     ranges: tuple[TemplateRange, ...]
-    points: Mapping[str, float]
 
-    def text(self, numbers: Sequence[int]) -> str:
-        """The mechanism file with the value of each range that has this number."""
+    def text(self, numbers: Sequence[int], scales: Mapping[str, float] | None = None) -> str:
+        """The mechanism file with the value of each range that has this number, and with these scales of the paper."""
         values = [each.value(number) for each, number in zip(self.ranges, numbers, strict=True)]
-        return "".join(part for pair in zip(self.pieces, [*values, ""], strict=True) for part in pair)
+        text = "".join(part for pair in zip(self.pieces, [*values, ""], strict=True) for part in pair)
+        if not scales:
+            return text
+        if _SCALES.search(text):
+            return replaced_values(text, {("scales", key): scale for key, scale in scales.items()})
+        return f"{text.rstrip()}\n\n[scales]\n" + "".join(f"{key} = {scale}\n" for key, scale in scales.items())
 
-    def mechanism(self, numbers: Sequence[int]) -> Mechanism:
+    def mechanism(self, numbers: Sequence[int], scales: Mapping[str, float] | None = None) -> Mechanism:
         """Raises what loading raises."""
-        return loading.loads(self.text(numbers), name=self.name, file=self.file)
+        return loading.loads(self.text(numbers, scales), name=self.name, file=self.file)
 
 
 def read_template(path: Path) -> Template:
-    """Raises NotATemplate, NoRange, UnknownQuantity, and what reading a mechanism file raises."""
+    """Raises NotATemplate, NoRange, and what reading a mechanism file raises."""
     file = str(path)
     text = read_text(path).removeprefix("\ufeff")
-    document, lines = read_toml(text, file)
-    points = document.get("points", {})
-    bare = text
-    if "points" in document and (start := _POINTS.search(text)) is not None:  # a mechanism file has none
-        after = _HEADER.search(text, start.end())
-        bare = text[: start.start()] + (text[after.start() :] if after is not None else "")
-    spans = list(_ranges_in(bare))
+    _, lines = read_toml(text, file)
+    spans = list(_ranges_in(text))
     if not spans:
         raise NotATemplate(Where(file))
-    paths = _places(bare, spans, file)
-    tables = (parsed(f"x = {bare[start:end]}")["x"] for start, end in spans)
+    paths = _places(text, spans, file)
+    tables = (parsed(f"x = {text[start:end]}")["x"] for start, end in spans)
     keys = (Where(file, lines.get(path), ".".join(map(str, path))) for path in paths)
     ranges = tuple(_range(table, path, where) for table, path, where in zip(tables, paths, keys, strict=True))
-    edges = [0, *(edge for span in spans for edge in span), len(bare)]
-    pieces = tuple(bare[start:end] for start, end in zip(edges[::2], edges[1::2], strict=True))
-    worth = _worth(points, document, Where(file, lines.get(("points",)), "points"))
-    return Template(path.stem, file, pieces, ranges, worth)
+    edges = [0, *(edge for span in spans for edge in span), len(text)]
+    pieces = tuple(text[start:end] for start, end in zip(edges[::2], edges[1::2], strict=True))
+    return Template(path.stem, file, pieces, ranges)
 
 
 def _ranges_in(text: str) -> Iterator[tuple[int, int]]:
@@ -158,16 +151,3 @@ def _sized(value: object) -> tuple[Decimal, str]:
     if not abs(number) < Decimal(10) ** 12:
         raise ValueError
     return number, match[2]
-
-
-def _worth(points: object, document: Mapping[str, object], where: Where) -> dict[str, float]:
-    asks = document.get("ask", [])
-    asked = [question for question in asks if isinstance(question, str)] if isinstance(asks, list) else []
-    if not isinstance(points, dict):
-        raise OutOfRange(where, str(points)[:40])
-    if unknown := [name for name in points if name not in asked]:
-        raise UnknownQuantity(where, unknown[0], tuple(asked))
-    for worth in points.values():
-        if isinstance(worth, bool) or not isinstance(worth, int | float) or not 0 <= worth < 1e6:
-            raise OutOfRange(where, str(worth)[:40])
-    return {question: float(points.get(question, 1.0)) for question in asked}

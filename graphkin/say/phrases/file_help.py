@@ -34,6 +34,8 @@ PHRASES: Phrases = {
     "file_page.as in slide": ("{keys}: as in [[slide]]", "{keys}：同 [[slide]]"),
     "file_page.table file": ("The whole file: what it says of itself, then the tables below.", "整个文件：先是说明，然后是以下各表。"),
     "file_page.table title": ("One title in each language, in place of a text.", "每种语言一个名称，代替一段文字。"),
+    "file_page.table points": ("For homework: what each answer is worth, questions as keys; 1 where nothing is said.",
+                               "用于作业：各答案的分值，以所求量的写法为键；未写者为 1 分。"),
     "file_page.table frame": ("The fixed link, with its fixed points as further keys.", "机架，各固定点直接作为键。"),
     "file_page.table link": ("A moving link. Its points are those its keys name, and its shape is given by lengths "
                              "and angles, or by `shape`.",
@@ -101,6 +103,11 @@ PHRASES: Phrases = {
                               "faces.",
                               "各动点的大致位置：用来选定装配形式，以及滚轮、平底在直线的哪一侧（side）。"),
     "file_keys.file scales": ("Paper scales; one left out is chosen to fill the sheet.", "图纸比例尺；省略时自动选取。"),
+    "file_keys.file points": ("What answers are worth.", "各答案的分值。"),
+    "file_keys.points follows": ('An answer that follows rightly from a wrong one counts "full" (if left out), "half" '
+                                 'or "none".',
+                                 '由前面的错误数值正确推出的答案：得全部（full，省略时）、一半（half）或不得分（none）。'),
+    "file_keys.points *": ("Points of an answer, by its text in `ask`.", "某一答案的分值，键为 ask 中的写法。"),
     "file_keys.title en": ("The English title.", "英文名称。"),
     "file_keys.title zh": ("The Chinese title.", "中文名称。"),
     "file_keys.frame name": ("The frame's own number, for instant centres; 0 if left out. Other tables call it "

@@ -19,8 +19,9 @@ PHRASES: Phrases = {
     "problems.find": ("Find graphically:", "用图解法求："),
     "problems.points one": (" ({points:g} point)", "（{points:g} 分）"),
     "problems.points many": (" ({points:g} points)", "（{points:g} 分）"),
-    "problems.hand in": ("Hand in a text file with these lines, a number behind each; senses as signs or as ccw, cw:",
-                         "请提交含下列各行的文本文件，在每行后填写数值；转向用正负号或“逆时针”“顺时针”表示："),
+    "problems.hand in": ("Hand in a text file with these lines, a number of three significant digits behind each; senses as "
+                         "signs or as ccw, cw:",
+                         "请提交含下列各行的文本文件，在每行后填写数值（三位有效数字）；转向用正负号或“逆时针”“顺时针”表示："),
     "problems.positions": ("Positions, each to be solved; behind a quantity #2 says at which (the first needs no "
                            "number):",
                            "下列各位置均须求解；量后的 #2 表示所在位置（第一个位置不必注明）："),
@@ -41,7 +42,7 @@ PHRASES: Phrases = {
     "problems.table cam": ("Cam pair", "凸轮副"),
     "problems.table driver": ("Driver", "原动件"),
     "problems.table pose": ("Drawn position", "作图位置"),
-    "problems.table scales": ("Scales", "比例尺"),
+    "problems.table scales": ("Scales (m, m/s, m/s² on 1 mm of paper)", "比例尺（图上 1 mm 代表的 m、m/s、m/s²）"),
     # keys of a table; names of points and lengths stand for themselves
     "problems.key name": ("name", "名称"),
     "problems.key points": ("points", "点"),
@@ -124,8 +125,7 @@ PHRASES: Phrases = {
                                 "{student} 有 override，但不在本次提交中；已保留该 override。"),
     # === what a student is told of a submission, and of a number on a platform
     "feedback.right": ("Right.", "正确。"),
-    "feedback.ring": ("Close, but less exact than a careful drawing allows. Half of the points.",
-                      "接近，但精度低于仔细作图所能达到的。得一半分。"),
+    "feedback.other sense": ("Right but for its sense (sign). Half of the points.", "除转向（符号）外正确。得一半分。"),
     "feedback.number consistent": ("This number is consistent with: {mistake}", "此数与下述错误相符：{mistake}"),
     "feedback.not marked why": ("not marked: {reason}", "未评阅：{reason}"),
     "feedback.no reason": ("no reason is given", "未说明原因"),

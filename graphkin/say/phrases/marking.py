@@ -67,6 +67,13 @@ PHRASES: Phrases = {
     "tolerances.column worst step": ("what costs it most", "影响最大的一步"),
     "tolerances.steep": ("; near a dead point: not in proportion to the errors", "；接近死点，与作图误差不成比例"),
     "tolerances.asked": ("* is asked for; the others are on the way.", "* 为所求量，其余为中间量。"),
+    "tolerances.untold": ("{quantity} may be off by {part} of it, more than {most}: `graphkin problems` asks no such "
+                          "value. {advice}",
+                          "{quantity} 的允差达其值的 {part}，超过 {most}，graphkin problems 不考查这样的量。{advice}"),
+    "tolerances.larger": ("Drawn larger it would be told: {scales}.", "图作大些即可：{scales}。"),
+    "tolerances.no larger": ("No larger drawing helps enough: ask for another value or another position, or take a "
+                             "finer pencil.",
+                             "放大作图也不够：请改求其他量、换一个位置，或用更细的铅笔。"),
     "tolerances.costs": ("What costs most accuracy, over all that is asked (one error at a time):",
                          "各步对所求量精度的影响（逐项计算）："),
     "tolerances.step position point": ("position: point {of1} of link {of0} laid off", "位置图：在构件 {of0} 上定出点 {of1}"),

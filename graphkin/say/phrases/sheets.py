@@ -52,7 +52,7 @@ PHRASES: Phrases = {
     "handouts.figure given": ("The mechanism to scale, with what is given: {title}", "按比例绘制的机构运动简图及已知条件：{title}"),
     "handouts.figure drawn": ("{what} of the mechanism, to scale: {title}", "按比例绘制的{what}：{title}"),
     "handouts.scales": ("Scales to use", "取比例尺"),
-    "handouts.your answers": ("Your answers", "答案栏"),
+    "handouts.your answers": ("Your answers, to three significant digits", "答案栏（三位有效数字）"),
     "handouts.quantity": ("quantity", "量"),
     "handouts.answer": ("answer", "答案"),
     "handouts.unit": ("unit", "单位"),
