@@ -122,11 +122,21 @@ class Own(PolygonHand):
         return self._own((plane, self.poles[plane], point), right, drawn_only=True)
 
     def corner(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
-        if self.calculates and {("omega", step.link), ("alpha", step.link)} & self.turned:
-            fixed = next((corner for corner, node in zip(step.corners, step.base, strict=False)
-                          if node == self.poles[plane]), "")  # fmt: skip
-            plot.met[plane, step.point] = right = turned_about(plot, plane, step, fixed)
+        if self.calculates:
+            plot.met[plane, step.point] = right = self._calculated(plot, plane, step, right)
         return self._own((plane, self.poles[plane], step.point), right)
+
+    def _calculated(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+        """A further point by own rotations: the centre of a wheel by that of the arm which bears it."""
+        wheel, points = plot.wheels.get(step.link), plot.points(plane)
+        if wheel is not None and wheel.centre == step.corners[2] and plane == "velocity":
+            rate = self.rotations.get(("omega", wheel.arm), np.nan)
+            pivot = points.get(plot.corners.get((plane, wheel.pivot), ""), 0j)
+            return _where_given(pivot + 1j * rate * plot.arm(wheel.pivot, wheel.centre), right)
+        if not {("omega", step.link), ("alpha", step.link)} & self.turned:
+            return right
+        at_pole = (known for known, node in zip(step.corners, step.base, strict=False) if node == self.poles[plane])
+        return turned_about(plot, plane, step, next(at_pole, ""))
 
     def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Real) -> Real:
         """omega = v / l with the own v."""
@@ -355,7 +365,8 @@ class CarriedProblem:
         return right
 
     def _rotations(self, given: np.ndarray, used: np.ndarray) -> OwnRotations:
-        return own_rotations(self.method, self.plot, self.quantities, self.table.right, given, used)
+        right = agrees(self.table, given, self.table.right, self.table.tolerance)
+        return own_rotations(self.method, self.plot, self.quantities, self.table.right, given, used, right)
 
     def _otherwise(
         self, given: np.ndarray, used: np.ndarray
