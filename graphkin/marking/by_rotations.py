@@ -38,10 +38,10 @@ class OwnRotations:
 
 def own_rotations(
     method: Method, plot: Plot, quantities: Sequence[Quantity], right: np.ndarray,
-    given: np.ndarray, used: np.ndarray, agree: np.ndarray,
+    given: np.ndarray, used: np.ndarray, agree: np.ndarray, backwards: bool = False,
 ) -> OwnRotations:  # fmt: skip
     """Of given values that are used (students, quantities); right ones (quantities,). Those that agree with the right
-    ones (students, quantities) follow from none."""
+    ones (students, quantities) follow from none. backwards: by the last of several contacts first."""
     turns = plot.facts.turns
     rates: dict[Rate, OffRate] = {}
     stays: dict[Rate, np.ndarray] = {}
@@ -51,7 +51,8 @@ def own_rotations(
             own = OffRate(np.where(used[:, k], given[:, k] - right[k], np.nan), frozenset({k}))
             rates[rate] = _either(rates.get(rate), own)
     wheels: dict[Rate, OffRate] = {}
-    for *others, (wheel, radius) in _contacts(method, turns) if rates else ():  # one after another
+    contacts = [*_contacts(method, turns)] if rates else []
+    for *others, (wheel, radius) in reversed(contacts) if backwards else contacts:  # one after another
         for word in ("omega", "alpha"):
             parts = [(rates[word, base], r) for base, r in others if (word, base) in rates]
             if parts:
