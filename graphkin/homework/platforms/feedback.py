@@ -11,7 +11,7 @@ from graphkin.errors import Lang
 from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.result import Result, ResultLine, ResultPicture, Suspicion, texts_in
 from graphkin.homework.platforms.tables import exponentless
-from graphkin.marking.diagnosis import Habit
+from graphkin.marking.diagnosis import SLIP, Habit
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
 from graphkin.model.quantities.reading import respelled
@@ -159,7 +159,7 @@ def habit(one: Habit, lang: Lang) -> str:
 
 
 def _hints(one: Suspicion | Habit, lang: Lang) -> list[str]:
-    topics = dict.fromkeys(MISTAKES[id].topic for id in one.ids if id in MISTAKES)
+    topics = dict.fromkeys(SLIP if id == SLIP else MISTAKES[id].topic for id in one.ids if id in (SLIP, *MISTAKES))
     return [mistake_hint(topic, lang) for topic in topics]
 
 
