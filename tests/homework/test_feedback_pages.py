@@ -304,7 +304,7 @@ def test_a_page_for_each(tmp_path: Path):
 
 
 def test_the_class_figure_says_where_nothing_was_diagnosed():
-    from graphkin.homework.platforms.class_figure import class_figure
+    from graphkin.homework.platforms.class_report import class_figure
     from graphkin.outputs.diagram import settings
 
     with settings():

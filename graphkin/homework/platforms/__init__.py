@@ -16,9 +16,13 @@ are hostile; files are written beside, then renamed; the same input gives the sa
 To add a format: a file with one function, and its line in `set_formats` or `result_formats`.
 """
 
-from graphkin.homework.platforms.alternatives import Alternative, alternatives
-from graphkin.homework.platforms.class_figure import write_class_figure
-from graphkin.homework.platforms.class_report import ClassReport, class_report, report_record, report_text
+from graphkin.homework.platforms.class_report import (
+    ClassReport,
+    class_report,
+    report_record,
+    report_text,
+    write_class_figure,
+)
 from graphkin.homework.platforms.class_table import Overrides, overridden, read_overrides
 from graphkin.homework.platforms.feedback import Feedback, Reveal
 from graphkin.homework.platforms.polygon_pictures import PolygonPictures
@@ -30,7 +34,15 @@ from graphkin.homework.platforms.problem_folder import (
     told_of,
     write_problems,
 )
-from graphkin.homework.platforms.question import Part, ProblemSet, Question, Wrong, question_of
+from graphkin.homework.platforms.question import (
+    Alternative,
+    Part,
+    ProblemSet,
+    Question,
+    Wrong,
+    alternatives,
+    question_of,
+)
 from graphkin.homework.platforms.result import (
     Result,
     ResultLine,

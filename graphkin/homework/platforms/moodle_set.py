@@ -13,9 +13,8 @@ from collections.abc import Sequence
 from math import gcd
 
 from graphkin.errors import Lang
-from graphkin.homework.platforms.alternatives import alternatives, sentence
 from graphkin.homework.platforms.markup import element, in_html, one_line, xml
-from graphkin.homework.platforms.question import Part, ProblemSet, Question
+from graphkin.homework.platforms.question import Part, ProblemSet, Question, alternatives, sentence
 from graphkin.homework.platforms.tables import exponentless, points, printed
 from graphkin.say.catalogue import say
 

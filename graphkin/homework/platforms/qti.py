@@ -12,9 +12,8 @@ from collections.abc import Iterator
 from decimal import Decimal
 
 from graphkin.errors import Lang, NotForPlatform
-from graphkin.homework.platforms.alternatives import alternatives, most
 from graphkin.homework.platforms.markup import element, in_html, one_line, xml
-from graphkin.homework.platforms.question import Part, ProblemSet, Question
+from graphkin.homework.platforms.question import Part, ProblemSet, Question, alternatives, most
 from graphkin.homework.platforms.tables import exponentless, points, printed
 from graphkin.say.catalogue import say
 

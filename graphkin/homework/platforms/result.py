@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import field
 from decimal import ROUND_HALF_UP, Decimal
@@ -12,7 +12,7 @@ from typing import Literal, get_args
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.errors import Lang, NoFile, NotAResult, Unreadable, Where
+from graphkin.errors import NoFile, NotAResult, Unreadable, Where
 from graphkin.homework import Record
 from graphkin.homework.platforms.question import Text
 from graphkin.homework.platforms.tables import HUNDREDTH, points
@@ -125,11 +125,6 @@ class Result:
         if self.total is None or not self.most:
             return None
         return min(Decimal(1), self.total / self.most).quantize(Decimal("0.000001"))
-
-
-def texts_in(texts: Sequence[Text], lang: Lang) -> list[str]:
-    """Texts in a language, or in the other where that is all there is; each once."""
-    return list(dict.fromkeys(text.get(lang) or next(iter(text.values()), "") for text in texts))
 
 
 def from_record(record: Record, where: Where) -> Result:

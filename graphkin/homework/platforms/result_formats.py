@@ -15,8 +15,7 @@ from graphkin.base.value import frozen
 from graphkin.errors import CannotWrite, Lang
 from graphkin.homework.platforms import class_table
 from graphkin.homework.platforms import learning_platforms as platform_files
-from graphkin.homework.platforms.class_figure import write_class_figure
-from graphkin.homework.platforms.class_report import class_report, report_record, report_text
+from graphkin.homework.platforms.class_report import class_report, report_record, report_text, write_class_figure
 from graphkin.homework.platforms.class_table import Overrides, overridden, read_overrides
 from graphkin.homework.platforms.feedback import Feedback, Reveal
 from graphkin.homework.platforms.learning_platforms import Named, canvas, moodle

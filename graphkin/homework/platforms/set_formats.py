@@ -14,9 +14,8 @@ from pathlib import Path
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms import moodle_set, qti
-from graphkin.homework.platforms.alternatives import alternatives, refuse, sentence
 from graphkin.homework.platforms.markup import ZIP_MARKS, element, office_package, one_line, pack, xml
-from graphkin.homework.platforms.question import ProblemSet
+from graphkin.homework.platforms.question import ProblemSet, alternatives, refuse, sentence
 from graphkin.homework.platforms.tables import BOM, exponentless, line, points, printed, write_lines
 from graphkin.outputs.files import beside
 from graphkin.say.catalogue import LANGUAGES, say
