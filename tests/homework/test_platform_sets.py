@@ -27,8 +27,8 @@ from graphkin.errors import GraphkinError, NotForPlatform
 from graphkin.homework import grading
 from graphkin.homework.platforms import SETS, Part, ProblemSet, Question, Wrong, alternatives, question_of, write_set
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.moodle_set import weights
 from graphkin.homework.platforms.question import most
+from graphkin.homework.platforms.set_formats import weights
 from graphkin.homework.platforms.tables import line, points, read_table, unharmed
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import HandedNumber, StudentWork
