@@ -10,8 +10,8 @@ QTI 1.2 in a zip, as Canvas takes it in; PrairieLearn and Brightspace read the s
 listed: no halves, no mistakes. It rounds answers below 0.0001 to 0.
 
 As a table there is a row an answer, with its share of the points and what is said to it. As a Word file for 学习通
-(Chaoxing) a question a number: `1.【填空题】题干`, then `答案：1.25`; the layout is that of an exporter, no official
-one, and has no tolerance: the text says how exact a number is to be.
+(Chaoxing) a question a number: `1.【填空题】题干`, then `答案：1.25`; the layout is that of an exporter, not an
+official one, and has no tolerance: the text says how exact a number is to be.
 """
 
 from __future__ import annotations
