@@ -6,7 +6,6 @@ submission counts, and none that another's name stands in.
 
 from __future__ import annotations
 
-import hashlib
 import os
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
@@ -23,7 +22,7 @@ from graphkin.model.quantities import position_of
 from graphkin.submissions import archives
 from graphkin.submissions.documents import PLAIN_TABLES, SHEETS, StudentDocument, cells_of, csv_cells, listed, rows_of
 from graphkin.submissions.pool import limited
-from graphkin.submissions.submission import Limits, Owner, owner, tidy_id
+from graphkin.submissions.submission import Limits, Owner, fingerprint, owner, tidy_id
 
 LIMITS = Limits()
 
@@ -50,11 +49,8 @@ class Handed:
     @property
     def digest(self) -> str:
         """Of all that it holds, by which a broken-off marking knows it again."""
-        digest = hashlib.sha256(repr((self.owner.student, self.file, self.row)).encode("utf-8", "surrogatepass"))
-        for name, content in self.files:
-            digest.update(repr((name, len(content))).encode("utf-8", "surrogatepass"))
-            digest.update(content)
-        return digest.hexdigest()
+        files = (part for name, content in self.files for part in (name, content))
+        return fingerprint(repr((self.owner.student, self.file, self.row)), *files)
 
 
 def handed_in(paths: Iterable[str | Path], limits: Limits) -> Iterator[Handed]:

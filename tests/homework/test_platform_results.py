@@ -670,9 +670,9 @@ def test_class_report():
     assert dict(coriolis.verdicts) == {"right": 1, "carried": 4}
     assert [(one.ids, count) for one, count in report.mistakes] == [(("wrong-length", "omega-sense"), 3)]
     assert report.ranges == (1, 0, 0, 0, 0, 3, 0, 0, 0, 1)
-    assert (report.lowest, report.highest) == (0, 1)
-    assert float(report.median) == pytest.approx(1.84 / 3.34, abs=1e-6)
-    assert float(report.mean) == pytest.approx((1 + 3 * 1.84 / 3.34) / 5, abs=1e-6)
+    assert (report.spread["lowest"], report.spread["highest"]) == (0, 1)
+    assert float(report.spread["median"]) == pytest.approx(1.84 / 3.34, abs=1e-6)
+    assert float(report.spread["mean"]) == pytest.approx((1 + 3 * 1.84 / 3.34) / 5, abs=1e-6)
     assert json.loads(json.dumps(report_record(report), allow_nan=False))["steps"][0]["first_to_fail"] == 3
 
 

@@ -15,14 +15,14 @@ from pathlib import Path
 from graphkin import errors
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, NoMarks, OwnFault, SaidBefore, Where
-from graphkin.homework import Record
-from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
+from graphkin.homework import opening
+from graphkin.homework.grading.sets import OneKey, SetMarker
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Drawn, Graded, HandedNumber, Marked, StudentWork
 from graphkin.model.quantities import at_position, position_of
-from graphkin.outputs.marks_json import FORMAT, KIND, drawn_of, records_in
+from graphkin.outputs.marks_json import FORMAT, KIND, Record, drawn_of, records_in
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
-from graphkin.submissions.submission import tidy_id
+from graphkin.submissions.submission import fingerprint, tidy_id
 
 _EACH = 0.1  # a batch is marked at once in the time of one submission and so much more for each [s]
 _ONCE_MORE = (OwnFault, errors.TookTooLong, errors.Unreadable, errors.WantsExtra)
@@ -88,16 +88,12 @@ def earlier_reading(record: Record, where: Where) -> Read:
 
 def records_of(path: Path) -> Iterator[Read]:
     """Those of a file of marks, in order. Raises NoFile, Unreadable, NoMarks."""
-    try:
+    with opening(path):
         for number, record in records_in(path):
             where = Where(str(path), number)
             if record is None or record.get("format") != FORMAT:
                 raise NoMarks(where)
             yield earlier_reading(record, where)
-    except FileNotFoundError:
-        raise errors.NoFile(Where(str(path)), path.name, ()) from None
-    except (OSError, UnicodeDecodeError) as problem:
-        raise errors.Unreadable(Where(str(path)), getattr(problem, "strerror", None) or "UTF-8") from None
 
 
 @frozen
@@ -137,7 +133,7 @@ def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -
     if isinstance(item, Read):
         return _read_before(item, judge)
     one = read_one(item, judge.asked if isinstance(judge, OneKey) else judge, limits)
-    prints = (item.digest[:16], reading, asked_print(judge, one.student), judge.key_print(one.student))
+    prints = (item.digest, reading, asked_print(judge, one.student), judge.key_print(one.student))
     notes = (*one.notes, *(value.fault for value in one.values.values() if value.fault is not None))
     handed_in = {  # the reader has spoken of what is no number
         text: HandedNumber(value.value, value.fault is None, None, value.ends is not None and not value.text,

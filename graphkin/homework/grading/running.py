@@ -19,16 +19,16 @@ import graphkin
 from graphkin.base.value import frozen
 from graphkin.base.worklist import ahead
 from graphkin.errors import CannotWrite, NoMarks, OwnFault, Where
-from graphkin.homework import Record
 from graphkin.homework.grading import batch as batches
 from graphkin.homework.grading.batch import Item, Read, StoredRecord, marked
-from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
+from graphkin.homework.grading.sets import OneKey, SetMarker
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Graded
 from graphkin.outputs.files import refuse
-from graphkin.outputs.marks_json import MARKS, records_in, text
+from graphkin.outputs.marks_json import MARKS, Record, records_in, text
 from graphkin.submissions import FirstOnes, Handed, Limits, called, guarded, handed_in
+from graphkin.submissions.submission import fingerprint
 
 _BATCH, _BYTES = 64, 4 << 20
 """Submissions, and bytes of them, that are marked at once; a single one may be larger."""
@@ -205,7 +205,7 @@ def resumed(
 
 def _still_to_do(item: Handed | Read, judge: SetMarker, journal: Journal, options: MarkingOptions) -> Item:
     """The submission, its record of before, or its numbers of before, whichever still holds."""
-    handed, reading = (item.digest[:16], options.reading) if isinstance(item, Handed) else item.prints[:2] or ("", "")
+    handed, reading = (item.digest, options.reading) if isinstance(item, Handed) else item.prints[:2] or ("", "")
     there = journal.records.get(handed) if handed else None
     if there is None:
         return item

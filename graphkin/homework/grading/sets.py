@@ -7,7 +7,6 @@ makes it ready once.
 
 from __future__ import annotations
 
-import hashlib
 import json
 import math
 import os
@@ -27,7 +26,7 @@ from graphkin.marking.key import KeyEntry, columns, columns_of, differences
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Marked
 from graphkin.model.quantities import at_position
-from graphkin.submissions import ReadableProblem
+from graphkin.submissions.submission import ReadableProblem, fingerprint
 
 KIND = "graphkin keys"
 FORMAT = 1
@@ -61,19 +60,6 @@ def asked_by(marker: Marker) -> ReadableProblem:
         for each in marker.positions
     )
     return replace(first, further=tuple(further))
-
-
-def fingerprint(*parts: bytes | str) -> str:
-    """Of some texts, in a few letters.
-
-    >>> fingerprint("a", "b") == fingerprint("a", b"b") != fingerprint("ab")
-    True
-    """
-    whole = hashlib.sha256()
-    for part in parts:
-        data = part.encode("utf-8", "surrogatepass") if isinstance(part, str) else part
-        whole.update(b"%d:" % len(data) + data)
-    return whole.hexdigest()[:16]
 
 
 class OneKey(SetMarker):

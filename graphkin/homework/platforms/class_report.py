@@ -60,7 +60,7 @@ class ClassReport:
     unexplained  how many are wrong somewhere and consistent with no known mistake
     ranges       how many scores in each tenth, the lowest first; the last holds 100 %
     remarks      what the teacher should look at: student, file, remark
-    mean, ..     of the scores, from 0 to 1; None where there are none
+    spread       mean, median, lowest and highest of the scores, from 0 to 1; empty where there are none
     """
 
     marked: int
@@ -74,10 +74,7 @@ class ClassReport:
     unread: tuple[tuple[str, str, str], ...] = ()
     not_read: int = 0
     remarks: tuple[tuple[str, str, str], ...] = ()
-    mean: Decimal | None = None
-    median: Decimal | None = None
-    lowest: Decimal | None = None
-    highest: Decimal | None = None
+    spread: Mapping[str, Decimal] = field(default_factory=dict)
 
 
 def class_report(results: Iterable[Result]) -> ClassReport:
@@ -137,24 +134,24 @@ class _Count:
         ranges = [0] * RANGES
         for score, count in self.scores.items():
             ranges[min(int(score * RANGES), RANGES - 1)] += count
-        status, spread = self.status, list[Decimal]()  # mean, median, lowest, highest; nothing of nothing
+        status, spread = self.status, dict[str, Decimal]()
         if self.scores:
             order, number = sorted(self.scores.elements()), self.scores.total()
             mean = sum((score * count for score, count in self.scores.items()), Decimal(0)) / number
-            spread = [mean, (order[(number - 1) // 2] + order[number // 2]) / 2, order[0], order[-1]]
+            median = (order[(number - 1) // 2] + order[number // 2]) / 2
+            spread = {"mean": mean, "median": median, "lowest": order[0], "highest": order[-1]}
         return ClassReport(
             status["marked"], status["not marked"], status["overridden"], steps, tuple(mistakes),
             status["unexplained"], tuple(ranges), tuple(self.habits.most_common()), tuple(self.unread),
-            status["not read"], tuple(self.remarks), *spread,
+            status["not read"], tuple(self.remarks), spread,
         )  # fmt: skip
 
 
 def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
     """The report in lines."""
     yield say("class_report.marked", lang, marked=report.marked, unmarked=report.unmarked, overridden=report.overridden)
-    spread = {key: getattr(report, key) for key in ("mean", "median", "lowest", "highest")}
-    if report.mean is not None:
-        percent = {key: exponentless((value * 100).quantize(Decimal("0.1"))) for key, value in spread.items()}
+    if report.spread:
+        percent = {key: exponentless((value * 100).quantize(Decimal("0.1"))) for key, value in report.spread.items()}
         yield say("class_report.scores", lang, **percent)
     mistakes = [say("class_report.mistake", lang, mistake=suspected(one, lang), count=n) for one, n in report.mistakes]
     if report.unexplained:
@@ -188,11 +185,11 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
 
 def report_record(report: ClassReport) -> dict[str, Plain]:
     """The report as a JSON object."""
-    spread = {key: getattr(report, key) for key in ("mean", "median", "lowest", "highest")}
+    spread = {key: round(float(value), 6) for key, value in report.spread.items()}
     return {
         "kind": "graphkin", "format": 1, "marked": report.marked, "not_marked": report.unmarked,
         "overridden": report.overridden,
-        **{key: None if value is None else round(float(value), 6) for key, value in spread.items()},
+        **{key: spread.get(key) for key in ("mean", "median", "lowest", "highest")},
         "steps": [
             {"quantity": step.name, "verdicts": dict(step.verdicts), "first_to_fail": step.first,
              "points": float(step.points), "max_points": float(step.most)}

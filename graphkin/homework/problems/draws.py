@@ -18,7 +18,8 @@ import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
-from graphkin.errors import GraphkinError, NoFile, NoStudents, NoVariant, OutOfRange, StudentTwice, Unreadable, Where
+from graphkin.errors import GraphkinError, NoStudents, NoVariant, OutOfRange, StudentTwice, Where
+from graphkin.homework import opening
 from graphkin.homework.grading.keys import USUAL, Pencils, further_methods, marking_of, page_scales
 from graphkin.homework.problems.posed import PosedProblem, Refused, answers, well_posed
 from graphkin.homework.problems.template import Template
@@ -328,13 +329,8 @@ def roster(given: str) -> tuple[Student, ...]:
         wide = len(given)
         return tuple(Student(f"s{number:0{wide}d}") for number in range(1, int(given) + 1))
     path, where = Path(given), Where(given)
-    try:
-        with path.open("rb") as stream:
-            return _students([[str(cell) for cell in row] for _, row in csv_cells(stream, where)], where)
-    except FileNotFoundError:
-        raise NoFile(where, path.name, ()) from None
-    except OSError as problem:
-        raise Unreadable(where, problem.strerror or str(problem)) from None
+    with opening(path), path.open("rb") as stream:
+        return _students([[str(cell) for cell in row] for _, row in csv_cells(stream, where)], where)
 
 
 def _students(rows: list[list[str]], where: Where) -> tuple[Student, ...]:
