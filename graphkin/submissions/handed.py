@@ -32,11 +32,8 @@ class Handed:
     """The files of one student, unread.
 
     owner    who it seems to be; a file may state an id itself
-    file     as results call it
-    place    line of the class table, or the member's name
-    files    names and bytes
-    row      a row of a class table, instead
-    reason   why there is nothing to read
+    file     as results call it; place: line of the class table, or the member's name
+    row      of a class table, instead of files by their names; reason: why there is nothing to read
     """
 
     owner: Owner

@@ -236,12 +236,7 @@ _KEY, _SET = ".key.json", "key.json"
 
 @frozen
 class Problem:
-    """One problem.
-
-    name    "" where there is only one
-    key     as `judge_from` takes it
-    paths   what was handed in
-    """
+    """The name of a problem, "" where there is only one, its key, as `judge_from` takes it, and what was handed in."""
 
     name: str
     key: str
