@@ -77,7 +77,6 @@ class MeasuredDrawing:
     scales      by plane: SI unit per mm, as used; None where none is known
     calibrated  the planes whose scale was taken from their known first vector
     turned      by plane: by how much the drawn polygon stands turned, where it may [rad]
-    where       the file
     remarks     for the teacher: what should be looked at
     """
 
@@ -105,8 +104,7 @@ class Submission:
 
     student  the id; text of any kind, never a path (`safe_name` makes a file's name of it)
     file     as results call it: the path, or `class.zip!folder/answer.svg`
-    values   by question, in the key's words
-    reason   why nothing of it can be marked; `values` is empty then
+    values   by question, in the key's words; reason: why nothing of it can be marked, and there are none
     notes    what was passed over: a question that is none, a second answer to one, a letter that was not found
     place    line of a class table, or name of the member of an archive: under which results go back to the platform
     drawings  what was measured on the drawing of each position, by its number
@@ -212,3 +210,16 @@ def safe_name(student: str) -> str:
         return name
     mark = hashlib.sha256(student.encode("utf-8", "surrogatepass")).hexdigest()[:12]
     return f"{name}-{mark}" if name else mark
+
+
+def fingerprint(*parts: bytes | str) -> str:
+    """Of some texts, in a few letters.
+
+    >>> fingerprint("a", "b") == fingerprint("a", b"b") != fingerprint("ab")
+    True
+    """
+    whole = hashlib.sha256()
+    for part in parts:
+        data = part.encode("utf-8", "surrogatepass") if isinstance(part, str) else part
+        whole.update(b"%d:" % len(data) + data)
+    return whole.hexdigest()[:16]

@@ -7,16 +7,16 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from decimal import ROUND_HALF_UP, Decimal, InvalidOperation
 from pathlib import Path
 
 from graphkin.base.value import frozen
-from graphkin.errors import Lang, NotAnOverride, Unreadable, Where
+from graphkin.errors import BrokenSubmission, Lang, NotAnOverride, Unreadable, Where
 from graphkin.homework.platforms.feedback import habit, suspected
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.result import Result, ResultLine, texts_in
-from graphkin.homework.platforms.tables import HUNDREDTH, Cell, columns_of, read_table
+from graphkin.homework.platforms.question import texts_in
+from graphkin.homework.platforms.result import Result, ResultLine
+from graphkin.homework.platforms.tables import HUNDREDTH, Cell, read_table
 from graphkin.say.catalogue import in_both, say
 from graphkin.say.marks import verdict
 
@@ -109,24 +109,18 @@ class Overrides:
         return tuple(each for each in self.kept if each not in self._met)
 
 
-def overridden(results: Iterable[Result], overrides: Overrides) -> Iterator[Result]:
-    """The results with the teacher's points."""
-    for result in results:
-        yield replace(result, override=overrides.of(result))
-
-
 def read_overrides(path: Path) -> Overrides:
     """The column `override` of a class table; none where there is no table. Raises Unreadable, NotAnOverride."""
     try:
         return Overrides(tuple(_rows(path, read_table(path))))
-    except FileNotFoundError:
+    except (FileNotFoundError, BrokenSubmission):
         return Overrides()
     except OSError as error:
         raise Unreadable(Where(str(path)), error.strerror or str(error)) from None
 
 
 def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Override]:
-    columns = columns_of(next(table, []))
+    columns = {name.strip(): k for k, name in reversed([*enumerate(next(table, []))])}  # the first of several
     student, file, override = (
         next((columns[name] for name in in_both(f"platforms.column {key}").values() if name in columns), None)
         for key in ("student", "file", "override")
