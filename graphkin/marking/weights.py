@@ -112,16 +112,14 @@ class ScaledExplanations:
         """For values (students, n) of which some are wrong, and of these some come from something else."""
         table, one = self.table, self._one
         values, scatters = np.where(one.judged, one.size, np.nan), 1 / np.where(one.judged, one.sharp, np.nan)
-        every = differences(table, given[:, None, :], values) / scatters
+        z, none = differences(table, given[:, None, :], values) / scatters, _none_density(table, given)
         with np.errstate(invalid="ignore"):
-            explained = (np.abs(every) <= FITS) & wrong[:, None, :] & (shifts(table, values) > MOVED)
+            explained = (np.abs(z) <= FITS) & wrong[:, None, :] & (shifts(table, values) > MOVED)
+            own = np.log(1 - _ELSE) - 0.5 * z**2 - np.log(scatters * np.sqrt(2 * np.pi))
+            mixed = np.logaddexp(own, np.log(_ELSE) + _broad(table, given)[:, None, :])
+        weights = np.where(one.judged, mixed, none[:, None, :]).sum(axis=2) + self.shares
         who, row = np.nonzero(explained.sum(axis=2) > 1)
-        z, hit, judged = every[who, row], explained[who, row], one.judged[row]
-        normal, none = -0.5 * z**2 - np.log(scatters * np.sqrt(2 * np.pi))[row], _none_density(table, given)
-        with np.errstate(invalid="ignore"):
-            mixed = np.logaddexp(np.log(1 - _ELSE) + normal, np.log(_ELSE) + _broad(table, given)[who])
-        weights, chance = np.full((2, *explained.shape[:2]), [[[-np.inf]], [[1.0]]])
-        weights[who, row] = np.where(judged, mixed, none[who]).sum(axis=1) + self.shares[row]
+        hit, chance = explained[who, row], np.ones(weights.shape)
         # how often random numbers hit as many of the wrong values so well
         count, of = hit.sum(axis=1), wrong.sum(axis=1)[who]
         crowded = np.where(one.judged, _crowded(table, values) + np.log(scatters), 0.0)[row]
@@ -130,7 +128,7 @@ class ScaledExplanations:
         choices = factorial[of] - factorial[count] - factorial[of - count]
         halves = np.array([0.5 * n * np.log(np.pi) - lgamma(n / 2 + 1) for n in range(given.shape[1] + 1)])
         with np.errstate(divide="ignore"):
-            ball = halves[count] + 0.5 * count * np.log(np.where(hit, z**2, 0.0).sum(axis=1))
+            ball = halves[count] + 0.5 * count * np.log(np.where(hit, z[who, row] ** 2, 0.0).sum(axis=1))
         chance[who, row] = np.exp(np.minimum(ball + cells + choices, 0.0))
         return WeighedPartly(weights, chance, explained, none.sum(axis=1) + _NONE)
 
