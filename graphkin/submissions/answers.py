@@ -129,9 +129,9 @@ def _text(raw: str, quantity: Quantity, unit: str, scales: Mapping[Plane, float]
         return value
     mm = value.value * numbers.PAPER[value.unit]
     if plane not in scales:
-        return HandedValue(text, None, None, value.unit, errors.NoPaperScale(NOWHERE, text[:60], plane), paper_mm=mm)
+        return HandedValue(text, None, None, value.unit, errors.NoPaperScale(NOWHERE, text[:60], plane))
     vector = None if value.vector is None else value.vector / value.value * mm * scales[plane]
-    return replace(value, value=mm * scales[plane], sense=None, fault=None, paper_mm=mm, vector=vector)
+    return replace(value, value=mm * scales[plane], sense=None, fault=None, vector=vector)
 
 
 def _pair(x: object, y: object, quantity: Quantity, unit: str) -> HandedValue:

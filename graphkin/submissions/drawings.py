@@ -62,8 +62,7 @@ class _PaperScale:
 
     def value(self, tail: complex, head: complex, plane: Plane) -> HandedValue:
         vector = (head - tail) * self.scales[plane] * cmath.rect(1, -self.turned.get(plane, 0.0))
-        size = abs(head - tail)
-        return HandedValue("", abs(vector), where=self.where, vector=vector, paper_mm=size, ends=(tail, head))
+        return HandedValue("", abs(vector), where=self.where, vector=vector)
 
 
 def measured(
@@ -90,12 +89,11 @@ def measured(
         raise NoLetters(where, tuple(letter for shape in shapes for letter in shape.letters))
     for question, text in texts.items():  # the written value, with the drawn direction
         drawn = values.get(question)
-        values[question] = text if drawn is None else replace(text, vector=drawn.vector, ends=drawn.ends)
+        values[question] = text if drawn is None else replace(text, vector=drawn.vector)
     notes: list[GraphkinError] = [LetterTwice(where, letter) for letter in letters.doubtful]
     planes = sorted({plane for plane, _ in letters.points})
     notes += [NoScaleDrawn(where, plane, _KEYS[plane]) for plane in planes if plane not in scales]
-    own = tuple(sorted(calibrated.keys() - claimed.keys()))
-    drawing = MeasuredDrawing(letters.points, scales, own, turned, where)
+    drawing = MeasuredDrawing(letters.points, scales, turned, where)
     remarks = tuple(_page_remarks(picture, drawing, shapes, asked.mechanism))
     return values, replace(drawing, remarks=remarks), notes
 
@@ -154,8 +152,7 @@ def directions(picture: PagePicture, questions: Questions, where: Where, limits:
     values = {}
     for question, (tail, head) in axes.items():
         if good & {(tail, head), (head, tail)}:
-            angle, ends = cmath.phase(places[head] - places[tail]) - turned, (places[tail], places[head])
-            values[question] = HandedValue("", angle, where=where, ends=ends)
+            values[question] = HandedValue("", cmath.phase(places[head] - places[tail]) - turned, where=where)
     return values
 
 

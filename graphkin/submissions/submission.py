@@ -52,9 +52,7 @@ class HandedValue:
               if no unit stood there (a unit is a mistake of its own)
     where     file, line and key
     vector    size and direction in the mechanism's axes, SI, of one that is measured or given with its angle
-    within   the angle within which a direction in words holds; 0 of one in numbers [rad]
-    paper_mm  its length on paper, where a length was handed in and the scale made a value of it
-    ends      tail and head on the page [mm, y up], of one measured on a drawing
+    within    the angle within which a direction in words holds; 0 of one in numbers [rad]
     """
 
     text: str
@@ -65,8 +63,6 @@ class HandedValue:
     where: Where = NOWHERE
     vector: complex | None = None
     within: float = 0.0
-    paper_mm: float | None = None
-    ends: tuple[complex, complex] | None = None
 
 
 @frozen
@@ -75,14 +71,12 @@ class MeasuredDrawing:
 
     points      by plane and the construction's letter (`b3'`): where on the page [mm, y up]
     scales      by plane: SI unit per mm, as used; None where none is known
-    calibrated  the planes whose scale was taken from their known first vector
     turned      by plane: by how much the drawn polygon stands turned, where it may [rad]
     remarks     for the teacher: what should be looked at
     """
 
     points: Mapping[tuple[Plane, str], complex]
     scales: Mapping[Plane, float]
-    calibrated: tuple[Plane, ...] = ()
     turned: Mapping[Plane, float] = field(default_factory=dict)
     where: Where = NOWHERE
     remarks: tuple[GraphkinError, ...] = ()
