@@ -18,9 +18,9 @@ from typing import TypeVar
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.homework.platforms.feedback import Feedback, Reveal, diagnosis, lines, points_that_count, quantity, reason
+from graphkin.homework.platforms.feedback import Reveal, diagnosis, lines, points_that_count, quantity, reason
 from graphkin.homework.platforms.markup import clean, in_html, inside
-from graphkin.homework.platforms.pages import KINDS, Page, html
+from graphkin.homework.platforms.pages import KINDS, Page
 from graphkin.homework.platforms.result import FORMAT, Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import line
 from graphkin.say.catalogue import say
@@ -88,11 +88,6 @@ def moodle_grades(results: Iterable[Result], lang: Lang, reveal: Reveal) -> Iter
         yield line((f"Participant {name.id}", name.who, "", result.total, result.most, "", comment))
 
 
-def moodle_feedback(results: Iterable[Result], page: Callable[[Result], Feedback]) -> Iterator[tuple[str, bytes]]:
-    """The pages of the zip."""
-    yield from ((name.name, html(page(result))) for name, result in named(results, moodle))
-
-
 def canvas_grades(results: Iterable[Result], assignment: str, most: Decimal) -> Iterator[str]:
     """The gradebook, row by row, without files that Canvas has not named."""
     yield line((*_CANVAS_FRONT, assignment))
@@ -100,15 +95,9 @@ def canvas_grades(results: Iterable[Result], assignment: str, most: Decimal) -> 
     yield from (line((name.who, name.id, "", "", "", result.total)) for name, result in named(results, canvas))
 
 
-def canvas_feedback(results: Iterable[Result], page: Callable[[Result], Feedback]) -> Iterator[tuple[str, bytes]]:
-    """The files of the zip: Canvas shows each under the name that was handed in, so it is of the same kind."""
-    for name, result in named(results, canvas):
-        if (write := canvas_page(name.name)) is not None:
-            yield name.name, write(page(result))
-
-
 def canvas_page(name: str) -> Page | None:
-    """The writer of feedback of the kind of a file; None where there is none."""
+    """The writer of feedback of the kind of a file, as Canvas shows it under the name that was handed in; None where
+    there is none."""
     return KINDS.get(PurePosixPath(name).suffix.lower())
 
 
