@@ -37,24 +37,29 @@ class OwnRotations:
 
 
 def own_rotations(
-    method: Method, plot: Plot, quantities: Sequence[Quantity], right: np.ndarray, given: np.ndarray, used: np.ndarray
-) -> OwnRotations:
-    """Of given values that are used (students, quantities); right ones (quantities,)."""
+    method: Method, plot: Plot, quantities: Sequence[Quantity], right: np.ndarray,
+    given: np.ndarray, used: np.ndarray, agree: np.ndarray, backwards: bool = False,
+) -> OwnRotations:  # fmt: skip
+    """Of given values that are used (students, quantities); right ones (quantities,). Those that agree with the right
+    ones (students, quantities) follow from none. backwards: by the last of several contacts first."""
     turns = plot.facts.turns
     rates: dict[Rate, OffRate] = {}
+    stays: dict[Rate, np.ndarray] = {}
     for k, rate in _rotations(plot, quantities):
+        stays[rate] = stays.get(rate, False) | agree[:, k]
         if used[:, k].any():
             own = OffRate(np.where(used[:, k], given[:, k] - right[k], np.nan), frozenset({k}))
             rates[rate] = _either(rates.get(rate), own)
     wheels: dict[Rate, OffRate] = {}
-    for *others, (wheel, radius) in _contacts(method, turns) if rates else ():  # one after another
+    contacts = [*_contacts(method, turns)] if rates else []
+    for *others, (wheel, radius) in reversed(contacts) if backwards else contacts:  # one after another
         for word in ("omega", "alpha"):
             parts = [(rates[word, base], r) for base, r in others if (word, base) in rates]
             if parts:
                 some = np.any([np.isfinite(rate.off) for rate, _ in parts], axis=0)
                 off = -np.sum([r * np.nan_to_num(rate.off) for rate, r in parts], axis=0) / radius
                 sources = frozenset[int]().union(*(rate.sources for rate, _ in parts))
-                follows = OffRate(np.where(some, off, np.nan), sources)
+                follows = OffRate(np.where(some & ~stays.get((word, wheel), np.False_), off, np.nan), sources)
                 wheels[word, wheel] = _either(wheels.get((word, wheel)), follows)
                 rates[word, wheel] = _either(rates.get((word, wheel)), follows)
     return OwnRotations(rates, wheels)

@@ -122,11 +122,21 @@ class Own(PolygonHand):
         return self._own((plane, self.poles[plane], point), right, drawn_only=True)
 
     def corner(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
-        if self.calculates and {("omega", step.link), ("alpha", step.link)} & self.turned:
-            fixed = next((corner for corner, node in zip(step.corners, step.base, strict=False)
-                          if node == self.poles[plane]), "")  # fmt: skip
-            plot.met[plane, step.point] = right = turned_about(plot, plane, step, fixed)
+        if self.calculates:
+            plot.met[plane, step.point] = right = self._calculated(plot, plane, step, right)
         return self._own((plane, self.poles[plane], step.point), right)
+
+    def _calculated(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
+        """A further point by own rotations: the centre of a wheel by that of the arm which bears it."""
+        wheel, points = plot.wheels.get(step.link), plot.points(plane)
+        if wheel is not None and wheel.centre == step.corners[2] and plane == "velocity":
+            rate = self.rotations.get(("omega", wheel.arm), np.nan)
+            pivot = points.get(plot.corners.get((plane, wheel.pivot), ""), 0j)
+            return _where_given(pivot + 1j * rate * plot.arm(wheel.pivot, wheel.centre), right)
+        if not {("omega", step.link), ("alpha", step.link)} & self.turned:
+            return right
+        at_pole = (known for known, node in zip(step.corners, step.base, strict=False) if node == self.poles[plane])
+        return turned_about(plot, plane, step, next(at_pole, ""))
 
     def read(self, plot: Redrawing, plane: Plane, step: Measure, right: Real) -> Real:
         """omega = v / l with the own v."""
@@ -176,6 +186,7 @@ _ANSWERABLE = 5.0  # an own value is carried on between 1/5 and 5 times the righ
 _MOVES = 1e-3  # an own value that moves another by a smaller part of its tolerance does not enter it
 _ROUNDING = 0.015  # of a value that is calculated from others in three digits
 _FELT = 0.3  # others follow from a value that moves one of them by so many standard deviations
+_SEVERAL = 3  # a slip far off is one where so many others follow from it
 _STRETCH = 5.0  # a carried value that is larger than the right one may be off by as much more, within this
 
 
@@ -204,6 +215,20 @@ class Carried:
             sense_only=np.where(where, other.sense_only, self.sense_only),
             enters={j: np.where(where, other.enters.get(j, nowhere), into) for j, into in self.enters.items()},
         )  # fmt: skip
+
+    def rooted(self, wrong: np.ndarray, costs: np.ndarray) -> Carried:
+        """Without what follows from itself alone, by way of others: the first of these in costs (students, n)."""
+        agrees, nowhere = self.agrees.copy(), np.zeros_like(wrong)
+        into = np.stack([self.enters.get(j, nowhere) for j in range(wrong.shape[1])], axis=1)  # (students, own, n)
+        while True:
+            rooted = wrong & ~agrees
+            for _ in range(wrong.shape[1]):
+                rooted |= agrees & (rooted[:, :, None] & into).any(axis=1)
+            loose = agrees & ~rooted
+            who = np.flatnonzero(loose.any(axis=1))
+            if not who.size:
+                return replace(self, agrees=agrees)
+            agrees[who, np.where(loose, costs, np.inf)[who].argmin(axis=1)] = False
 
     def own(self, k: int, n: int) -> dict[str, float]:
         """The own values of student k that enter quantity n."""
@@ -261,7 +286,7 @@ class CarriedProblem:
     def slips(self, given: np.ndarray, wrong: np.ndarray, there: np.ndarray) -> SlipOutcomes:
         """The outcomes of a slip in each wrong value (students, n) from which others follow that are wrong, too; for
         those of the quantities that are handed in."""
-        who, own = np.nonzero(wrong & self.usable(given))
+        who, own = np.nonzero(wrong & self.usable(given, of_any_size=True))
         only = own[:, None] == np.arange(given.shape[1])
         followed = self._values(given[who], only)
         for n, others, _ in self._otherwise(given[who], only):  # the nearer of both ways
@@ -269,7 +294,8 @@ class CarriedProblem:
                 nearer = np.abs(given[who, n] - others) < np.abs(given[who, n] - followed[:, n])
             followed[nearer, n] = others[nearer]
         moved = np.abs(differences(self.table, followed, self.table.right)) > _FELT * self.table.scatter
-        some = (moved & np.isfinite(given[who]) & ~self._alike[own]).any(axis=1)
+        others = (moved & np.isfinite(given[who]) & ~self._alike[own]).sum(axis=1)
+        some = others >= np.where(self.usable(given)[who, own], 1, _SEVERAL)
         who, own, followed = who[some], own[some], np.where(only, np.nan, followed)[some]
         values, scatters = np.full((2, *given.shape, given.shape[1]), np.nan)
         values[who, own], scatters[who, own] = followed, self._scatter(followed, self._left[own])
@@ -337,13 +363,16 @@ class CarriedProblem:
             wrong & sense_only(self.table, given, values, tolerance), given, wrong & self._carries & ~allowed, enters,
         )  # fmt: skip
 
-    def _values(self, given: np.ndarray, used: np.ndarray, calculates: bool = False) -> np.ndarray:
-        """The outcomes of the own values that are used; the right values where none is; calculates: as of `Own`."""
+    def _values(
+        self, given: np.ndarray, used: np.ndarray, calculates: bool = False, backwards: bool = False
+    ) -> np.ndarray:
+        """The outcomes of the own values that are used; the right values where none is; calculates: as of `Own`,
+        backwards: as of `own_rotations`."""
         right = np.broadcast_to(self.table.right, given.shape).copy()
         some = np.flatnonzero(used.any(axis=1))
         if not some.size:
             return right
-        own = self._rotations(given[some], used[some])
+        own = self._rotations(given[some], used[some], backwards)
         wheels = {(word, base): getattr(self.plot, word)[base] + rate.off for (word, base), rate in own.wheels.items()}
         given, used = given[some], used[some]
         followed = replay_with(self.method, self.plot, self.own(given, used), self.arrows, wheels, calculates)
@@ -354,20 +383,23 @@ class CarriedProblem:
         right[some[~(sines > _FLAT)]] = np.nan
         return right
 
-    def _rotations(self, given: np.ndarray, used: np.ndarray) -> OwnRotations:
-        return own_rotations(self.method, self.plot, self.quantities, self.table.right, given, used)
+    def _rotations(self, given: np.ndarray, used: np.ndarray, backwards: bool = False) -> OwnRotations:
+        right = agrees(self.table, given, self.table.right, self.table.tolerance)
+        return own_rotations(self.method, self.plot, self.quantities, self.table.right, given, used, right, backwards)
 
     def _otherwise(
         self, given: np.ndarray, used: np.ndarray
     ) -> Iterator[tuple[int, np.ndarray, frozenset[int]]]:
         """What own rotations give otherwise than the polygon: the number of a quantity, its values (students,), the
         numbers of the rotations."""
-        own = self._rotations(given, used)
-        yield from by_contacts(self.plot, self.quantities, self.table.right, own)
-        sources = frozenset[int]().union(*(rate.sources for rate in own.rates.values()))
-        if sources and self._images:
-            values = self._values(given, used, calculates=True)
-            yield from ((n, values[:, n], sources) for n in range(len(self.quantities)))
+        several = len(self.method.structure.tying) > 1  # contacts, each of which gives a rotation by another
+        for backwards in (False, True)[: 1 + several]:
+            own = self._rotations(given, used, backwards)
+            yield from by_contacts(self.plot, self.quantities, self.table.right, own)
+            sources = frozenset[int]().union(*(rate.sources for rate in own.rates.values()))
+            if sources and self._images:
+                values = self._values(given, used, True, backwards)
+                yield from ((n, values[:, n], sources) for n in range(len(self.quantities)))
 
     @cached_property
     def _images(self) -> bool:

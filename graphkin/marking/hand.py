@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from graphkin.base.geometry import Real, Value
+from graphkin.base.value import frozen
 from graphkin.construction import Facts, Hand, Image, LayOff, Plane, Plot, Simultaneous, Size, replay
 from graphkin.planning import Method
 
@@ -47,21 +48,33 @@ class PolygonHand(Hand["Redrawing"]):
         return self.crossing(plot, plane, point, right)
 
     def image(self, plot: Redrawing, plane: Plane, step: Image, right: Value) -> Value:
-        if plot.wheels.get(step.link, step.corners[2]) != step.corners[2]:
-            right = turned_about(plot, plane, step, plot.wheels[step.link])
+        wheel = plot.wheels.get(step.link)
+        if wheel is not None and wheel.centre != step.corners[2]:
+            right = turned_about(plot, plane, step, wheel.centre)
         plot.met[plane, step.point] = right
         return self.corner(plot, plane, step, right)
 
 
-def turned_about(plot: Redrawing, plane: Plane, step: Image, centre: str) -> Value:
-    """A further point of a link by v = omega l, or a^n and a^t, about another of its points that is drawn, the centre
-    where that is one."""
-    k = step.corners.index(centre) if centre in step.corners[:2] else 0
-    arm = plot.arm(step.corners[k], step.corners[2])
+def turned_about(plot: Redrawing, plane: Plane, step: Image, about: str) -> Value:
+    """A further point of a link by v = omega l, or a^n and a^t, about another of its points where that is drawn, else
+    about the first that the image is from."""
+    known, points = dict(zip(step.corners, step.base, strict=False)), plot.points(plane)
+    node = known.get(about) or plot.corners.get((plane, about), "")
+    if node not in points:
+        about, node = next(iter(known.items()))
     omega = plot.omega[step.link]
     turned = 1j * omega if plane == "velocity" else 1j * plot.alpha[step.link] - omega**2
-    value: Value = plot.points(plane)[step.base[k]] + turned * arm
+    value: Value = points[node] + turned * plot.arm(about, step.corners[2])
     return value
+
+
+@frozen
+class Wheel:
+    """The centre of a link that rolls, the arm that bears it, and where that one turns."""
+
+    centre: str
+    arm: str = ""
+    pivot: str = ""
 
 
 @dataclass
@@ -72,7 +85,8 @@ class Redrawing(Plot):
     by_hand   who draws
     before    omega and alpha by link as they follow from all before, where the hand has put another value
     met       points of the polygons as they follow from all before, likewise, where lines cross or by image
-    wheels    the centres of links that roll: their further points are calculated from the rotation, not by image
+    wheels    links that roll: their further points are calculated from the rotation, not by image
+    corners   of the polygons, by plane and point of the mechanism, the first where there are several
     least     the size up to which a value of an SI unit is nothing in this mechanism
     """
 
@@ -80,7 +94,8 @@ class Redrawing(Plot):
     laid: dict[tuple[Plane, str, str], Value] = field(default_factory=dict)
     before: dict[tuple[str, str], Real] = field(default_factory=dict)
     met: dict[tuple[Plane, str], Value] = field(default_factory=dict)
-    wheels: Mapping[str, str] = field(default_factory=dict)
+    wheels: Mapping[str, Wheel] = field(default_factory=dict)
+    corners: Mapping[tuple[Plane, str], str] = field(default_factory=dict)
     least: Callable[[str], float] = field(default=lambda unit: 0.0)
 
     def arrow(self, size: Size, plane: Plane) -> Value:
@@ -100,14 +115,15 @@ def redraw(method: Method, right: Plot, hand: PolygonHand = RIGHT, shape: tuple[
 
     shape  of the values, where the hand gives arrays: it broadcasts with that of the positions
     """
-    # a wheel's centre is the last of a contact on a line, and each of two wheels has its own
-    wheels = {wheel: centre for contact in method.structure.tying
-              for wheel, centre in zip(contact.wheels[::-1], contact.centres[::-1], strict=False)}  # fmt: skip
     plot = Redrawing(
         hand.facts(right.facts), right.near, right.follows, right.position,
-        theta=dict(right.theta), s=right.s, by_hand=hand, wheels=wheels, least=method.mechanism.usual.least,
+        theta=dict(right.theta), s=right.s, by_hand=hand, least=method.mechanism.usual.least,
     )  # fmt: skip
     polygons = (method.velocity, method.acceleration)
+    if method.structure.tying:
+        plot.wheels = dict(_wheels(method))
+        plot.corners = {(polygon.plane, node.site.point): name for polygon in polygons
+                        for name, node in reversed([*polygon.nodes.items()]) if node.site is not None}  # fmt: skip
     if shape and any(isinstance(step, Simultaneous) for polygon in polygons for step in polygon.steps):
         plot.theta[plot.facts.frame] = np.zeros(shape)  # what is solved together takes its shape from the angles
     with np.errstate(over="ignore"):
@@ -116,3 +132,10 @@ def redraw(method: Method, right: Plot, hand: PolygonHand = RIGHT, shape: tuple[
             if (polygon.plane, polygon.pole) in plot.met:
                 plot.met[polygon.plane, polygon.pole] = 0j
     return plot
+
+
+def _wheels(method: Method) -> Iterator[tuple[str, Wheel]]:
+    for contact in method.structure.tying:
+        for wheel, centre, other in zip(contact.wheels, contact.centres, contact.centres[::-1], strict=True):
+            if centre:
+                yield wheel, Wheel(centre, contact.arm, other)

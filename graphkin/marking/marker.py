@@ -17,7 +17,7 @@ from graphkin.construction import Plot
 from graphkin.marking.after_mistake import aftermath
 from graphkin.marking.answers import readable
 from graphkin.marking.consequences import rewrites
-from graphkin.marking.diagnosis import Diagnosis, Diagnostician
+from graphkin.marking.diagnosis import SLIP, Diagnosis, Diagnostician
 from graphkin.marking.directions import WrittenDirections
 from graphkin.marking.drawing_order import DrawnAt, drawing_order
 from graphkin.marking.follow_through import Carried, CarriedProblem
@@ -175,21 +175,39 @@ class Marker:
         diagnosed = self.diagnoses(np.where(strange, np.nan, given), wrong & ~strange)
         diagnosed = [self._as_drawn(work, one) for work, one in zip(works, diagnosed, strict=True)]
         astray = np.array([one is not None and one.points is False for one in numbers], dtype=bool).reshape(shape)
-        after = self._after(given, wrong & ~strange, carried, astray, diagnosed)
+        costs = self._costs(diagnosed)
+        carried = carried.rooted(wrong, costs)
+        after = self._after(given, wrong & ~strange, carried, astray, diagnosed, costs)
         return [
             self._marked(work, k, given[k], right[k], untold[k], carried, after, diagnosed[k])
             for k, work in enumerate(works)
         ]
 
+    def _costs(self, diagnosed: Sequence[Diagnosis]) -> np.ndarray:
+        """The place of each student's values (students, n) in which they cost something where others follow from them:
+        a slip that was named, then what is asked, in the order of the drawing."""
+        costs = np.where(self.table.points > 0, self._ranks, self._ranks + self._ranks.max() + 1)
+        costs = np.repeat(costs[None], len(diagnosed), axis=0)
+        for k, one in enumerate(diagnosed):
+            for id, _, text, _ in one.explanations[0].names[0] if one.explanations else ():
+                if id == SLIP:
+                    costs[k, self._numbers[text]] = -1.0
+        return costs
+
+    @cached_property
+    def _numbers(self) -> dict[str, int]:
+        return {entry.text: n for n, entry in enumerate(self.key.entries)}
+
     def _after(
-        self, given: np.ndarray, wrong: np.ndarray, carried: Carried, astray: np.ndarray, diagnosed: Sequence[Diagnosis]
-    ) -> AfterMistake:
-        """All but the first value that the named mistakes of each student explain follow from it."""
+        self, given: np.ndarray, wrong: np.ndarray, carried: Carried, astray: np.ndarray,
+        diagnosed: Sequence[Diagnosis], costs: np.ndarray,
+    ) -> AfterMistake:  # fmt: skip
+        """All but the first value that the named mistakes of each student explain follow from it: first in costs."""
         explains, left = np.zeros_like(wrong), (wrong & ~carried.agrees) | astray
-        values, texts = np.full(given.shape, np.nan), {entry.text: n for n, entry in enumerate(self.key.entries)}
+        values = np.full(given.shape, np.nan)
         named = [k for k, one in enumerate(diagnosed) if one.explanations]
         for k in named:
-            explains[k, [texts[text] for text in diagnosed[k].explanations[0].explains]] = True
+            explains[k, [self._numbers[text] for text in diagnosed[k].explanations[0].explains]] = True
         drawn = [k for k in named if all(name in self.known for name in diagnosed[k].explanations[0].names[0])]
         if drawn:
             columns = [tuple(self.known[name] for name in diagnosed[k].explanations[0].names[0]) for k in drawn]
@@ -198,8 +216,6 @@ class Marker:
             explains[drawn] |= self.problem.near(given[drawn], outcomes.values) & wrong[drawn]
             explains[drawn] |= outcomes.turned & astray[drawn]
         explains &= left
-        # the first of those that cost something, in the order of the drawing
-        costs = np.where(self.table.points > 0, self._ranks, self._ranks + self._ranks.max() + 1)
         first = np.where(explains, costs, np.inf).argmin(axis=1)
         # nothing is gained by handing in nought
         follows = explains & (given != 0) & (np.arange(given.shape[1]) != first[:, None])

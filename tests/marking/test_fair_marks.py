@@ -164,6 +164,6 @@ def test_a_carried_value_has_a_tolerance_of_its_own():
     """Once omega is known a^n is calculated: what the pencil errs by in omega is no excuse any more."""
     one = marker("ex3-1", *EVERY)
     entry = next(entry for entry in one.key.entries if entry.text == "a_n B3D")
-    right = 5.2**2 * 0.0692  # omega² l_BD
-    assert verdicts(marked(one, **{"omega 3": -5.2, "a_n B3D": right}))["a_n B3D"] == "carried"
-    assert verdicts(marked(one, **{"omega 3": -5.2, "a_n B3D": right + entry.tolerance}))["a_n B3D"] == "wrong"
+    right = 3.6**2 * 0.0692  # omega² l_BD
+    assert verdicts(marked(one, **{"omega 3": -3.6, "a_n B3D": right}))["a_n B3D"] == "carried"
+    assert verdicts(marked(one, **{"omega 3": -3.6, "a_n B3D": right - entry.tolerance}))["a_n B3D"] == "wrong"

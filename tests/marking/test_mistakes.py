@@ -75,7 +75,8 @@ RIGHT = [
 
 TABLE = [
     ("ex3-1", ("driver-reversed", "", "AB"), {"omega 3": "3.919", "v B3B2": "0.3208", "alpha 3": "62.22"}),
-    ("ex3-1", ("driver-along-crank",), {"omega 3": "-2.683", "v B3B2": "0.0712", "a_k B3B2": "0.382", "alpha 3": "12.5"}),
+    ("ex3-1", ("driver-along-crank", ""), {"omega 3": "-2.683", "v B3B2": "0.0712", "a_k B3B2": "0.382", "alpha 3": "12.5"}),
+    ("ex3-1", ("driver-along-crank", "back"), {"omega 3": "2.683", "v B3B2": "0.0712", "a_k B3B2": "0.382", "alpha 3": "12.5"}),
     ("ex3-5", ("velocity-along-link", "", "v_CB"), {"omega 3": "9.997", "omega 2": "nan", "alpha 3": "nan"}),
     ("ex3-1", ("wrong-radius", "", "v_B3", "⊥CD"), {"omega 3": "16.48", "a_k B3B2": "32.56", "alpha 3": "417.0"}),
     ("ex3-1", ("wrong-radius", "", "v_B3", "⊥BC"), {"omega 3": "-2.862", "a_k B3B2": "0.776", "alpha 3": "34.52"}),

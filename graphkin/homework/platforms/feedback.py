@@ -12,7 +12,7 @@ from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.question import texts_in
 from graphkin.homework.platforms.result import Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
-from graphkin.marking.diagnosis import Explanation, Habit
+from graphkin.marking.diagnosis import SLIP, Explanation, Habit
 from graphkin.marking.records import Judged
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
@@ -162,7 +162,7 @@ def habit(one: Habit, lang: Lang) -> str:
 
 
 def _hints(one: Explanation | Habit, lang: Lang) -> list[str]:
-    topics = dict.fromkeys(MISTAKES[id].topic for id in one.ids if id in MISTAKES)
+    topics = dict.fromkeys(SLIP if id == SLIP else MISTAKES[id].topic for id in one.ids if id in (SLIP, *MISTAKES))
     return [mistake_hint(topic, lang) for topic in topics]
 
 

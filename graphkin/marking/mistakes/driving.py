@@ -36,9 +36,10 @@ def _of_drivers(scene: Scene, id: str, word: str, factor: float) -> list[Rewrite
 
 @mistake("driver-along-crank", "driver", "3-2.1 (3-1)")
 def along_crank(scene: Scene) -> Iterator[Rewrite]:
-    """The velocity of a crank pin is drawn along the crank."""
+    """The velocity of a crank pin is drawn along the crank, outward for omega > 0 or inward."""
     for size, name in driven_velocities(scene):
-        yield Rewrite("driver-along-crank", name, edits=(Edit(("arrow", "velocity", size), Times(-1j)),))
+        for way, turn in (("", -1j), ("back", 1j)):
+            yield Rewrite("driver-along-crank", name, edits=(Edit(("arrow", "velocity", size), Times(turn)),), way=way)
 
 
 def driven_velocities(scene: Scene) -> Iterator[tuple[Turning | Relative, str]]:

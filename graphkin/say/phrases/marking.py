@@ -155,6 +155,8 @@ PHRASES: Phrases = {
     "mistakes.made driver-acceleration-reversed": ("the acceleration of the driver {of} reversed", "原动件 {of} 的加速度取反"),
     "mistakes.made driver-along-crank": ("{of} laid along the crank instead of at right angles to it",
                                          "{of} 沿曲柄方向画出（应与曲柄垂直）"),
+    "mistakes.made driver-along-crank back": ("{of} laid along the crank, backwards, instead of at right angles to it",
+                                              "{of} 沿曲柄反方向画出（应与曲柄垂直）"),
     "mistakes.made velocity-along-link": ("the direction line of {of} drawn along the link instead of across it",
                                           "{of} 的方向线沿构件方向画出（应与构件垂直）"),
     "mistakes.made velocity-along-link ccw": ("the direction line of {of} drawn along the link instead of across it, "
