@@ -206,6 +206,8 @@ def report_record(report: ClassReport) -> dict[str, Plain]:
     }  # fmt: skip
 
 
+# --- the report as a figure -------------------------------------------------------------------------------------------
+
 _MM = 1 / 25.4
 _WIDTH, _LEFT, _RIGHT = 180.0, 62.0, 8.0
 _TOP, _BETWEEN, _ROW, _SCORES = 12.0, 20.0, 6.0, 45.0
