@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import Choice, Lang, LocatedError
+from graphkin.errors.base import AboutText, Choice, Lang, LocatedError
 
 __all__ = [
     "AnsweredTwice", "LetterTwice", "NoLetters", "NoPaperScale", "NoScaleDrawn", "NoSenseDrawn", "NotAQuestion",
@@ -27,21 +27,16 @@ class NoSenseDrawn(LocatedError):
 
 
 class NotAQuestion(Choice):
-    """A name of an answer that means nothing for this mechanism."""
-
     en = "{where}: {given!r} names no quantity of this mechanism and is passed over. {hint}"
     zh = "{where}：{given!r} 不是本机构的量，已略过。{hint}"
 
 
-class NotAnAnswer(LocatedError):
-    given: str
+class NotAnAnswer(AboutText):
     en = "{where}: {given!r} does not read as a value. Write a number, with its unit and sense where wanted: \"62.2 rad/s^2 ccw\"."
     zh = "{where}：{given!r} 不能读作数值。请写数，必要时带单位和转向，例如 \"62.2 rad/s^2 逆时针\"。"
 
 
 class AnsweredTwice(LocatedError):
-    """Two different values for one question."""
-
     question: str
     first: str
     second: str
@@ -49,26 +44,18 @@ class AnsweredTwice(LocatedError):
     zh = "{where}：{question} 有两个答案 {first!r} 和 {second!r}，请只保留一个。"
 
 
-class SenseDisputed(LocatedError):
-    """A word for the sense that contradicts the sign, or both words."""
-
-    given: str
+class SenseDisputed(AboutText):
     en = "{where}: sign and words of {given!r} say different senses. Counter-clockwise is positive; write one of both."
     zh = "{where}：{given!r} 的正负号与转向文字不一致。逆时针为正，请只写其中一种。"
 
 
-class NoPaperScale(LocatedError):
-    """A length on paper, and no scale to read it with."""
-
-    given: str
+class NoPaperScale(AboutText):
     key: str
     en = "{where}: {given!r} is a length on paper, and its scale is missing. State it: [scales] {key} = 0.01"
     zh = "{where}：{given!r} 是图上长度，但未给出比例尺。请写明：[scales] {key} = 0.01"
 
 
 class NoLetters(LocatedError):
-    """A drawing none of whose polygon points is lettered."""
-
     letters: tuple[str, ...]
     en = "{where}: no point of a polygon is lettered here. Letter them {letters} and hand the drawing in anew."
     zh = "{where}：图中没有标注字母的多边形顶点。请标注 {letters} 后重新提交。"
@@ -78,8 +65,6 @@ class NoLetters(LocatedError):
 
 
 class LetterTwice(LocatedError):
-    """A letter that stands at two places, or beside two points alike."""
-
     letter: str
     en = "{where}: it is not clear which point the letter {letter} belongs to. Put it beside its point, and only there."
     zh = "{where}：无法确定字母 {letter} 标注的是哪一点。请把它写在该点旁边，且只写一次。"

@@ -9,7 +9,10 @@ from graphkin.base.value import filled, frozen
 
 Lang = Literal["en", "zh"]
 
-__all__ = ["NOWHERE", "AboutLinks", "Choice", "GraphkinError", "Lang", "LocatedError", "Several", "Where", "listed", "steers"]
+__all__ = [
+    "NOWHERE", "AboutLink", "AboutLinks", "AboutText", "Choice", "GraphkinError", "Lang", "LocatedError", "Several",
+    "Where", "listed", "steers",
+]  # fmt: skip
 
 
 @frozen
@@ -94,10 +97,19 @@ class LocatedError(GraphkinError):
     where: Where
 
 
-class Choice(LocatedError):
-    """Something named that is not there: `{hint}` says what is, the nearest first."""
+class AboutText(LocatedError):
+    """An error about what somebody wrote."""
 
     given: str
+
+
+class AboutLink(LocatedError):
+    link: str
+
+
+class Choice(AboutText):
+    """Something named that is not there: `{hint}` says what is, the nearest first."""
+
     possible: tuple[str, ...]
 
     def _words(self, lang: Lang) -> dict[str, object]:

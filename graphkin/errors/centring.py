@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, Lang, LocatedError
+from graphkin.errors.base import AboutLink, AboutText, Choice, Lang, LocatedError
 
 __all__ = ["BadVelocities", "FrameStands", "NoBobillier", "NoCentrode", "NotOneBody", "OnePlace", "UnknownCentre"]
 
@@ -27,18 +27,13 @@ class NotOneBody(LocatedError):
 
 
 class OnePlace(LocatedError):
-    """Two points at one place, which tell no rotation."""
-
     first: str
     second: str
     en = "{where}: {first} and {second} lie at one place, so they do not tell how the body turns. Give another point."
     zh = "{where}：{first} 与 {second} 位于同一处，不能确定刚体的转动。请改用另一点。"
 
 
-class BadVelocities(LocatedError):
-    """A text that gives no two points with their velocities."""
-
-    given: str
+class BadVelocities(AboutText):
     en = (
         "{where}: {given!r} does not give two points with their velocities. Write NAME x,y vx,vy for each, in mm and "
         "m/s, with a semicolon between: `A 0,0 1,0.5; B 100,0 1,-0.2`."
@@ -46,10 +41,7 @@ class BadVelocities(LocatedError):
     zh = "{where}：{given!r} 没有给出两点及其速度。请对每点写 名称 x,y vx,vy（单位 mm、m/s），两点间用分号隔开：`A 0,0 1,0.5; B 100,0 1,-0.2`。"
 
 
-class FrameStands(LocatedError):
-    """The frame, asked about as if it moved."""
-
-    link: str
+class FrameStands(AboutLink):
     en = "{where}: link {link} is the frame; it does not move, so it has no absolute instant centre. Name a moving link."
     zh = "{where}：构件 {link} 是机架，固定不动，没有绝对瞬心。请给出一个活动构件。"
 
@@ -66,10 +58,9 @@ class NoCentrode(LocatedError):
     zh = "{where}：构件 {first} 与 {second} 没有瞬心线：二者无相对转动，瞬心始终在无穷远处或不存在。请另选两个有相对转动的构件。"
 
 
-class NoBobillier(LocatedError):
+class NoBobillier(AboutLink):
     """A link at a position where Bobillier's construction gives nothing."""
 
-    link: str
     reason: str
     en = "{where}: Bobillier's construction cannot be drawn for link {link}: {why} Take another link or position."
     zh = "{where}：不能对构件 {link} 用波比利尔作图法：{why}请另选构件或位置。"
@@ -86,7 +77,5 @@ class NoBobillier(LocatedError):
 
 
 class UnknownCentre(Choice):
-    """A text that names no instant centre."""
-
     en = "{where}: {given!r} is no instant centre of this mechanism. {hint}"
     zh = "{where}：该机构没有瞬心 {given}。{hint}"

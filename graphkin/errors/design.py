@@ -8,8 +8,6 @@ __all__ = ["CouplerChanges", "NoDesign", "NotOnBisector", "OneCondition", "SameW
 
 
 class WantedRange(GraphkinError):
-    """A wanted value that no linkage of the kind can have."""
-
     name: str
     given: str
     low: str
@@ -33,8 +31,6 @@ class OneCondition(GraphkinError):
 
 
 class WrongNumber(GraphkinError):
-    """Too few or too many positions, or pairs of angles."""
-
     count: int
     wanted: str
     en = "{count} given, where {wanted} are wanted."
@@ -42,8 +38,6 @@ class WrongNumber(GraphkinError):
 
 
 class SameWanted(GraphkinError):
-    """Two positions, or two pairs, that are one."""
-
     first: str
     second: str
     en = "{first} and {second} are the same. Give positions that differ."
@@ -51,8 +45,6 @@ class SameWanted(GraphkinError):
 
 
 class CouplerChanges(GraphkinError):
-    """Positions of the moving hinges that are not those of one rigid coupler."""
-
     first: str
     first_mm: float
     other: str
@@ -65,8 +57,6 @@ class CouplerChanges(GraphkinError):
 
 
 class NotOnBisector(GraphkinError):
-    """A fixed pivot given where it cannot be."""
-
     point: str
     off_mm: float
     first: str
@@ -81,8 +71,6 @@ class NotOnBisector(GraphkinError):
 
 
 class NoDesign(GraphkinError):
-    """No linkage has the wanted properties."""
-
     reasons: tuple[str, str]  # in English, in Chinese
     en = "No solution. {why}"
     zh = "无解。{why}"

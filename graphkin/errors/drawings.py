@@ -10,8 +10,6 @@ __all__ = [
 
 
 class NoFolder(GraphkinError):
-    """A file to be written into a folder that is not there."""
-
     path: str
     folder: str
     en = "{path}: there is no folder {folder}. Make it first, or write elsewhere with -o."
@@ -19,8 +17,6 @@ class NoFolder(GraphkinError):
 
 
 class CannotWrite(GraphkinError):
-    """A file that cannot be written."""
-
     path: str
     reason: str
     en = "{path}: cannot be written ({reason}). Choose another place, or make the folder first."
@@ -35,8 +31,6 @@ class CannotWrite(GraphkinError):
 
 
 class NoDrawing(LocatedError):
-    """A drawing that is not there."""
-
     en = "{where}: there is no such file. Check the path."
     zh = "{where}：没有这个文件，请检查路径。"
 
@@ -98,8 +92,6 @@ REASONS: dict[str, dict[Lang, str]] = {
 
 
 class NoChineseLetters(GraphkinError):
-    """A Chinese handout on a machine without Chinese letters."""
-
     en = (
         "No Chinese font was found, so Chinese text would be printed as boxes. Install one (on Debian: apt install "
         "fonts-noto-cjk), or name a font file: --font PATH, or the environment variable GRAPHKIN_FONT."
@@ -108,8 +100,6 @@ class NoChineseLetters(GraphkinError):
 
 
 class NoFont(GraphkinError):
-    """A font that is named and is not there, or is none."""
-
     path: str
 
     en = "{path} is not a font file (.ttf, .otf, .ttc) that can be read. Name another, or leave --font out."
@@ -117,8 +107,6 @@ class NoFont(GraphkinError):
 
 
 class NoLetter(GraphkinError):
-    """A letter that no font here has."""
-
     letter: str
 
     en = (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import AboutLinks, Choice, LocatedError
+from graphkin.errors.base import AboutLink, AboutLinks, AboutText, Choice, LocatedError
 
 __all__ = [
     "DrivenFrame", "DrivenTwice", "JoinedToNothing", "NoDriver", "NoVector", "RepeatedDriver", "SameLink", "SayValue",
@@ -16,49 +16,38 @@ class NoDriver(LocatedError):
 
 
 class WhatIsDriven(LocatedError):
-    """None of the keys that say what a driver or a pose is about; `keys` could."""
-
     keys: tuple[str, ...]
     en = "{where}: say what this is about with one of: {keys:,}."
     zh = "{where}：请用下列键之一指明对象：{keys:,}。"
 
 
 class NoVector(Choice):
-    """No link has both points; `possible` are vectors that links do have."""
-
     en = "{where}: no link has both points of {given}. {hint}"
     zh = "{where}：没有哪个构件同时具有 {given} 的两点。{hint}"
 
 
-class DrivenFrame(LocatedError):
-    given: str
+class DrivenFrame(AboutText):
     en = "{where}: {given} belongs to the frame, which does not move. Name a moving link's."
     zh = "{where}：{given} 属于机架，机架不能驱动，请改用活动构件。"
 
 
-class SameLink(LocatedError):
-    link: str
+class SameLink(AboutLink):
     en = "{where}: both directions belong to link {link}, so the angle between them never changes. Measure from another link."
     zh = "{where}：两个方向都在构件 {link} 上，夹角不变，请从另一构件量起。"
 
 
 class SayValue(LocatedError):
-    """A driver without its value, and no pose to stand for it."""
-
     key: str
     en = "{where}: the drawn position is open. Say {key}, or fix it with a [[pose]]."
     zh = "{where}：图示位置未定，请给出 {key}，或用 [[pose]] 确定。"
 
 
-class DrivenTwice(LocatedError):
-    given: str
+class DrivenTwice(AboutText):
     en = "{where}: {given} is driven twice: two drivers on one freedom. Remove one."
     zh = "{where}：{given} 被驱动两次，一个自由度只能有一个原动件，请删去其一。"
 
 
 class TooFewDrivers(AboutLinks):
-    """Freedoms that no driver takes."""
-
     freedoms: int
     drivers: int
     en = (
@@ -81,8 +70,6 @@ class JoinedToNothing(TooFewDrivers):
 
 
 class TooManyDrivers(LocatedError):
-    """More drivers than freedoms."""
-
     freedoms: int
     drivers: int
     driver: str
@@ -94,8 +81,6 @@ class TooManyDrivers(LocatedError):
 
 
 class RepeatedDriver(AboutLinks):
-    """As many drivers as freedoms, but two of them move the same one."""
-
     freedoms: int
     driver: str
     en = (

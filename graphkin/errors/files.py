@@ -18,8 +18,6 @@ class NoFile(Choice):
 
 
 class UnknownMechanism(Choice):
-    """No mechanism of that name in the library."""
-
     en = "The library has no mechanism {given}. {hint}"
     zh = "机构库中没有 {given}。{hint}"
 

@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import Choice, Lang, LocatedError
+from graphkin.errors.base import AboutText, Choice, Lang, LocatedError
 
 __all__ = [
     "BadCondition", "CannotScale", "NegativeSize", "NoDimension", "NoLineOf", "NoUnitHere", "NotScaled", "OtherUnits",
 ]  # fmt: skip
 
 
-class BadCondition(LocatedError):
-    """A text that is no condition."""
-
-    given: str
+class BadCondition(AboutText):
     en = (
         "{where}: {given!r} is no condition. Write for example `v C = 0`, `theta 5 = 30`, `omega 2 = omega 3`, "
         "`a E > 3 g`, `max v E`, `range theta 3`, `stroke s ram`, `slowest BC`, `v E = 0.5 by omega 1`."
@@ -40,8 +37,6 @@ class OtherUnits(LocatedError):
 
 
 class NegativeSize(LocatedError):
-    """A size that is to be negative."""
-
     quantity: str
     given: str
     en = (
@@ -58,17 +53,12 @@ class NoLineOf(Choice):
     zh = "{where}：{given!r} 不是某一活动构件上的直线。请写出同一构件上的两点（如 `slowest BC`），或至少有两点的构件。{hint}"
 
 
-class NoUnitHere(LocatedError):
-    """A unit after the value of a quotient."""
-
-    given: str
+class NoUnitHere(AboutText):
     en = "{where}: a quotient is a plain number, and {given} is none. Leave the unit out."
     zh = "{where}：比值是无量纲的数，而 {given} 不是。请去掉单位。"
 
 
 class NotScaled(LocatedError):
-    """A quantity that does not depend on how fast the mechanism is driven."""
-
     quantity: str
     en = (
         "{where}: {quantity} does not depend on the speed of the drivers, so no speed gives it another value. "
@@ -78,8 +68,6 @@ class NotScaled(LocatedError):
 
 
 class CannotScale(LocatedError):
-    """A value that no speed of the driver gives at this position."""
-
     quantity: str
     value: str
     wanted: str
@@ -91,8 +79,6 @@ class CannotScale(LocatedError):
 
 
 class NoDimension(Choice):
-    """A dimension that the file does not have."""
-
     en = (
         "{where}: the file has no dimension {given} with one number that could be varied. Write a length or an "
         "angle of a link (`AB`, `BDE`, `links.2.AB`) or a driver's name. {hint}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, Lang, LocatedError
+from graphkin.errors.base import AboutText, Choice, Lang, LocatedError
 
 __all__ = [
     "AngleRange", "BadName", "DuplicateName", "KeyClash", "LongName", "MissingKey", "Negative", "NoMeaning", "NoUnit",
@@ -57,10 +57,7 @@ class UnknownKey(Choice):
     zh = "{where}：此处没有 {given} 这个键。{hint}"
 
 
-class UnitAsKey(LocatedError):
-    """A unit that stands where the key of its quantity does."""
-
-    given: str
+class UnitAsKey(AboutText):
     key: str
     value: str
     en = "{where}: {given} is a unit, not a key. Write {key} = \"{value}\"."
@@ -68,8 +65,6 @@ class UnitAsKey(LocatedError):
 
 
 class UnknownPoint(Choice):
-    """`possible` are the points that may stand there."""
-
     en = "{where}: there is no point {given} here. {hint}"
     zh = "{where}：此处没有点 {given}。{hint}"
 
@@ -114,37 +109,29 @@ class OtherDimension(Choice):
 
 
 class NoUnit(Choice):
-    """A number in quotes without a unit."""
-
     en = "{where}: \"{given}\" has no unit. Leave the quotes out, or add a unit. {hint}"
     zh = "{where}：“{given}”没有单位，请去掉引号或加上单位。{hint}"
 
 
-class NotANumber(LocatedError):
-    given: str
+class NotANumber(AboutText):
     en = "{where}: \"{given}\" does not read as a number with a unit. Write it like \"24 in\" or \"120 r/min\"."
     zh = "{where}：“{given}”不能读作带单位的数，请写成 \"24 in\" 或 \"120 r/min\" 的形式。"
 
 
-class OutOfRange(LocatedError):
-    """Not a number, infinite, or beyond anything that can be drawn."""
-
-    given: str
+class OutOfRange(AboutText):
     en = "{where}: {given} is not a finite number of reasonable size. Write an ordinary number."
     zh = "{where}：{given} 不是大小合理的有限数，请写普通的数。"
 
 
-class TooSmall(LocatedError):
+class TooSmall(AboutText):
     """Zero, negative, or too small; `least` is the smallest that will do."""
 
-    given: str
     least: str
     en = "{where}: {given} will not do, the value must be greater than 0 (at least {least}). Correct it."
     zh = "{where}：{given} 不合要求，数值必须大于 0（不小于 {least}），请改正。"
 
 
-class Negative(LocatedError):
-    given: str
+class Negative(AboutText):
     en = "{where}: {given} is negative; a radius is 0 (a knife edge) or more. Correct it."
     zh = "{where}：{given} 为负；半径应为 0（尖点）或正数，请改正。"
 
@@ -156,16 +143,12 @@ class AngleRange(LocatedError):
 
 
 class MissingKey(LocatedError):
-    """`key` has to be there."""
-
     key: str
     en = "{where}: {key} is missing. Add it."
     zh = "{where}：缺少 {key}，请补上。"
 
 
 class KeyClash(LocatedError):
-    """Two keys that say the same thing twice, or two different things."""
-
     first: str
     second: str
     en = "{where}: {first} and {second} cannot stand together. Leave one of them out."
@@ -232,16 +215,12 @@ class BadName(WrongType):
         return {**super()._words(lang), "odd": code}
 
 
-class LongName(LocatedError):
-    """A name that no drawing has room for."""
-
-    given: str
+class LongName(AboutText):
     most: int
     en = "{where}: the name {given} is too long for a drawing. Shorten it to {most} letters."
     zh = "{where}：名称 {given} 太长，图上写不下。请缩短到 {most} 个字母（汉字按两个计）以内。"
 
 
-class DuplicateName(LocatedError):
-    given: str
+class DuplicateName(AboutText):
     en = "{where}: the name {given} is used already. Choose another."
     zh = "{where}：名称 {given} 已被使用，请另取一个。"

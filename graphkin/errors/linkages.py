@@ -8,8 +8,6 @@ __all__ = ["CannotClose", "CannotDriveBy", "NoFixing", "NoLinkage", "NotALength"
 
 
 class NotALength(LocatedError):
-    """A length that is not positive, or no number."""
-
     what: str
     given: str
     en = "{where}: {what} is {given}. Lengths of links are positive numbers in mm (an offset may be 0 or negative)."
@@ -17,8 +15,6 @@ class NotALength(LocatedError):
 
 
 class CannotClose(LocatedError):
-    """Lengths that never make a closed loop."""
-
     long: str
     long_mm: float
     rest: str
@@ -31,8 +27,6 @@ class CannotClose(LocatedError):
 
 
 class OnlyStretched(LocatedError):
-    """Lengths that close in one position only."""
-
     long: str
     rest: str
     long_mm: float
@@ -44,8 +38,6 @@ class OnlyStretched(LocatedError):
 
 
 class NoLinkage(LocatedError):
-    """A mechanism without any such linkage."""
-
     en = (
         "{where}: no four-bar, slider-crank or guide-bar linkage on the frame was found: no loop of the frame and "
         "three moving links with four revolute pairs, or three and one sliding pair. Mechanisms with cams, gears or "
@@ -55,14 +47,10 @@ class NoLinkage(LocatedError):
 
 
 class NoFixing(Choice):
-    """A link that cannot be made the frame."""
-
     en = "{where}: {given!r} is no link of a linkage found here that could become the frame. {hint}"
     zh = "{where}：{given!r} 不是此处可以改作机架的构件。{hint}"
 
 
 class CannotDriveBy(Choice):
-    """A driver that the linkage does not have."""
-
     en = "{where}: the linkage cannot be driven by {given!r}. {hint}"
     zh = "{where}：此机构不能以 {given!r} 为原动件。{hint}"

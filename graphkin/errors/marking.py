@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import Choice, GraphkinError, Lang, LocatedError
+from graphkin.errors.base import AboutText, Choice, GraphkinError, Lang, LocatedError
 
 __all__ = [
     "AnotherStudent", "BadKey", "BadPencil", "NoKeyAtPosition", "NoMarks", "NoSuchProblem", "NothingToMark", "OwnSheet",
@@ -21,8 +21,6 @@ class BadKey(LocatedError):
 
 
 class NothingToMark(LocatedError):
-    """A mechanism that asks for no number, and has none on the way."""
-
     en = "{where}: nothing here can be marked as a number. Write for example ask = [\"omega 3\", \"alpha 3\"]."
     zh = "{where}：没有可以按数值评阅的量。请写成如 ask = [\"omega 3\", \"alpha 3\"]。"
 
@@ -41,24 +39,17 @@ class NoKeyAtPosition(LocatedError):
         return {**super()._words(lang), "because": because}
 
 
-class BadPencil(LocatedError):
-    """Errors of a pencil that are none."""
-
-    given: str
+class BadPencil(AboutText):
     en = "{where}: {given!r} is no pencil. Write what a length and a direction may be off, in mm and deg: 0.25,0.25."
     zh = "{where}：{given!r} 不是有效的作图误差。请写成长度和方向的误差（mm 和度），如 0.25,0.25。"
 
 
 class NoSuchProblem(Choice):
-    """Something handed in that belongs to none of several problems."""
-
     en = "{where}: of several problems none is called {given!r}. Name what is handed in after its problem, with any ending. {hint}"
     zh = "{where}：各题中没有名为 {given!r} 的题目。请用题目名称命名提交的文件或文件夹（后缀不限）。{hint}"
 
 
 class NoMarks(LocatedError):
-    """A line of a file of marks that graphkin cannot have written."""
-
     en = "{where}: this is no record of graphkin's marks. Mark the submissions themselves."
     zh = "{where}：这不是 graphkin 的评阅记录，请重新评阅提交的文件。"
 

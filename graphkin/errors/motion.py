@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import AboutLinks, Lang, LocatedError, Where, listed
+from graphkin.errors.base import AboutLink, AboutLinks, Lang, LocatedError, Where, listed
 
 __all__ = [
     "AlongOwnAxis", "AmbiguousSketch", "CannotAssemble", "DeadPoint", "FarFromSketch", "GearsApart", "HigherClass",
@@ -22,8 +22,6 @@ class HigherClass(AboutLinks):
 
 
 class CannotAssemble(AboutLinks):
-    """Links that do not reach each other."""
-
     gap_mm: float
     en = (
         "{where}: at this position a gap of {gap_mm:.4g} mm stays open between links {links}. "
@@ -47,8 +45,6 @@ class FarFromSketch(CannotAssemble):
 
 
 class DeadPoint(AboutLinks):
-    """Two loci that meet under too small an angle."""
-
     angle_deg: float
     en = (
         "{where}: dead point: the lines for links {links} meet under {angle_deg:.3f} deg; a drawing needs "
@@ -79,8 +75,6 @@ class AlongOwnAxis(DeadPoint):
 
 
 class GearsApart(LocatedError):
-    """Two gears whose centres are not as far apart as their radii want."""
-
     centres: tuple[str, str]
     distance_mm: float
     wanted_mm: float
@@ -135,8 +129,6 @@ class NotRepeated(LocatedError):
 
 
 class OffTrack(LocatedError):
-    """A wheel whose centre other pairs hold where its rim does not touch its track."""
-
     centre: str
     track: str
     distance_mm: float
@@ -155,8 +147,6 @@ class OffTrack(LocatedError):
 
 
 class OtherSide(LocatedError):
-    """A mechanism that closes with a wheel or a profile on the other side of its line only."""
-
     side: str
     en = (
         "{where}: the links do not close as the file has it, and they do on the other side of this line. "
@@ -166,8 +156,6 @@ class OtherSide(LocatedError):
 
 
 class NotPlaced(AboutLinks):
-    """A drawn position that neither driver values nor poses fix."""
-
     en = (
         "{where}: nothing says where links {links} stand at the drawn position. Give the driver an `angle` "
         "(or `at`), or add a [[pose]] for one of them."
@@ -176,8 +164,6 @@ class NotPlaced(AboutLinks):
 
 
 class PosesDiffer(LocatedError):
-    """A pose that says another thing of the drawn position than drivers, poses and pairs without it do."""
-
     line: str
     said: str
     holds: str
@@ -204,8 +190,6 @@ class PosesDiffer(LocatedError):
 
 
 class NotReached(LocatedError):
-    """A position that lies beyond a dead point, or beyond what can be assembled, on the way from the drawn one."""
-
     driver: str
     start: str
     end: str
@@ -218,8 +202,6 @@ class NotReached(LocatedError):
 
 
 class RoadsDiffer(LocatedError):
-    """The drawing and the analytic solution give different numbers: neither is to be trusted."""
-
     worst: float
     en = (
         "{where}: the drawing and the analytic solution differ by {worst:.1e} of the largest value, so neither is "
@@ -230,8 +212,6 @@ class RoadsDiffer(LocatedError):
 
 
 class TooFar(LocatedError):
-    """A driver that is to move farther than anyone can look along."""
-
     driver: str
     start: str
     end: str
@@ -241,8 +221,6 @@ class TooFar(LocatedError):
 
 
 class AmbiguousSketch(LocatedError):
-    """A sketch as near to one assembly as to the other."""
-
     points: tuple[str, ...]
     point: str
     first: str
@@ -282,9 +260,6 @@ class NoAssembly(LocatedError):
     zh = "{where}：按给定的长度和原动件位置无法装配，最小缺口为 {gap_mm:.3g} mm。请改变某一长度或原动件的位置。"
 
 
-class NotJoined(LocatedError):
-    """No chain of pairs joins this link to the frame."""
-
-    link: str
+class NotJoined(AboutLink):
     en = "{where}: no chain of pairs joins link {link} to the frame. Let it share a point with another link, or add a slide."
     zh = "{where}：构件 {link} 没有通过任何运动副与机架相连。请让它与另一构件共用一点，或加一个移动副。"

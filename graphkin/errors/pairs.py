@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import LocatedError
+from graphkin.errors.base import AboutLink, AboutText, LocatedError
 
 __all__ = [
     "BlockOrPin", "CircleOrLine", "LineOnLine", "NeedsDirection", "NeedsTilt", "NoLine", "PinInCircle", "PointOnPoint",
@@ -16,8 +16,6 @@ class BlockOrPin(LocatedError):
 
 
 class PinInCircle(LocatedError):
-    """A circular slot with a block in it, or with nothing."""
-
     en = (
         "{where}: centre and radius make a circular slot, in which a pin moves: give pin and guide. A block that "
         "slides in such a slot turns about its centre: leave the slide out and let the block's link have the centre, too."
@@ -25,20 +23,17 @@ class PinInCircle(LocatedError):
     zh = "{where}：centre 和 radius 表示圆弧槽，其中只能是销：请写 pin 和 guide。沿圆弧槽滑动的滑块绕槽的圆心转动：请删去该移动副，并让滑块所在构件也含圆心这一点（即铰接于圆心）。"
 
 
-class SlidesOnItself(LocatedError):
-    link: str
+class SlidesOnItself(AboutLink):
     en = "{where}: link {link} would slide on itself. Name another guide, or another block or pin."
     zh = "{where}：构件 {link} 不能在自身上滑动，请更换导路或滑块（销）。"
 
 
-class NeedsTilt(LocatedError):
-    link: str
+class NeedsTilt(AboutLink):
     en = "{where}: block {link} has a direction of its own already. Add tilt, the angle from the guide's line to that direction."
     zh = "{where}：滑块 {link} 已有自身方向，请补充 tilt，即从导路到该方向的角度。"
 
 
-class NeedsDirection(LocatedError):
-    link: str
+class NeedsDirection(AboutLink):
     en = "{where}: the direction of the line on link {link} is open. Add toward = a second point, or from = two points (and an angle)."
     zh = "{where}：构件 {link} 上导路的方向未定，请补充 toward（另一点），或 from（两点）及 angle。"
 
@@ -50,10 +45,7 @@ class NoLine(LocatedError):
     zh = "{where}：{first} 与 {second} 重合，不能确定方向，请换一个点。"
 
 
-class SameTwice(LocatedError):
-    """A pair needs two different links (or centres)."""
-
-    given: str
+class SameTwice(AboutText):
     en = "{where}: {given} stands there twice; a pair joins two different ones. Correct one."
     zh = "{where}：{given} 重复出现，运动副应联接两个不同的对象，请改正其一。"
 

@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import GraphkinError, Lang, LocatedError
+from graphkin.errors.base import AboutText, GraphkinError, Lang, LocatedError
 
 __all__ = ["NoRange", "NoRightNumber", "NoVariant", "NotAResult", "NotATemplate", "NotAnOverride", "NotForPlatform"]
 
 
 class NotATemplate(LocatedError):
-    """A template without anything that varies."""
-
     en = "{where}: nothing varies here. Give a number as a range: AB = {{ from = 20, to = 30, step = 1 }}"
     zh = "{where}：这里没有可变的量。请把某个数写成范围：AB = {{ from = 20, to = 30, step = 1 }}"
 
 
 class NoRange(LocatedError):
-    """A range that gives no values."""
-
     en = "{where}: this is no range. Write {{ from = 20, to = 30, step = 1 }}: finite, from below to, step above 0, at most 100000 values."
     zh = "{where}：这不是有效的范围。请写成 {{ from = 20, to = 30, step = 1 }}：有限数，from 小于 to，step 大于 0，最多 100000 个值。"
 
@@ -58,8 +54,6 @@ _UNTOLD: dict[Lang, str] = {
 
 
 class NotForPlatform(GraphkinError):
-    """A number that the platform cannot hold."""
-
     platform: str
     question: str
     part: str
@@ -72,8 +66,6 @@ class NotForPlatform(GraphkinError):
 
 
 class NoRightNumber(GraphkinError):
-    """A right number, a tolerance or points that are no number."""
-
     question: str
     part: str
     en = "Problem {question}: the right value, the tolerance or the points of {part} are no finite number. Make the key anew."
@@ -81,16 +73,11 @@ class NoRightNumber(GraphkinError):
 
 
 class NotAResult(LocatedError):
-    """A line of a results file that is no result."""
-
     reason: str
     en = "{where}: this is no result that graphkin wrote ({reason}). Mark the submissions again."
     zh = "{where}：这不是 graphkin 写的成绩记录（{reason}），请重新评阅。"
 
 
-class NotAnOverride(LocatedError):
-    """A cell of the column `override` that is no number of points."""
-
-    given: str
+class NotAnOverride(AboutText):
     en = "{where}: {given!r} in the column override is no number of points. Write a number from 0 up, or leave it empty."
     zh = "{where}：override 列中的 {given!r} 不是分数。请填不小于 0 的数，或留空。"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import Lang, LocatedError
+from graphkin.errors.base import AboutText, Lang, LocatedError
 
 __all__ = [
     "BrokenSubmission", "HandedTwice", "NamesNobody", "NoAnswers", "NoStudents", "NotMarkable", "OwnFault",
@@ -10,10 +10,7 @@ __all__ = [
 ]  # fmt: skip
 
 
-class NotMarkable(LocatedError):
-    """A kind of file that holds neither answers nor a drawing."""
-
-    given: str
+class NotMarkable(AboutText):
     en = "{where}: a file of kind {given!r} cannot be read. Hand in .toml, .json, .csv, .xlsx, .svg, .ggb or .dxf."
     zh = "{where}：不能读取 {given!r} 类文件。请提交 .toml、.json、.csv、.xlsx、.svg、.ggb 或 .dxf 文件。"
 
@@ -65,16 +62,12 @@ class TookTooLong(LocatedError):
 
 
 class OwnFault(LocatedError):
-    """A fault of graphkin's own, that must not look like a wrong answer."""
-
     kind: str
     en = "{where}: graphkin failed to read this file ({kind}); that is no fault of the student's. Mark it by hand, and report the file."
     zh = "{where}：graphkin 未能读取此文件（{kind}），并非学生的错误。请人工评阅，并报告该文件。"
 
 
 class WantsExtra(LocatedError):
-    """A format that an optional package reads."""
-
     kind: str
     package: str
     en = "{where}: reading {kind} files needs the package {package}. Install it with: pip install {package}"
@@ -88,8 +81,6 @@ class UnknownStudent(LocatedError):
 
 
 class HandedTwice(LocatedError):
-    """A second submission of one student."""
-
     student: str
     first: str
     en = "{where}: student {student!r} handed in {first} before, which is marked; this one is not. Leave one of the two."
@@ -97,8 +88,6 @@ class HandedTwice(LocatedError):
 
 
 class TwoNames(LocatedError):
-    """A line in a file names a student, who is another than the one it is named after."""
-
     named: str
     student: str
     en = (
@@ -125,8 +114,6 @@ class NoAnswers(LocatedError):
 
 
 class SeveralStudents(LocatedError):
-    """A class table among files of single students, of which anybody's may be."""
-
     first: str
     second: str
     en = (
@@ -137,7 +124,5 @@ class SeveralStudents(LocatedError):
 
 
 class NamesNobody(LocatedError):
-    """A row of a class table without an id, below rows with one."""
-
     en = "{where}: this row names no student. Write the id in its column."
     zh = "{where}：此行没有学号。请在学号一列填写。"
