@@ -15,7 +15,7 @@ from random_mechanisms import DYADS, Build, cam, chain, coupler_angle, dyad, epi
 from graphkin.analytic import Motion, motion
 from graphkin.construction.drafting import replay
 from graphkin.errors import GraphkinError, UnknownLink, UnknownPoint
-from graphkin.errors.centring import FrameStands, NoBobillier
+from graphkin.errors.studies import FrameStands, NoBobillier
 from graphkin.files import library, loads
 from graphkin.model.mechanism import FRAME, Driver, Mechanism
 from graphkin.planning import plan

@@ -23,7 +23,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Plot, replay
 from graphkin.construction.drafting import INFINITE
 from graphkin.errors import UnknownLink, UnknownPoint, Where
-from graphkin.errors.centring import FrameStands
+from graphkin.errors.studies import FrameStands
 from graphkin.model.mechanism import FRAME
 from graphkin.proof.readings import readings
 from graphkin.studies.centres.instant_centres import Centres
