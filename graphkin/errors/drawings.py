@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphkin.errors.base import GraphkinError, Lang, LocatedError
+from graphkin.errors.base import GraphkinError, Lang, LocatedError, WordTable
 
 __all__ = [
     "BadDrawing", "CannotWrite", "NoChineseLetters", "NoDrawing", "NoFolder", "NoFont", "NoLetter", "NothingToMeasure",
@@ -35,31 +35,26 @@ class NoDrawing(LocatedError):
     zh = "{where}：没有这个文件，请检查路径。"
 
 
-class NothingToMeasure(LocatedError):
-    """A drawing of graphkin's that a ruler does not judge: `style` is a key of `_UNJUDGED`."""
-
-    style: str = "given"
-    en = "{where}: nothing of this drawing is judged: {reason}"
-    zh = "{where}：本图不作任何判断：{reason}"
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return super()._words(lang) | {"reason": _UNJUDGED[self.style][lang]}
-
-
-_UNJUDGED: dict[str, dict[Lang, str]] = {
-    "given": {
-        "en": "it shows only what is given. Check one that holds answers, as `graphkin draw` makes it without `--style given`.",
-        "zh": "它只画出已知条件。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
-    },
-    "bare": {
-        "en": "it carries no mechanism file to solve anew. Check one of a mechanism, as `graphkin draw` makes it.",
-        "zh": "图中没有可重新求解的机构文件。请检查某一机构的图（`graphkin draw`）。",
-    },
-    "moving": {
-        "en": "it moves, and a ruler measures one position. Check one drawn at a position, without `--animate`.",
-        "zh": "它是动态图，而直尺只能测量一个位置。请检查某一位置的图（不加 `--animate`）。",
-    },
+_UNJUDGED: WordTable = {
+    "given": (
+        "it shows only what is given. Check one that holds answers, as `graphkin draw` makes it without `--style given`.",
+        "它只画出已知条件。请检查带有答案的图（`graphkin draw` 不加 `--style given`）。",
+    ),
+    "bare": (
+        "it carries no mechanism file to solve anew. Check one of a mechanism, as `graphkin draw` makes it.",
+        "图中没有可重新求解的机构文件。请检查某一机构的图（`graphkin draw`）。",
+    ),
+    "moving": (
+        "it moves, and a ruler measures one position. Check one drawn at a position, without `--animate`.",
+        "它是动态图，而直尺只能测量一个位置。请检查某一位置的图（不加 `--animate`）。",
+    ),
 }
+
+
+class NothingToMeasure(LocatedError, style=_UNJUDGED):
+    style: str = "given"
+    en = "{where}: nothing of this drawing is judged: {style}"
+    zh = "{where}：本图不作任何判断：{style}"
 
 
 class BadDrawing(LocatedError):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar
 
-from graphkin.errors.base import AboutText, Choice, GraphkinError, Lang, LocatedError
+from graphkin.errors.base import AboutText, Choice, GraphkinError, Lang, LocatedError, WordTable
 
 __all__ = [
     "AnotherStudent", "AnsweredTwice", "BadKey", "BadPencil", "BrokenSubmission", "HandedTwice", "LetterTwice",
@@ -269,23 +269,20 @@ class LetterTwice(LocatedError):
     zh = "{where}：无法确定字母 {letter} 标注的是哪一点。请把它写在该点旁边，且只写一次。"
 
 
-class NoScaleDrawn(LocatedError):
+_PLANES: WordTable = {
+    "position": ("position", "位置"),
+    "velocity": ("velocity", "速度"),
+    "acceleration": ("acceleration", "加速度"),
+}
+
+
+class NoScaleDrawn(LocatedError, plane=_PLANES):
     """A polygon whose scale is neither stated nor to be had from its known first vector."""
 
     plane: str
     key: str
     en = "{where}: the {plane} polygon has no scale. Write it on the drawing ({key} = 0.01), or draw the known first vector."
     zh = "{where}：{plane}多边形没有比例尺。请在图上写明（{key} = 0.01），或画出已知的第一个矢量。"
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "plane": _PLANES[self.plane][lang]}
-
-
-_PLANES: dict[str, dict[Lang, str]] = {
-    "position": {"en": "position", "zh": "位置"},
-    "velocity": {"en": "velocity", "zh": "速度"},
-    "acceleration": {"en": "acceleration", "zh": "加速度"},
-}
 
 
 class NotATemplate(LocatedError):

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
-from graphkin.errors.base import AboutText, Choice, Lang, LocatedError
+from graphkin.errors.base import AboutText, Choice, Lang, LocatedError, WordTable
 
 __all__ = [
     "AngleRange", "BadName", "DuplicateName", "KeyClash", "LongName", "MissingKey", "Negative", "NoMeaning", "NoUnit",
@@ -12,7 +10,7 @@ __all__ = [
     "UnknownPoint", "UnknownSlide", "UnknownUnit", "WrongCount", "WrongType",
 ]  # fmt: skip
 
-KINDS: dict[str, tuple[str, str]] = {
+KINDS: WordTable = {
     "text": ("a text in quotes", "带引号的文字"),
     "name": ("a name in quotes", "带引号的名称"),
     "title": ("a text in quotes, or { en = \"..\", zh = \"..\" }",
@@ -38,7 +36,7 @@ KINDS: dict[str, tuple[str, str]] = {
 }  # fmt: skip
 """The kinds of value that can be expected somewhere, in words."""
 
-QUANTITIES: dict[str, tuple[str, str]] = {
+QUANTITIES: WordTable = {
     "length": ("a length", "长度"),
     "angle": ("an angle", "角度"),
     "angular velocity": ("an angular velocity", "角速度"),
@@ -46,10 +44,6 @@ QUANTITIES: dict[str, tuple[str, str]] = {
     "velocity": ("a velocity", "速度"),
     "acceleration": ("an acceleration", "加速度"),
 }
-
-
-def _pick(words: tuple[str, str], lang: Lang) -> str:
-    return words[1] if lang == "zh" else words[0]
 
 
 class UnknownKey(Choice):
@@ -84,28 +78,21 @@ class NotOneOf(Choice):
     zh = "{where}：此处不能写 {given}。{hint}"
 
 
-class UnknownUnit(Choice):
+class UnknownUnit(Choice, quantity=QUANTITIES):
     """`quantity` is what stands there, `possible` its units."""
 
     quantity: str
     en = "{where}: {given} is not a unit graphkin knows; {quantity} is wanted. {hint}"
     zh = "{where}：不认识单位 {given}，此处应为{quantity}。{hint}"
 
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "quantity": _pick(QUANTITIES[self.quantity], lang)}
 
-
-class OtherDimension(Choice):
+class OtherDimension(Choice, quantity=QUANTITIES, found=QUANTITIES):
     """A known unit, but of something else (`found`)."""
 
     quantity: str
     found: str
     en = "{where}: {given} is the unit of {found}, but {quantity} is wanted. {hint}"
     zh = "{where}：{given} 是{found}的单位，此处应为{quantity}。{hint}"
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        quantities = {"quantity": self.quantity, "found": self.found}
-        return super()._words(lang) | {key: _pick(QUANTITIES[name], lang) for key, name in quantities.items()}
 
 
 class NoUnit(Choice):
@@ -155,44 +142,36 @@ class KeyClash(LocatedError):
     zh = "{where}：{first} 与 {second} 不能同时给出，请去掉其一。"
 
 
-class NoMeaning(LocatedError):
-    """A key of the format that says nothing in this place; `why` chooses the reason."""
+_MEANINGLESS: WordTable = {
+    "tilt": ("a block of one point takes its direction from the line (one that has a second point, such as BQ = 30, "
+             "has its own)", "单点滑块的方向就是导路方向（若有自身方向，请给它第二个点，例如 BQ = 30）"),
+    "pin": ("a pin in a slot may turn", "销在槽中可以转动"),
+    "own line": ("a guide of one point that slides on nothing is its own line (for a line at an angle give the link a "
+                 "second point, such as CQ = 30, and measure from = \"CQ\")",
+                 "只有一个点、不在其他构件上滑动的导路以自身轴线为导路（若导路与轴线成角度，请给该构件第二个点，例如 CQ = 30，并用 from = \"CQ\"）"),
+    "circle": ("it belongs to a line, and this is a circle", "它只用于直线，而此处是圆"),
+    "line": ("it belongs to a circle, and this is a line", "它只用于圆，而此处是直线"),
+    "slide": ("it belongs to a turning driver, and a slide is driven by at, velocity, acceleration",
+              "它用于转动原动件；移动副用 at、velocity、acceleration 驱动"),
+    "vector": ("it belongs to a driven slide, and a vector is driven by angle, omega, alpha",
+               "它用于移动副；转动原动件用 angle、omega、alpha 驱动"),
+    "spin": ("a wheel whose own direction does not matter has omega and alpha only",
+             "不计自身方位的轮只需 omega 和 alpha"),
+}
 
+
+class NoMeaning(LocatedError, why=_MEANINGLESS):
     key: str
     why: str
     en = "{where}: {key} has no meaning here: {why}. Leave it out."
     zh = "{where}：此处的 {key} 没有意义：{why}。请删去。"
-    reasons: ClassVar[dict[str, tuple[str, str]]] = {
-        "tilt": ("a block of one point takes its direction from the line (one that has a second point, such as BQ = 30, "
-                 "has its own)", "单点滑块的方向就是导路方向（若有自身方向，请给它第二个点，例如 BQ = 30）"),
-        "pin": ("a pin in a slot may turn", "销在槽中可以转动"),
-        "own line": ("a guide of one point that slides on nothing is its own line (for a line at an angle give the link a "
-                     "second point, such as CQ = 30, and measure from = \"CQ\")",
-                     "只有一个点、不在其他构件上滑动的导路以自身轴线为导路（若导路与轴线成角度，请给该构件第二个点，例如 CQ = 30，并用 from = \"CQ\"）"),
-        "circle": ("it belongs to a line, and this is a circle", "它只用于直线，而此处是圆"),
-        "line": ("it belongs to a circle, and this is a line", "它只用于圆，而此处是直线"),
-        "slide": ("it belongs to a turning driver, and a slide is driven by at, velocity, acceleration",
-                  "它用于转动原动件；移动副用 at、velocity、acceleration 驱动"),
-        "vector": ("it belongs to a driven slide, and a vector is driven by angle, omega, alpha",
-                   "它用于移动副；转动原动件用 angle、omega、alpha 驱动"),
-        "spin": ("a wheel whose own direction does not matter has omega and alpha only",
-                 "不计自身方位的轮只需 omega 和 alpha"),
-    }
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "why": _pick(self.reasons[self.why], lang)}
 
 
-class WrongType(LocatedError):
-    """`expected` is one of `KINDS`."""
-
+class WrongType(LocatedError, expected=KINDS):
     expected: str
     given: str
     en = "{where}: {given} stands where {expected} is wanted. Replace it."
     zh = "{where}：此处应为{expected}，而不是 {given}，请改正。"
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "expected": _pick(KINDS[self.expected], lang)}
 
 
 class WrongCount(LocatedError):

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
-from graphkin.errors.base import AboutLink, AboutText, Choice, GraphkinError, Lang, LocatedError
+from graphkin.errors.base import AboutLink, AboutText, Choice, GraphkinError, Lang, LocatedError, WordTable
 
 __all__ = [
     "BadCondition", "BadVelocities", "CannotClose", "CannotDriveBy", "CannotScale", "CouplerChanges", "FrameStands",
@@ -261,22 +259,21 @@ class NoCentrode(LocatedError):
     zh = "{where}：构件 {first} 与 {second} 没有瞬心线：二者无相对转动，瞬心始终在无穷远处或不存在。请另选两个有相对转动的构件。"
 
 
-class NoBobillier(AboutLink):
+_NO_BOBILLIER: WordTable = {
+    "pivot": ("it turns about a fixed point.", "它绕固定点转动。"),
+    "translation": ("its pole is at infinity, its rays are parallel.", "瞬心在无穷远处，各射线平行。"),
+    "rest": ("it stands still at this instant.", "它此刻静止。"),
+    "cusp": ("the point lies at the pole; its path has a cusp.", "该点位于瞬心，轨迹在此为尖点。"),
+    "line": ("the points that are guided lie on one ray of the pole.", "已知曲率中心的点在同一射线上。"),
+}
+
+
+class NoBobillier(AboutLink, reason=_NO_BOBILLIER):
     """A link at a position where Bobillier's construction gives nothing."""
 
     reason: str
-    en = "{where}: Bobillier's construction cannot be drawn for link {link}: {why} Take another link or position."
-    zh = "{where}：不能对构件 {link} 用波比利尔作图法：{why}请另选构件或位置。"
-    reasons: ClassVar[dict[str, dict[Lang, str]]] = {
-        "pivot": {"en": "it turns about a fixed point.", "zh": "它绕固定点转动。"},
-        "translation": {"en": "its pole is at infinity, its rays are parallel.", "zh": "瞬心在无穷远处，各射线平行。"},
-        "rest": {"en": "it stands still at this instant.", "zh": "它此刻静止。"},
-        "cusp": {"en": "the point lies at the pole; its path has a cusp.", "zh": "该点位于瞬心，轨迹在此为尖点。"},
-        "line": {"en": "the points that are guided lie on one ray of the pole.", "zh": "已知曲率中心的点在同一射线上。"},
-    }
-
-    def _words(self, lang: Lang) -> dict[str, object]:
-        return {**super()._words(lang), "why": self.reasons[self.reason][lang]}
+    en = "{where}: Bobillier's construction cannot be drawn for link {link}: {reason} Take another link or position."
+    zh = "{where}：不能对构件 {link} 用波比利尔作图法：{reason}请另选构件或位置。"
 
 
 class UnknownCentre(Choice):
