@@ -96,14 +96,12 @@ class NoChineseLetters(GraphkinError):
 
 class NoFont(GraphkinError):
     path: str
-
     en = "{path} is not a font file (.ttf, .otf, .ttc) that can be read. Name another, or leave --font out."
     zh = "{path} 不是可读取的字体文件（.ttf、.otf、.ttc）。请另行指定，或不用 --font。"
 
 
 class NoLetter(GraphkinError):
     letter: str
-
     en = (
         "No font here has the character {letter!r}, which would be printed as a box. Install one that has (on Debian: "
         "apt install fonts-noto-core fonts-noto-cjk), or name its file with --font PATH."

@@ -124,8 +124,6 @@ _MUCH: dict[str, dict[Lang, str]] = {
 
 
 class TooMuch(LocatedError):
-    """Beyond a limit that no honest submission meets."""
-
     what: str
     most: float
     en = "{where}: this is {what}. Hand in the answers or the drawing alone."

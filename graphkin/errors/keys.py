@@ -79,16 +79,12 @@ class NotOneOf(Choice):
 
 
 class UnknownUnit(Choice, quantity=QUANTITIES):
-    """`quantity` is what stands there, `possible` its units."""
-
     quantity: str
     en = "{where}: {given} is not a unit graphkin knows; {quantity} is wanted. {hint}"
     zh = "{where}：不认识单位 {given}，此处应为{quantity}。{hint}"
 
 
 class OtherDimension(Choice, quantity=QUANTITIES, found=QUANTITIES):
-    """A known unit, but of something else (`found`)."""
-
     quantity: str
     found: str
     en = "{where}: {given} is the unit of {found}, but {quantity} is wanted. {hint}"
@@ -111,8 +107,6 @@ class OutOfRange(AboutText):
 
 
 class TooSmall(AboutText):
-    """Zero, negative, or too small; `least` is the smallest that will do."""
-
     least: str
     en = "{where}: {given} will not do, the value must be greater than 0 (at least {least}). Correct it."
     zh = "{where}：{given} 不合要求，数值必须大于 0（不小于 {least}），请改正。"
@@ -182,8 +176,6 @@ class WrongCount(LocatedError):
 
 
 class BadName(WrongType):
-    """A name or key that is not formed as its kind is."""
-
     en = "{where}: {given}{odd} is not formed as it must be: {expected}. Rename it."
     zh = "{where}：{given}{odd} 的写法不对，应为：{expected}。请改名。"
 

@@ -31,12 +31,6 @@ class CannotAssemble(AboutLinks):
 
 
 class FarFromSketch(CannotAssemble):
-    """The same, where a measure of one of them is far from the sketch.
-
-    points              the two points
-    sketched_mm, given_mm  their distance there and by the link's measures
-    """
-
     points: str
     sketched_mm: float
     given_mm: float
@@ -54,15 +48,9 @@ class DeadPoint(AboutLinks):
 
 
 class AlongOwnAxis(DeadPoint):
-    """A dead point in every position: a line of a link of one point runs the way the link itself slides.
-
-    point   the link's point
-    guided  the key of the link's own slide
-    """
-
     link: str
     point: str
-    guided: str
+    guided: str  # the key of the link's own slide
     en = (
         "{where}: link {link} has one point, so a line on it that is not said is its own axis, and that runs the way it slides "
         "({guided}): nothing on that line can move it. Say in the table of that line how it lies, such as through = \"{point}\" and "
@@ -106,13 +94,7 @@ def called_pair(kind: str, name: str, lang: Lang) -> str:
 
 
 class NotRepeated(LocatedError):
-    """A constraint that comes close to repeating those of other pairs, and contradicts them by the rest.
-
-    pair, held   kind and name of each
-    off, unit    by how much it does not repeat them, in mm or deg
-    """
-
-    pair: tuple[str, str]
+    pair: tuple[str, str]  # kind and name
     held: tuple[tuple[str, str], ...]
     off: float
     unit: str
@@ -233,12 +215,7 @@ class AmbiguousSketch(LocatedError):
 
 
 class SingularPosition(LocatedError):
-    """The drivers do not move the mechanism in one definite way here: a dead point or a change point.
-
-    condition   reciprocal condition number of A in A y' = B, with lengths in units of the mechanism's size
-    """
-
-    condition: float
+    condition: float  # reciprocal, of A in A y' = B, with lengths in units of the mechanism's size
     en = (
         "{where}: the mechanism stands at a dead point or a change point (reciprocal condition {condition:.1e}), "
         "where the drivers give it no definite velocity. Move the driver a little."
@@ -247,11 +224,6 @@ class SingularPosition(LocatedError):
 
 
 class NoAssembly(LocatedError):
-    """No position meets all lengths, angles and driver values at once.
-
-    gap_mm   the smallest gap that stays open [mm]
-    """
-
     gap_mm: float
     en = (
         "{where}: the mechanism cannot be assembled with these lengths and driver values; "

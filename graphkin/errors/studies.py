@@ -50,8 +50,6 @@ class NegativeSize(LocatedError):
 
 
 class NoLineOf(Choice):
-    """A link or a pair of points that makes no line on one moving link."""
-
     en = "{where}: {given!r} is no line of a moving link. Name two points of one link (`slowest BC`), or a link with two points. {hint}"
     zh = "{where}：{given!r} 不是某一活动构件上的直线。请写出同一构件上的两点（如 `slowest BC`），或至少有两点的构件。{hint}"
 
@@ -148,8 +146,6 @@ class WantedRange(GraphkinError):
 
 
 class OneCondition(GraphkinError):
-    """More (or fewer) conditions than the design leaves free."""
-
     given: str
     possible: str
     wanted: str
@@ -269,8 +265,6 @@ _NO_BOBILLIER: WordTable = {
 
 
 class NoBobillier(AboutLink, reason=_NO_BOBILLIER):
-    """A link at a position where Bobillier's construction gives nothing."""
-
     reason: str
     en = "{where}: Bobillier's construction cannot be drawn for link {link}: {reason} Take another link or position."
     zh = "{where}：不能对构件 {link} 用波比利尔作图法：{reason}请另选构件或位置。"

@@ -129,7 +129,7 @@ def _with_factors(over: CourseStretch, positions: tuple[Position, ...]) -> tuple
     """
     mechanism = over.course.method.mechanism
     quantity = quantity_of(mechanism, over.names[0])
-    if not isinstance(quantity, Moving) or quantity.which != "k" or quantity.seen_from is None or not positions:
+    if not isinstance(quantity, Moving) or quantity.part != "k" or quantity.seen_from is None or not positions:
         return positions
     link = quantity.seen_from.link
     names = [f"omega {mechanism.called(link)}"] if link != FRAME else []
