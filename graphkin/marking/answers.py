@@ -10,14 +10,13 @@ import numpy as np
 from graphkin.base.geometry import Real, Value, dot
 from graphkin.base.value import frozen
 from graphkin.construction import Given, Image, Normal, Plane, Site
-from graphkin.errors import GraphkinError
 from graphkin.marking.hand import Redrawing
 from graphkin.marking.key import Sort
 from graphkin.model.mechanism import FRAME, Mechanism
 from graphkin.model.naming import Seen
 from graphkin.model.quantities import Quantity, kinds
 from graphkin.model.quantities.kinds import Answer, on_axis
-from graphkin.model.quantities.reading import read
+from graphkin.model.quantities.reading import quietly
 from graphkin.planning import Method
 from graphkin.proof.readings import readings
 
@@ -53,10 +52,7 @@ def on_the_way(method: Method) -> tuple[Quantity, ...]:
 
 def readable(mechanism: Mechanism, text: str) -> Quantity | None:
     """The quantity a text names, where its answer is a number."""
-    try:
-        quantity = read(mechanism, text)
-    except GraphkinError:
-        return None
+    quantity = quietly(mechanism, text)
     return None if quantity is not None and quantity.is_place else quantity
 
 
