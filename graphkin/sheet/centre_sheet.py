@@ -14,12 +14,12 @@ from graphkin.errors import Lang
 from graphkin.sheet.centre_figure import bare_mechanism, centre_figure
 from graphkin.sheet.centre_places import OnPaper, spots
 from graphkin.sheet.centre_table import CentreTable, centre_table, circle_diagram, circle_size
-from graphkin.sheet.grid import SheetGrid
 from graphkin.sheet.layout import HEAD, papers_for
 from graphkin.sheet.marks import Stroke
 from graphkin.sheet.mechanism_figure import mechanism_places
 from graphkin.sheet.page import Lettered, Page, Panel, Sheet, heading, step_sheets
 from graphkin.sheet.paper import Paper, Room
+from graphkin.sheet.single_figure import SheetGrid
 from graphkin.sheet.window import Extent, Window, corners
 from graphkin.studies.centres import Centres
 

@@ -23,14 +23,13 @@ from graphkin.sheet.arrows import heads_apart, side_by_side
 from graphkin.sheet.construction_lines import PolygonConstruction, pencil_lines
 from graphkin.sheet.detail import detailed
 from graphkin.sheet.free_room import FreeRoom
-from graphkin.sheet.gear_images import GearImage, gear_images
 from graphkin.sheet.layout import HEAD_LEFT, Height, Layout, headed, lay_out, under_heading
 from graphkin.sheet.lettering import Label, plain
 from graphkin.sheet.mechanism_figure import bare_figure, mechanism_figure, mechanism_places, shown_places
 from graphkin.sheet.page import HEADINGS, Last, Page, Panel, heading
 from graphkin.sheet.paper import KEYS, Paper
 from graphkin.sheet.path_figure import NONE, Paths
-from graphkin.sheet.polygons import PolygonFigure, polygon_figure
+from graphkin.sheet.polygons import GearImage, PolygonFigure, gear_images, polygon_figure
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.text_blocks import EquationBlock, equation_blocks, head_of, laid_out
 from graphkin.sheet.titleblock import Strip, Table, strip_height

@@ -14,14 +14,13 @@ from functools import partial
 from graphkin.errors import Lang
 from graphkin.say import numbers
 from graphkin.say.linkages import amount, kind_name, titled
-from graphkin.sheet.grid import SheetGrid, panels_in
 from graphkin.sheet.layout import papers_for
 from graphkin.sheet.lettering import Label, Run, number, plain, point_label, points_label, quantity_label, width
 from graphkin.sheet.linkage_figure import dimensioned_limits, dimensioned_transmission, drawn_over, pictured
 from graphkin.sheet.marks import Text
 from graphkin.sheet.page import Panel, Sheet
 from graphkin.sheet.paper import TITLE
-from graphkin.sheet.single_figure import Caption, Picture
+from graphkin.sheet.single_figure import Caption, Picture, SheetGrid, panels_in
 from graphkin.sheet.titleblock import Table, frame
 from graphkin.sheet.window import Figure, Window
 from graphkin.studies.linkages import FAMILY, Report, report
