@@ -168,7 +168,7 @@ class _CentreCommand:
     def _pole_of_two_velocities(self) -> None:
         from graphkin.outputs import svg
         from graphkin.say.centre_about import pole_words
-        from graphkin.sheet.pole_sheet import pole_sheet
+        from graphkin.sheet.centrode_sheet import pole_sheet
         from graphkin.studies.centres.two_velocities import from_text
 
         if self.steps is not None:

@@ -16,7 +16,7 @@ from graphkin.errors import Lang
 from graphkin.model.mechanism import FRAME
 from graphkin.say import numbers
 from graphkin.say.centre_about import bobillier_words, link_words
-from graphkin.sheet.centre_places import coordinates
+from graphkin.sheet.centre_figure import coordinates
 from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label, quantity_label
 from graphkin.sheet.marks import Disc, Fill, Mark, Place, Stroke

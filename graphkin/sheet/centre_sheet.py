@@ -11,8 +11,7 @@ from functools import cached_property, partial
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.sheet.centre_figure import bare_mechanism, centre_figure
-from graphkin.sheet.centre_places import OnPaper, spots
+from graphkin.sheet.centre_figure import OnPaper, bare_mechanism, centre_figure, spots
 from graphkin.sheet.centre_table import CentreTable, centre_table, circle_diagram, circle_size
 from graphkin.sheet.layout import HEAD, papers_for
 from graphkin.sheet.marks import Stroke

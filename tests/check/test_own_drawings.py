@@ -20,18 +20,18 @@ from renamed import renamed
 from graphkin import Drawing
 from graphkin.analytic import motion
 from graphkin.check import measured
-from graphkin.check.centre_measure import pole_of, ways_to_move
 from graphkin.check.drawing import mechanism_of, read
+from graphkin.check.ruler import pole_of, ways_to_move
 from graphkin.errors import GraphkinError, NothingToMeasure
 from graphkin.files import library, loads
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
+from graphkin.sheet.centrode_sheet import pole_sheet
 from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
 from graphkin.sheet.linkage_sheet import family_sheet
 from graphkin.sheet.marks import PointMark
-from graphkin.sheet.pole_sheet import pole_sheet
 from graphkin.studies.centres import centres
 from graphkin.studies.centres.two_velocities import from_text
 

@@ -15,7 +15,7 @@ import random_mechanisms
 from graphkin import files as loading
 from graphkin import motion
 from graphkin.check import RulerReport, measure
-from graphkin.check.centre_measure import pole_of, ways_to_move
+from graphkin.check.ruler import pole_of, ways_to_move
 from graphkin.files import library
 from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.svg import svg
