@@ -95,10 +95,8 @@ def _blank(
     method: Method, condition: Condition, swept: int, names: tuple[str, ...], drawn: tuple[Series, ...]
 ) -> Findings:
     """Findings without an answer."""
-    units, guided = tuple(entry.unit for entry in drawn), tuple(entry.along is not None for entry in drawn)
-    return Findings(
-        condition, method.mechanism, method.drivers, swept, None, False, (False, False), names, units, guided
-    )  # fmt: skip
+    units = tuple(entry.unit for entry in drawn)
+    return Findings(condition, method.mechanism, method.drivers, swept, None, False, (False, False), names, units)
 
 
 def _blank_on(condition: Condition, drawn: tuple[Series, ...], over: CourseStretch) -> Findings:

@@ -218,11 +218,6 @@ class Course:
         """True if the swept driver goes all round."""
         return self.angular and not self.path.stops
 
-    def fine(self, count: int) -> np.ndarray:
-        """t at `count` positions evenly from the first to the last that is reached."""
-        low, high = (float(self.t.min()), float(self.t.max())) if self.t.size else (self.path.first, self.path.last)
-        return np.linspace(low, high, count)
-
 
 def course(method: Method, ranges: Ranges = ()) -> Course:
     """The path that a sweep takes.
