@@ -16,12 +16,12 @@ from graphkin.running.path import along
 from graphkin.say.catalogue import in_both
 from graphkin.say.centre_about import curves_met, pole_words
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.layout import divided, papers_for
+from graphkin.sheet.layout import divided
 from graphkin.sheet.lettering import Label, Run, link_label, number, plain, point_label, quantity_label
 from graphkin.sheet.marks import Disc, Place, Stroke
 from graphkin.sheet.mechanism_figure import shown_places
 from graphkin.sheet.page import Page, Sheet
-from graphkin.sheet.paper import PenName, finest
+from graphkin.sheet.paper import PenName, finest, papers_for
 from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.single_figure import Caption, Picture, SingleFigure, place_for
 from graphkin.sheet.symbols import SWEEP, arrow_head, spin

@@ -1,6 +1,6 @@
 """The sheet of a design: the construction at true scale, its limit positions, and the linkage that was found.
 
-`design_sheet` draws all, `design_step_sheets` one numbered sentence after the other.
+A step is a numbered sentence that draws something; the linkage comes last.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from graphkin.sheet.label_requests import LabelRequest
 from graphkin.sheet.lettering import Label, Run, joined, number, plain, point_label
 from graphkin.sheet.marks import ArcMark, Disc, Place, Stroke, Text
 from graphkin.sheet.mechanism_figure import shown_places
-from graphkin.sheet.page import Sheet, step_sheets
+from graphkin.sheet.page import Sheet
 from graphkin.sheet.paper import BODY, LABEL, PenName
 from graphkin.sheet.path_figure import clipped
 from graphkin.sheet.single_figure import SingleFigure, place_for
@@ -39,11 +39,9 @@ _MOST = 3.0  # so many times larger than the linkage the figure may become, for 
 _HEADING: dict[Lang, str] = {"en": "Design by construction", "zh": "图解设计"}
 
 
-def design_sheet(
-    design: Design, *, solution: Solution | None = None, paper: str | None = None, lang: Lang = "en"
-) -> Sheet:
-    """Draw a design that has a solution: the best one, or the one given. Raises NoDesign, UnknownPaper."""
-    chosen = solution or design.best
+def design_sheet(design: Design, *, paper: str | None = None, lang: Lang = "en") -> Sheet:
+    """Draw the best solution of a design that has one. Raises NoDesign, UnknownPaper."""
+    chosen = design.best
     if chosen is None:
         raise error(design) or AssertionError("a design without a best solution has none")
     method = planning.plan(mechanism_of(chosen, design.kind))
@@ -60,14 +58,6 @@ def design_sheet(
     sizes = [Text(label, corner + complex(_COLUMN * (k % 2), _LINE * (k // 2)), LABEL, last)
              for k, label in enumerate(_sizes(chosen))]  # fmt: skip
     return on.sheet(plot, _HEADING[lang], construction.figure() + machine, lang, after=sizes)
-
-
-def design_step_sheets(
-    design: Design, *, solution: Solution | None = None, paper: str | None = None, lang: Lang = "en"
-) -> Iterator[Sheet]:
-    """One sheet a numbered sentence that draws something; what it adds is emphasised. The linkage comes last."""
-    whole = design_sheet(design, solution=solution, paper=paper, lang=lang)
-    yield from step_sheets(whole, sorted({mark.step for mark in whole.marks if mark.step is not None}))
 
 
 def _page(one: Solution, method: Method, plot: Plot, paper: str | None) -> SingleFigure:

@@ -20,12 +20,11 @@ from graphkin.say.linkages import amount, kind_name, titled
 from graphkin.sheet import symbols
 from graphkin.sheet.fixed_link import away_from, grounds
 from graphkin.sheet.label_requests import LabelRequest
-from graphkin.sheet.layout import papers_for
 from graphkin.sheet.lettering import Label, Run, number, plain, point_label, points_label, quantity_label, width
 from graphkin.sheet.marks import ArcMark, Disc, Mark, Place, PointMark, Stroke, Text
 from graphkin.sheet.mechanism_figure import moving_links
 from graphkin.sheet.page import Panel, Sheet
-from graphkin.sheet.paper import BODY, TITLE
+from graphkin.sheet.paper import BODY, TITLE, papers_for
 from graphkin.sheet.single_figure import Caption, Picture, SheetGrid, panels_in
 from graphkin.sheet.skeleton import Skeleton
 from graphkin.sheet.titleblock import Table, frame
@@ -314,7 +313,7 @@ def _stroke(report: Report, length: float, window: Window) -> Figure:
     places = [on_paper(end, window) for end in report.limits]
     one, other = (there[-1] for there in places)
     side = away_from(one, along, [place for there in places for place in there])
-    start, end = one + _STROKE_OFF * side, other + _FOOT * side
+    start, end = one + _STROKE_OFF * side, other + _STROKE_OFF * side
     marks: list[Mark] = []
     for place in (one, other):
         marks.append(Stroke((place + 4.5 * side, place + (_STROKE_OFF + 1.5) * side), "construction"))

@@ -29,9 +29,10 @@ from graphkin.outputs.svg import svg
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.sheet.centrode_sheet import pole_sheet
-from graphkin.sheet.design_sheet import design_sheet, design_step_sheets
+from graphkin.sheet.design_sheet import design_sheet
 from graphkin.sheet.linkage_sheet import family_sheet
 from graphkin.sheet.marks import PointMark
+from graphkin.sheet.page import step_sheets
 from graphkin.studies.centres import centres
 from graphkin.studies.centres.two_velocities import from_text
 
@@ -76,7 +77,7 @@ def test_every_drawing_of_the_library(number: int, tmp_path: Path):
 
 @pytest.mark.parametrize("name", DESIGNS)
 def test_every_design(name: str, tmp_path: Path):
-    for sheet in (design_sheet(DESIGNS[name]), *design_step_sheets(DESIGNS[name], lang="zh")):
+    for sheet in (design_sheet(DESIGNS[name]), *step_sheets(design_sheet(DESIGNS[name], lang="zh"))):
         hold(tmp_path, svg(sheet))
 
 
