@@ -108,6 +108,22 @@ def test_poles_and_circles_against_the_analysis(kind: str):
         assert abs(seen.returning.centre - mirrored) < 1e-9 * (seen.returning.radius + seen.size)
 
 
+def savary(seen: About, place: complex) -> complex:
+    """The centre of curvature of the path of a point by the inflection circle alone (Euler-Savary) [m].
+
+    PA^2 = AK AJ, all on the ray from the pole P through the point A; J is where it meets the inflection circle.
+    """
+    assert seen.diameter is not None
+    ray, away = place - seen.pole, abs(place - seen.pole)
+    if away == 0:
+        return place
+    ray /= away
+    on = (ray.conjugate() * seen.diameter).real
+    if abs(on - away) <= 1e-12 * (away + abs(seen.diameter)):
+        return complex("inf")
+    return place + ray * away**2 / (on - away)
+
+
 @pytest.mark.parametrize("kind", [kind for kind in MAKERS if kind != "cam"])  # links of cams turn about pivots
 def test_centres_of_curvature_by_euler_savary(kind: str):
     tried = 0
