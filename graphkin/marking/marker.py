@@ -307,7 +307,8 @@ class Marker:
         """One quantity; the better of all verdicts counts."""
         if not np.isfinite(given) and entry.text in work.unread:
             written = work.unread[entry.text]
-            return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "not read", written=written)
+            return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "not read",
+                          points=entry.points, written=written)  # fmt: skip
         if not np.isfinite(given):
             return Judged(entry.text, entry.unit, None, entry.right, entry.tolerance, "missing", points=entry.points)
         number, explained, follows = work.numbers[entry.text], bool(after.explains[k, n]), bool(after.follows[k, n])

@@ -102,8 +102,10 @@ class Marked:
 
     @property
     def score(self) -> float | None:
-        """Marks from 0 to 1; None where paper can tell nothing that was handed in."""
+        """Marks from 0 to 1; None where paper can tell nothing that was handed in, or an answer was not read."""
         total = sum(one.points for one in self.judged)
+        if any(one.verdict == "not read" and one.points for one in self.judged):
+            return None
         return sum(one.points * one.credit for one in self.judged) / total if total else None
 
 

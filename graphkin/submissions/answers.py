@@ -27,7 +27,10 @@ from graphkin.submissions.submission import HandedValue, Limits, ReadableProblem
 
 Entry = tuple[str, object, Where]  # the name of an answer, its value as it stands there, and where
 
-_NOTHING = {"", "/", "\\", "n/a", "na", "none", "null", "无", "空", "未答", "未作答"}
+_NOTHING = {
+    "", "/", "\\", "n/a", "na", "none", "null", "无", "空", "未答", "未作答",
+    "不会", "不知道", "?", "idk", "i do not know", "i don't know", "don't know",
+}  # fmt: skip
 _DRIVER_VALUE = re.compile(r"(?<=\s)@\s*(-?[0-9]+(?:[.,][0-9]+)?) ?(?:deg|°|mm)?(?![\w.])")
 _BRACKETS = re.compile(r"[(\[](?:([^;)\]]+);([^;)\]]+)|([^,;)\]]+),([^,;)\]]+))[)\]](.*)")
 """`(12.3, 40.5) mm`: a place; `;` between decimal commas."""

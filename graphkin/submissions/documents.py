@@ -39,6 +39,7 @@ _LONGEST_CELL = 1 << 16
 _DEEP = re.compile(r"""(?<![\w-])(?:(?:[\w-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){32}""")
 _KEY = re.compile(r"""\s*(?:["“”„]([^"“”„]*)["“”„]|'([^']*)'|([^=＝≈:：\s"'“”„][^=＝≈:：]*?))\s*[=＝≈:：]""")
 """Quotes are those that word processors make of plain ones, too; an equals sign may be as wide as a Chinese letter."""
+_ANSWER = re.compile(r"\s*(?:[vaωα][A-Z_^ ]|[vaωα]\d|omega|alpha|角)[^#]*[0-9]", re.IGNORECASE)
 _HEADER = re.compile(r"\s*\[\s*([^\[\]]+?)\s*\]\s*")
 _TABLES = ("answers", "answer", "values", "results", "答案")
 _SCALES = ("scales", "scale", "比例尺")
@@ -234,6 +235,8 @@ def read_lines(text: str, where: Where, limits: Limits) -> StudentDocument:
             table = "scales." if header[1] in _SCALES else ""
         key = _KEY.match(line[:400])
         if key is None:
+            if header is None and _ANSWER.match(line[:400]):  # it is not passed over in silence
+                entries.append((line.strip(), line.strip(), Where(where.file, number, short(line.strip()))))
             continue
         name, value = _key_name(key), line[key.end() :].strip(" \t\"'“”„")
         if student_of(name):

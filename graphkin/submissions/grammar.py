@@ -101,7 +101,8 @@ _LEXICON = (  # a code, its sign after it; of two that begin alike the longer on
          r"|pointing|directed|direction|signs?|sense|rotat(?:ion|ing|es)|turn(?:ing|s)|units?|side|measured|velocity"
          r"|(?:horizontal|vertical)(?:ly)?|acceleration|角?加?速度|大?约(?:为|等于)?|大概|近似|大小|数值|值|结果|答案?"
          r"|[解求测量]?得到?|估[计读算]|计算|读数|测量|由图|[故即且沿取以设的号其]|i\.e\.|所以|因此|规定|单位|方向(?!角)"
-         r"|转向|旋向|指向|[朝往向方边侧斜](?!向角)|水平|竖直|铅[垂直]|垂直(?=向|朝)|转动|旋转|∴|[.!](?= |$)"),
+         r"|转向|旋向|指向|[朝往向方边侧斜](?!向角)|水平|竖直|铅[垂直]|垂直(?=向|朝)|转动|旋转|∴|[.!](?= |$)"
+         r"|(?<=[针鐘钟向顺逆])转(?!角)"),
     ("a", r"∠|∡|@|/_|(?:at|arg)(?![a-z])|方向角|夹角|角度|angle|[θφϑϕ][0-9a-z_']*|<(?= ?[+-]?[0-9.]+ ?(?:°|deg))"),
     ("l", r"[为是记]|(?:is|are|as|means?)(?![a-z])|等于|equals?|表示|代表|taken|because|since"),
     ("u", f"{_UNIT}|°"), ("s-", r"负[号数向]?|minus|negative|neg(?![a-z])|-ve|-(?!>)"),

@@ -13,7 +13,7 @@ import pytest
 from random_mechanisms import DYADS, Build, cam, chain, coupler_angle, dyad, epicyclic, rolling, triad
 
 from graphkin.analytic import Motion, motion
-from graphkin.construction.drafting import INFINITE, replay
+from graphkin.construction.drafting import replay
 from graphkin.errors import GraphkinError, UnknownLink, UnknownPoint
 from graphkin.errors.studies import FrameStands, NoBobillier
 from graphkin.files import library, loads
@@ -50,18 +50,6 @@ def each(kind: str, count: int = 8) -> list[tuple[Mechanism, Motion, About]]:
             entries += [(mechanism, exact, about(seen, link)) for link in mechanism.moving]
     assert len(entries) > 3
     return entries
-
-
-def savary(seen: About, place: complex) -> complex:
-    """The centre of curvature of the path of a point by the inflection circle alone (Euler-Savary) [m].
-
-    PA^2 = AK AJ, all on the ray from the pole P through the point A; J is where it meets the inflection circle.
-    """
-    ray, away = (place - seen.pole) / abs(place - seen.pole), abs(place - seen.pole)
-    on = (ray * seen.diameter.conjugate()).real  # type: ignore[union-attr]
-    if abs(on - away) <= INFINITE * (away + abs(seen.diameter)):  # type: ignore[arg-type]
-        return complex(math.inf)
-    return place + ray * away**2 / (on - away)
 
 
 def exact_at(exact: Motion, link: str, place: complex) -> tuple[complex, complex]:

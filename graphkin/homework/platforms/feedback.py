@@ -94,7 +94,9 @@ def lines(result: Result, lang: Lang, reveal: Reveal) -> Iterator[str]:
 
 def reason(result: Result, lang: Lang) -> str:
     """Why it was not marked."""
-    why = texts_in([result.reason], lang)[0] or say("feedback.no reason", lang)
+    unread = [one_line(line.written) for line in result.lines if line.written]
+    without = "feedback.waits" if unread else "feedback.no reason"
+    why = texts_in([result.reason], lang)[0] or say(without, lang, written=say("common.list", lang).join(unread))
     return say("feedback.not marked why", lang, reason=why)
 
 

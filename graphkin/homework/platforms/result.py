@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import field
-from decimal import ROUND_HALF_UP, Decimal
+from decimal import Decimal
 from pathlib import Path
 from typing import Literal, get_args
 
@@ -14,7 +14,7 @@ from graphkin.construction import Plane
 from graphkin.errors import NotAResult, Where
 from graphkin.homework import opening
 from graphkin.homework.platforms.question import Text
-from graphkin.homework.platforms.tables import HUNDREDTH, points
+from graphkin.homework.platforms.tables import points
 from graphkin.marking.diagnosis import Explanation, Habit, Trace
 from graphkin.marking.records import Departure, Judged, Verdict
 from graphkin.outputs.marks_json import END, HEAD, Record, drawn_of, record_of, records_in
@@ -77,13 +77,10 @@ class Result:
 
     @property
     def total(self) -> Decimal | None:
-        """Points that count; None where nobody has given any. What was not read is worth as much as all else is."""
+        """Points that count; None where nobody has given any, or an answer that was not read is to be looked at."""
         if self.override is not None or self.status != "marked":
             return self.override
-        if not any(line.written for line in self.lines):
-            return self.earned
-        most = sum((most_of(line) for line in self.lines), Decimal(0))
-        return (self.earned * self.most / most).quantize(HUNDREDTH, ROUND_HALF_UP) if most else None
+        return None if any(line.written for line in self.lines) else self.earned
 
     @property
     def score(self) -> Decimal | None:

@@ -128,6 +128,7 @@ PHRASES: Phrases = {
     "feedback.other sense": ("Right but for its sense (sign). Half of the points.", "除转向（符号）外正确。得一半分。"),
     "feedback.number consistent": ("This number is consistent with: {mistake}", "此数与下述错误相符：{mistake}"),
     "feedback.not marked why": ("not marked: {reason}", "未评阅：{reason}"),
+    "feedback.waits": ("an answer could not be read and waits for your teacher: {written}", "有答案未能读出，等待教师核对：{written}"),
     "feedback.no reason": ("no reason is given", "未说明原因"),
     "feedback.column given": ("your result", "你的结果"),
     "feedback.of": ("{points} of {most}", "{points}/{most}"),
