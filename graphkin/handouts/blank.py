@@ -7,12 +7,15 @@ import hashlib
 import math
 
 from graphkin.base.geometry import place
+from graphkin.base.value import frozen
 from graphkin.construction import LayOff, Plane
 from graphkin.handouts.document import GridRoom, HandoutTable, TermRows
 from graphkin.handouts.problem import ROOM, HandoutProblem
-from graphkin.model.quantities import EDGE, Centre, Rotation
+from graphkin.marking.answers import asked_of
+from graphkin.model.quantities import EDGE, Centre, Rotation, at_position
 from graphkin.say.catalogue import say
 from graphkin.say.entry import VectorEquation
+from graphkin.say.problems import positions
 from graphkin.sheet.lettering import Label, formula, plain, point_label
 from graphkin.sheet.window import corners
 
@@ -73,13 +76,37 @@ def measured(problem: HandoutProblem, count: int = 3) -> HandoutTable:
     return HandoutTable(heads * 2, (((),) * 6,) * count)
 
 
+@frozen
+class AnswerRow:
+    """A place for an answer: `ω3 #2`, its unit, whether it has a sense, and what it is worth."""
+
+    symbol: str
+    unit: str
+    turns: bool
+    points: str
+
+
+def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
+    """Each quantity that is asked for, at each position."""
+    mechanism, rows = problem.drawing.mechanism, list[AnswerRow]()
+    worth = {text: f"{mechanism.worth[text]:g}" for text in asked_of(mechanism)}
+    for at in range(1, 2 + positions(mechanism)):
+        for text, quantity in zip(problem.goal.texts, problem.goal.wanted, strict=True):
+            if quantity is not None:
+                unit = "" if isinstance(quantity, Centre) else EDGE[quantity.unit].sign
+                turns = isinstance(quantity, Rotation) and quantity.word != "theta"
+                symbol = at_position(problem.goal.symbol(quantity), at)
+                rows.append(AnswerRow(symbol, unit, turns, worth.get(text, "")))
+    return rows
+
+
 def boxes(problem: HandoutProblem) -> HandoutTable:
-    """A box an answer, with its unit, and one for the sense where it has one."""
-    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in ("quantity", "answer", "unit", "sense"))
-    rows: list[tuple[Label, ...]] = []
-    for quantity in problem.goal.wanted:
-        if quantity is not None:
-            unit = "" if isinstance(quantity, Centre) else EDGE[quantity.unit].sign
-            turns = isinstance(quantity, Rotation) and quantity.word != "theta"
-            rows.append((formula(problem.goal.symbol(quantity)), (), plain(unit), () if turns else plain("—")))
-    return HandoutTable(heads, tuple(rows))
+    """A box an answer, with its unit, and one for the sense where it has one; what it is worth, where that differs."""
+    rows = answer_rows(problem)
+    columns = ["quantity", "answer", "unit", "sense", "points"]
+    scored = problem.whose or len({row.points for row in rows}) > 1
+    labels = [(formula(row.symbol), (), plain(row.unit), () if row.turns else plain("—"), plain(row.points))
+              for row in rows]  # fmt: skip
+    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in columns)
+    end = None if scored else -1
+    return HandoutTable(heads[:end], tuple(row[:end] for row in labels))

@@ -11,9 +11,12 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
+from graphkin.planning.drawn_position import shown
 from graphkin.running import replay_all
+from graphkin.running.drawn_sides import drawn_sides
 from graphkin.say import entry
 from graphkin.say.explained import derivation
+from graphkin.say.problems import posed_entries
 from graphkin.say.reading import Reading
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
 from graphkin.sheet.composition import Planes
@@ -63,7 +66,13 @@ class HandoutProblem:
     @cached_property
     def goal(self) -> SolutionGoal:
         """The goal: quantities that are asked for, in the symbols of the field."""
-        return solution_goal(Reading(self.drawing.method, self.drawing.plot, self._keys, self.lang))
+        return solution_goal(Reading(*shown(self.drawing.method, self.drawing.plot), self._keys, self.lang))
+
+    @property
+    def posed(self) -> list[entry.Entry]:
+        """The data and the question; of a student's own problem with all that its figure shows."""
+        drawn = drawn_sides(self.drawing.method, self.drawing.plot) if self.whose else None
+        return [*posed_entries(self.goal, drawn)]
 
     @property
     def title(self) -> str:

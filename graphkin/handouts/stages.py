@@ -14,11 +14,12 @@ from graphkin.errors import Lang
 from graphkin.handouts import blank, document, proofs
 from graphkin.handouts.document import Block, Foot, Handout, Stage
 from graphkin.handouts.problem import HandoutProblem, Section, drawn_problem
+from graphkin.homework.problems.posed import shown_at
 from graphkin.model.mechanism import Mechanism
 from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.sheet.composition import Style
-from graphkin.sheet.lettering import formula, joined, plain
+from graphkin.sheet.lettering import Label, formula, joined, plain
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
 from graphkin.sheet.page import HEADINGS
 from graphkin.sheet.paper import written
@@ -80,9 +81,9 @@ def _digest(mechanisms: Sequence[Mechanism]) -> str:
 def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]:
     match stage:
         case "problem":
-            yield from _problem(problem)
+            yield from posed(problem)
         case "blank":
-            yield from _problem(problem)
+            yield from posed(problem, to_draw=True)
             for plane in problem.polygons:  # an empty equation, gridded paper with the pole, a table to measure into
                 yield document.NewPage()
                 yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
@@ -93,7 +94,7 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
                 yield blank.room(problem, plane)
                 yield blank.measured(problem)
         case "half":
-            yield from _problem(problem)
+            yield from posed(problem, to_draw=True)
             yield from _half(problem, upto)
         case "solution":
             yield from _solution(problem)
@@ -101,18 +102,39 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
             assert_never(stage)
 
 
-def _problem(problem: HandoutProblem) -> Iterator[Block]:
-    """The data and the question, the mechanism to scale, the scales to use, boxes for the answers."""
+def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
+    """The data and the question, the mechanism to scale, the scales to use, boxes for the answers.
+
+    to_draw  there is room to draw below: the figure stands where it is asked for, whatever could be measured on it
+    """
     yield document.HandoutHeading(plain(problem.title), 1)
-    for section in problem.head[:2]:
-        yield from _section(section, problem.lang)
-    yield _figure(problem, "position", "given")
+    yield from blocks_of(problem.posed, problem.lang)
+    picture, there = given_figure(problem, to_draw)
+    yield picture
+    yield from () if there else (document.Paragraph(plain(say("problems.figure elsewhere", problem.lang))),)
     yield document.HandoutHeading(plain(say("handouts.scales", problem.lang)))
-    planes: tuple[Plane, ...] = ("position", *problem.polygons)
-    yield document.Paragraph(joined([written(plane, problem.scales[plane]) for plane in planes], ";  "))
+    yield document.Paragraph(scales_to_use(problem))
     if problem.goal.wanted:
         yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang)))
         yield blank.boxes(problem)
+    if problem.whose:
+        yield document.Paragraph(plain(say("handouts.see hand-in", problem.lang)))
+
+
+def scales_to_use(problem: HandoutProblem) -> Label:
+    """Those of the mechanism and of the polygons that are drawn."""
+    planes: tuple[Plane, ...] = ("position", *problem.polygons)
+    return joined([written(plane, problem.scales[plane]) for plane in planes], ";  ")
+
+
+def given_figure(problem: HandoutProblem, to_draw: bool = False) -> tuple[document.HandoutPicture, bool]:
+    """The mechanism with what is given; a student's own not where what is asked could be measured on it, if it gets
+    anywhere else. And whether it is where it is asked for."""
+    method, plot = problem.drawing.method, problem.drawing.plot
+    shown = shown_at(method, plot) if problem.whose and not to_draw else None
+    if shown is None or shown[1]:
+        return _figure(problem, "position", "given"), True
+    return _figure(replace(problem, drawing=replace(problem.drawing, plot=shown[0])), "position", "given"), False
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:

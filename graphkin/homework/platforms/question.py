@@ -22,6 +22,7 @@ from graphkin.marking.key import Key, KeyEntry
 from graphkin.model.quantities import EDGE, at_position
 from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.say.marks import joined, mistake
+from graphkin.say.names import symbols
 
 Text = Mapping[Lang, str]  # a text in each language
 
@@ -73,11 +74,18 @@ class Part:
 
 @frozen
 class Question:
-    """One student's problem. id: the student's or the variant's."""
+    """One student's problem.
+
+    id      the student's or the variant's
+    text    in lines, its quantities in the letters of the field
+    figure  as SVG, `shows` in words; empty where there is none
+    """
 
     id: str
     text: Text
     parts: tuple[Part, ...]
+    figure: bytes = b""
+    shows: str = ""
 
 
 @frozen
@@ -88,8 +96,8 @@ class ProblemSet:
     questions: Sequence[Question]
 
 
-def question_of(id: str, key: Key, text: Text) -> Question:
-    """The questions of a key. id: the student's or the variant's; text: the problem in words."""
+def question_of(id: str, key: Key, text: Text, figure: bytes = b"", shows: str = "") -> Question:
+    """The questions of a key; the rest as Question has it."""
     parts = []
     for at, here in enumerate(key.positions, 1):
         for column, entry in enumerate(here.entries):
@@ -102,9 +110,10 @@ def question_of(id: str, key: Key, text: Text) -> Question:
             parts.append(Part(
                 name, entry.right * unit.factor, entry.allowed * unit.factor, unit.sign, entry.points,
                 tuple(_wrongs(here, column, entry)), tuple(number * unit.factor for number in also),
+                at_position(symbols(entry.text), at),
                 has_sense=entry.sort == "sense" and entry.doubt in ("", "steep") and abs(entry.right) > entry.tolerance,
             ))  # fmt: skip
-    return Question(id, text, tuple(parts))
+    return Question(id, text, tuple(parts), figure, shows)
 
 
 def _wrongs(key: Key, column: int, entry: KeyEntry) -> Iterator[Wrong]:
