@@ -91,7 +91,7 @@ def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
     mechanism, rows = problem.drawing.mechanism, list[AnswerRow]()
     worth = {text: f"{mechanism.worth[text]:g}" for text in asked_of(mechanism)}
     for at in range(1, 2 + positions(mechanism)):
-        for text, quantity in zip(problem.goal.texts, problem.goal.wanted, strict=True):
+        for text, quantity in zip(problem.asked.texts, problem.asked.wanted, strict=True):
             if quantity is not None:
                 unit = "" if isinstance(quantity, Centre) else EDGE[quantity.unit].sign
                 turns = isinstance(quantity, Rotation) and quantity.word != "theta"

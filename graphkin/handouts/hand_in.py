@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 import graphkin
+from graphkin.construction import Construction
 from graphkin.errors import Lang
 from graphkin.handouts import blank
 from graphkin.handouts.document import Block, Foot, Handout, HandoutHeading, HandoutTable, Paragraph
 from graphkin.handouts.problem import HandoutProblem
 from graphkin.homework.platforms.tables import Cell
+from graphkin.model.mechanism import FRAME
 from graphkin.say.catalogue import say
 from graphkin.say.problems import positions
-from graphkin.sheet.lettering import Label, joined, plain, point_label
+from graphkin.sheet.lettering import joined, plain, point_label
 from graphkin.sheet.page import HEADINGS
 from graphkin.submissions.submission import DRAWINGS
 
@@ -44,24 +46,26 @@ def _page(problem: HandoutProblem, workbook: str) -> Iterator[Block]:
             for what, ends in kinds.items()]  # fmt: skip
     if positions(problem.drawing.mechanism):
         rows.append((plain(say("handouts.further file", lang)), plain(f"{_EXAMPLE} #2{DRAWINGS[0]}")))
-    yield _table(lang, ("content", "file"), rows)
+    yield HandoutTable(tuple(plain(say(f"handouts.{head}", lang)) for head in ("content", "file")), tuple(rows))
     yield HandoutHeading(plain(say("handouts.drawing", lang)))
     yield Paragraph(plain(say("handouts.to scale", lang)))
-    letters = {plane: problem.construction(plane) for plane in problem.polygons}
-    yield _table(lang, ("plane", "letters"), [
-        (plain(HEADINGS[lang][plane]), joined([point_label(name) for name in dict.fromkeys((one.pole, *one.nodes))]))
-        for plane, one in letters.items()
-    ])  # fmt: skip
+    polygons = tuple(
+        (plain(HEADINGS[lang][plane]), joined([point_label(name) for name in _letters(problem.construction(plane))]))
+        for plane in problem.polygons
+    )
+    yield HandoutTable(tuple(plain(say(f"handouts.{head}", lang)) for head in ("plane", "letters")), polygons)
 
 
-def _table(lang: Lang, heads: Sequence[str], rows: Sequence[tuple[Label, ...]]) -> HandoutTable:
-    return HandoutTable(tuple(plain(say(f"handouts.{head}", lang)) for head in heads), tuple(rows))
+def _letters(polygon: Construction) -> list[str]:
+    """The pole and the points that lie elsewhere: fixed ones stand on it."""
+    fixed = {name for name, node in polygon.nodes.items() if node.site is not None and node.site.link == FRAME}
+    return [name for name in dict.fromkeys((polygon.pole, *polygon.nodes)) if name not in fixed - {polygon.pole}]
 
 
 def workbook_rows(problem: HandoutProblem) -> Iterator[Sequence[Cell]]:
-    """The rows of the workbook: whose it is, then the table of the answers with nothing in it."""
+    """The rows of the workbook: under the heads of the answers whose they are, then each with nothing in it."""
     lang = problem.lang
-    yield from ([say(f"handouts.{head}", lang), ""] for head in ("student number", "name"))
     yield [say(f"handouts.{head}", lang) for head in ("quantity", "answer", "unit", "sense")]
+    yield from ([say(f"handouts.{head}", lang), ""] for head in ("name", "student number"))
     for row in blank.answer_rows(problem):
         yield [row.symbol, "", row.unit, "" if row.turns else "—"]

@@ -43,9 +43,9 @@ h1{{font-size:15pt}}h2{{font-size:12pt;break-after:avoid}}
 math{{font-family:"DejaVu Math TeX Gyre","TeX Gyre Termes Math","XITS Math","STIX Two Math",math}}
 mi{{font-style:italic;text-transform:none}}
 .formula{{margin-left:8mm}}figure{{margin:3mm 0;text-align:center;break-inside:avoid}}svg{{max-width:none}}
-table{{border-collapse:collapse;break-inside:avoid}}.filled td,.filled th{{border:.18mm solid;min-width:24mm;height:7mm;
-text-align:center;font-weight:normal}}.rows{{margin-left:8mm}}.rows td{{text-align:center;padding:.6mm 1mm}}
-.rule{{display:inline-block;width:20mm;height:6mm;border-bottom:.18mm solid}}
+table{{border-collapse:collapse;break-inside:avoid}}.filled td,.filled th{{border:.18mm solid;min-width:24mm;
+height:7mm;padding:0 2mm;text-align:center;font-weight:normal}}.rows{{margin-left:8mm}}.rows td{{text-align:center;
+padding:.6mm 1mm}}.rule{{display:inline-block;width:20mm;height:6mm;border-bottom:.18mm solid}}
 footer{{margin-top:8mm;font-size:8pt;display:flex;justify-content:space-between;align-items:flex-end}}
 .bar{{width:100mm;height:2mm;border:solid;border-width:.35mm .18mm 0}}
 .new{{break-before:page}}.front{{break-before:right}}
@@ -76,7 +76,8 @@ def html(handout: Handout, paper: str = "A4") -> str:
 def _html(block: Block) -> str:
     match block:
         case document.HandoutHeading(words, level, said):
-            small = f" <small>{escape(said)}</small>" if said else ""
+            whose = said and not "".join(run.text for run in words).endswith(said)
+            small = f" <small>{escape(said)}</small>" if whose else ""
             return f"<h{level}>{html_words(words)}{small}</h{level}>"
         case document.Paragraph(words, act):
             number = f'<span class="act">{escape(act)}</span> ' if act else ""

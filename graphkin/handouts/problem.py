@@ -11,6 +11,7 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane
 from graphkin.errors import Lang
 from graphkin.model.mechanism import Mechanism
+from graphkin.model.quantities import read
 from graphkin.planning.drawn_position import shown
 from graphkin.running import replay_all
 from graphkin.running.drawn_sides import drawn_sides
@@ -72,7 +73,16 @@ class HandoutProblem:
     def posed(self) -> list[entry.Entry]:
         """The data and the question; of a student's own problem with all that its figure shows."""
         drawn = drawn_sides(self.drawing.method, self.drawing.plot) if self.whose else None
-        return [*posed_entries(self.goal, drawn)]
+        return [*posed_entries(self.asked, drawn)]
+
+    @cached_property
+    def asked(self) -> SolutionGoal:
+        """The goal; of a student's own problem just what the file asks, though it be no motion."""
+        mechanism = self.drawing.mechanism
+        if not (self.whose and mechanism.ask):
+            return self.goal
+        wanted = tuple(read(mechanism, text) for text in mechanism.ask)
+        return replace(self.goal, wanted=wanted, texts=mechanism.ask, chosen=True)
 
     @property
     def title(self) -> str:

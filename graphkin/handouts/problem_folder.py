@@ -74,11 +74,13 @@ class SetOrder:
         """Of each student's files, alike on no disk."""
         return {student.id: safe_name(student.id) for student in self.students}
 
-    def print(self) -> str:
-        """A fingerprint of what the files hang on, and of the program that writes them."""
+    @property
+    def head(self) -> str:
+        """Of a list of what is done of it: a fingerprint of what the files hang on, and of who writes them."""
         ids = sorted(f"{student}" for student in self.students)
         pieces = (*self.template.pieces, *map(str, self.template.ranges))
-        return fingerprint(graphkin.__version__, self.seed, self.lang, str(self.pencils), *pieces, *ids)
+        print = fingerprint(graphkin.__version__, self.seed, self.lang, str(self.pencils), *pieces, *ids)
+        return f"{MARK} {print}"
 
     def files(self, name: str) -> list[Path]:
         """A student's."""
@@ -94,6 +96,9 @@ class _Whole:
     numbers: tuple[int, ...]
     rates: tuple[float, ...] = ()
 
+    def line(self) -> str:
+        return json.dumps([self.student, self.numbers, self.rates])
+
 
 def write_problems(order: SetOrder, executor: Executor | None = None) -> Iterator[Variant | Path]:
     """Each student's problem when its files are whole; then what all have in common: what to hand in, key.json,
@@ -102,25 +107,25 @@ def write_problems(order: SetOrder, executor: Executor | None = None) -> Iterato
 
     One that was broken off is gone on with. Raises FileInTheWay before anything is written, CannotWrite.
     """
-    teacher, begun = order.folder / TEACHER, order.folder / TEACHER / _BEGUN
-    for folder in (order.folder / STUDENTS, teacher):
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise CannotWrite.by(folder, error) from None
+    teacher = order.folder / TEACHER
     common = [order.folder / STUDENTS / name for name in (HAND_IN, WORKBOOK)]
     common += [teacher / name for name in ("key.json", TOLD, LIST, _BEGUN)]
     for path in (*(path for name in order.names.values() for path in order.files(name)), *common):
-        refuse(path, order.force, _MARKS)
-    listed = _names_in(order.folder)
-    whole = _begun(order, begun)
-    variants: dict[str, Variant] = {}
-    with begun.open("a", encoding="utf-8") as journal:
+        if path.exists():
+            refuse(path, order.force, _MARKS)
+    listed, whole, variants = _names_in(order.folder), _begun(order), dict[str, Variant]()
+    begun = teacher / _BEGUN
+    with contextlib.ExitStack() as stack:
+        journal = None
         for variant, one in _written(order, whole, executor):
-            if one.student not in whole:
-                journal.write(json.dumps([one.student, one.numbers, one.rates]) + "\n")
+            new, whole[one.student] = one.student not in whole, one
+            if journal is None:  # nothing is there before the first problem is
+                _write(begun, "\n".join([order.head, *map(_Whole.line, whole.values()), ""]), order.force)
+                journal = stack.enter_context(begun.open("a", encoding="utf-8"))
+            elif new:
+                journal.write(one.line() + "\n")
                 journal.flush()
-            whole[one.student], variants[one.student] = one, variant
+            variants[one.student] = variant
             yield variant
     _write_common(order, [variants[student.id] for student in order.students], whole)
     begun.unlink(missing_ok=True)
@@ -150,22 +155,17 @@ def _is_own(path: Path) -> bool:
     return False
 
 
-def _begun(order: SetOrder, path: Path) -> dict[str, _Whole]:
-    """The students whose files are whole, where this very set was broken off; else a new list is begun."""
-    print = order.print()
-    try:
-        head, *lines = path.read_text("utf-8").splitlines()
-    except (OSError, ValueError):
-        head, lines = "", []
+def _begun(order: SetOrder) -> dict[str, _Whole]:
+    """The students whose files are whole, where this very set was broken off."""
     whole: dict[str, _Whole] = {}
-    for line in lines if head == f"{MARK} {print}" else ():
-        with contextlib.suppress(ValueError, TypeError):  # the last may have been broken off
-            student, numbers, rates = json.loads(line)
-            name = order.names.get(student)
-            if name is not None and all(file.is_file() for file in order.files(name)):
-                whole[student] = _Whole(student, tuple(numbers), tuple(rates))
-    lines = [json.dumps([one.student, one.numbers, one.rates]) for one in whole.values()]
-    _write(path, "\n".join([f"{MARK} {print}", *lines, ""]), order.force)
+    with contextlib.suppress(OSError, ValueError):
+        head, *lines = (order.folder / TEACHER / _BEGUN).read_text("utf-8").splitlines()
+        for line in lines if head == order.head else ():
+            with contextlib.suppress(ValueError, TypeError):  # the last may have been broken off
+                student, numbers, rates = json.loads(line)
+                name = order.names.get(student)
+                if name is not None and all(file.is_file() for file in order.files(name)):
+                    whole[student] = _Whole(student, tuple(numbers), tuple(rates))
     return whole
 
 
@@ -295,6 +295,10 @@ def file_of(folder: Path, kind: str) -> Path:
 
 
 def _write(path: Path, text: str, force: bool) -> None:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise CannotWrite.by(path.parent, error) from None
     with beside(path, force, _MARKS) as draft, draft.open("w", encoding="utf-8", newline="\n") as stream:
         stream.write(text)
         stream.flush()

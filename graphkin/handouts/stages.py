@@ -114,7 +114,7 @@ def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
     yield from () if there else (document.Paragraph(plain(say("problems.figure elsewhere", problem.lang))),)
     yield document.HandoutHeading(plain(say("handouts.scales", problem.lang)))
     yield document.Paragraph(scales_to_use(problem))
-    if problem.goal.wanted:
+    if problem.asked.wanted:
         yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang)))
         yield blank.boxes(problem)
     if problem.whose:

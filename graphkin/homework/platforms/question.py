@@ -17,7 +17,7 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang, NoRightNumber
-from graphkin.homework.platforms.tables import points, rounded, tolerated
+from graphkin.homework.platforms.tables import rounded, tolerated
 from graphkin.marking.key import Key, KeyEntry
 from graphkin.model.quantities import EDGE, at_position
 from graphkin.say.catalogue import LANGUAGES, say
@@ -67,9 +67,14 @@ class Part:
     has_sense: bool = False
 
     @property
+    def shown(self) -> str:
+        """`ω3`."""
+        return self.label or self.name
+
+    @property
     def heading(self) -> str:
         """`ω3 (rad/s)`."""
-        return (self.label or self.name) + (f" ({self.unit})" if self.unit else "")
+        return self.shown + (f" ({self.unit})" if self.unit else "")
 
 
 @frozen
@@ -158,11 +163,6 @@ def alternatives(question: Question, part: Part) -> tuple[Alternative, ...]:
     alike = [one for one in wrongs if other.holds(one.number)]
     ids = tuple(dict.fromkeys(id for one in alike for id in one.ids))
     return (*right, replace(other, ids=ids, mistakes=tuple(text for one in alike for text in one.mistakes)), *wrongs)
-
-
-def most(question: Question) -> Decimal:
-    """The points of a question."""
-    return sum((points(part.points) for part in question.parts), Decimal(0))
 
 
 def sentence(alternative: Alternative, lang: Lang) -> str:
