@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from graphkin.errors.base import GraphkinError, Lang, LocatedError
 
-__all__ = ["NoRange", "NoRightNumber", "NoVariant", "NotAResult", "NotATemplate", "NotAnOverride", "NotForPlatform"]
+__all__ = [
+    "NoRange", "NoRightNumber", "NoVariant", "NotAResult", "NotASet", "NotATemplate", "NotAnOverride", "NotForPlatform",
+]  # fmt: skip
 
 
 class NotATemplate(LocatedError):
@@ -94,3 +96,15 @@ class NotAnOverride(LocatedError):
     given: str
     en = "{where}: {given!r} in the column override is no number of points. Write a number from 0 up, or leave it empty."
     zh = "{where}：override 列中的 {given!r} 不是分数。请填不小于 0 的数，或留空。"
+
+
+class NotASet(GraphkinError):
+    """A folder whose list of students is not one of graphkin's, or names a file that is not there."""
+
+    path: str
+
+    en = (
+        "{path}: this is no list of a problem set that graphkin wrote. Write the set again with "
+        "`graphkin problems`, or name the mechanism files."
+    )
+    zh = "{path}：这不是 graphkin 生成的题组清单。请用 `graphkin problems` 重新生成题组，或直接给出机构文件。"

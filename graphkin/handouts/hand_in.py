@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 
 import graphkin
 from graphkin.construction import Construction
-from graphkin.errors import Lang
 from graphkin.handouts import blank
 from graphkin.handouts.document import Block, Foot, Handout, HandoutHeading, HandoutTable, Paragraph
 from graphkin.handouts.problem import HandoutProblem

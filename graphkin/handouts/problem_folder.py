@@ -18,7 +18,7 @@ from pathlib import Path
 import graphkin
 from graphkin.base.value import frozen
 from graphkin.base.worklist import ahead
-from graphkin.errors import CannotWrite, GraphkinError, Lang
+from graphkin.errors import CannotWrite, GraphkinError, Lang, NotASet
 from graphkin.handouts.hand_in import hand_in_page, workbook_rows
 from graphkin.handouts.markup import html
 from graphkin.handouts.problem import drawn_problem
@@ -227,18 +227,6 @@ def _write_common(order: SetOrder, variants: Sequence[Variant], whole: Mapping[s
     keys = {student: f"{name}{KEY}" for student, name in order.names.items()}
     _write(teacher / "key.json", set_text(keys), order.force)
     _write(teacher / LIST, _listed(order, variants, power), order.force)
-
-
-class NotASet(GraphkinError):
-    """A folder whose list of students is not one of graphkin's, or names a file that is not there."""
-
-    path: str
-
-    en = (
-        "{path}: this is no list of a problem set that graphkin wrote. Write the set again with "
-        "`graphkin problems`, or name the mechanism files."
-    )
-    zh = "{path}：这不是 graphkin 生成的题组清单。请用 `graphkin problems` 重新生成题组，或直接给出机构文件。"
 
 
 def is_set(folder: Path) -> bool:
