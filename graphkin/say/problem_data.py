@@ -119,10 +119,11 @@ def _dimensions(reading: Reading) -> Iterator[str]:
     """A sentence each: lengths, fixed points, guides, rolling circles, profiles."""
     say, mechanism = reading.say, reading.mechanism
     lengths = []
-    for link, side in ((link, side) for link in mechanism.moving for side in sides(reading, link)):
-        ends = (side.first, side.second)
-        stated = _as_stated(reading, side.length, "mm", *(("links", link, "".join(each)) for each in (ends, ends[::-1])))
-        lengths.append(Size(f"l_{side.name}{stated}", millimetres(reading, side.length), "mm").text)
+    for link in mechanism.moving:
+        for side in sides(reading, link):
+            places = (("links", link, name) for name in (side.first + side.second, side.second + side.first))
+            stated = _as_stated(reading, side.length, "mm", *places)
+            lengths.append(Size(f"l_{side.name}{stated}", millimetres(reading, side.length), "mm").text)
     if lengths:
         yield say("solution.lengths", lengths=reading.joined(lengths))
     shapes = [reading.way_round(*corners) for link in mechanism.moving for corners in beside(reading, link)]
