@@ -12,6 +12,7 @@ from pathlib import Path
 import openpyxl
 import pytest
 from click.testing import CliRunner
+from reading_all import read
 from template_text import TEXT
 
 from graphkin import api
@@ -38,7 +39,7 @@ from graphkin.outputs.files import FileInTheWay
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say.entry import text_lines
-from graphkin.submissions import ReadableProblem, read
+from graphkin.submissions import ReadableProblem
 
 
 @pytest.fixture

@@ -181,6 +181,8 @@ def judge_from(source: str, pencils: Pencils = USUAL) -> SetMarker:
     return OneKey(Marker(key_from(str(path) if path.suffix else source, pencils)))
 
 
+# --- another student's numbers ----------------------------------------------------------------------------------------
+
 _FEWEST, _PART = 3, 0.8  # so many numbers, and this part of them, agree with one other problem
 _CHANCE = 0.01  # a hit that random numbers make more often, on some problem of the set, is no hint
 _READ = ("unit", "sort", "right", "scatter", "tolerance")  # of a key's quantities
@@ -233,6 +235,7 @@ class Neighbours:
         return AnotherStudent(self.students[best], int(agrees[best].sum()), len(some))
 
 
+# --- the problems that are to be marked -------------------------------------------------------------------------------
 
 
 @frozen

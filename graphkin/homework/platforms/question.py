@@ -51,7 +51,7 @@ class Wrong:
 class Part:
     """One quantity that is asked for.
 
-    name    as it is read: "omega 3"; `label`: as it is printed
+    name    as it is read: "omega 3"; `label`: as the sheets write it
     number  the right one, in `unit`; `also`: others that are as right, such as an angle and a turn more
     points  for a right number; has_sense: half of them for its opposite
     """

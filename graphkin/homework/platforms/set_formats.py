@@ -127,6 +127,8 @@ def _numerical(problems: ProblemSet, question: Question, part: Part, lang: Lang)
     return whole
 
 
+# --- QTI --------------------------------------------------------------------------------------------------------------
+
 SMALLEST = Decimal("0.0001")
 _PACKAGE = "http://www.imsglobal.org/xsd/imsccv1p1/imscp_v1p1"
 _ITEMS = "http://www.imsglobal.org/xsd/ims_qtiasiv1p2"
@@ -196,6 +198,8 @@ def _item(name: str, problems: ProblemSet, question: Question, part: Part, lang:
     title = say("platforms.problem title", lang, set=problems.name, id=question.id)
     return element("item", about, presentation, judged, ident=ident, title=one_line(f"{title}, {part.shown}"))
 
+
+# --- tables and Word files; all formats -------------------------------------------------------------------------------
 
 CSV_HEADERS = (
     "student", "text", "quantity", "unit", "points", "percent", "number", "tolerance", "mistakes", "sentence",
