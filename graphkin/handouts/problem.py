@@ -10,6 +10,7 @@ from graphkin.api import Drawing, plan
 from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane
 from graphkin.errors import Lang
+from graphkin.homework.grading.keys import paper_scales
 from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import read
 from graphkin.planning.drawn_position import shown
@@ -20,9 +21,8 @@ from graphkin.say.explained import derivation
 from graphkin.say.problems import posed_entries
 from graphkin.say.reading import Reading
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
-from graphkin.sheet.composition import Planes
-from graphkin.sheet.paper import KEYS, finest
-from graphkin.sheet.window import PLANES, corners
+from graphkin.sheet.paper import KEYS
+from graphkin.sheet.window import PLANES
 
 ROOM = complex(160.0, 120.0)  # of any polygon that is drawn as large as a handout draws it [mm]
 
@@ -120,16 +120,10 @@ class HandoutProblem:
 
 
 def drawn_problem(mechanism: Mechanism, lang: Lang, whose: str = "") -> HandoutProblem:
-    """A mechanism drawn and proved at the scales of its handout, which all its figures share.
-
-    They are the file's own; else the finest at which each figure has room on a page.
-    """
+    """A mechanism drawn and proved at the scales of its handout, which are those that its key is made for."""
     drawing = Drawing.of(mechanism)
-    planes = Planes(drawing.method, drawing.plot, PLANES, "construction", "en")
-    scales: dict[Plane, float] = {}
-    for plane in PLANES:
-        low, high = corners(planes.values(plane))
-        scales[plane] = mechanism.scales.get(KEYS[plane]) or finest(high - low, ROOM / 1.2)
-    scaled = replace(mechanism, scales={KEYS[plane]: scale for plane, scale in scales.items()})
+    keyed = paper_scales(drawing.method, drawing.plot)
+    scaled = replace(mechanism, scales=keyed)
     method = plan(scaled)
+    scales = {plane: keyed[key] for plane, key in KEYS.items()}
     return HandoutProblem(Drawing(scaled, method, replay_all(method)), scales, lang, whose)

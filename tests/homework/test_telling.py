@@ -246,7 +246,7 @@ def test_scales_are_in_the_file_and_its_sheet_has_room(four_bars: Path):
     (variant,) = variants(read_template(four_bars), roster("1"), "1")
     stated, method = variant.mechanism.scales, api.plan(variant.mechanism)
     assert sorted(stated) == ["acceleration", "length", "velocity"]
-    assert {KEYS[plane]: scale for plane, scale in scales_of(method, replay_all(method), "en").items()} == stated
+    assert {KEYS[plane]: scale for plane, scale in scales_of(method, replay_all(method)).items()} == stated
 
 
 # --- figures ----------------------------------------------------------------------------------
