@@ -110,8 +110,8 @@ def marking_of(method: Method, pencils: Pencils = USUAL, scales: Mapping[str, fl
 
 
 def paper_scales(method: Method, plot: Plot) -> dict[str, float]:
-    """The file's own scales; others are those of the mechanism's sheet. They are its handout's, too: of a figure that has
-    no room on a page they are coarser."""
+    """The file's own scales; others are those of the mechanism's sheet. They are its handout's, too: of one without
+    room on a page they are coarser."""
     written = method.mechanism.scales
     if all(key in written for key in KEYS.values()):
         return {key: written[key] for key in KEYS.values()}
