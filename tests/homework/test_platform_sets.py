@@ -26,7 +26,7 @@ from graphkin.cli.problems import PLATFORMS
 from graphkin.errors import GraphkinError, NotForPlatform
 from graphkin.homework import grading
 from graphkin.homework.platforms import write_set
-from graphkin.homework.platforms.markup import one_line
+from graphkin.homework.platforms.markup import broken, one_line
 from graphkin.homework.platforms.question import Part, ProblemSet, Question, Wrong, alternatives, question_of
 from graphkin.homework.platforms.set_formats import SETS, weights
 from graphkin.homework.platforms.tables import line, points, read_table, unharmed
@@ -34,6 +34,8 @@ from graphkin.marking.marker import Marker
 from graphkin.marking.records import HandedNumber, StudentWork
 from graphkin.model.quantities import EDGE, read
 from graphkin.outputs.files import FileInTheWay
+from graphkin.outputs.typesetting import signs
+from graphkin.sheet.lettering import formula
 
 HOSTILE = (
     "plain", "a\"b'c", "x~y#z}w{v\\u", "\\", "~", "#", "}", "}~=1:1#", "{1:NUMERICAL:=1:9}", "{#1}", "<b>&amp;</b>",
@@ -76,8 +78,14 @@ def visible(text: str) -> str:
 
 
 def letters(text: str) -> str:
-    """What can be read of a text, however quantities in it are set."""
-    return re.sub(r"\s", "", visible(text)).replace("′", "'")
+    """What can be read of a text."""
+    return re.sub(r"\s", "", visible(text))
+
+
+def typeset(text: str) -> str:
+    """The same of one whose quantities are set: letters, then what is lowered, then what is raised."""
+    every = (sign for line in broken(text) for sign in signs(formula(line)))
+    return letters("".join(run.text for sign in every for runs in sign.runs for run in runs))
 
 
 # --- alternatives -----------------------------------------------------------------------------
@@ -186,7 +194,7 @@ def test_moodle_takes_hostile_texts(kind, tmp_path: Path):
         assert " ".join(shown(said).split()) == visible(f"This number is consistent with: {wrong.mistake['en']}.")
         assert own.grade(question.parts[0].number)[0] == other.grade(-1.25)[0] == 1
         text = next(one.text for one in found if own in one.fields)
-        assert letters(question.text["en"]) in letters(shown(re.sub("</?(p|i|math|m[a-z]+)>|<br>", " ", text)))
+        assert typeset(question.text["en"]) in letters(shown(re.sub("</?(p|i|math|m[a-z]+)>|<br>", " ", text)))
 
 
 def test_moodle_tells_the_mistakes_of_random_problems(tmp_path: Path):
@@ -272,7 +280,7 @@ def test_moodle_takes_any_text(text, tmp_path_factory: pytest.TempPathFactory):
         (field,) = question.fields
         assert [one.fraction for one in field.answers] == [1, 0]
         assert visible(f"[{text}]") in " ".join(shown(field.grade(5.0)[1]).split())
-        assert letters(f"[{text}]") in letters(shown(re.sub("</?(p|i|math|m[a-z]+)>|<br>", " ", question.text)))
+        assert typeset(f"[{text}]") in letters(shown(re.sub("</?(p|i|math|m[a-z]+)>|<br>", " ", question.text)))
     for kind in ("qti", "csv", "xuexitong"):
         written(folder, kind, problems)
     for cell in next(csv.reader(io.StringIO(line([text, "end"]), newline="")), [""])[:1]:

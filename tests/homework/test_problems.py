@@ -139,11 +139,19 @@ def files(folder: Path) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
-def test_what_is_written(template: Path, tmp_path: Path):
+@pytest.fixture
+def rocker(tmp_path: Path) -> Path:
+    """A template that is soon drawn."""
+    path = tmp_path / "rocker.toml"
+    path.write_text((Path(__file__).parents[1] / "cases/homework/rocker.toml").read_text("utf-8"), encoding="utf-8")
+    return path
+
+
+def test_what_is_written(rocker: Path, tmp_path: Path):
     students = (Student("../../evil"), Student("a/b", (("name", "Ann"),)), Student("A"), Student("a"))
     folder = tmp_path / "out" / "set"
-    found = [one for one in write_problems(order(template, folder, students)) if isinstance(one, Variant)]
-    assert {path.name for path in tmp_path.iterdir()} == {"out", "slide.toml"}
+    found = [one for one in write_problems(order(rocker, folder, students)) if isinstance(one, Variant)]
+    assert {path.name for path in tmp_path.iterdir()} == {"out", "rocker.toml"}
     listed = json.loads((folder / "teacher" / "set.json").read_text("utf-8"))
     for variant in found:
         entry = listed["students"][variant.student.id]
@@ -153,20 +161,12 @@ def test_what_is_written(template: Path, tmp_path: Path):
     handed_out = {path.suffix for path in (folder / "students").iterdir()}
     assert handed_out == {".html", ".xlsx"}, "no key and no TOML is handed out"
     before = files(folder)
-    list(write_problems(order(template, folder, students)))
+    list(write_problems(order(rocker, folder, students)))
     assert before == files(folder)
     (folder / "teacher" / "set.json").write_text("mine")
     with pytest.raises(FileInTheWay):
-        list(write_problems(order(template, folder, students, "2")))
+        list(write_problems(order(rocker, folder, students, "2")))
     assert all(before[name] == content for name, content in files(folder).items() if not name.endswith("set.json"))
-
-
-@pytest.fixture
-def rocker(tmp_path: Path) -> Path:
-    """A template that is soon drawn."""
-    path = tmp_path / "rocker.toml"
-    path.write_text((Path(__file__).parents[1] / "cases/homework/rocker.toml").read_text("utf-8"), encoding="utf-8")
-    return path
 
 
 def test_a_set_goes_on_where_it_was_broken_off(rocker: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
