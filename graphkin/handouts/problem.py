@@ -22,7 +22,6 @@ from graphkin.say.problems import posed_entries
 from graphkin.say.reading import Reading
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
 from graphkin.sheet.paper import KEYS
-from graphkin.sheet.window import PLANES
 
 ROOM = complex(160.0, 120.0)  # of any polygon that is drawn as large as a handout draws it [mm]
 
@@ -86,7 +85,7 @@ class HandoutProblem:
 
     @property
     def title(self) -> str:
-        return " · ".join(filter(None, (self._sections[0].heading, self.whose)))
+        return " · ".join(filter(None, (self.drawing.mechanism.headline(self.lang), self.whose)))
 
     @property
     def head(self) -> tuple[Section, ...]:
@@ -100,7 +99,7 @@ class HandoutProblem:
 
     @property
     def polygons(self) -> tuple[Plane, ...]:
-        return tuple(part.plane for part in self.parts if part.plane in PLANES[1:])
+        return tuple(self.goal.parts)
 
     @property
     def answers(self) -> Section:
