@@ -104,7 +104,7 @@ def office_package(parts: Iterable[tuple[str, str]], main: str) -> Iterator[tupl
 
 
 def office_link(kind: str, *targets: str) -> bytes:
-    """A file of relationships of one kind: rId1 and so on."""
+    """A file of relationships."""
     links = (element("Relationship", Id=f"rId{k}", Type=f"{OFFICE}/{kind}", Target=target)
              for k, target in enumerate(targets, 1))  # fmt: skip
     return xml(element("Relationships", *links, xmlns=_LINKS))
