@@ -6,9 +6,9 @@ from collections.abc import Iterator, Sequence
 
 import graphkin
 from graphkin.construction import Construction
-from graphkin.handouts import blank
 from graphkin.handouts.document import Block, Foot, Handout, HandoutHeading, HandoutTable, Paragraph
 from graphkin.handouts.problem import HandoutProblem
+from graphkin.handouts.stages import answer_boxes, answer_rows
 from graphkin.homework.platforms.tables import Cell
 from graphkin.model.mechanism import FRAME
 from graphkin.say.catalogue import say
@@ -33,7 +33,7 @@ def _page(problem: HandoutProblem, workbook: str) -> Iterator[Block]:
     lang = problem.lang
     yield HandoutHeading(plain(say("handouts.what to hand in", lang, title=problem.title)), 1)
     yield HandoutHeading(plain(say("handouts.numbers", lang)))
-    answers = blank.boxes(problem)
+    answers = answer_boxes(problem)
     before, between, after = say("handouts.fill in", lang, file="\0", line="\0").split("\0")
     line = (*answers.rows[0][0], *plain(" = 1.23 "), *answers.rows[0][2]) if answers.rows else ()
     yield Paragraph((*plain(before + workbook + between), *line, *plain(after)))
@@ -66,5 +66,5 @@ def workbook_rows(problem: HandoutProblem) -> Iterator[Sequence[Cell]]:
     lang = problem.lang
     yield [say(f"handouts.{head}", lang) for head in ("quantity", "answer", "unit", "sense")]
     yield from ([say(f"handouts.{head}", lang), ""] for head in ("name", "student number"))
-    for row in blank.answer_rows(problem):
+    for row in answer_rows(problem):
         yield [row.symbol, "", row.unit, "" if row.turns else "—"]
