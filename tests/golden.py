@@ -83,7 +83,7 @@ def commands() -> Iterator[str]:
             yield f"tolerance {name} --lang {lang}"
         yield f"grade ex3-1 s1.toml s2.toml --lang {lang}"
         yield f"grade ex3-1 s1.toml --format csv --lang {lang} -o @/class.csv"
-        yield f"problems rocker.toml --students 1 --seed 1 --lang {lang} -o @/s1.txt"
+        yield f"problems rocker.toml --students 1 --seed 1 --lang {lang} -o @/students/s1.html"
         yield f"sweep ex3-7 --table --lang {lang}"
         yield f"sweep ex3-1 --driver 0:360:30 --lang {lang}"
     for name in LINKAGES:

@@ -78,7 +78,7 @@ def handout(
 
 def _problems(sources: tuple[str, ...], seed: str, at: DriverOptions) -> tuple[list[tuple[Mechanism, str]], str]:
     """Each mechanism with whom it is for, those of a problem set in its order; and the set's seed."""
-    from graphkin.homework.platforms import is_set, students_of
+    from graphkin.handouts.problem_folder import is_set, students_of
 
     problems: list[tuple[Mechanism, str]] = []
     for source in sources:

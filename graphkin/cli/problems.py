@@ -2,13 +2,25 @@
 
 from __future__ import annotations
 
+import contextlib
+import signal
+import sys
+from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
 from graphkin.cli import shared
 from graphkin.cli.marking import pencil_option, pencils_of
 from graphkin.errors import Lang
+
+if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
+    from graphkin.handouts.problem_folder import SetOrder
+    from graphkin.homework.problems import Variant
 
 PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong")
 
@@ -21,11 +33,12 @@ PLATFORMS = ("moodle", "moodle-numerical", "qti", "csv", "xuexitong")
               help="Folder to write.")
 @click.option("--format", "kinds", type=click.Choice(PLATFORMS), multiple=True,
               help="Write the whole set for a platform, too, answers and mistakes in it; again for each.")
+@click.option("--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes that draw and write.")
 @pencil_option
 @shared.force_option
 @shared.speaking
 def problems(
-    template: Path, students: str, seed: str, output: Path, kinds: tuple[str, ...], pencil: str | None,
+    template: Path, students: str, seed: str, output: Path, kinds: tuple[str, ...], jobs: int, pencil: str | None,
     force: bool, lang: Lang,
 ) -> None:  # fmt: skip
     """Write a problem for each student: one mechanism, each with numbers of their own.
@@ -33,28 +46,66 @@ def problems(
     TEMPLATE is a mechanism file in which numbers may be ranges: AB = { from = 20, to = 30, step = 1 }. A student's
     numbers hang on the seed and the student's id alone, as long as no two students get the same problem.
 
+    What may be handed out lies in DIR/students: each student's problem, what to hand in, a workbook to fill in. Keys
+    and all else lie in DIR/teacher: `graphkin grade DIR`. The same command again goes on where it was broken off.
+
     \b
     Example:
       graphkin problems shaper.toml --students class.csv --seed 2027 -o homework
       graphkin problems shaper.toml --students 60 -o homework --format moodle --format xuexitong --lang zh
     """
-    from graphkin.homework import platforms
+    from graphkin.handouts import problem_folder as folder
     from graphkin.homework import problems as sets
     from graphkin.say.problems import remark
 
-    read = sets.read_template(template)
-    pencils = pencils_of(pencil)
-    variants = sets.variants(read, sets.roster(students), seed, pencils)
-    count = sum(1 for _ in platforms.write_problems(output, read, variants, seed, lang, force, pencils=pencils))
-    click.echo(f"{output}: {count}")
-    click.echo(platforms.told_of(output))
+    order = folder.SetOrder(
+        output, sets.read_template(template), sets.roster(students), seed, lang, pencils_of(pencil), force
+    )
+    variants = _write(order, jobs)
+    click.echo(folder.told_of(output))
     if kinds:
-        from graphkin.homework import grading
+        from graphkin.homework import grading, platforms
 
-        whole = platforms.problem_set(read, variants, grading.judge_from(str(output)))
+        whole = folder.problem_set(order.template, variants, grading.judge_from(str(output)), lang)
         for kind in dict.fromkeys(kinds):
-            path = platforms.file_of(output, kind)
+            path = folder.file_of(output, kind)
             platforms.write_set(path, whole, kind, lang, force)
             click.echo(str(path))
     if shared_numbers := [variant.student.id for variant in variants if variant.shared]:
         click.echo(remark(shared_numbers, lang), err=True)
+
+
+def _write(order: SetOrder, jobs: int) -> list[Variant]:
+    """The set's files; the variants in the order of the students."""
+    from graphkin.handouts.problem_folder import write_problems
+    from graphkin.say.problems import removed
+
+    variants: dict[str, Variant] = {}
+    gone: list[Path] = []
+    with _processes(jobs) as executor, click.progressbar(
+        length=len(order.students), file=sys.stderr, show_pos=True, hidden=not sys.stderr.isatty()
+    ) as bar:
+        for one in write_problems(order, executor):
+            if isinstance(one, Path):
+                gone.append(one)
+            else:
+                variants[one.student.id] = one
+                bar.update(1)
+    click.echo(f"{order.folder}: {len(variants)}")
+    if gone:
+        click.echo(removed([str(path.relative_to(order.folder)) for path in gone], order.lang), err=True)
+    return [variants[student.id] for student in order.students]
+
+
+@contextlib.contextmanager
+def _processes(jobs: int) -> Iterator[Executor | None]:
+    """So many that leave an interruption to this one; none of less than two."""
+    if jobs < 2:
+        yield None
+        return
+    from concurrent.futures import ProcessPoolExecutor
+    from multiprocessing import get_context
+
+    begin = partial(signal.signal, signal.SIGINT, signal.SIG_IGN)
+    with ProcessPoolExecutor(jobs, mp_context=get_context("spawn"), initializer=begin) as executor:
+        yield executor

@@ -9,7 +9,7 @@ from graphkin.errors.base import AboutText, Choice, GraphkinError, Lang, Located
 __all__ = [
     "AnotherStudent", "AnsweredTwice", "BadKey", "BadPencil", "BrokenSubmission", "HandedTwice", "LetterTwice",
     "NamesNobody", "NoAnswers", "NoKeyAtPosition", "NoLetters", "NoMarks", "NoPaperScale", "NoRange", "NoRightNumber",
-    "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant", "NotAQuestion", "NotAResult",
+    "NoScaleDrawn", "NoSenseDrawn", "NoStudents", "NoSuchProblem", "NoVariant", "NotAQuestion", "NotAResult", "NotASet",
     "NotATemplate", "NotAnAnswer", "NotAnOverride", "NotForPlatform", "NotMarkable", "NothingToMark", "OffTheDrawing",
     "OwnFault", "OwnSheet", "SaidBefore", "SenseDisputed", "SeveralStudents", "StudentTwice", "TooMuch", "TookTooLong",
     "TurnedPage", "TwoNames", "UnknownStudent", "WantsExtra",
@@ -357,3 +357,14 @@ class NotAResult(LocatedError):
 class NotAnOverride(AboutText):
     en = "{where}: {given!r} in the column override is no number of points. Write a number from 0 up, or leave it empty."
     zh = "{where}：override 列中的 {given!r} 不是分数。请填不小于 0 的数，或留空。"
+
+
+class NotASet(GraphkinError):
+    """A folder whose list of students is not one of graphkin's, or names a file that is not there."""
+
+    path: str
+    en = (
+        "{path}: this is no list of a problem set that graphkin wrote. Write the set again with "
+        "`graphkin problems`, or name the mechanism files."
+    )
+    zh = "{path}：这不是 graphkin 生成的题组清单。请用 `graphkin problems` 重新生成题组，或直接给出机构文件。"

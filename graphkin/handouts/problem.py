@@ -19,25 +19,26 @@ from graphkin.base.value import frozen
 from graphkin.construction import Construction, Plane
 from graphkin.errors import GraphkinError, Lang
 from graphkin.handouts.document import Block, HandoutHeading, HandoutTable, Paragraph
-from graphkin.homework.grading.keys import key_drawn
+from graphkin.homework.grading.keys import key_drawn, paper_scales
 from graphkin.marking.key import Key, columns, upright
 from graphkin.marking.weights import shifts
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.quantities import EDGE, Centre
+from graphkin.model.quantities import EDGE, Centre, read
 from graphkin.model.quantities.reading import respelled
+from graphkin.planning.drawn_position import shown
 from graphkin.proof.readings import readings
 from graphkin.running import replay_all
+from graphkin.running.drawn_sides import drawn_sides
 from graphkin.say import entry, names
 from graphkin.say.catalogue import say
 from graphkin.say.explained import derivation
 from graphkin.say.marks import mistake
 from graphkin.say.numbers import number
+from graphkin.say.problems import posed_entries
 from graphkin.say.reading import Reading
 from graphkin.say.solution_goal import SolutionGoal, solution_goal
-from graphkin.sheet.composition import Planes
 from graphkin.sheet.lettering import Label, formula, plain
-from graphkin.sheet.paper import KEYS, finest
-from graphkin.sheet.window import PLANES, corners
+from graphkin.sheet.paper import KEYS
 
 ROOM = complex(160.0, 120.0)  # of any polygon that is drawn as large as a handout draws it [mm]
 
@@ -82,11 +83,26 @@ class HandoutProblem:
     @cached_property
     def goal(self) -> SolutionGoal:
         """The goal: quantities that are asked for, in the symbols of the field."""
-        return solution_goal(Reading(self.drawing.method, self.drawing.plot, self._keys, self.lang))
+        return solution_goal(Reading(*shown(self.drawing.method, self.drawing.plot), self._keys, self.lang))
+
+    @property
+    def posed(self) -> list[entry.Entry]:
+        """The data and the question; of a student's own problem with all that its figure shows."""
+        drawn = drawn_sides(self.drawing.method, self.drawing.plot) if self.whose else None
+        return [*posed_entries(self.asked, drawn)]
+
+    @cached_property
+    def asked(self) -> SolutionGoal:
+        """The goal; of a student's own problem just what the file asks, though it be no motion."""
+        mechanism = self.drawing.mechanism
+        if not (self.whose and mechanism.ask):
+            return self.goal
+        wanted = tuple(read(mechanism, text) for text in mechanism.ask)
+        return replace(self.goal, wanted=wanted, texts=mechanism.ask, chosen=True)
 
     @property
     def title(self) -> str:
-        return " · ".join(filter(None, (self._sections[0].heading, self.whose)))
+        return " · ".join(filter(None, (self.drawing.mechanism.headline(self.lang), self.whose)))
 
     @property
     def head(self) -> tuple[Section, ...]:
@@ -100,7 +116,7 @@ class HandoutProblem:
 
     @property
     def polygons(self) -> tuple[Plane, ...]:
-        return tuple(part.plane for part in self.parts if part.plane in PLANES[1:])
+        return tuple(self.goal.parts)
 
     @property
     def answers(self) -> Section:
@@ -120,18 +136,12 @@ class HandoutProblem:
 
 
 def drawn_problem(mechanism: Mechanism, lang: Lang, whose: str = "") -> HandoutProblem:
-    """A mechanism drawn and proved at the scales of its handout, which all its figures share.
-
-    They are the file's own; else the finest at which each figure has room on a page.
-    """
+    """A mechanism drawn and proved at the scales of its handout, which are those that its key is made for."""
     drawing = Drawing.of(mechanism)
-    planes = Planes(drawing.method, drawing.plot, PLANES, "construction", "en")
-    scales: dict[Plane, float] = {}
-    for plane in PLANES:
-        low, high = corners(planes.values(plane))
-        scales[plane] = mechanism.scales.get(KEYS[plane]) or finest(high - low, ROOM / 1.2)
-    scaled = replace(mechanism, scales={KEYS[plane]: scale for plane, scale in scales.items()})
+    keyed = paper_scales(drawing.method, drawing.plot)
+    scaled = replace(mechanism, scales=keyed)
     method = plan(scaled)
+    scales = {plane: keyed[key] for plane, key in KEYS.items()}
     return HandoutProblem(Drawing(scaled, method, replay_all(method)), scales, lang, whose)
 
 

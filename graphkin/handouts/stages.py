@@ -12,16 +12,20 @@ from typing import assert_never
 
 import graphkin
 from graphkin.base.geometry import place
+from graphkin.base.value import frozen
 from graphkin.construction import LayOff, Plane
 from graphkin.errors import Lang
 from graphkin.handouts import document
 from graphkin.handouts.document import Block, Foot, GridRoom, Handout, HandoutTable, Stage, TermRows
 from graphkin.handouts.problem import ROOM, HandoutProblem, Section, beside_analysis, common_mistakes, drawn_problem
+from graphkin.homework.problems.posed import shown_at
+from graphkin.marking.answers import asked_of
 from graphkin.model.mechanism import Mechanism
-from graphkin.model.quantities import EDGE, Centre, Rotation
+from graphkin.model.quantities import EDGE, Centre, Rotation, at_position
 from graphkin.say import entry
 from graphkin.say.catalogue import say
 from graphkin.say.entry import VectorEquation
+from graphkin.say.problems import positions
 from graphkin.sheet.composition import Style
 from graphkin.sheet.lettering import Label, formula, joined, plain, point_label
 from graphkin.sheet.mechanism_sheet import mechanism_sheet
@@ -86,16 +90,40 @@ def measured(problem: HandoutProblem, count: int = 3) -> HandoutTable:
     return HandoutTable(heads * 2, (((),) * 6,) * count)
 
 
+@frozen
+class AnswerRow:
+    """A place for an answer: `ω3 #2`, its unit, whether it has a sense, and what it is worth."""
+
+    symbol: str
+    unit: str
+    turns: bool
+    points: str
+
+
+def answer_rows(problem: HandoutProblem) -> list[AnswerRow]:
+    """Each quantity that is asked for, at each position."""
+    mechanism, rows = problem.drawing.mechanism, list[AnswerRow]()
+    worth = {text: f"{mechanism.worth[text]:g}" for text in asked_of(mechanism)}
+    for at in range(1, 2 + positions(mechanism)):
+        for text, quantity in zip(problem.asked.texts, problem.asked.wanted, strict=True):
+            if quantity is not None:
+                unit = "" if isinstance(quantity, Centre) else EDGE[quantity.unit].sign
+                turns = isinstance(quantity, Rotation) and quantity.word != "theta"
+                symbol = at_position(problem.goal.symbol(quantity), at)
+                rows.append(AnswerRow(symbol, unit, turns, worth.get(text, "")))
+    return rows
+
+
 def answer_boxes(problem: HandoutProblem) -> HandoutTable:
-    """A box an answer, with its unit, and one for the sense where it has one."""
-    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in ("quantity", "answer", "unit", "sense"))
-    rows: list[tuple[Label, ...]] = []
-    for quantity in problem.goal.wanted:
-        if quantity is not None:
-            unit = "" if isinstance(quantity, Centre) else EDGE[quantity.unit].sign
-            turns = isinstance(quantity, Rotation) and quantity.word != "theta"
-            rows.append((formula(problem.goal.symbol(quantity)), (), plain(unit), () if turns else plain("—")))
-    return HandoutTable(heads, tuple(rows))
+    """A box an answer, with its unit, and one for the sense where it has one; what it is worth, where that differs."""
+    rows = answer_rows(problem)
+    columns = ["quantity", "answer", "unit", "sense", "points"]
+    scored = problem.whose or len({row.points for row in rows}) > 1
+    labels = [(formula(row.symbol), (), plain(row.unit), () if row.turns else plain("—"), plain(row.points))
+              for row in rows]  # fmt: skip
+    heads = tuple(plain(say(f"handouts.{key}", problem.lang)) for key in columns)
+    end = None if scored else -1
+    return HandoutTable(heads[:end], tuple(row[:end] for row in labels))
 
 
 def handout(
@@ -154,9 +182,9 @@ def _digest(mechanisms: Sequence[Mechanism]) -> str:
 def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]:
     match stage:
         case "problem":
-            yield from _problem(problem)
+            yield from posed(problem)
         case "blank":
-            yield from _problem(problem)
+            yield from posed(problem, to_draw=True)
             for plane in problem.polygons:  # an empty equation, gridded paper with the pole, a table to measure into
                 yield document.NewPage()
                 yield document.HandoutHeading(plain(HEADINGS[problem.lang][plane]))
@@ -167,7 +195,7 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
                 yield room(problem, plane)
                 yield measured(problem)
         case "half":
-            yield from _problem(problem)
+            yield from posed(problem, to_draw=True)
             yield from _half(problem, upto)
         case "solution":
             yield from _solution(problem)
@@ -175,18 +203,39 @@ def _staged(problem: HandoutProblem, stage: Stage, upto: int) -> Iterator[Block]
             assert_never(stage)
 
 
-def _problem(problem: HandoutProblem) -> Iterator[Block]:
-    """The data and the question, the mechanism to scale, the scales to use, boxes for the answers."""
+def posed(problem: HandoutProblem, to_draw: bool = False) -> Iterator[Block]:
+    """The data and the question, the mechanism to scale, the scales to use, boxes for the answers.
+
+    to_draw  there is room to draw below: the figure stands where it is asked for, whatever could be measured on it
+    """
     yield document.HandoutHeading(plain(problem.title), 1)
-    for section in problem.head[:2]:
-        yield from _section(section, problem.lang)
-    yield _figure(problem, "position", "given")
+    yield from blocks_of(problem.posed, problem.lang)
+    picture, there = given_figure(problem, to_draw)
+    yield picture
+    yield from () if there else (document.Paragraph(plain(say("problems.figure elsewhere", problem.lang))),)
     yield document.HandoutHeading(plain(say("handouts.scales", problem.lang)))
-    planes: tuple[Plane, ...] = ("position", *problem.polygons)
-    yield document.Paragraph(joined([written(plane, problem.scales[plane]) for plane in planes], ";  "))
-    if problem.goal.wanted:
+    yield document.Paragraph(scales_to_use(problem))
+    if problem.asked.wanted:
         yield document.HandoutHeading(plain(say("handouts.your answers", problem.lang)))
         yield answer_boxes(problem)
+    if problem.whose:
+        yield document.Paragraph(plain(say("handouts.see hand-in", problem.lang)))
+
+
+def scales_to_use(problem: HandoutProblem) -> Label:
+    """Those of the mechanism and of the polygons that are drawn."""
+    planes: tuple[Plane, ...] = ("position", *problem.polygons)
+    return joined([written(plane, problem.scales[plane]) for plane in planes], ";  ")
+
+
+def given_figure(problem: HandoutProblem, to_draw: bool = False) -> tuple[document.HandoutPicture, bool]:
+    """The mechanism with what is given; a student's own not where what is asked could be measured on it, if it gets
+    anywhere else. And whether it is where it is asked for."""
+    method, plot = problem.drawing.method, problem.drawing.plot
+    shown = shown_at(method, plot) if problem.whose and not to_draw else None
+    if shown is None or shown[1]:
+        return _figure(problem, "position", "given"), True
+    return _figure(replace(problem, drawing=replace(problem.drawing, plot=shown[0])), "position", "given"), False
 
 
 def _half(problem: HandoutProblem, upto: int) -> Iterator[Block]:

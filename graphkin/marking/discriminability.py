@@ -84,7 +84,7 @@ def compared(entries: Sequence[KeyEntry], names: Sequence[Name], values: np.ndar
 
 # --- problems of one template -----------------------------------------------------------------
 
-LOOKED_AT = 6
+LOOKED_AT = 3
 """Problems that are looked at for one that does as well as the best third of a sample; then the best of them."""
 
 

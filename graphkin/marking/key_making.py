@@ -189,21 +189,36 @@ _PRODUCT = 2**17
 
 def _together(drawn: np.ndarray) -> np.ndarray:
     """The correlation (n, n) of the quantities' scatters, of drawings (drawings, n)."""
-    whole = drawn[np.isfinite(drawn).all(axis=1)]
-    if len(whole) < 3:
+    series = drawn[np.isfinite(drawn).all(axis=1)].T.copy()
+    if series.shape[1] < 3:
         return np.eye(drawn.shape[1])
-    # ranks: a few drawings far off, near a dead point, say nothing of the others
-    count, n = whole.shape
-    ranks = np.argsort(np.argsort(whole, axis=0), axis=0) - (count - 1) / 2
-    still = np.ptp(whole, axis=0) <= 1e-9 * np.max(np.abs(whole), axis=0, initial=0.0)
+    return np.asarray(np.round(_correlated(_ranked(series)), 6))
+
+
+def _ranked(series: np.ndarray) -> np.ndarray:
+    """Ranks (k, count), from their middle, of values (k, count); of what stands still, none. By ranks a few drawings
+    far off, near a dead point, say nothing of the others."""
+    count = series.shape[1]
+    ranks = np.empty(series.shape)
+    np.put_along_axis(ranks, np.argsort(series, axis=1), np.arange(count)[None] - (count - 1) / 2, axis=1)
+    still = np.ptp(series, axis=1) <= 1e-9 * np.max(np.abs(series), axis=1, initial=0.0)
+    ranks[still] = 0.0
+    return ranks
+
+
+def _correlated(ranks: np.ndarray) -> np.ndarray:
+    """The correlation (.., n, n) of ranks (.., n, count)."""
+    *rows, n, count = ranks.shape
     size = math.isqrt(_PRODUCT // count) + 1
-    parts = np.zeros((-(-n // size), size, count))
-    parts.reshape(-1, count)[:n] = ranks.T
-    products = (parts[:, None] @ parts.transpose(0, 2, 1)).swapaxes(1, 2).reshape(len(parts) * size, -1)[:n, :n]
+    tiles = -(-n // size)
+    parts = np.zeros((*rows, tiles * size, count))
+    parts[..., :n, :] = ranks
+    parts = parts.reshape(*rows, tiles, size, count)
+    products = (parts[..., :, None, :, :] @ parts[..., None, :, :, :].swapaxes(-1, -2)).swapaxes(-2, -3)
+    products = products.reshape(*rows, tiles * size, tiles * size)[..., :n, :n]
     correlation = products * 12 / (count * (count**2 - 1))
-    correlation[still, :], correlation[:, still] = 0.0, 0.0
-    np.fill_diagonal(correlation, 1.0)
-    return np.asarray(np.round(correlation, 6))
+    correlation[..., range(n), range(n)] = 1.0
+    return np.asarray(correlation)
 
 
 def hypotheses_of(
@@ -217,17 +232,25 @@ def hypotheses_of(
     drawings = drawings_of(method, marking, _FEWER)
     sorts = [entry.sort for entry in entries]
     sizes = np.array([sort == "size" for sort in sorts], dtype=bool)
-    spreads, untouched = np.empty(values.shape), np.empty(values.shape, dtype=bool)
+    scatters, untouched = np.zeros(values.shape), np.empty(values.shape, dtype=bool)
     together = np.empty((*values.shape, len(entries)))
-    drawn = (one for part in drawings.parts(quantities, [(), *columns]) for one in part)
-    right = next(drawn).copy()
-    for row, (one, value) in enumerate(zip(drawn, values, strict=True)):
-        spreads[row] = spread(one, value, sorts)
-        untouched[row] = np.all((np.abs(one - right) <= _NOTHING * np.abs(right)) | np.isnan(right), axis=0)
-        judged = np.where(np.isfinite(value), np.where(sizes, np.abs(one), one), 0.0)
-        together[row] = np.round(_together(judged), 2)
-    least = np.array([[least_of(v, entry) for v, entry in zip(row, entries, strict=True)] for row in values])
-    scatters = np.hypot(spreads, least.reshape(values.shape))
+    right, *_ = drawings.values(quantities)
+    straight, row = _ranked(np.where(sizes, np.abs(right), right).T.copy()), 0
+    for drawn in drawings.parts(quantities, columns):
+        some = slice(row, row := row + len(drawn))
+        same = np.all((np.abs(drawn - right) <= _NOTHING * np.abs(right)) | np.isnan(right), axis=1)
+        untouched[some] = same
+        judged = np.where(np.isfinite(values[some, None]), np.where(sizes, np.abs(drawn), drawn), 0.0)
+        changed = np.nonzero(~same)
+        scatters[some][changed] = spread(
+            drawn.swapaxes(1, 2)[changed].T, values[some][changed], [sorts[k] for k in changed[1]]
+        )
+        ranks = np.where(np.isfinite(values[some, :, None]), straight, 0.0)  # what is left as it is has its ranks
+        ranks[changed] = _ranked(judged.swapaxes(1, 2)[changed])
+        together[some] = np.round(_correlated(ranks), 2)
+        for k in np.flatnonzero(~np.isfinite(judged).all(axis=(1, 2)) | ~np.isfinite(right).all()):
+            together[some][k] = np.round(_together(judged[k]), 2)  # without the drawings that fail
+    scatters = np.hypot(scatters, least_of(values, entries))
     # what a mistake leaves as it is scatters as it does: few drawings say little of that near a dead point
     scatters = np.where(untouched, [entry.scatter for entry in entries], scatters)
     scatters = np.where(np.isfinite(values), scatters, np.nan)
@@ -235,11 +258,14 @@ def hypotheses_of(
     return Hypotheses(names, values, scatters, together)
 
 
-def least_of(value: float, entry: KeyEntry) -> float:
-    """Rounding in print: of the mistaken value, or what the right one has where that is 0."""
-    if not np.isfinite(value):
-        return math.nan
-    return half_digit(value, entry.unit, abs(entry.right)) / math.sqrt(3) or entry.scatter
+def least_of(values: np.ndarray, entries: Sequence[KeyEntry]) -> np.ndarray:
+    """Rounding in print (.., n): of mistaken values (.., n), or what the right one has where that is 0."""
+    factors = np.array([EDGE[entry.unit].factor for entry in entries])
+    right, scatters = np.array([(abs(entry.right), entry.scatter) for entry in entries]).T
+    shown = np.abs(np.where(values == 0, right, values)) * factors
+    with np.errstate(divide="ignore"):
+        least = 0.5 * 10.0 ** (np.floor(np.log10(shown)) - 2) / factors / math.sqrt(3)
+    return np.where(np.isfinite(values), np.where(least > 0, least, scatters), np.nan)
 
 
 def by_other_methods(method: Method, key: Key, quantities: Sequence[Quantity]) -> Hypotheses:
@@ -247,7 +273,7 @@ def by_other_methods(method: Method, key: Key, quantities: Sequence[Quantity]) -
     Whoever takes it reads off what another has drawn, and the other way round: the same values err by more there, by
     less here, and otherwise together."""
     right, sorts = np.array([entry.right for entry in key.entries]), [entry.sort for entry in key.entries]
-    least = np.array([least_of(entry.right, entry) for entry in key.entries])
+    least = least_of(right, key.entries)
     scatters, together = [], []
     for other in other_methods(method):
         drawn = drawings_of(other, key.marking, _FEW).values(quantities)[0]

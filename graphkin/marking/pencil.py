@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import reduce
+from functools import lru_cache, reduce
 from typing import Never, assert_never, cast
 from zlib import crc32
 
@@ -86,8 +86,15 @@ class Slips:
         if self.allowed is not None and not self.allowed(mark):
             return 0.0
         number = crc32(repr((mark.plane, mark.what, mark.of, which)).encode())
-        drawn: np.ndarray = np.random.default_rng([self.seed, number]).standard_normal(self._drawn)[self._kept]
-        return drawn
+        return _normal(self.seed, number, self._drawn)[self._kept]
+
+
+@lru_cache(512)
+def _normal(seed: int, number: int, count: int) -> np.ndarray:
+    """Normal errors (count,), for all who ask for the same."""
+    drawn = np.random.default_rng([seed, number]).standard_normal(count)
+    drawn.flags.writeable = False
+    return drawn
 
 
 def seed_of(mechanism: Mechanism) -> int:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import count
 from typing import assert_never
 
 import numpy as np
@@ -67,13 +68,16 @@ class Drawings:
             yield self._values(quantities, columns[k : k + some])
 
     def _values(self, quantities: Sequence[Quantity], columns: Sequence[Sequence[Rewrite]]) -> np.ndarray:
-        hand = PencilHand(self.pencil, self.slips, self.method.facts(), columns)
+        edited = [column for column in columns if any(rewrite.edits for rewrite in column)]
+        hand = PencilHand(self.pencil, self.slips, self.method.facts(), [(), *edited])  # others are the right drawing
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
             plot = redraw(self.method, hand.placed(self.method, self.positions), hand, hand.shape)
             answers = [drawn_answer(self.method, plot, quantity, self.arrows).value for quantity in quantities]
             slips = [self._slip(plot, quantity) for quantity in quantities]
             readings = [np.broadcast_to(value + slip, hand.shape) for value, slip in zip(answers, slips, strict=True)]
-        values = np.stack(readings, axis=-1).astype(float, copy=False) if readings else np.empty((*hand.shape, 0))
+        drawn = np.stack(readings, axis=-1).astype(float, copy=False) if readings else np.empty((*hand.shape, 0))
+        rows = count(1)
+        values = drawn[[next(rows) if any(rewrite.edits for rewrite in column) else 0 for column in columns]]
         numbers = {quantity.text: k for k, quantity in enumerate(quantities)}
         for row, rewrites in enumerate(columns):
             whole = values[row].copy()

@@ -65,7 +65,7 @@ def key_data(key: Key) -> Json:
 
 
 def _row(values: Array) -> list[float | None]:
-    return [float(f"{x:.12g}") if np.isfinite(x) else None for x in values]
+    return [float(f"{x:.12g}") if math.isfinite(x) else None for x in values.tolist()]
 
 
 def _line(value: object) -> str:

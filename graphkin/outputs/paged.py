@@ -68,9 +68,14 @@ def serif_files() -> list[str]:
 def png(sheet: Sheet, dpi: float, ink: Ink = "accent") -> bytes:
     """The sheet at so many dots per inch, with who made it, and how large it is meant to be. Raises NeedsExtra without
     resvg-py."""
+    return raster(svg(sheet, ink), dpi)
+
+
+def raster(drawing: str, dpi: float) -> bytes:
+    """The same of an SVG file's text."""
     resvg = needed("resvg_py", "png")
     fonts = {"serif_family": SERIF, "font_files": serif_files()}
-    content = bytes(resvg.svg_to_bytes(svg_string=svg(sheet, ink), dpi=dpi, background="#ffffff", **fonts))
+    content = bytes(resvg.svg_to_bytes(svg_string=drawing, dpi=dpi, background="#ffffff", **fonts))
     first = 8 + 25  # the signature, and the chunk that every PNG begins with
     metres = round(dpi / 0.0254)
     stated = _chunk(b"tEXt", b"Software\0" + MARK) + _chunk(b"pHYs", struct.pack(">IIB", metres, metres, 1))

@@ -6,10 +6,10 @@ from cmath import phase
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 from itertools import combinations
-from math import degrees, remainder
+from math import degrees, isclose, remainder
 
 from graphkin.base.geometry import dot
-from graphkin.model.mechanism import FRAME, Driver
+from graphkin.model.mechanism import FRAME, Driver, KeyPath
 from graphkin.model.pairs import Cam, CircularSlot, Gear, Line, Pair, RollingContact, Slide
 from graphkin.say import names
 from graphkin.say.dimensions import Size, beside, circle, driven, guide_angle, millimetres, radius, sides
@@ -65,6 +65,15 @@ def solution_head(reading: Reading, leaves_out: bool) -> Iterator[Entry]:
         yield Sentence(reading.say("derivation.numbers left out"))
 
 
+def _as_stated(reading: Reading, value: float, unit: str, *places: KeyPath) -> str:
+    """` = 60 rpm`: a value [SI] in the file's own words, where these are of another unit than the one it is told in."""
+    there = (reading.mechanism.given[place] for place in places if place in reading.mechanism.given)
+    stated = next((each for each in there if each.si is not None and isclose(each.si, value)), None)
+    text = stated.written.strip() if stated is not None and isinstance(stated.written, str) else ""
+    own = text.lstrip("+-0123456789.eE ").replace("^2", "²").replace("deg", "°")
+    return f" = {text.replace('-', '−')}" if own not in ("", unit) else ""
+
+
 def _points(line: tuple[str, str]) -> str:
     """Two points of a link in the order of their direction."""
     return "".join(map(names.point, line))
@@ -77,7 +86,13 @@ def _kind(reading: Reading, slide: str) -> str:
 
 def _driver(reading: Reading, k: int, driver: Driver) -> str:
     """A driven line or slide, its value, and its rates; no angle of a wheel, or of a line that a pose has fixed."""
-    place, *rates = driven(reading, k, driver)
+    keys = ("at", "velocity", "acceleration") if driver.kind == "slide" else ("angle", "omega", "alpha")
+    facts = reading.plot.facts
+    values = (float(table[k]) for table in (facts.values, facts.rates, facts.accelerations))
+    place, *rates = (
+        replace(size, symbol=size.symbol + _as_stated(reading, value, size.unit, ("driver", k, key)))
+        for size, key, value in zip(driven(reading, k, driver), keys, values, strict=True)
+    )
     now, drawn = (float(facts.values[k]) for facts in (reading.plot.facts, reading.method.facts()))
     shown = None if driver.value is None and abs(now - drawn) < 1e-12 else place
     if driver.kind == "slide":
@@ -103,8 +118,12 @@ def _driver(reading: Reading, k: int, driver: Driver) -> str:
 def _dimensions(reading: Reading) -> Iterator[str]:
     """A sentence each: lengths, fixed points, guides, rolling circles, profiles."""
     say, mechanism = reading.say, reading.mechanism
-    lengths = [Size(f"l_{side.name}", millimetres(reading, side.length), "mm").text
-               for link in mechanism.moving for side in sides(reading, link)]  # fmt: skip
+    lengths = []
+    for link in mechanism.moving:
+        for side in sides(reading, link):
+            places = (("links", link, name) for name in (side.first + side.second, side.second + side.first))
+            stated = _as_stated(reading, side.length, "mm", *places)
+            lengths.append(Size(f"l_{side.name}{stated}", millimetres(reading, side.length), "mm").text)
     if lengths:
         yield say("solution.lengths", lengths=reading.joined(lengths))
     shapes = [reading.way_round(*corners) for link in mechanism.moving for corners in beside(reading, link)]

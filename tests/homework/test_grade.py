@@ -164,16 +164,16 @@ def test_each_student_has_a_key():
     Path("t.toml").write_text(TEMPLATE, encoding="utf-8")
     Path("roster.csv").write_text("id\nann\n../bob\n", encoding="utf-8")
     assert run("problems", "t.toml", "--students", "roster.csv", "-o", "set").exit_code == 0
-    keys = json.loads(Path("set/key.json").read_text("utf-8"))["students"]
+    keys = json.loads(Path("set/teacher/key.json").read_text("utf-8"))["students"]
     assert set(keys) == {"ann", "../bob"}
     for student, name in keys.items():
-        key = key_from(f"set/{name}")
+        key = key_from(f"set/teacher/{name}")
         row = {entry.text: entry.right for entry in key.entries}
         handed_in = {"student": student, "answers": {"omega 3": round(row["omega 3"], 3), "alpha 3": row["alpha 3"] * 2}}
         Path(f"{name}.in.json").write_text(json.dumps(handed_in))
     Path("stranger.json").write_text('{"student": "eve", "answers": {"omega 3": 1}}')
     files = [f"{name}.in.json" for name in keys.values()]
-    for key in ("set", "set/key.json"):
+    for key in ("set", "set/teacher", "set/teacher/key.json"):
         found = lines(key, *files, "stranger.json")
         assert [line["status"] for line in found] == ["marked", "marked", "not marked"]
         for line in found[:2]:

@@ -26,14 +26,16 @@ from graphkin.cli.problems import PLATFORMS
 from graphkin.errors import GraphkinError, NotForPlatform
 from graphkin.homework import grading
 from graphkin.homework.platforms import write_set
-from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.question import Part, ProblemSet, Question, Wrong, alternatives, most, question_of
+from graphkin.homework.platforms.markup import broken, one_line
+from graphkin.homework.platforms.question import Part, ProblemSet, Question, Wrong, alternatives, question_of
 from graphkin.homework.platforms.set_formats import SETS, weights
 from graphkin.homework.platforms.tables import line, points, read_table, unharmed
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import HandedNumber, StudentWork
 from graphkin.model.quantities import EDGE, read
 from graphkin.outputs.files import FileInTheWay
+from graphkin.outputs.typesetting import signs
+from graphkin.sheet.lettering import formula
 
 HOSTILE = (
     "plain", "a\"b'c", "x~y#z}w{v\\u", "\\", "~", "#", "}", "}~=1:1#", "{1:NUMERICAL:=1:9}", "{#1}", "<b>&amp;</b>",
@@ -73,6 +75,17 @@ def visible(text: str) -> str:
     """A text as any file may change it: what steers is gone, breaks are room."""
     kept = re.sub("[\x00-\x08\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufdd0-\ufdef\ufffe\uffff]", "", text)
     return " ".join(kept.split())
+
+
+def letters(text: str) -> str:
+    """What can be read of a text."""
+    return re.sub(r"\s", "", visible(text))
+
+
+def typeset(text: str) -> str:
+    """The same of one whose quantities are set: letters, then what is lowered, then what is raised."""
+    every = (sign for line in broken(text) for sign in signs(formula(line)))
+    return letters("".join(run.text for sign in every for runs in sign.runs for run in runs))
 
 
 # --- alternatives -----------------------------------------------------------------------------
@@ -181,7 +194,7 @@ def test_moodle_takes_hostile_texts(kind, tmp_path: Path):
         assert " ".join(shown(said).split()) == visible(f"This number is consistent with: {wrong.mistake['en']}.")
         assert own.grade(question.parts[0].number)[0] == other.grade(-1.25)[0] == 1
         text = next(one.text for one in found if own in one.fields)
-        assert visible(question.text["en"]) in " ".join(shown(re.sub("</?p>", " ", text)).split())
+        assert typeset(question.text["en"]) in letters(shown(re.sub("</?(p|i|math|m[a-z]+)>|<br>", " ", text)))
 
 
 def test_moodle_tells_the_mistakes_of_random_problems(tmp_path: Path):
@@ -267,7 +280,7 @@ def test_moodle_takes_any_text(text, tmp_path_factory: pytest.TempPathFactory):
         (field,) = question.fields
         assert [one.fraction for one in field.answers] == [1, 0]
         assert visible(f"[{text}]") in " ".join(shown(field.grade(5.0)[1]).split())
-        assert visible(f"[{text}]") in " ".join(shown(re.sub("</?p>", " ", question.text)).split())
+        assert typeset(f"[{text}]") in letters(shown(re.sub("</?(p|i|math|m[a-z]+)>|<br>", " ", question.text)))
     for kind in ("qti", "csv", "xuexitong"):
         written(folder, kind, problems)
     for cell in next(csv.reader(io.StringIO(line([text, "end"]), newline="")), [""])[:1]:
@@ -308,22 +321,22 @@ def _holds(node, value: float) -> bool:
     raise AssertionError(node.tag)
 
 
-def assessments(path: Path) -> list:
-    """The assessments that the manifest names, each with its points."""
+def bank(path: Path):
+    """The one bank of questions that the manifest names; all other files are figures."""
     with zipfile.ZipFile(path) as archive:
         assert archive.testzip() is None
-        manifest = unspaced(archive.read("imsmanifest.xml"))
-        resources = {each.attrib["identifier"]: each for each in manifest.iter("resource")}
-        found = []
-        for each in resources.values():
-            if each.attrib["type"] == "imsqti_xmlv1p2":
-                meta = resources[each.find("dependency").attrib["identifierref"]].attrib["href"]
-                name = each.find("file").attrib["href"]
-                assert name == f"{each.attrib['identifier']}/{each.attrib['identifier']}.xml"
-                found.append((unspaced(archive.read(name)), unspaced(archive.read(meta))))
-        files = {file.attrib["href"] for each in resources.values() for file in each.iter("file")}
+        resources = [*unspaced(archive.read("imsmanifest.xml")).iter("resource")]
+        (bank,) = (each for each in resources if each.attrib["type"] == "imsqti_xmlv1p2")
+        name = bank.find("file").attrib["href"]
+        assert name == f"{bank.attrib['identifier']}/{bank.attrib['identifier']}.xml"
+        assert {each.attrib["type"] for each in resources if each is not bank} <= {"webcontent"}
+        files = {file.attrib["href"] for each in resources for file in each.iter("file")}
         assert files | {"imsmanifest.xml"} == set(archive.namelist())
-    return found
+        tree = unspaced(archive.read(name))
+        for source in re.findall('img src="([^"]*)"', " ".join(each.text or "" for each in tree.iter("mattext"))):
+            assert source.removeprefix("%24IMS-CC-FILEBASE%24/") in files
+    assert [each.tag for each in tree] == ["objectbank"]
+    return tree.find("objectbank")
 
 
 def field(item, label: str) -> str:
@@ -331,8 +344,8 @@ def field(item, label: str) -> str:
 
 
 def test_qti_grades(tmp_path: Path):
-    ((tree, meta),) = assessments(written(tmp_path, "qti"))
-    assert meta.findtext("points_possible") == "5"
+    tree = bank(written(tmp_path, "qti"))
+    assert field(tree, "bank_title") == "shaper"
     for item, part in zip(tree.iter("item"), (OMEGA, ALPHA), strict=True):
         assert field(item, "question_type") == "numerical_question"
         assert float(field(item, "points_possible")) == part.points
@@ -345,9 +358,7 @@ def test_qti_grades(tmp_path: Path):
 
 
 def test_qti_takes_hostile_texts(tmp_path: Path):
-    found = assessments(written(tmp_path, "qti", hostile_set()))
-    assert len(found) == len(HOSTILE)
-    idents = [node.attrib["ident"] for tree, _ in found for node in tree.iter("item")]
+    idents = [node.attrib["ident"] for node in bank(written(tmp_path, "qti", hostile_set())).iter("item")]
     assert len(set(idents)) == len(idents) == 2 * len(HOSTILE)
     assert all(re.fullmatch("[A-Za-z_][A-Za-z0-9_]*", ident) for ident in idents)
 
@@ -396,16 +407,17 @@ def test_word_file_is_plain_paragraphs(tmp_path: Path):
     lines = ["".join(node.text for node in paragraph.iter("t")) for paragraph in document.iter("p")]
     assert lines[0].startswith("1.【填空题】")
     assert lines[1] == "答案：-1.25"
-    assert lines[2].startswith("2.【填空题】")
-    assert lines[3] == "答案：62.2"
+    assert lines[2] == "答案解析：±0.025"
+    assert lines[3].startswith("2.【填空题】")
+    assert lines[4] == "答案：62.2"
 
 
 def test_word_file_takes_hostile_texts(tmp_path: Path):
     with zipfile.ZipFile(written(tmp_path, "xuexitong", hostile_set())) as archive:
         document = unspaced(archive.read("word/document.xml"))
     lines = ["".join(node.text for node in paragraph.iter("t")) for paragraph in document.iter("p")]
-    assert len(lines) == 4 * len(HOSTILE)
-    for number, (question, answer) in enumerate(zip(lines[::2], lines[1::2], strict=True), 1):
+    assert len(lines) == 6 * len(HOSTILE)
+    for number, (question, answer) in enumerate(zip(lines[::3], lines[1::3], strict=True), 1):
         assert question.startswith(f"{number}.【填空题】")
         assert re.fullmatch(r"答案：-?[0-9.]+", answer)
 
@@ -450,9 +462,9 @@ C = [65, 46]
 
 
 def test_the_command_writes_sets(tmp_path: Path):
-    template, out = tmp_path / "shaper.toml", tmp_path / "out"
+    template, out = tmp_path / "shaper.toml", tmp_path / "out" / "teacher"
     template.write_text(TEMPLATE)
-    words = ["problems", str(template), "--students", "2", "-o", str(out), "--lang", "zh"]
+    words = ["problems", str(template), "--students", "2", "-o", str(tmp_path / "out"), "--lang", "zh"]
     formats = [word for kind in SETS for word in ("--format", kind)]
     done = CliRunner().invoke(main, [*words, *formats])
     assert done.exit_code == 0, done.output
@@ -465,9 +477,11 @@ def test_the_command_writes_sets(tmp_path: Path):
             assert field.weight == weight
             assert field.grade(right[asked].right)[0] == 1
             assert field.grade(right[asked].right + 0.98 * right[asked].tolerance)[0] == 1
-        assert "AB = " in one.text
+        assert "<mi>AB</mi>" in one.text
+        assert not re.search("omega|alpha|points|AB =", one.text), "letters of the sheets, and no words of the file"
+        assert 'src="@@PLUGINFILE@@/figure.svg"' in one.text
     assert len(imported(out / "set-moodle-numerical.xml")) == 4
-    assert len(assessments(out / "set-qti.zip")) == 2
+    assert len([*bank(out / "set-qti.zip").iter("item")]) == 4
     assert {path.name for path in out.iterdir()} >= {"set-csv.csv", "set-xuexitong.docx", "set.json", "s1.toml"}
     again = CliRunner().invoke(main, [*words, "--format", "moodle"])
     assert again.exit_code == 0, "its own files are written anew"
@@ -492,14 +506,13 @@ def test_totals_are_equal(tmp_path: Path):
     ))  # fmt: skip
     question = Question("s", {"en": "?", "zh": "?"}, parts)
     problems = ProblemSet("t", [question])
-    total = most(question)
-    assert total == sum(points(part.points) for part in parts) == Decimal("3.31")
+    total = sum(points(part.points) for part in parts)
+    assert total == Decimal("3.31")
     cloze = imported(written(tmp_path, "moodle", problems))[0].fields
     single = [one.fields[0] for one in imported(written(tmp_path, "moodle-numerical", problems))]
     assert sum(Decimal(str(each.weight)) for each in single) == total
     assert [each.weight / cloze[0].weight for each in cloze] == pytest.approx([each.weight / single[0].weight for each in single])
-    ((tree, meta),) = assessments(written(tmp_path, "qti", problems))
-    assert Decimal(meta.findtext("points_possible")) == total
+    tree = bank(written(tmp_path, "qti", problems))
     assert sum(Decimal(field(item, "points_possible")) for item in tree.iter("item")) == total
     rows = [*read_table(written(tmp_path, "csv", problems))][1:]
     assert sum(Decimal(row[4]) for row in rows if row[5] == "100") == total

@@ -6,7 +6,6 @@ import json
 import tomllib
 import zipfile
 from pathlib import Path
-from typing import Any
 
 import pytest
 from click.testing import CliRunner
@@ -16,6 +15,8 @@ from graphkin import files as loading
 from graphkin.cli import main
 from graphkin.errors import NoKeyAtPosition, Where
 from graphkin.files import library
+from graphkin.handouts.problem import drawn_problem
+from graphkin.handouts.stages import answer_rows
 from graphkin.homework.grading import OneKey, grade, judge_from, key_for
 from graphkin.homework.grading.keys import further_methods
 from graphkin.homework.platforms import PolygonPictures
@@ -27,7 +28,7 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.outputs.key_json import key_of, key_text
 from graphkin.outputs.marks_json import record
 from graphkin.results import driver_values, results
-from graphkin.say.problems import problem
+from graphkin.say.entry import text_lines
 
 NAMES = ("ex3-1", "scotch-yoke", "curved-slot")
 
@@ -180,17 +181,13 @@ def test_drawings_tell_their_position_by_their_name(key: Key, tmp_path: Path, mo
 
 def test_platforms_and_the_text_have_every_position(key: Key):
     parts = question_of("s1", key, {"en": "", "zh": ""}).parts
-    mechanism = moved("ex3-1")
     assert [part.name for part in parts if "omega 3" in part.name] == ["omega 3", "omega 3 #2", "omega 3 #3"]
     for lang in ("en", "zh"):
-        text = problem(mechanism, "s1", (), lang)  # type: ignore[arg-type]
+        problem = drawn_problem(moved("ex3-1"), lang, "s1")
+        text = "\n".join(text_lines(problem.posed, lang))
         assert "#2" in text
         assert "AB = 67°" in text
-        values: dict[str, Any] = {}
-        for line in text.splitlines():
-            if line.startswith('  "'):
-                values |= tomllib.loads(line.strip() + " 1")
-        assert set(values) == {part.name for part in parts}
+        assert [row.symbol for row in answer_rows(problem)] == [part.shown for part in parts]
 
 
 def test_a_page_shows_the_position_of_the_mistake(key: Key, tmp_path: Path):

@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 import math
 import re
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 
+import openpyxl
 import pytest
 from click.testing import CliRunner
 from reading_all import read
@@ -16,15 +18,27 @@ from template_text import TEXT
 from graphkin import api
 from graphkin import files as loading
 from graphkin.cli import main
-from graphkin.errors import GraphkinError, NoRange, NotATemplate, NoVariant, OutOfRange, StudentTwice, UnknownQuantity
+from graphkin.errors import (
+    GraphkinError,
+    Lang,
+    NoRange,
+    NotATemplate,
+    NoVariant,
+    OutOfRange,
+    StudentTwice,
+    UnknownQuantity,
+)
 from graphkin.files import library
-from graphkin.homework.platforms import write_problems
-from graphkin.homework.problems import Student, draws, read_template, roster, variants, well_posed
+from graphkin.handouts import problem_folder
+from graphkin.handouts.problem import drawn_problem
+from graphkin.handouts.problem_folder import SetOrder, write_problems
+from graphkin.homework.grading import key_for
+from graphkin.homework.problems import Student, Variant, draws, read_template, roster, variants, well_posed
 from graphkin.homework.problems.posed import shown_at
 from graphkin.outputs.files import FileInTheWay
 from graphkin.planning import plan
 from graphkin.running import replay_all
-from graphkin.say.problems import problem
+from graphkin.say.entry import text_lines
 from graphkin.submissions import ReadableProblem
 
 
@@ -117,38 +131,94 @@ def test_a_bare_list_and_a_number(tmp_path: Path):
         roster(str(tmp_path / "a.csv"))
 
 
-def test_what_is_written(template: Path, tmp_path: Path):
+def order(template: Path, folder: Path, students: tuple[Student, ...], seed: str = "1", lang: Lang = "en") -> SetOrder:
+    return SetOrder(folder, read_template(template), students, seed, lang)
+
+
+def files(folder: Path) -> dict[str, bytes]:
+    return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+
+
+@pytest.fixture
+def rocker(tmp_path: Path) -> Path:
+    """A template that is soon drawn."""
+    path = tmp_path / "rocker.toml"
+    path.write_text((Path(__file__).parents[1] / "cases/homework/rocker.toml").read_text("utf-8"), encoding="utf-8")
+    return path
+
+
+def test_what_is_written(rocker: Path, tmp_path: Path):
     students = (Student("../../evil"), Student("a/b", (("name", "Ann"),)), Student("A"), Student("a"))
-    found = variants(read_template(template), students, "1")
     folder = tmp_path / "out" / "set"
-    paths = list(write_problems(folder, read_template(template), found, "1", "en"))
-    assert sorted(path.name for path in folder.iterdir()) == sorted(path.name for path in paths)
-    assert {path.name for path in tmp_path.iterdir()} == {"out", "slide.toml"}
-    listed = json.loads((folder / "set.json").read_text("utf-8"))
+    found = [one for one in write_problems(order(rocker, folder, students)) if isinstance(one, Variant)]
+    assert {path.name for path in tmp_path.iterdir()} == {"out", "rocker.toml"}
+    listed = json.loads((folder / "teacher" / "set.json").read_text("utf-8"))
     for variant in found:
         entry = listed["students"][variant.student.id]
-        assert loading.load(folder / entry["file"]).text.split("\n", 1)[1] == variant.mechanism.text
-    assert "Ann" in (folder / listed["students"]["a/b"]["file"]).with_suffix(".txt").read_text("utf-8")
-    before = {path: path.read_bytes() for path in paths}
-    list(write_problems(folder, read_template(template), found, "1", "en"))
-    assert before == {path: path.read_bytes() for path in paths}
-    (folder / "set.json").write_text("mine")
+        assert loading.load(folder / "teacher" / entry["file"]).text.split("\n", 1)[1] == variant.mechanism.text
+    page = folder / "students" / listed["students"]["a/b"]["file"].replace(".toml", ".html")
+    assert "Ann" in page.read_text("utf-8")
+    handed_out = {path.suffix for path in (folder / "students").iterdir()}
+    assert handed_out == {".html", ".xlsx"}, "no key and no TOML is handed out"
+    before = files(folder)
+    list(write_problems(order(rocker, folder, students)))
+    assert before == files(folder)
+    (folder / "teacher" / "set.json").write_text("mine")
     with pytest.raises(FileInTheWay):
-        list(write_problems(folder, read_template(template), found, "2", "en"))
-    assert before[paths[0]] == paths[0].read_bytes()
+        list(write_problems(order(rocker, folder, students, "2")))
+    assert all(before[name] == content for name, content in files(folder).items() if not name.endswith("set.json"))
 
 
-def test_the_form_in_a_problem_reads_back_however_it_is_filled_in(template: Path, tmp_path: Path):
-    (variant,) = variants(read_template(template), roster("1"), "1")
-    list(write_problems(tmp_path / "set", read_template(template), (variant,), "1", "zh"))
-    problem = (tmp_path / "set" / "s1.txt").read_text("utf-8")
-    form = problem[problem.index("  student =") : problem.index("--")]
-    filled = form.replace('"omega 3" = ', '"omega 3" = 3.9 顺时针').replace('"a_k B3B2" = ', '"a_k B3B2" = 2.5 m/s²')
-    for name in ("a.toml", "a.txt"):
-        (tmp_path / name).write_text(filled, encoding="utf-8")
-        (found,) = read([tmp_path / name], ReadableProblem(variant.mechanism, variant.mechanism.ask))
-        assert (found.student, found.reason) == ("s1", None)
-        assert {q: v.value for q, v in found.values.items()} == {"omega 3": -3.9, "a_k B3B2": 2.5}
+def test_a_set_goes_on_where_it_was_broken_off(rocker: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """Files are there as soon as they are whole, and the same as of a set that was written at once; nothing is made twice."""
+    students = roster("3")
+    assert len(list(write_problems(order(rocker, tmp_path / "whole", students)))) == 3
+    writing = write_problems(order(rocker, tmp_path / "set", students))
+    first = next(writing)
+    assert sum(name.endswith(".key.json") for name in files(tmp_path / "set")) == 1
+    writing.close()
+    made: list[object] = []
+    monkeypatch.setattr(problem_folder, "key_for", lambda *args: made.append(args) or key_for(*args))
+    found = list(write_problems(order(rocker, tmp_path / "set", students)))
+    assert first == found[0]
+    assert len(made) == 2
+    assert files(tmp_path / "set") == files(tmp_path / "whole")
+    fewer = [one for one in write_problems(order(rocker, tmp_path / "set", students[:2])) if isinstance(one, Path)]
+    gone = {path.name for path in fewer}
+    assert gone == {f"s{k}{end}" for k in (3,) for end in (".html", ".toml", ".key.json")}
+    assert not gone & {Path(name).name for name in files(tmp_path / "set")}
+
+
+def test_several_processes_write_the_same(rocker: Path, tmp_path: Path):
+    """Also where students would get the same, so that some are drawn once more."""
+    text = rocker.read_text("utf-8")
+    assert "from = 40, to = 80" in text
+    rocker.write_text(text.replace("from = 40, to = 80", "from = 60, to = 65").replace("from = 24", "from = 33"), encoding="utf-8")
+    students = roster("3")
+    with ThreadPoolExecutor(2) as executor:
+        found = list(write_problems(order(rocker, tmp_path / "several", students), executor))
+    assert [one.student.id for one in found if isinstance(one, Variant)] == [
+        one.student.id for one in write_problems(order(rocker, tmp_path / "one", students)) if isinstance(one, Variant)
+    ]
+    assert files(tmp_path / "several") == files(tmp_path / "one")
+
+
+@pytest.mark.parametrize("lang", ["en", "zh"])
+def test_the_workbook_reads_back_as_it_is_filled_in(lang: Lang, template: Path, tmp_path: Path):
+    list(write_problems(order(template, tmp_path / "set", roster("1"), lang=lang)))
+    book = openpyxl.load_workbook(tmp_path / "set" / "students" / "_answers.xlsx")
+    rows = {row[0].value: row for row in book.active.iter_rows()}
+    rows[{"en": "student number", "zh": "学号"}[lang]][1].value = "s1"
+    rows["ω3"][1].value, rows["ω3"][3].value = 3.9, "顺时针"
+    rows["aᵏ_B3B2"][1].value = 2.5
+    book.save(tmp_path / "handed-in.xlsx")
+    mechanism = loading.load(tmp_path / "set" / "teacher" / "s1.toml")
+    (found,) = read([tmp_path / "handed-in.xlsx"], ReadableProblem(mechanism, mechanism.ask))
+    assert (found.student, found.reason) == ("s1", None)
+    assert {q: v.value for q, v in found.values.items()} == {"omega 3": -3.9, "a_k B3B2": 2.5}
+    page = (tmp_path / "set" / "students" / "_hand-in.html").read_text("utf-8")
+    for text in ("What to hand in", "提交要求", "_answers.xlsx", "20270001.svg", "<mi>n</mi><mn>3</mn>"[:9]):
+        assert text in page
 
 
 def test_few_variants_are_shared_and_said(template: Path, tmp_path: Path):
@@ -177,29 +247,23 @@ def test_the_command(template: Path, tmp_path: Path):
     out = tmp_path / "set"
     result = CliRunner().invoke(main, ["problems", str(template), "--students", "3", "--seed", "x", "-o", str(out), "--lang", "zh"])
     assert result.exit_code == 0, result.output
-    assert len(list(out.glob("*.toml"))) == 3
+    assert len(list(out.glob("teacher/*.toml"))) == 3
     bad = CliRunner().invoke(main, ["problems", str(template), "--students", str(tmp_path / "no.csv"), "-o", str(out)])
     assert bad.exit_code == 3
     assert "no.csv" in bad.stderr
 
 
-@pytest.mark.parametrize(
-    ("question", "shown"),
-    [
-        ("omega 3", "ω3 [rad/s] (1 point)"), ("v_y C", "v_C,y [m/s] (1 point)"),
-        ("a_k B3B2", "aᵏ_B3B2 [m/s²] (1 point)"), ("x C", "x_C [mm] (1 point)"), ("omega 3 / omega 2", "ω3 / ω2 (1 point)"),
-        ("P13", "P13 [mm]"),
-        ("theta 3", "θ3 [°] (1 point); θ3 is the angle of the direction D→C from +x, counter-clockwise"),
-        ("theta 2", "θ2 [°] (1 point); θ2 is the angle of the sliding direction on link 3 from +x, counter-clockwise"),
-    ],
-)  # fmt: skip
-def test_what_is_asked_is_written_as_in_a_book(question: str, shown: str):
-    """What is no number has no points, and no line in the form."""
+@pytest.mark.parametrize(("question", "shown", "angle"), [
+    ("omega 3", "ω3.", ""), ("v_y C", "v_C,y.", ""), ("a_k B3B2", "aᵏ_B3B2.", ""), ("omega 3 / omega 2", "ω3/ω2.", ""),
+    ("theta 3", "θ3.", "θ3 is the angle of the direction D→C from +x, counter-clockwise."),
+    ("theta 2", "θ2.", "θ2 is the angle of the sliding direction on link 3 from +x, counter-clockwise."),
+])  # fmt: skip
+def test_what_is_asked_is_written_as_in_a_book(question: str, shown: str, angle: str):
     mechanism = loading.loads(re.sub("(?m)^ask .*", f'ask = ["{question}"]', library.load("ex3-1").text))
     assert mechanism.ask == (question,)
-    lines = problem(mechanism, "s1", (), "en").splitlines()
-    assert f"  {shown}" in lines
-    assert (f'  "{question}" = ' in lines) == ("point" in shown)
+    lines = [line.strip() for line in text_lines(drawn_problem(mechanism, "en", "s1").posed, "en")]
+    assert lines[lines.index("Find") + 1] == shown
+    assert lines[lines.index("Find") + 2 :] == [angle] * bool(angle)
 
 
 @pytest.mark.parametrize(("question", "there"), [

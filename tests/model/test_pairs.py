@@ -21,7 +21,6 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.model.naming import named
 from graphkin.model.pairs import PAIRS, Pair, Revolute
 from graphkin.planning import plan
-from graphkin.say.catalogue import is_phrase
 from graphkin.say.centre_steps import NORMALS
 from graphkin.say.equivalents import EQUIVALENTS
 from graphkin.say.structure import KINDS, structure_lines
@@ -64,7 +63,6 @@ def test_what_is_said_of_tables_of_the_file_is_said_of_each_kind() -> None:
         assert table in schema.TABLES, f"a key of [[{table}]] typed wrong has no hint"
         assert table in library.KINDS, f"`library --with {table}`"
         assert callable(getattr(Builder, table, None)), f"Mechanism.new(..).{table}(..)"
-        assert is_phrase(f"problems.table {table}"), f"a problem does not say what [[{table}]] gives"
 
 
 def kinds_of(mechanism: Mechanism) -> set[type[Pair]]:

@@ -34,7 +34,7 @@ def _values(drawn: list[float], kinds: list[str], k: int) -> list[float]:
 @pytest.mark.parametrize("name", [*library.names()[::6], "ex3-2", "ex3-3"])
 def test_every_point_moves_with_the_slider(name: str):
     drawing = graphkin.Drawing.of(graphkin.load(name))
-    method, scales = drawing.method, scales_of(drawing.method, drawing.plot, "en")
+    method, scales = drawing.method, scales_of(drawing.method, drawing.plot)
     content = ggb(method, drawing.plot, scales, "en")
     assert content == ggb(method, drawing.plot, scales, "en")
     kinds = [driver.kind for driver in method.drivers]
@@ -71,7 +71,7 @@ def _labels(found: Reckoned, point: str) -> list[str]:
 def test_fitted_links_stay_on_their_side_up_to_a_dead_point():
     """A degree short of it they are where the drawing has them; past it there is nothing."""
     drawing = graphkin.Drawing.of(graphkin.load("ex3-2"))
-    scales = scales_of(drawing.method, drawing.plot, "en")
+    scales = scales_of(drawing.method, drawing.plot)
     content = ggb(drawing.method, drawing.plot, scales, "en")
     (slider,) = Reckoned(content).sliders
     for degrees, there in ((156.8, True), (165.0, False)):
@@ -86,7 +86,7 @@ def test_fitted_links_stay_on_their_side_up_to_a_dead_point():
 def test_the_real_program_turns_the_crank(tmp_path: Path):
     """GeoGebra opens the file with its slider at a dozen places and nothing else known; it says what it makes of it."""
     drawing = graphkin.Drawing.of(graphkin.load("ex3-5"))
-    method, scales = drawing.method, scales_of(drawing.method, drawing.plot, "en")
+    method, scales = drawing.method, scales_of(drawing.method, drawing.plot)
     content = ggb(method, drawing.plot, scales, "en")
     drawn = float(method.facts().values[0])
     with ThreadPoolExecutor(2) as both:

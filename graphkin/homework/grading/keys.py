@@ -30,6 +30,7 @@ from graphkin.running import replay_all
 
 _LARGEST = 64 << 20
 _PAGE = complex(130.0, 97.0)  # of any figure that is drawn as large as a page allows [mm]
+_ALONE = complex(140.0, 190.0)  # of one that is alone on its page
 _SAME = 1e-6  # values of both mechanisms that differ by a smaller part, of the largest of their kind, are the same
 KEYS: Mapping[Plane, str] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 
@@ -102,22 +103,28 @@ def key_drawn(method: Method, pencils: Pencils = USUAL, quantities: Sequence[Qua
 
 def marking_of(method: Method, pencils: Pencils = USUAL, scales: Mapping[str, float] | None = None) -> Marking:
     """A pencil's errors at the scales of the mechanism's sheet, or at others."""
-    if not scales:
-        written, plot = method.mechanism.scales, proved(method).plot
-        if all(key in written for key in KEYS.values()):
-            scales = {key: written[key] for key in KEYS.values()}
-        else:
-            from graphkin.sheet import scales_of
-
-            of_sheet = scales_of(method, plot, "en")
-            scales = {key: float(of_sheet[plane]) for plane, key in KEYS.items()}
+    scales = scales or paper_scales(method, proved(method).plot)
     lengths: dict[str, float] = {plane: pencils.length_mm * scales[key] for plane, key in KEYS.items()}
     angle, follows = math.radians(pencils.angle_deg), method.mechanism.follows
     return Marking(lengths, angle, dict(scales), pencils.sigmas, pencils.relative, follows)
 
 
-def page_scales(method: Method, plot: Plot) -> dict[str, float]:
-    """The file's own scales; others are the finest at which a figure has room on a page, lying or standing."""
+def paper_scales(method: Method, plot: Plot) -> dict[str, float]:
+    """The file's own scales; others are those of the mechanism's sheet. They are its handout's, too: of one without
+    room on a page they are coarser."""
+    written = method.mechanism.scales
+    if all(key in written for key in KEYS.values()):
+        return {key: written[key] for key in KEYS.values()}
+    from graphkin.sheet import scales_of
+
+    of_sheet, least = scales_of(method, plot), page_scales(method, plot, (_ALONE,))
+    return {key: written.get(key) or max(float(of_sheet[plane]), least[key]) for plane, key in KEYS.items()}
+
+
+def page_scales(
+    method: Method, plot: Plot, rooms: Sequence[complex] = (_PAGE, complex(_PAGE.imag, _PAGE.real))
+) -> dict[str, float]:
+    """The file's own scales; others are the finest at which a figure has one of these rooms, lying or standing."""
     from graphkin.sheet.composition import Planes
     from graphkin.sheet.paper import finest
     from graphkin.sheet.window import PLANES, corners
@@ -125,8 +132,7 @@ def page_scales(method: Method, plot: Plot) -> dict[str, float]:
     planes, scales = Planes(method, plot, PLANES, "construction", "en"), {}
     for plane, key in KEYS.items():
         low, high = corners(planes.values(plane))
-        finest_ones = (finest(high - low, room) for room in (_PAGE, complex(_PAGE.imag, _PAGE.real)))
-        scales[key] = method.mechanism.scales.get(key) or min(finest_ones)
+        scales[key] = method.mechanism.scales.get(key) or min(finest(high - low, room) for room in rooms)
     return scales
 
 

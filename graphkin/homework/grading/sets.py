@@ -30,6 +30,8 @@ from graphkin.submissions.submission import ReadableProblem, fingerprint
 
 KIND = "graphkin keys"
 FORMAT = 1
+TEACHER = "teacher"  # the folder of a set with what is not handed out
+_KEY, _SET = ".key.json", "key.json"
 _KEPT = 32  # keys that are held ready
 
 
@@ -168,7 +170,7 @@ def judge_from(source: str, pencils: Pencils = USUAL) -> SetMarker:
     Raises what loading and planning raise, BadKey, NothingToMark.
     """
     path = Path(source)
-    path = path / "key.json" if path.is_dir() else path
+    path = _set_of(path) or path / _SET if path.is_dir() else path
     if path.suffix.lower() == ".json":
         try:
             data = json.loads(text_of(path))
@@ -235,8 +237,6 @@ class Neighbours:
 
 # --- the problems that are to be marked -------------------------------------------------------------------------------
 
-_KEY, _SET = ".key.json", "key.json"
-
 
 @frozen
 class Problem:
@@ -276,14 +276,19 @@ def problems_of(key: str, submissions: Sequence[str]) -> tuple[Problem, ...]:
 
 def _keys(folder: Path) -> Mapping[str, Path]:
     """The problems of a folder by name; none of one that is itself a set of problems, or that is no folder."""
-    if not folder.is_dir() or (folder / _SET).exists():
+    if not folder.is_dir() or _set_of(folder) is not None:
         return {}
     keys: dict[str, Path] = {}
     for path in sorted(folder.iterdir()):
         if path.name.endswith(_KEY):
             keys[path.name.removesuffix(_KEY)] = path
-        elif (path / _SET).is_file():
+        elif _set_of(path) is not None:
             keys.setdefault(path.name, path)
         elif path.suffix == ".toml":
             keys.setdefault(path.stem, path)
     return keys
+
+
+def _set_of(folder: Path) -> Path | None:
+    """The file of the set that a folder holds: in its teacher's folder, or, of an older one, beside the problems."""
+    return next((path for path in (folder / TEACHER / _SET, folder / _SET) if path.is_file()), None)

@@ -1,8 +1,6 @@
 """Formats of teaching platforms, one file a format: problem sets out, results out.
 
-    Template + Variants --write_problems--> graphkin's own folder: DIR/NAME.toml, .txt, .svg, .key.json; key.json,
-                                            set.json, set.mistakes.txt
-    Key --question_of--> Question; Template + Variants --problem_set--> ProblemSet
+    Key --question_of--> Question; Questions of a class: a ProblemSet
     ProblemSet of Questions --SETS[format]--> moodle, moodle-numerical, qti, csv, xuexitong: one file
     file of marks --read_results--> Results, --read_traces--> the evidence of each student's mistakes
     Results --RESULTS[format]--> csv, xlsx, moodle, gradescope, prairielearn, canvas, pages: files in a folder
@@ -18,19 +16,12 @@ To add a format: a file with one function, and its line in `set_formats` or `res
 
 from graphkin.homework.platforms.feedback import Reveal
 from graphkin.homework.platforms.polygon_pictures import PolygonPictures
-from graphkin.homework.platforms.problem_folder import (
-    file_of,
-    is_set,
-    problem_set,
-    students_of,
-    told_of,
-    write_problems,
-)
+from graphkin.homework.platforms.question import ProblemSet
 from graphkin.homework.platforms.result import from_record, read_results, read_traces
 from graphkin.homework.platforms.result_formats import prepared, write_results
 from graphkin.homework.platforms.set_formats import write_set
 
 __all__ = [
-    "PolygonPictures", "Reveal", "file_of", "from_record", "is_set", "prepared", "problem_set", "read_results",
-    "read_traces", "students_of", "told_of", "write_problems", "write_results", "write_set",
+    "PolygonPictures", "ProblemSet", "Reveal", "from_record", "prepared", "read_results", "read_traces",
+    "write_results", "write_set",
 ]  # fmt: skip

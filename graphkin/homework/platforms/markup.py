@@ -30,7 +30,12 @@ def one_line(text: str) -> str:
 
 def in_html(text: str) -> str:
     """A plain text as HTML that stands between tags."""
-    return "<br>".join(html.escape(clean(line), quote=False) for line in _BREAKS.split(text))
+    return "<br>".join(html.escape(line, quote=False) for line in broken(text))
+
+
+def broken(text: str) -> list[str]:
+    """The lines of a plain text."""
+    return [clean(line) for line in _BREAKS.split(text)]
 
 
 def element(tag: str, *content: str | ET.Element, **attributes: str) -> ET.Element:
@@ -89,7 +94,8 @@ _TYPES = "http://schemas.openxmlformats.org/package/2006/content-types"
 
 def office_package(parts: Iterable[tuple[str, str]], main: str) -> Iterator[tuple[str, bytes]]:
     """The first members of an office file. parts: names of further ones, each with its kind; main: the chief one."""
-    kinds = (("rels", "application/vnd.openxmlformats-package.relationships+xml"), ("xml", "application/xml"))
+    kinds = (("rels", "application/vnd.openxmlformats-package.relationships+xml"), ("xml", "application/xml"),
+             ("png", "image/png"))  # fmt: skip
     yield "[Content_Types].xml", xml(element(
         "Types", *(element("Default", Extension=end, ContentType=kind) for end, kind in kinds),
         *(element("Override", PartName=part, ContentType=kind) for part, kind in parts), xmlns=_TYPES,
@@ -97,7 +103,8 @@ def office_package(parts: Iterable[tuple[str, str]], main: str) -> Iterator[tupl
     yield "_rels/.rels", office_link("officeDocument", main)
 
 
-def office_link(kind: str, target: str) -> bytes:
-    """A file of one relationship."""
-    return xml(element("Relationships", element("Relationship", Id="rId1", Type=f"{OFFICE}/{kind}", Target=target),
-                       xmlns=_LINKS))  # fmt: skip
+def office_link(kind: str, *targets: str) -> bytes:
+    """A file of relationships."""
+    links = (element("Relationship", Id=f"rId{k}", Type=f"{OFFICE}/{kind}", Target=target)
+             for k, target in enumerate(targets, 1))  # fmt: skip
+    return xml(element("Relationships", *links, xmlns=_LINKS))

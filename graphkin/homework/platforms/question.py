@@ -17,11 +17,12 @@ import numpy as np
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang, NoRightNumber
-from graphkin.homework.platforms.tables import points, rounded, tolerated
+from graphkin.homework.platforms.tables import rounded, tolerated
 from graphkin.marking.key import Key, KeyEntry
 from graphkin.model.quantities import EDGE, at_position
 from graphkin.say.catalogue import LANGUAGES, say
 from graphkin.say.marks import joined, mistake
+from graphkin.say.names import symbols
 
 Text = Mapping[Lang, str]  # a text in each language
 
@@ -50,7 +51,7 @@ class Wrong:
 class Part:
     """One quantity that is asked for.
 
-    name    as it is read: "omega 3"
+    name    as it is read: "omega 3"; `label`: as the sheets write it
     number  the right one, in `unit`; `also`: others that are as right, such as an angle and a turn more
     points  for a right number; has_sense: half of them for its opposite
     """
@@ -62,21 +63,34 @@ class Part:
     points: float = 1.0
     wrongs: tuple[Wrong, ...] = ()
     also: tuple[float, ...] = ()
+    label: str = ""
     has_sense: bool = False
 
     @property
+    def shown(self) -> str:
+        """`ω3`."""
+        return self.label or self.name
+
+    @property
     def heading(self) -> str:
-        """`omega 3 (rad/s)`."""
-        return self.name + (f" ({self.unit})" if self.unit else "")
+        """`ω3 (rad/s)`."""
+        return self.shown + (f" ({self.unit})" if self.unit else "")
 
 
 @frozen
 class Question:
-    """One student's problem. id: the student's or the variant's."""
+    """One student's problem.
+
+    id      the student's or the variant's
+    text    in lines, its quantities in the letters of the field
+    figure  as SVG, `shows` in words; empty where there is none
+    """
 
     id: str
     text: Text
     parts: tuple[Part, ...]
+    figure: bytes = b""
+    shows: str = ""
 
 
 @frozen
@@ -87,8 +101,8 @@ class ProblemSet:
     questions: Sequence[Question]
 
 
-def question_of(id: str, key: Key, text: Text) -> Question:
-    """The questions of a key. id: the student's or the variant's; text: the problem in words."""
+def question_of(id: str, key: Key, text: Text, figure: bytes = b"", shows: str = "") -> Question:
+    """The questions of a key; the rest as Question has it."""
     parts = []
     for at, here in enumerate(key.positions, 1):
         for column, entry in enumerate(here.entries):
@@ -101,9 +115,10 @@ def question_of(id: str, key: Key, text: Text) -> Question:
             parts.append(Part(
                 name, entry.right * unit.factor, entry.allowed * unit.factor, unit.sign, entry.points,
                 tuple(_wrongs(here, column, entry)), tuple(number * unit.factor for number in also),
+                at_position(symbols(entry.text), at),
                 has_sense=entry.sort == "sense" and entry.doubt in ("", "steep") and abs(entry.right) > entry.tolerance,
             ))  # fmt: skip
-    return Question(id, text, tuple(parts))
+    return Question(id, text, tuple(parts), figure, shows)
 
 
 def _wrongs(key: Key, column: int, entry: KeyEntry) -> Iterator[Wrong]:
@@ -148,11 +163,6 @@ def alternatives(question: Question, part: Part) -> tuple[Alternative, ...]:
     alike = [one for one in wrongs if other.holds(one.number)]
     ids = tuple(dict.fromkeys(id for one in alike for id in one.ids))
     return (*right, replace(other, ids=ids, mistakes=tuple(text for one in alike for text in one.mistakes)), *wrongs)
-
-
-def most(question: Question) -> Decimal:
-    """The points of a question."""
-    return sum((points(part.points) for part in question.parts), Decimal(0))
 
 
 def sentence(alternative: Alternative, lang: Lang) -> str:

@@ -3,35 +3,52 @@
 Moodle XML, with the mistakes as alternatives, so that Moodle names them by itself. `cloze`: a question a student, all
 numbers in it; its weights are whole, so points are multiplied until they are. `numerical`: a question a number. Rules:
 Moodle's qtype_multianswer and qtype_numerical; feedback in braces is decoded once from HTML, then `\\}` and `\\#` are
-undone; `~` has no such escape and is written as an entity.
+undone; `~` has no such escape and is written as an entity. The figure is a file of each question.
 
-QTI 1.2 in a zip, as Canvas takes it in; PrairieLearn and Brightspace read the same. An assessment a student, a
-`numerical_question` a number. Canvas gives all points for any answer that an item lists, so only right numbers are
-listed: no halves, no mistakes. It rounds answers below 0.0001 to 0.
+QTI 1.2 in a zip, as Canvas and Brightspace take it in: one bank of questions (`objectbank`) with all students, a
+`numerical_question` a number, figures beside it. Canvas gives all points for any answer that an item lists, so only
+right numbers are listed: no halves, no mistakes. It rounds answers below 0.0001 to 0.
 
 As a table there is a row an answer, with its share of the points and what is said to it. As a Word file for 学习通
-(Chaoxing) a question a number: `1.【填空题】题干`, then `答案：1.25`; the layout is that of an exporter, not an
-official one, and has no tolerance: the text says how exact a number is to be.
+(Chaoxing) a question a number: `1.【填空题】题干`, then `答案：1.25`, then what is allowed as its explanation, for that
+layout, which is an exporter's and no official one, has no tolerance.
 """
 
 from __future__ import annotations
 
+import base64
 import hashlib
 import html
+import re
 import xml.etree.ElementTree as ET
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from decimal import ROUND_HALF_UP, Decimal
 from math import gcd
 from pathlib import Path
 
 from graphkin.base.value import frozen
 from graphkin.errors import Lang, NotForPlatform
-from graphkin.homework.platforms.markup import ZIP_MARKS, element, in_html, office_package, one_line, pack, xml
-from graphkin.homework.platforms.question import Part, ProblemSet, Question, alternatives, most, refuse, sentence
+from graphkin.homework.platforms.markup import (
+    OFFICE,
+    ZIP_MARKS,
+    broken,
+    element,
+    in_html,
+    office_link,
+    office_package,
+    one_line,
+    pack,
+    xml,
+)
+from graphkin.homework.platforms.question import Part, ProblemSet, Question, alternatives, refuse, sentence
 from graphkin.homework.platforms.tables import BOM, exponentless, line, points, printed, write_lines
 from graphkin.outputs.files import beside
+from graphkin.outputs.paged import raster
+from graphkin.outputs.typesetting import html_words
 from graphkin.say.catalogue import LANGUAGES, say
+from graphkin.sheet.lettering import Run, formula
 
+_FIGURE = "figure.svg"
 _BRACES = str.maketrans({"{": "&#123;", "}": "&#125;"})
 _SIGNS = str.maketrans({"#": "\\#", "}": "\\}", "~": "&#126;", "\\": "&#92;", "{": "&#123;"})
 """Signs of cloze in a feedback; made after HTML has its entities, whose `#` is escaped with the others."""
@@ -60,15 +77,28 @@ def _quiz(problems: ProblemSet, questions: Sequence[ET.Element]) -> bytes:
     return xml(element("quiz", category, *questions))
 
 
-def _question(kind: str, name: str, text: str) -> ET.Element:
-    return element(
-        "question", element("name", element("text", one_line(name))),
-        element("questiontext", element("text", text), format="html"), type=kind,
-    )  # fmt: skip
+def _question(kind: str, name: str, question: Question, text: str) -> ET.Element:
+    body = element("questiontext", element("text", text), format="html")
+    if question.figure:
+        data = base64.b64encode(question.figure).decode()
+        body.append(element("file", data, name=_FIGURE, path="/", encoding="base64"))
+    return element("question", element("name", element("text", one_line(name))), body, type=kind)
+
+
+def _words(text: str) -> str:
+    """Lines whose quantities are set as the sheets set them."""
+    return "<br>".join(html_words(formula(line)) for line in broken(text))
+
+
+def _posed(question: Question, lang: Lang, figure: str) -> str:
+    """The text with its figure; figure: the file as the platform finds it."""
+    shows = html.escape(one_line(question.shows))
+    picture = f'<p><img src="{figure}" alt="{shows}"></p>' if question.figure else ""
+    return f"<p>{_words(question.text[lang])}</p>{picture}"
 
 
 def _cloze(problems: ProblemSet, question: Question, lang: Lang) -> ET.Element:
-    lines = [f"<p>{in_html(question.text[lang]).translate(_BRACES)}</p>"]  # no brace of the text opens a field
+    lines = [_posed(question, lang, f"@@PLUGINFILE@@/{_FIGURE}").translate(_BRACES)]  # no brace of it opens a field
     for part, weight in zip(question.parts, weights(question.parts), strict=True):
         fields = []  # `%50%-1.25:0.0625#Close`
         for one in alternatives(question, part):
@@ -76,15 +106,15 @@ def _cloze(problems: ProblemSet, question: Question, lang: Lang) -> ET.Element:
             said = html.escape(in_html(one_line(sentence(one, lang))), quote=False).translate(_SIGNS)
             fields.append(f"{share}{printed(one.number)}:{printed(one.tolerance)}#{said}")
         answers = "~".join(fields)
-        lines.append(f"<p>{in_html(part.heading).translate(_BRACES)} = {{{weight}:NUMERICAL:{answers}}}</p>")
+        lines.append(f"<p>{_words(part.heading).translate(_BRACES)} = {{{weight}:NUMERICAL:{answers}}}</p>")
     name = say("platforms.problem title", lang, set=problems.name, id=question.id)
-    return _question("cloze", name, "\n".join(lines))
+    return _question("cloze", name, question, "\n".join(lines))
 
 
 def _numerical(problems: ProblemSet, question: Question, part: Part, lang: Lang) -> ET.Element:
     title = say("platforms.problem title", lang, set=problems.name, id=question.id)
-    text = f"<p>{in_html(question.text[lang])}</p>\n<p>{in_html(part.heading)} = ?</p>"
-    whole = _question("numerical", f"{title}, {part.name}", text)
+    text = f"{_posed(question, lang, f'@@PLUGINFILE@@/{_FIGURE}')}\n<p>{_words(part.heading)} = ?</p>"
+    whole = _question("numerical", f"{title}, {part.shown}", question, text)
     whole.append(element("defaultgrade", exponentless(points(part.points))))
     for one in alternatives(question, part):
         said = in_html(one_line(sentence(one, lang)))
@@ -102,26 +132,22 @@ def _numerical(problems: ProblemSet, question: Question, part: Part, lang: Lang)
 SMALLEST = Decimal("0.0001")
 _PACKAGE = "http://www.imsglobal.org/xsd/imsccv1p1/imscp_v1p1"
 _ITEMS = "http://www.imsglobal.org/xsd/ims_qtiasiv1p2"
-_CANVAS = "http://canvas.instructure.com/xsd/cccv1p0"
-_META = "associatedcontent/imscc_xmlv1p1/learning-application-resource"
 
 
 def qti(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes]]:
     """The files of the zip. Raises NotForPlatform where a right number would be rounded to 0."""
     names = ["g" + _digest(problems.name, question.id, "") for question in problems.questions]
-    yield "imsmanifest.xml", xml(_manifest(problems, names))
-    for name, question in zip(names, problems.questions, strict=True):
-        title = one_line(say("platforms.problem title", lang, set=problems.name, id=question.id))
-        limits = element("qtimetadata", _field("cc_maxattempts", "1"))
-        items = [_item(name, question, part, lang) for part in question.parts]
-        section = element("section", *items, ident="root_section")
-        assessment = element("assessment", limits, section, ident=name, title=title)
-        yield f"{name}/{name}.xml", xml(element("questestinterop", assessment, xmlns=_ITEMS))
-        yield f"{name}/assessment_meta.xml", xml(element(
-            "quiz", element("title", title), element("description"), element("quiz_type", "assignment"),
-            element("points_possible", exponentless(most(question))), element("allowed_attempts", "1"),
-            identifier=name, xmlns=_CANVAS,
-        ))  # fmt: skip
+    bank = "b" + _digest(problems.name, *names)
+    figures = {f"images/{name}.svg": question.figure
+               for name, question in zip(names, problems.questions, strict=True) if question.figure}  # fmt: skip
+    yield "imsmanifest.xml", xml(_manifest(bank, figures))
+    items = [_item(name, problems, question, part, lang)
+             for name, question in zip(names, problems.questions, strict=True) for part in question.parts]  # fmt: skip
+    title = element("qtimetadata", _field("bank_title", one_line(problems.name)))
+    yield f"{bank}/{bank}.xml", xml(element(
+        "questestinterop", element("objectbank", title, *items, ident=bank), xmlns=_ITEMS,
+    ))  # fmt: skip
+    yield from figures.items()
 
 
 def _digest(*texts: str) -> str:
@@ -129,30 +155,28 @@ def _digest(*texts: str) -> str:
     return hashlib.sha256("\0".join(texts).encode("utf-8", "surrogatepass")).hexdigest()[:31]
 
 
-def _manifest(problems: ProblemSet, names: list[str]) -> ET.Element:
+def _manifest(bank: str, figures: Iterable[str]) -> ET.Element:
     about = element("metadata", element("schema", "IMS Content"), element("schemaversion", "1.1.3"))
     resources = element("resources")
-    for name in names:
-        resources.append(element(
-            "resource", element("file", href=f"{name}/{name}.xml"), element("dependency", identifierref=f"{name}m"),
-            identifier=name, type="imsqti_xmlv1p2",
-        ))  # fmt: skip
-        meta = f"{name}/assessment_meta.xml"
-        resources.append(element("resource", element("file", href=meta), identifier=f"{name}m", type=_META, href=meta))
-    ident = f"m{_digest(problems.name, *names)}"
-    return element("manifest", about, element("organizations"), resources, identifier=ident, xmlns=_PACKAGE)
+    kinds = {f"{bank}/{bank}.xml": (bank, "imsqti_xmlv1p2"), **dict.fromkeys(figures, ("", "webcontent"))}
+    for href, (ident, kind) in kinds.items():
+        one = element("resource", element("file", href=href), identifier=ident or f"f{_digest(href)}", type=kind)
+        resources.append(one)
+        one.attrib |= {} if ident else {"href": href}
+    return element("manifest", about, element("organizations"), resources, identifier=f"m{bank}", xmlns=_PACKAGE)
 
 
 def _field(label: str, entry: str) -> ET.Element:
     return element("qtimetadatafield", element("fieldlabel", label), element("fieldentry", entry))
 
 
-def _item(name: str, question: Question, part: Part, lang: Lang) -> ET.Element:
+def _item(name: str, problems: ProblemSet, question: Question, part: Part, lang: Lang) -> ET.Element:
     about = element("itemmetadata", element(
         "qtimetadata", _field("question_type", "numerical_question"),
         _field("points_possible", exponentless(points(part.points))),
     ))  # fmt: skip
-    text = f"<div><p>{in_html(question.text[lang])}</p><p>{in_html(part.heading)} = ?</p></div>"
+    posed = _posed(question, lang, f"%24IMS-CC-FILEBASE%24/images/{name}.svg")
+    text = f"<div>{posed}<p>{_words(part.heading)} = ?</p></div>"
     blank = element("render_fib", element("response_label", ident="answer1"), fibtype="Decimal")
     presentation = element(
         "presentation", element("material", element("mattext", text, texttype="text/html")),
@@ -171,7 +195,8 @@ def _item(name: str, question: Question, part: Part, lang: Lang) -> ET.Element:
             full = element("setvar", "100", action="Set", varname="SCORE")
             judged.append(element("respcondition", element("conditionvar", either), full, _continue="No"))
     ident = f"{name}q{question.parts.index(part) + 1}"
-    return element("item", about, presentation, judged, ident=ident, title=one_line(part.name))
+    title = say("platforms.problem title", lang, set=problems.name, id=question.id)
+    return element("item", about, presentation, judged, ident=ident, title=one_line(f"{title}, {part.shown}"))
 
 
 # --- tables and Word files; all formats -------------------------------------------------------------------------------
@@ -180,6 +205,7 @@ CSV_HEADERS = (
     "student", "text", "quantity", "unit", "points", "percent", "number", "tolerance", "mistakes", "sentence",
 )  # fmt: skip
 _WORD = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
+_DRAWN, _WORD_DPI = "http://schemas.openxmlformats.org/drawingml/2006", 150
 _MAIN = "application/vnd.openxmlformats-officedocument.wordprocessingml.document.main+xml"
 
 
@@ -195,7 +221,7 @@ def csv_lines(problems: ProblemSet, lang: Lang) -> Iterator[str]:
         for part in question.parts:
             for one in alternatives(question, part):
                 yield line((
-                    question.id, question.text[lang], part.name, part.unit, points(part.points), one.percent,
+                    question.id, question.text[lang], part.shown, part.unit, points(part.points), one.percent,
                     one.number, one.tolerance, " ".join(one.ids), sentence(one, lang),
                 ))  # fmt: skip
 
@@ -203,25 +229,62 @@ def csv_lines(problems: ProblemSet, lang: Lang) -> Iterator[str]:
 def word_files(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, bytes]]:
     """The files of the .docx."""
     yield from office_package([("/word/document.xml", _MAIN)], "word/document.xml")
-    texts = (element("w:t", text, **{"xml:space": "preserve"}) for text in word_paragraphs(problems, lang))
-    body = element("w:body", *(element("w:p", element("w:r", text)) for text in texts))
-    yield "word/document.xml", xml(element("w:document", body, **{"xmlns:w": _WORD}))
+    pictures = [question for question in problems.questions if question.figure]
+    body = element("w:body")
+    numbers = {question.id: number for number, question in enumerate(pictures, 1)}
+    for text, of in word_paragraphs(problems, lang):
+        paragraph = element("w:p", *map(_word_run, formula(text)))
+        if of is not None and of.id in numbers:
+            paragraph.append(_word_picture(of, numbers[of.id]))
+        body.append(paragraph)
+    spaces = {"xmlns:w": _WORD, "xmlns:r": OFFICE, "xmlns:wp": f"{_DRAWN}/wordprocessingDrawing",
+              "xmlns:a": f"{_DRAWN}/main", "xmlns:pic": f"{_DRAWN}/picture"}  # fmt: skip
+    yield "word/document.xml", xml(element("w:document", body, **spaces))
+    if pictures:
+        yield "word/_rels/document.xml.rels", office_link("image", *(f"media/{k}.png" for k in numbers.values()))
+    for question in pictures:
+        yield f"word/media/{numbers[question.id]}.png", raster(question.figure.decode(), _WORD_DPI)
 
 
-def word_paragraphs(problems: ProblemSet, lang: Lang) -> Iterator[str]:
-    """The lines of the file: a question, its answer, and so on."""
+def _word_run(run: Run) -> ET.Element:
+    """Letters in one style."""
+    style = element("w:rPr", *([element("w:i")] if run.italic else []))
+    if run.place != "base":
+        style.append(element("w:vertAlign", **{"w:val": "superscript" if run.place == "sup" else "subscript"}))
+    return element("w:r", style, element("w:t", run.text, **{"xml:space": "preserve"}))
+
+
+def _word_picture(question: Question, number: int) -> ET.Element:
+    """The figure in true size, by the width and height that its file states."""
+    stated = dict(re.findall(r' (width|height)="([0-9.]+)mm"', question.figure[:1000].decode()))
+    size = {side: str(round(36000 * float(stated[name]))) for side, name in (("cx", "width"), ("cy", "height"))}
+    name = {"id": str(number), "name": f"{number}.png"}
+    picture = element(
+        "pic:pic", element("pic:nvPicPr", element("pic:cNvPr", **name), element("pic:cNvPicPr")),
+        element("pic:blipFill", element("a:blip", **{"r:embed": f"rId{number}"}),
+                element("a:stretch", element("a:fillRect"))),
+        element("pic:spPr", element("a:xfrm", element("a:off", x="0", y="0"), element("a:ext", **size)),
+                element("a:prstGeom", element("a:avLst"), prst="rect")),
+    )  # fmt: skip
+    graphic = element("a:graphic", element("a:graphicData", picture, uri=f"{_DRAWN}/picture"))
+    shown = element("wp:docPr", descr=one_line(question.shows), **name)
+    return element("w:r", element("w:drawing", element("wp:inline", element("wp:extent", **size), shown, graphic)))
+
+
+def word_paragraphs(problems: ProblemSet, lang: Lang) -> Iterator[tuple[str, Question | None]]:
+    """The lines of the file: a question, with whose figure stands in it, its answer, and so on."""
     number = 0
     for question in problems.questions:
         title = say("platforms.problem title", lang, set=problems.name, id=question.id)
         for part in question.parts:
             number += 1
             right = alternatives(question, part)[0]
-            blank = f"{part.heading} = ____ (±{printed(right.tolerance)})"
-            yield one_line(f"{number}.【填空题】{title}  {question.text[lang]} {blank}")
+            yield one_line(f"{number}.【填空题】{title}  {question.text[lang]} {part.heading} = ____"), question
             answer = right.number
             if right.tolerance:  # to a tenth of its tolerance, as one would write it
                 answer = answer.quantize(Decimal(1).scaleb(right.tolerance.adjusted() - 1), ROUND_HALF_UP)
-            yield f"答案：{exponentless(answer)}"
+            yield f"答案：{exponentless(answer)}", None
+            yield f"答案解析：±{printed(right.tolerance)}", None
 
 
 Writer = Callable[[Path, ProblemSet, Lang], None]

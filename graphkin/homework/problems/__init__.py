@@ -4,14 +4,14 @@
     Template + roster + seed --draws--> Variant for each student, posed well (`posed`), and of several such the first
     in which mistakes can be told apart as well as the template can (`marking.told`)
 
-say.problems words a problem; platforms writes the set, for graphkin and for others.
+say.problems words a problem; handouts writes the set for graphkin, platforms for others.
 """
 
-from graphkin.homework.problems.draws import Student, Variant, roster, variants
+from graphkin.homework.problems.draws import Student, Variant, drawn_variants, roster, variants
 from graphkin.homework.problems.posed import PosedProblem, well_posed
 from graphkin.homework.problems.template import Template, TemplateRange, read_template
 
 __all__ = [
-    "PosedProblem", "Student", "Template", "TemplateRange", "Variant", "read_template", "roster", "variants",
-    "well_posed",
+    "PosedProblem", "Student", "Template", "TemplateRange", "Variant", "drawn_variants", "read_template", "roster",
+    "variants", "well_posed",
 ]  # fmt: skip

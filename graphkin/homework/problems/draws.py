@@ -9,15 +9,18 @@ from __future__ import annotations
 import hashlib
 import math
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import Executor
+from contextlib import suppress
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 
 import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
+from graphkin.base.worklist import ahead
 from graphkin.errors import GraphkinError, NoStudents, NoVariant, OutOfRange, StudentTwice, Where
 from graphkin.homework import opening
 from graphkin.homework.grading.keys import USUAL, Pencils, further_methods, marking_of, page_scales
@@ -46,6 +49,7 @@ _LIKE = math.log(3) / 2
 """What may be off of answers to one question, as parts of them, differs by a smaller logarithm from the usual part, so
 that for two students it differs by less than a factor of 3."""
 _PRINTED = 0.01  # a smaller part is that of three printed digits, and is like any other
+_AHEAD = 64  # students who are drawn for before it is their turn
 _FAR, _STIFF = 2.0, 0.1  # that logarithm of problems that are none; and how little guesses follow single problems
 
 
@@ -71,19 +75,65 @@ def variants(
     template: Template, students: Sequence[Student], seed: str, pencils: Pencils = USUAL
 ) -> tuple[Variant, ...]:
     """In the order of the students. Raises NoVariant, and what is wrong with the template itself."""
-    order = sorted(students, key=lambda student: hashlib.sha256(_bytes(seed, student.id)).digest())
-    others, goal = _GivenOut(), _Goal.of(template, seed, pencils)
-    own = {student.id: _variant(template, student, seed, others, goal) for student in order}
+    own = {one.student.id: one for one in drawn_variants(template, students, seed, pencils)}
     return tuple(own[student.id] for student in students)
 
 
-def _variant(template: Template, student: Student, seed: str, others: _GivenOut, goal: _Goal) -> Variant:
+def drawn_variants(
+    template: Template, students: Sequence[Student], seed: str, pencils: Pencils = USUAL,
+    given_out: Mapping[str, tuple[int, ...]] = {}, executor: Executor | None = None,
+) -> Iterator[Variant]:  # fmt: skip
+    """Each when it is drawn, in an order that hangs on the seed and the ids alone.
+
+    given_out  the numbers that some have already, by id
+    executor   draws ahead, as if each student were alone; who then has what another has is drawn once more
+    """
+    order = sorted(students, key=lambda student: hashlib.sha256(_bytes(seed, student.id)).digest())
+    others, goal = _GivenOut(), _Goal.of(template, seed, pencils)
+    fresh = ([student] for student in order if student.id not in given_out)
+    found = None if executor is None else ahead(executor, partial(_each_alone, template, seed, goal), fresh, _AHEAD)
+    for student in order:
+        if student.id in given_out:
+            draw = _posed(template, student, given_out[student.id], others, goal, False)
+            one = None if isinstance(draw, str) else _Drawn(*draw, ())
+        else:
+            one = next(found) if found is not None else None
+            if one is not None and any(numbers in others.numbers or (own is not None and others.have(numbers, own))
+                                       for numbers, own in one.tried):  # fmt: skip
+                one = None
+        one = one or _drawn_for(template, student, seed, others, goal)
+        others.numbers.add(one.best.numbers)
+        others.answers.append(one.own)
+        yield one.best
+
+
+@frozen
+class _Drawn:
+    """A student's draw with its answers; and the numbers that were tried, with their answers where they are good."""
+
+    best: Variant
+    own: _ProblemAnswers
+    tried: tuple[tuple[tuple[int, ...], _ProblemAnswers | None], ...]
+
+
+def _each_alone(template: Template, seed: str, goal: _Goal, students: Sequence[Student]) -> list[_Drawn | None]:
+    """As if no other student had any; None where something is wrong."""
+    draws: list[_Drawn | None] = []
+    for student in students:
+        with suppress(GraphkinError):
+            draws.append(_drawn_for(template, student, seed, _GivenOut(), goal))
+    return draws if len(draws) == len(students) else [None] * len(students)
+
+
+def _drawn_for(template: Template, student: Student, seed: str, others: _GivenOut, goal: _Goal) -> _Drawn:
     """The student's draw that is unlike the others' and hides the fewest mistakes."""
     refused: Counter[Refused] = Counter()
     good: list[tuple[Variant, _ProblemAnswers]] = []
+    tried: list[tuple[tuple[int, ...], _ProblemAnswers | None]] = []
     tries = goal.likely_first([_numbers(template, student.id, seed, attempt) for attempt in range(_TRIES)])
     for attempt, numbers in enumerate([*tries, *tries[:_APART]]):  # at last those that others have, too
         draw = _posed(template, student, numbers, others, goal, attempt < _APART)
+        tried.append((numbers, None if isinstance(draw, str) else draw[1]))
         if isinstance(draw, str):
             refused[draw] += attempt < _TRIES
             if draw == "assembly" and attempt + 1 == refused[draw] == _HOPELESS:
@@ -96,10 +146,7 @@ def _variant(template: Template, student: Student, seed: str, others: _GivenOut,
         question, part = max(others.least.items(), key=lambda item: item[1], default=("", 0.0))
         untold = (question, part) if part > TELLS else ("", 0.0)
         raise NoVariant(Where(template.file), student.id[:60], _TRIES, tuple(refused.most_common()), *untold)
-    best, own = min(good, key=lambda pair: (pair[0].shared, pair[0].told.lost))
-    others.numbers.add(best.numbers)
-    others.answers.append(own)
-    return best
+    return _Drawn(*min(good, key=lambda pair: (pair[0].shared, pair[0].told.lost)), tuple(tried))
 
 
 def _posed(
