@@ -21,6 +21,7 @@ from graphkin import Drawing
 from graphkin.errors import Where
 from graphkin.files import library
 from graphkin.homework import grading, platforms
+from graphkin.homework.platforms.feedback import Feedback
 from graphkin.homework.platforms.pages import drawing as page
 from graphkin.outputs.marks_json import record
 from graphkin.outputs.svg import svg
@@ -51,7 +52,7 @@ def feedback() -> Iterator[tuple[Path, str]]:
     (graded,) = grading.grade(judge, [HOMEWORK / "s1.toml"])
     result, pictures = platforms.from_record(record(graded), Where("s1.toml")), platforms.PolygonPictures(judge)
     for lang, end in (("en", ""), ("zh", "-zh")):
-        told = platforms.Feedback(result, lang, "answer", pictures(result, lang, "answer"))
+        told = Feedback(result, lang, "answer", pictures(result, lang, "answer"))
         yield Path(FEEDBACK) / f"{FEEDBACK}{end}.svg", page(told).decode()
 
 

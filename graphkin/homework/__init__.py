@@ -2,7 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Any, TypeAlias
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 
-Record: TypeAlias = Mapping[str, Any]  # the record of a submission in a file of marks, as JSON gives it
+from graphkin.errors import NoFile, Unreadable, Where
+
+
+@contextmanager
+def opening(path: Path) -> Iterator[None]:
+    """Raises NoFile, Unreadable where a file cannot be read."""
+    try:
+        yield
+    except FileNotFoundError:
+        raise NoFile(Where(str(path)), path.name, ()) from None
+    except (OSError, UnicodeDecodeError) as problem:
+        raise Unreadable(Where(str(path)), getattr(problem, "strerror", None) or "UTF-8") from None

@@ -17,9 +17,11 @@ from graphkin import errors
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
 from graphkin.errors import NOWHERE, GraphkinError, Where
+from graphkin.files.values import short_number
 from graphkin.model.quantities import Centre, Component, Moving, Quantity, at_position, position_of
 from graphkin.submissions import numbers
-from graphkin.submissions.numbers import parsed_value, plain, short
+from graphkin.submissions.grammar import parsed_value, simple
+from graphkin.submissions.numbers import plain, short
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import HandedValue, Limits, ReadableProblem
 
@@ -27,6 +29,8 @@ Entry = tuple[str, object, Where]  # the name of an answer, its value as it stan
 
 _NOTHING = {"", "/", "\\", "n/a", "na", "none", "null", "无", "空", "未答", "未作答"}
 _DRIVER_VALUE = re.compile(r"(?<=\s)@\s*(-?[0-9]+(?:[.,][0-9]+)?) ?(?:deg|°|mm)?(?![\w.])")
+_BRACKETS = re.compile(r"[(\[](?:([^;)\]]+);([^;)\]]+)|([^,;)\]]+),([^,;)\]]+))[)\]](.*)")
+"""`(12.3, 40.5) mm`: a place; `;` between decimal commas."""
 _NEAR = 0.05  # a driver's value that is typed may be off by so much [deg, mm]
 
 
@@ -79,7 +83,7 @@ def _is_nothing(raw: object) -> bool:
     """Nothing, or a dash, a unit beside it or not, as in an answer table that was not filled in."""
     if not isinstance(raw, str):
         return raw is None
-    if numbers.simple(raw) is not None:
+    if simple(raw) is not None:
         return False
     text = plain(raw).lower()
     bare = text.strip("-_. ")
@@ -91,13 +95,10 @@ def _value(raw: object, quantity: Quantity, unit: str, scales: Mapping[Plane, fl
         case bool():
             return HandedValue(str(raw).lower(), None, fault=errors.NotAnAnswer(NOWHERE, str(raw).lower()))
         case int() | float():
-            try:  # one too long to be printed is none
-                shown = repr(float(raw)) if isinstance(raw, float) else str(raw) if abs(raw) < 10**30 else "1e999"
-            except OverflowError:
-                shown = "1e999"
+            shown = str(raw) if abs(raw) < 1e30 else short_number(raw)
             if not math.isfinite(float(shown)):
                 return HandedValue(shown, None, fault=errors.OutOfRange(NOWHERE, shown))
-            return replace(parsed_value(shown, quantity.unit, unit), text=shown)
+            return parsed_value(shown, quantity.unit, unit)
         case str():
             return _text(raw, quantity, unit, scales)
         case {"value": inner, **more} if not isinstance(inner, dict | list):
@@ -113,13 +114,9 @@ def _value(raw: object, quantity: Quantity, unit: str, scales: Mapping[Plane, fl
 
 def _text(raw: str, quantity: Quantity, unit: str, scales: Mapping[Plane, float]) -> HandedValue:
     text = raw.strip()[:400]
-    bare = plain(text) if isinstance(quantity, Centre) else ""
-    if bare.startswith(("(", "[")):
-        # `(12.3, 40.5) mm`: two numbers in brackets; `;` between decimal commas
-        inner, close, after = bare[1:].partition(")" if bare[0] == "(" else "]")
-        parts = inner.split(";") if ";" in inner else inner.split(",")
-        if close and len(parts) == 2:
-            return replace(_pair(f"{parts[0]} {after}", f"{parts[1]} {after}", quantity, unit), text=text)
+    if isinstance(quantity, Centre) and (pair := _BRACKETS.fullmatch(plain(text))) is not None:
+        one, other, after = (part for part in pair.groups() if part is not None)
+        return replace(_pair(f"{one} {after}", f"{other} {after}", quantity, unit), text=text)
     axis = quantity.axis if isinstance(quantity, Component) else ""
     value = parsed_value(text, quantity.unit, unit, bool(axis) or isinstance(quantity, Moving), axis)
     if isinstance(quantity, Component) and value.vector is not None:  # its sign in a word

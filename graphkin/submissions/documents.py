@@ -45,15 +45,15 @@ _SCALES = ("scales", "scale", "比例尺")
 
 
 @frozen
-class TableRow:
-    """One student's row, or one student's whole table. `student` is empty where none is named."""
+class StudentDocument:
+    """A student's id as stated ("" where none is) and the answers; the line of a table or a list of several."""
 
     student: str
-    line: int
-    entries: tuple[tuple[str, object, int], ...]
+    entries: tuple[Entry, ...]
+    line: int = 1
 
 
-def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[TableRow]:
+def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[StudentDocument]:
     """A row a student where the header says so; else one, with all answers of the table. Raises NoAnswers, TooMuch."""
     filled: Cells = ((line, row) for line, row in cells if any(_shown(cell) for cell in row))
     first = next(filled, None)
@@ -68,13 +68,14 @@ def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[TableRow]:
     # `student, s1` over `omega 3, 3.92` begins one student's table, and no class
     below = _shown(second[1][0]) if second is not None and second[1] and len(header) == 2 else ""
     if at is None or _is_question_table(header) or (begins_like_one(below) and not begins_like_one(header[1])):
-        yield _one(chain([first], filled), limits)
+        yield _one(chain([first], filled), where, limits)
         return
     for count, (line, row) in enumerate(filled):
         limits.check(where, "rows", count + 1)
         pairs = enumerate(zip(header, row))
-        answers = tuple((name, cell, line) for k, (name, cell) in pairs if name and k != at and not student_of(name))
-        yield TableRow(_shown(row[at]) if at < len(row) else "", line, answers)
+        given = (pair for k, pair in pairs if pair[0] and k != at and not student_of(pair[0]))
+        entries = tuple((name, cell, Where(where.file, line, short(name))) for name, cell in given)
+        yield StudentDocument(_shown(row[at]) if at < len(row) else "", entries, line)
 
 
 def student_of(name: str) -> bool:
@@ -87,9 +88,9 @@ def _is_question_table(header: Sequence[str]) -> bool:
     return bool(folded & _QUESTION and folded & _VALUE)
 
 
-def _one(cells: Iterable[tuple[int, Sequence[object]]], limits: Limits) -> TableRow:
+def _one(cells: Iterable[tuple[int, Sequence[object]]], where: Where, limits: Limits) -> StudentDocument:
     """A student's own table: question and value beside each other, unit and sense after them."""
-    student, entries, names = "", [], None
+    student, entries, names = "", list[Entry](), None
     for line, row in islice(cells, limits.answers + 2):
         shown = [_shown(cell) for cell in row[:20]]
         if names is None and _is_question_table(shown):
@@ -98,8 +99,8 @@ def _one(cells: Iterable[tuple[int, Sequence[object]]], limits: Limits) -> Table
         if len(shown) > 1 and student_of(shown[0]):
             student = shown[1]
         elif len(shown) > 1 and shown[0]:
-            entries.append((shown[0], _value(row, shown, names), line))
-    return TableRow(student, 1, tuple(entries))
+            entries.append((shown[0], _value(row, shown, names), Where(where.file, line, short(shown[0]))))
+    return StudentDocument(student, tuple(entries))
 
 
 def _value(row: Sequence[object], shown: Sequence[str], names: Sequence[str] | None) -> object:
@@ -169,14 +170,6 @@ def cells_of(name: str, content: bytes, where: Where, limits: Limits) -> Cells:
     return csv_cells(io.BytesIO(content), where)
 
 
-@frozen
-class StudentDocument:
-    """A student's id as stated ("" where none is) and the answers."""
-
-    student: str
-    entries: tuple[Entry, ...]
-
-
 def read_toml(text: str, where: Where, limits: Limits) -> StudentDocument:
     """Raises BrokenSubmission, TooMuch, NoAnswers."""
     text = text.removeprefix("\ufeff")
@@ -225,11 +218,11 @@ def listed(text: str, where: Where, limits: Limits) -> list[StudentDocument] | N
         return None
     limits.check(where, "rows", len(document))
     students = []
-    for entry in document:
+    for number, entry in enumerate(document, 1):
         try:
-            students.append(_document(entry, where, {}))
+            students.append(_document(entry, Where(where.file, number), {}))
         except GraphkinError:
-            students.append(StudentDocument("", ()))
+            students.append(StudentDocument("", (), number))
     return students
 
 
@@ -268,8 +261,9 @@ def _document(document: object, where: Where, lines: Mapping[str, int]) -> Stude
     if not named:
         raise NoAnswers(where)
     entries = (
-        (name, value, Where(where.file, lines.get(name), f"{table}{short(name)}")) for table, name, value in named
+        (name, value, Where(where.file, lines.get(name, where.line), f"{table}{short(name)}"))
+        for table, name, value in named
     )
     stated = next((value for key, value in document.items() if student_of(key)), "")
     student = str(stated) if isinstance(stated, str | int) and not isinstance(stated, bool) else ""
-    return StudentDocument(student[:200], tuple(entries))
+    return StudentDocument(student[:200], tuple(entries), where.line or 1)

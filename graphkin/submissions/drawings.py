@@ -27,9 +27,8 @@ from graphkin.model.quantities import Rotation
 from graphkin.submissions import numbers
 from graphkin.submissions.answers import answers
 from graphkin.submissions.documents import read_lines
-from graphkin.submissions.letters import find_letters
+from graphkin.submissions.letters import PaperPolygon, PolygonVector, find_letters, polygons
 from graphkin.submissions.picture import PagePicture
-from graphkin.submissions.polygons import PaperPolygon, PolygonVector, polygons
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import HandedValue, Limits, MeasuredDrawing, ReadableProblem
 

@@ -6,7 +6,6 @@ submission counts, and none that another's name stands in.
 
 from __future__ import annotations
 
-import hashlib
 import os
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
@@ -21,9 +20,9 @@ from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, Where
 from graphkin.model.quantities import position_of
 from graphkin.submissions import archives
-from graphkin.submissions.documents import PLAIN_TABLES, SHEETS, TableRow, cells_of, csv_cells, listed, rows_of
+from graphkin.submissions.documents import PLAIN_TABLES, SHEETS, StudentDocument, cells_of, csv_cells, listed, rows_of
 from graphkin.submissions.pool import limited
-from graphkin.submissions.submission import Limits, Owner, owner, tidy_id
+from graphkin.submissions.submission import Limits, Owner, fingerprint, owner, tidy_id
 
 LIMITS = Limits()
 
@@ -44,17 +43,14 @@ class Handed:
     file: str
     place: str = ""
     files: tuple[tuple[str, bytes], ...] = ()
-    row: TableRow | None = None
+    row: StudentDocument | None = None
     reason: GraphkinError | None = None
 
     @property
     def digest(self) -> str:
         """Of all that it holds, by which a broken-off marking knows it again."""
-        digest = hashlib.sha256(repr((self.owner.student, self.file, self.row)).encode("utf-8", "surrogatepass"))
-        for name, content in self.files:
-            digest.update(repr((name, len(content))).encode("utf-8", "surrogatepass"))
-            digest.update(content)
-        return digest.hexdigest()
+        files = (part for name, content in self.files for part in (name, content))
+        return fingerprint(repr((self.owner.student, self.file, self.row)), *files)
 
 
 def handed_in(paths: Iterable[str | Path], limits: Limits) -> Iterator[Handed]:
@@ -96,9 +92,8 @@ def _of_path(path: Path, where: Where, limits: Limits) -> Iterator[Handed]:
         content, students = _content(path, where, limits), None
         if path.suffix.lower() == ".json" and content.lstrip(b"\xef\xbb\xbf \r\n\t")[:1] == b"[":
             students = listed(archives.decoded(content, where), where, limits)
-        for number, student in enumerate(students or (), 1):
-            row = TableRow(student.student, number, tuple((name, value, number) for name, value, _ in student.entries))
-            yield _of_row(row, owner(path.name), str(path))
+        for student in students or ():
+            yield _of_row(student, owner(path.name), str(path))
         if not students:
             yield Handed(owner(path.name), str(path), files=((path.name, content),))
 
@@ -110,7 +105,7 @@ def _content(path: Path, where: Where, limits: Limits) -> bytes:
     return content
 
 
-def _of_table(rows: Iterator[TableRow], by_file: Owner, where: Where, limits: Limits) -> Iterator[Handed]:
+def _of_table(rows: Iterator[StudentDocument], by_file: Owner, where: Where, limits: Limits) -> Iterator[Handed]:
     """Each row read within the time of a submission; what breaks off in the middle keeps the rows before it."""
     file, line, named = str(where.file), 0, False
     try:
@@ -127,7 +122,7 @@ def _of_table(rows: Iterator[TableRow], by_file: Owner, where: Where, limits: Li
         yield Handed(by_file, file, place=str(line + 1) if line else "", reason=reason.at(where))
 
 
-def _of_row(row: TableRow, by_file: Owner, file: str) -> Handed:
+def _of_row(row: StudentDocument, by_file: Owner, file: str) -> Handed:
     student = Owner(tidy_id(row.student), (), str(row.line)) if row.student.strip() else by_file
     return Handed(student, file, str(row.line), row=row)
 

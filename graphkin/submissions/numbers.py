@@ -1,4 +1,4 @@
-"""Text, values and paper scales as students type them: number, unit, sense, sometimes its direction.
+"""Text, numbers, units and paper scales as students type them.
 
 The units are the mechanism file's own. A bare number stands in the house's edge unit (mm, deg, rad/s, m/s ..). One
 comma alone is a decimal comma; beside a point, the last of the two is the decimal sign.
@@ -6,21 +6,20 @@ comma alone is a decimal comma; beside a point, the last of the two is the decim
 
 from __future__ import annotations
 
-import cmath
 import math
 import re
 import unicodedata
 from collections.abc import Mapping
 from contextlib import suppress
-from dataclasses import replace
 from functools import lru_cache
 
 from graphkin.construction import Plane
-from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OtherDimension, OutOfRange, SenseDisputed
+from graphkin.errors import NOWHERE, GraphkinError, NotAnAnswer, OutOfRange
 from graphkin.files.values import UNITS, read_quantity
 from graphkin.model.mechanism import Dimension, Mechanism
-from graphkin.submissions.grammar import LONGEST, Number, WrittenAnswer, leading_number, taken_apart, unlatexed
-from graphkin.submissions.submission import HandedValue, Sense
+
+Number = tuple[float, str]  # with its unit as it is typed
+LONGEST = 200  # no value is written with more letters
 
 _RAISED = re.compile("[⁺⁻]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+")
 _ALIKE = str.maketrans({
@@ -32,6 +31,13 @@ _ALIKE = str.maketrans({
     **{fraction: f" {unicodedata.normalize('NFKC', fraction)}" for fraction in "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅛⅜⅝⅞"},
     **{chr(0x2460 + k): f" ({k + 1}) " for k in range(20)},
 })  # fmt: skip
+_FONTS = re.compile(r"\\(?:(?:math|text)(?:rm|bf|it)?|boldsymbol|mbox|unit|si|num|hat|vec)\s*\{([^{}]*)\}")
+_COMMANDS = {
+    "times": "*", "cdot": "*", "pm": "±", "approx": "=", "simeq": "=", "sim": "~", "angle": "∠", "degree": "°",
+    "pi": "π", "theta": "θ", "varphi": "φ", "phi": "φ", "circlearrowleft": "↺", "circlearrowright": "↻",
+    "leftarrow": "←", "rightarrow": "→", "uparrow": "↑", "downarrow": "↓", "searrow": "↘", "swarrow": "↙",
+    "nearrow": "↗", "nwarrow": "↖", **dict.fromkeys(("left", "right", "rm", "mathrm", "text", "quad", "qquad"), " "),
+}  # fmt: skip
 
 
 def plain(text: str) -> str:
@@ -51,113 +57,74 @@ def unaccented(text: str) -> str:
     return "".join(letter for letter in unicodedata.normalize("NFD", text) if not unicodedata.combining(letter))
 
 
-DIMENSIONS: Mapping[str, Dimension | None] = {
-    "rad": "angle", "rad/s": "angular velocity", "rad/s^2": "angular acceleration", "m": "length", "m/s": "velocity",
-    "m/s^2": "acceleration", "1": None,
-}  # fmt: skip
-"""By the SI unit of a quantity, whose units may stand with it."""
-_TURNING = ("angle", "angular velocity", "angular acceleration")
-_SIMPLE = re.compile(
-    r"([+-]?(?:[0-9]{1,20}(?:\.[0-9]{0,20})?|\.[0-9]{1,20})(?:[eE][+-]?[0-9]{1,3})?) ?([A-Za-z°][A-Za-z/^²]{0,9}2?)?"
+def unlatexed(text: str) -> str:
+    """Without the marks of LaTeX; a text that has none as it is."""
+    if not any(mark in text for mark in "\\${"):
+        return text
+    text = re.sub(r"\\(?:SI|qty)\s*\{([^{}]*)\}\s*\{", r"\1 {", text.replace("~", " "))
+    text = re.sub(r"\^\s*\{?\s*\\circ\s*\}?", "°", text)
+    text = _FONTS.sub(r" \1 ", _FONTS.sub(r" \1 ", text))
+    text = re.sub(r"\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}", r"\1/\2", text)
+    text = re.sub(r"\\[,;:! ()\[\]]", " ", text)
+    text = re.sub(r"\\([A-Za-z]+)", lambda run: _COMMANDS.get(run[1], f" {run[1]}"), text)
+    return re.sub(r"[${}]", "", text)
+
+
+# --- numbers -----------------------------------------------------------------------------------
+
+_NO_MORE = "(?![0-9]|[.,][0-9])"
+_BODY = (
+    rf"(?:[1-9][0-9]{{0,2}}(?P<of>[ ',.])[0-9]{{3}}(?:(?P=of)[0-9]{{3}})*(?!(?P=of))[.,](?:[0-9]{{1,2}}|[0-9]{{4,}})"
+    rf"{_NO_MORE}|[1-9][0-9]{{0,2}}(?:(?P<by>[ '])[0-9]{{3}}(?:(?P=by)[0-9]{{3}})*|(?P<at>[.,])[0-9]{{3}}"
+    rf"(?:(?P=at)[0-9]{{3}})+){_NO_MORE}"
+    r"|[0-9]+(?:[.,][0-9]+|\.(?![0-9]))?|\.[0-9]+)"
 )
-_NO_SENSE, _DASHES = re.compile(r"\s+[—–―]+\s*$"), re.compile(r"(?<=\S) +-+$")
-"""In the last column of an answer table: of what turns a minus may be a sign."""
-_ASIDE = re.compile(r" \| |(?<=[^\s(:=,;]) - (?=[^0-9]*$)")
-_IN_PI = re.compile("(π(?: ?/ ?[0-9]+)?)(?![ 0-9/]*[a-z°度弧*])")
-_DRESS = re.compile("[\"\u201c\u201d\u300c\u300d]|^[*_=' ]+|[*_ ]+$")
-_LAST_DIGITS = re.compile(r"([0-9][.,][0-9]+)\([0-9]{1,2}\)")
-_MINUTES = re.compile(r"([0-9]+)° ?([0-9]+(?:\.[0-9]+)?)'(?: ?([0-9]+(?:\.[0-9]+)?)'')?")
-WORDS = math.radians(60)
-"""A direction in words holds within this angle on either side."""
+_POWER = r"(?:e|[*x] ?10 ?(?:\^|\*\*) ?\(?|[*x] ?10(?=[+-]))(?P<power>[+-]?[0-9]+)\)?"
+_FRACTION = r"(?:(?P<whole>[0-9]{1,9}) )?(?P<top>[0-9]{1,9}) ?/ ?(?P<bottom>[0-9]{1,9})" + _NO_MORE
+_PI = r"(?P<times>[0-9]+(?:[.,][0-9]+)? ?\*? ?)?(?:π|pi(?![a-z]))(?: ?/ ?(?P<over>[0-9]{1,9})" + _NO_MORE + ")?"
+NUMBER = rf"(?:{_FRACTION}|{_PI}|(?P<body>{_BODY})(?: ?{_POWER}{_NO_MORE})?)(?![0-9a-z]*[0-9])"
+_LEADING = re.compile(rf"(?P<sign>-)?\+? *{NUMBER}")
 
 
-def simple(text: str) -> Number | None:
-    """A number alone or with a unit of the house's, as tables have it."""
-    match = _SIMPLE.fullmatch(text)
-    return None if match is None or (match[2] and not is_unit(match[2])) else (float(match[1]), match[2] or "")
+def number_of(match: re.Match[str]) -> float:
+    """The value of a NUMBER: `462/1000`, `1 1/2`, `2π/3`, `3,92*10^-1`, `1.234,5`; NaN of none."""
+    if match["top"] is not None:
+        top, bottom = int(match["top"]), int(match["bottom"])
+        improper = match["whole"] is not None and top >= bottom
+        return math.nan if not bottom or improper else int(match["whole"] or 0) + top / bottom
+    body, power = match["body"], match["power"] or "0"
+    if body is None:
+        times = (match["times"] or "1").strip(" *").replace(",", ".")
+        return float(times) * math.pi / (int(match["over"] or 1) or math.nan)
+    groups = match["of"] or match["by"] or match["at"]
+    body = body.replace(groups, "") if groups else body
+    return float(f"{body.replace(',', '.').rstrip('.')}e{power}") if len(power) <= 5 else math.nan
 
 
-def parsed_value(text: str, si: str, unit: str = "", vector: bool = True, axis: str = "") -> HandedValue:
-    """The value that a text gives for a quantity of this SI unit; faults come with `NOWHERE`.
-
-    unit   of its column; vector: whether such a quantity has a direction; axis: of one component alone
-    """
-    dimension = DIMENSIONS[si]
-    try:
-        if (number := simple(text)) is not None:
-            return _in_si(text, number, dimension, unit)
-        if len(text) > LONGEST:
-            raise NotAnAnswer(NOWHERE, text[:40] + "..")
-        bare = unaccented(plain(unlatexed(_NO_SENSE.sub("", text)))).lower()
-        bare = _ASIDE.sub(", ", re.sub("<([^<>]*)>", r"(\1)", bare))
-        bare = _IN_PI.sub(r"\1 rad", bare) if dimension == "angle" else bare
-        bare = bare if dimension in _TURNING else _DASHES.sub("", bare)
-        bare = re.sub("(?<=[0-9]) ?: ?(?=[0-9])", "/", bare) if dimension is None else bare
-        bare = _LAST_DIGITS.sub(r"\1", bare)
-        bare = _MINUTES.sub(lambda at: f"{int(at[1]) + float(at[2]) / 60 + float(at[3] or 0) / 3600!r}°", bare)
-        answer = taken_apart(_DRESS.sub("", bare), text, vector and si in PLANES, dimension in _TURNING, axis)
-        return _of_answer(text, answer, dimension, unit)
-    except GraphkinError as fault:
-        return HandedValue(text, None, fault=fault)
+def _leading(text: str, whole: str = "") -> Number:
+    """The number that a plain text begins with, and the rest. Raises NotAnAnswer."""
+    bare = text.rpartition("=")[2].strip().lower()
+    if (match := _LEADING.match(bare)) is None or not math.isfinite(number := number_of(match)):
+        raise NotAnAnswer(NOWHERE, (whole or text)[:LONGEST])
+    return -number if match["sign"] else number, bare[match.end() :].strip(" ,;")
 
 
-def _of_answer(text: str, answer: WrittenAnswer, dimension: Dimension | None, unit: str) -> HandedValue:
-    """Two numbers must agree within 2 %, or the unit of one alone is right; components give the size, or the direction
-    of one."""
-    halves = [_in_si(text, half, dimension, unit) for half in answer.parts]
-    pair = complex(*(half.value or 0.0 for half in halves)) if halves else 0j
-    value = replace(halves[0], value=abs(pair)) if halves else None
-    numbers = [_in_si(text, one, dimension, unit) for one in (answer.number, *answer.also) if one is not None]
-    of_unit = [one for one in numbers if one.fault is None] or numbers
-    if len(of_unit) < len(numbers) and not all(one.unit for one in of_unit):
-        raise NotAnAnswer(NOWHERE, text)
-    if value is None or numbers:
-        value = replace(of_unit[0], sense=_SENSES[answer.sense])
-    size = value.value or 0.0
-    if not all(math.isclose(abs(size), abs(other.value or 0.0), rel_tol=0.02) for other in of_unit):
-        raise NotAnAnswer(NOWHERE, text)
-    vector, within = (abs(size) * answer.toward, WORDS) if answer.toward else (None, 0.0)
-    if pair:
-        if not any(math.isclose(abs(pair), length, rel_tol=0.05) for length in (abs(size), 1.0)):
-            raise NotAnAnswer(NOWHERE, text)
-        vector, within = size * pair / abs(pair), 0.0
-    if answer.angle is not None:
-        at, of = answer.angle
-        in_words, vector = vector, cmath.rect(size, read_quantity(f"{at!r} {unit_named(of)}" if of else at, "angle"))
-        if in_words and vector and abs(cmath.phase(vector / in_words)) > WORDS:
-            raise SenseDisputed(NOWHERE, text)
-        within = 0.0
-    return replace(value, vector=vector or None, within=within)
+# --- units -------------------------------------------------------------------------------------
 
-
-def _in_si(text: str, one: Number, dimension: Dimension | None, unit: str) -> HandedValue:
-    number, own = one
-    name = unit_named(own or unit)
-    if dimension is None:
-        if name not in ("", "%"):
-            raise NotAnAnswer(NOWHERE, text)
-        return HandedValue(text, read_quantity(number / 100 if name else number, "velocity"))
-    shown = name.replace("²", "^2")
-    try:
-        return HandedValue(text, read_quantity(f"{number!r} {name}" if name else number, dimension), None, shown)
-    except OtherDimension as fault:
-        return HandedValue(text, read_quantity(number, dimension), None, shown, fault)
-
-
-_SENSES: Mapping[int, Sense | None] = {1: "ccw", 0: None, -1: "cw"}
-
-
-_SPELT = (
-    (r" ?squared|的?平方(?=$)", "^2"), (r"每(?:二次方|平方)秒", "/s^2"), (r"(?<=[a-z]) (?=s\^?\(?-)", "*"),
-    (r"\s+|\\|\$|\{|\}|\bmathrm\b", ""), (r"\*\*", "^"), (r"毫米", "mm"), (r"厘米", "cm"),
-    (r"米", "m"), (r"弧度", "rad"),
-    (r"度|°|degrees?|degs?\b", "deg"), (r"radians?|rads\b", "rad"), (r"分钟?|minutes?|\bmins\b", "min"),
-    (r"秒|seconds?|secs?", "s"), (r"revolutions?|revs\b|转|圈", "rev"), (r"millimet(?:re|er)s?", "mm"),
-    (r"met(?:re|er)s?", "m"), (r"inch(?:es)?", "in"), (r"feet|foot", "ft"), (r"每", "/"), (r"per", "/"),
-    (r"[()\[\]]", ""), (r"²", "^2"), (r"[*.]?s\^?-1", "/s"), (r"[*.]?s\^?-2", "/s^2"), (r"/s/s|/s\*s|/ss", "/s^2"),
-    (r"/s2$", "/s^2"), (r"^1/s", "rad/s"), (r"^/s", "rad/s"), (r"^r(?:ev)?/min", "r/min"), (r"^r/s", "rev/s"),
-)  # fmt: skip
-_SPELT_TESTED = tuple((re.compile(pattern), better) for pattern, better in _SPELT)
+WHERE = " (?:the|an?|c?cw|clock|counter|anti|drawing|fig)"  # `in the ..`, not inches
+ATOMS = {
+    "rad": "rad(?:ian)?s?|弧度", "deg": "deg(?:ree)?s?|°|度", "mm": "mm|milli ?met(?:er|re)s?|毫米", "cm": "cm|厘米",
+    "km": "km", "min": "min(?:ute)?s?|分钟?", "m": "m(?:et(?:er|re)s?)?|米", "in": rf"inch(?:es)?|in(?!{WHERE})",
+    "ft": "ft|feet|foot", "rpm": "rpm", "rev": "rev(?:olution)?s?|转|圈", "s": "s(?:ec(?:ond)?s?)?|秒",
+    "h": "h(?:ours?)?|小时",
+}  # fmt: skip
+"""Of what units are made: patterns by the house's spelling."""
+_ATOM = re.compile("|".join(f"(?P<{name}>{words})" for name, words in ATOMS.items()) + "|per|每")
+_FORMS = [(re.compile(pattern), better) for pattern, better in (
+    (r"[*.]?s\^?-1", "/s"), (r"/s/s|/s\*s|/ss|/s\^?2|[*.]?s\^?-2", "/s²"), ("^1?/s", "rad/s"),
+    ("^r(?:ev)?/min", "r/min"), ("^r/s", "rev/s"),
+)]  # fmt: skip
+_HOUSE = {unit for units in UNITS.values() for unit in units}
 
 
 @lru_cache(maxsize=1000)
@@ -167,16 +134,12 @@ def unit_named(text: str) -> str:
     >>> unit_named("rad·s^-2"), unit_named("弧度/秒²"), unit_named("°"), unit_named("1/s^2"), unit_named("furlong")
     ('rad/s²', 'rad/s²', 'deg', 'rad/s²', 'furlong')
     """
-    if not text:
-        return ""
-    name = plain(text[:40]).lower()
-    for pattern, better in _SPELT_TESTED:
+    name = re.sub(r"(?<=[a-z]) (?=s\^?\(?-)", "*", plain(unlatexed(text[:40])).lower()).replace("**", "^")
+    name = re.sub(r"squared|的?平方$", "^2", re.sub(r"每(?:二次方|平方)秒", "/s^2", re.sub(r"[\s()\[\]]", "", name)))
+    name = _ATOM.sub(lambda atom: atom.lastgroup or "/", name)
+    for pattern, better in _FORMS:
         name = pattern.sub(better, name)
-    house = name.replace("^2", "²")
-    return house if house in _HOUSE else text.strip()[:40]
-
-
-_HOUSE = {unit for units in UNITS.values() for unit in units}
+    return name if name in _HOUSE else text.strip()[:40]
 
 
 def is_unit(text: str) -> bool:
@@ -184,15 +147,20 @@ def is_unit(text: str) -> bool:
     return unit_named(text) in _HOUSE
 
 
+def in_si(number: float, unit: str, dimension: Dimension) -> float:
+    """Raises OtherDimension, UnknownUnit, OutOfRange with `NOWHERE`."""
+    return read_quantity(f"{number!r} {unit_named(unit)}" if unit else number, dimension)
+
+
+# --- scales of paper ---------------------------------------------------------------------------
+
 PAPER: Mapping[str, float] = {"mm": 1.0, "cm": 10.0, "in": 25.4}
 """Units of lengths on paper in mm: such a length becomes a velocity or an acceleration by its scale."""
 _DIMENSIONS: Mapping[Plane, Dimension] = {"position": "length", "velocity": "velocity", "acceleration": "acceleration"}
 PLANES: Mapping[str, Plane] = {"m/s": "velocity", "m/s^2": "acceleration"}
 """The polygon in which a quantity of a unit is drawn."""
 _NAMES: Mapping[str, Plane] = {
-    "l": "position", "s": "position", "length": "position", "position": "position", "长度": "position",
-    "v": "velocity", "velocity": "velocity", "速度": "velocity",
-    "a": "acceleration", "acceleration": "acceleration", "加速度": "acceleration",
+    **dict.fromkeys("lsp长", "position"), **dict.fromkeys("v速", "velocity"), **dict.fromkeys("a加", "acceleration"),
 }  # fmt: skip
 _KEY = re.compile(
     r"(?:scales?\.|(?:mu|[μµ]|k|scale)[ _]*)(?:of )?(l|s|v|a|length|position|velocity|acceleration)"
@@ -204,7 +172,7 @@ _SMALLEST, _LARGEST = 1e-9, 1e9
 def plane_named(text: str) -> Plane | None:
     """The plane whose scale a name is: `mu_v`, `μa`, `scales.velocity`, `velocity scale`, `速度比例尺`."""
     match = _KEY.fullmatch(re.sub(r"[{}\\$]", "", plain(text[:60])).strip().lower())
-    return _NAMES[next(name for name in match.groups() if name)] if match is not None else None
+    return _NAMES[next(name for name in match.groups() if name)[0]] if match is not None else None
 
 
 def stated_by(mechanism: Mechanism) -> dict[Plane, float]:
@@ -223,17 +191,17 @@ def scale(raw: object, plane: Plane) -> float:
     value, (one, sign, other) = None, text.partition("=") if "=" in text else text.partition(":")
     for paper, thing in ((one, other), (other, one)) if sign else ():
         with suppress(GraphkinError, ZeroDivisionError):
-            value = _read(thing, dimension) / (_read(paper, "length") * 1000)
+            value = _quantity(thing, dimension) / (_quantity(paper, "length") * 1000)
             break
     if value is None:
-        number, unit = leading_number(re.sub(r"/\((s(?:\^2)?)\*mm\)", r"/\1/mm", text.replace(" ", "")), text)
-        unit = re.sub(r"(?:/|\*? ?per|\*) ?mm(?:\^-1)?$", "", unit.replace("*mm^-1", "/mm")).strip("() ")
-        value = read_quantity(f"{number!r} {unit_named(unit)}", dimension) if unit else number
+        number, unit = _leading(re.sub(r"/\((s(?:\^2)?)\*mm\)", r"/\1/mm", text.replace(" ", "")), text)
+        unit = re.sub(r"(?:/|\*?per|\*)mm(?:\^-1)?$", "", unit).strip("() ")
+        value = in_si(number, unit, dimension) if unit else number
     if not _SMALLEST <= value <= _LARGEST:
         raise OutOfRange(NOWHERE, shown[:40])
     return value
 
 
-def _read(text: str, dimension: Dimension) -> float:
-    number, unit = leading_number(text.strip(), text)
+def _quantity(text: str, dimension: Dimension) -> float:
+    number, unit = _leading(text)
     return read_quantity(f"{number!r} {unit_named(unit)}", dimension)

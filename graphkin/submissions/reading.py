@@ -12,9 +12,8 @@ from graphkin.errors import GraphkinError, Where
 from graphkin.submissions import archives, documents
 from graphkin.submissions.answers import answers_at, named_at, of_file
 from graphkin.submissions.archives import decoded
-from graphkin.submissions.documents import StudentDocument, TableRow
+from graphkin.submissions.documents import StudentDocument
 from graphkin.submissions.handed import FirstOnes, Handed, called, handed_in
-from graphkin.submissions.numbers import short
 from graphkin.submissions.pool import limited
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import DRAWINGS, Limits, MeasuredDrawing, ReadableProblem, Submission, tidy_id
@@ -90,7 +89,7 @@ class _Contents:
 def _contents(handed: Handed, limits: Limits) -> _Contents:
     """The files sorted by kind. Raises the first note where there is nothing else."""
     if handed.row is not None:
-        return _Contents((_of_row(handed.row, Where(handed.file)),), (), ())
+        return _Contents((handed.row,), (), ())
     texts: list[StudentDocument] = []
     drawings: list[tuple[str, bytes]] = []
     notes: list[GraphkinError] = []
@@ -144,12 +143,7 @@ def _document(name: str, content: bytes, where: Where, limits: Limits) -> Studen
     other = next((other.student for other in rows if other.student not in ("", row.student)), None)
     if other is not None:
         raise errors.SeveralStudents(where, tidy_id(row.student), tidy_id(other))
-    return _of_row(row, where)
-
-
-def _of_row(row: TableRow, where: Where) -> StudentDocument:
-    places = ((name, value, Where(where.file, line, short(name))) for name, value, line in row.entries)
-    return StudentDocument(row.student, tuple(places))
+    return row
 
 
 def _read(handed: Handed, student: str, key: ReadableProblem, contents: _Contents, limits: Limits) -> Submission:

@@ -140,7 +140,7 @@ def marked(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     work = running.marked
 
     def watched(some, **how):
-        seen.extend(one.student if not hasattr(one, "owner") else one.owner.student for one in some if not isinstance(one, StoredRecord))
+        seen.extend(one.owner.student if hasattr(one, "owner") else one.work.student for one in some if not isinstance(one, StoredRecord))
         return work(some, **how)
 
     monkeypatch.setattr(running, "marked", watched)

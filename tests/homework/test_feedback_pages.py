@@ -16,7 +16,9 @@ from graphkin.construction import Plot
 from graphkin.errors import Where
 from graphkin.files import library
 from graphkin.homework import grading, platforms
+from graphkin.homework.platforms.feedback import Feedback
 from graphkin.homework.platforms.pages import drawing, html
+from graphkin.homework.platforms.result import Result
 from graphkin.marking import Rewrite, rewrites, rewritten
 from graphkin.marking.consequences import DrawingComparison, compare_drawings
 from graphkin.outputs import marks_json
@@ -166,7 +168,7 @@ def handed_in(path: Path, name: str, *mistakes: tuple[str, ...]) -> Path:
     return path
 
 
-def graded(judge: grading.SetMarker, *paths: Path) -> list[platforms.Result]:
+def graded(judge: grading.SetMarker, *paths: Path) -> list[Result]:
     return [platforms.from_record(record(one), Where("x")) for one in grading.grade(judge, paths)]
 
 
@@ -257,7 +259,7 @@ def test_a_page(lang, reveal, tmp_path: Path):
     """Whole, of itself, with nothing of the student's as markup; a hint has no picture."""
     judge, student = grading.judge_from("ex3-1"), "<script>x</script>&\"'"
     (result,) = graded(judge, answers(tmp_path / "a.toml", student, '"alpha 3" = 12.5\n"a_k B3B2" = 0'))
-    told = platforms.Feedback(result, lang, reveal, platforms.PolygonPictures(judge)(result, lang, reveal))
+    told = Feedback(result, lang, reveal, platforms.PolygonPictures(judge)(result, lang, reveal))
     page = Reader(html(told))
     assert page.open == []
     assert "script" not in page.seen
@@ -276,7 +278,7 @@ def test_what_is_not_drawn_otherwise_is_said(tmp_path: Path):
     (result,) = graded(judge, answers(tmp_path / "a.toml", "s", given))
     (picture,) = platforms.PolygonPictures(judge)(result, "en", "mistake")
     assert (picture.label, picture.data) == (say("pictures.nothing", "en"), b"")
-    told = platforms.Feedback(result, "en", "mistake", [picture])
+    told = Feedback(result, "en", "mistake", [picture])
     assert picture.label in html(told).decode()
 
 
@@ -304,10 +306,10 @@ def test_a_page_for_each(tmp_path: Path):
 
 
 def test_the_class_figure_says_where_nothing_was_diagnosed():
-    from graphkin.homework.platforms.class_figure import class_figure
+    from graphkin.homework.platforms.class_report import class_figure, class_report
     from graphkin.outputs.diagram import settings
 
     with settings():
-        page = class_figure(platforms.class_report([]), "en")
+        page = class_figure(class_report([]), "en")
     assert not any(axes.axison for axes in page.axes)
     assert all(axes.texts for axes in page.axes)

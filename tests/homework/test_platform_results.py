@@ -20,20 +20,13 @@ from defusedxml.ElementTree import fromstring
 from graphkin.cli import main as graphkin
 from graphkin.cli.marking import RESULT_FORMATS
 from graphkin.errors import CannotWrite, NoFile, NotAnOverride, NotAResult, Unreadable, Where
-from graphkin.homework.platforms import (
-    RESULTS,
-    ResultPicture,
-    class_report,
-    from_record,
-    read_overrides,
-    read_results,
-    report_record,
-    report_text,
-    write_class_figure,
-    write_results,
-)
+from graphkin.homework.platforms import from_record, read_results, write_results
+from graphkin.homework.platforms.class_report import class_report, report_record, report_text, write_class_figure
+from graphkin.homework.platforms.class_table import read_overrides
 from graphkin.homework.platforms.learning_platforms import LARGEST, canvas, moodle
 from graphkin.homework.platforms.markup import one_line
+from graphkin.homework.platforms.result import ResultPicture
+from graphkin.homework.platforms.result_formats import RESULTS
 from graphkin.homework.platforms.tables import harmless, unharmed
 from graphkin.outputs.files import FileInTheWay
 from graphkin.say import say
@@ -677,9 +670,9 @@ def test_class_report():
     assert dict(coriolis.verdicts) == {"right": 1, "carried": 4}
     assert [(one.ids, count) for one, count in report.mistakes] == [(("wrong-length", "omega-sense"), 3)]
     assert report.ranges == (1, 0, 0, 0, 0, 3, 0, 0, 0, 1)
-    assert (report.lowest, report.highest) == (0, 1)
-    assert float(report.median) == pytest.approx(1.84 / 3.34, abs=1e-6)
-    assert float(report.mean) == pytest.approx((1 + 3 * 1.84 / 3.34) / 5, abs=1e-6)
+    assert (report.spread["lowest"], report.spread["highest"]) == (0, 1)
+    assert float(report.spread["median"]) == pytest.approx(1.84 / 3.34, abs=1e-6)
+    assert float(report.spread["mean"]) == pytest.approx((1 + 3 * 1.84 / 3.34) / 5, abs=1e-6)
     assert json.loads(json.dumps(report_record(report), allow_nan=False))["steps"][0]["first_to_fail"] == 3
 
 

@@ -25,10 +25,10 @@ from graphkin.cli import main
 from graphkin.cli.problems import PLATFORMS
 from graphkin.errors import GraphkinError, NotForPlatform
 from graphkin.homework import grading
-from graphkin.homework.platforms import SETS, Part, ProblemSet, Question, Wrong, alternatives, question_of, write_set
-from graphkin.homework.platforms.alternatives import most
+from graphkin.homework.platforms import write_set
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.moodle_set import weights
+from graphkin.homework.platforms.question import Part, ProblemSet, Question, Wrong, alternatives, most, question_of
+from graphkin.homework.platforms.set_formats import SETS, weights
 from graphkin.homework.platforms.tables import line, points, read_table, unharmed
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import HandedNumber, StudentWork

@@ -17,8 +17,7 @@ from graphkin.cli import main
 from graphkin.cli.marking import RESULT_FORMATS
 from graphkin.files import library
 from graphkin.homework.grading import SetMarker, judge_from, key_for
-from graphkin.homework.grading.neighbours import Neighbours
-from graphkin.homework.grading.sets import set_text
+from graphkin.homework.grading.sets import Neighbours, set_text
 from graphkin.homework.platforms.feedback import lines
 from graphkin.marking.diagnosis import Diagnosis
 from graphkin.marking.records import Departure, Graded, HandedNumber, Judged, Marked, StudentWork

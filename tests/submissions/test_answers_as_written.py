@@ -12,7 +12,7 @@ from graphkin import api
 from graphkin.errors import NOWHERE
 from graphkin.submissions import Limits
 from graphkin.submissions.answers import answers
-from graphkin.submissions.numbers import WORDS
+from graphkin.submissions.grammar import WORDS
 from graphkin.submissions.questions import Questions
 
 QUESTIONS = Questions(api.load("ex3-1"))

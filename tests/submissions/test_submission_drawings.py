@@ -23,8 +23,7 @@ from graphkin.proof.readings import readings
 from graphkin.submissions import Limits, ReadableProblem, Submission, read_one
 from graphkin.submissions.dxf import read_dxf
 from graphkin.submissions.handed import Handed
-from graphkin.submissions.letters import find_letters
-from graphkin.submissions.polygons import polygons
+from graphkin.submissions.letters import find_letters, polygons
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import owner
 from graphkin.submissions.svg import read_svg

@@ -33,7 +33,8 @@ from graphkin.submissions import Handed, Limits, ReadableProblem, guarded, hande
 from graphkin.submissions.answers import answers
 from graphkin.submissions.archives import decoded
 from graphkin.submissions.documents import read_lines
-from graphkin.submissions.numbers import parsed_value, scale
+from graphkin.submissions.grammar import parsed_value
+from graphkin.submissions.numbers import scale
 from graphkin.submissions.questions import Questions
 from graphkin.submissions.submission import owner
 

@@ -2,7 +2,7 @@
 
     KEY --key_from--> Key --Marker--+
     files --submissions.handed_in--> Handed --`grade`, batch by batch, here or by workers--> Graded, one after another
-    file of marks --> EarlierReading: numbers that were read then --`grade`--> Graded, by another key or tolerance
+    file of marks --> Read: numbers that were read then --`grade`--> Graded, by another key or tolerance
     a folder of keys, a folder of files --problems_of--> Problems, each marked by itself
     files, Journal --`resumed`--> records, of which none that is there and holds is made twice
 
@@ -11,9 +11,8 @@
 
 from graphkin.homework.grading.batch import is_marks
 from graphkin.homework.grading.keys import USUAL, Pencils, key_drawn, key_for, key_from, marking_of
-from graphkin.homework.grading.problems import Problem, problems_of
 from graphkin.homework.grading.running import Journal, MarkingOptions, grade, resumed
-from graphkin.homework.grading.sets import KeySet, OneKey, SetMarker, judge_from, set_text
+from graphkin.homework.grading.sets import KeySet, OneKey, Problem, SetMarker, judge_from, problems_of, set_text
 from graphkin.marking.records import Graded
 
 __all__ = [

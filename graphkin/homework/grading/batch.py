@@ -15,14 +15,14 @@ from pathlib import Path
 from graphkin import errors
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, NoMarks, OwnFault, SaidBefore, Where
-from graphkin.homework import Record
-from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
+from graphkin.homework import opening
+from graphkin.homework.grading.sets import OneKey, SetMarker
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Drawn, Graded, HandedNumber, Marked, StudentWork
 from graphkin.model.quantities import at_position, position_of
-from graphkin.outputs.marks_json import FORMAT, KIND, drawn_of, records_in
+from graphkin.outputs.marks_json import FORMAT, KIND, Record, drawn_of, records_in
 from graphkin.submissions import Handed, Limits, Submission, limited, read_one
-from graphkin.submissions.submission import tidy_id
+from graphkin.submissions.submission import fingerprint, tidy_id
 
 _EACH = 0.1  # a batch is marked at once in the time of one submission and so much more for each [s]
 _ONCE_MORE = (OwnFault, errors.TookTooLong, errors.Unreadable, errors.WantsExtra)
@@ -46,24 +46,24 @@ def is_marks(path: str | Path) -> bool:
 
 
 @frozen
-class EarlierReading:
-    """One record of a file of marks: the numbers that were read of a submission then, or why none were.
+class Read:
+    """A submission that is ready to be marked, or why it is not: read now, or then, as a file of marks has it.
 
-    prints   the record's fingerprints, empty where it has none
+    prints   fingerprints of what was handed in, of the way it is read, of what is asked, of the key; empty where there
+             are none
     """
 
-    student: str
+    work: StudentWork
     file: str
     place: str
-    work: StudentWork
-    reason: SaidBefore | None
-    notes: tuple[SaidBefore, ...]
+    reason: GraphkinError | None
+    notes: tuple[GraphkinError, ...]
     prints: tuple[str, ...]
     drawn: Drawn
-    remarks: tuple[SaidBefore, ...] = ()
+    remarks: tuple[GraphkinError, ...] = ()
 
 
-def earlier_reading(record: Record, where: Where) -> EarlierReading:
+def earlier_reading(record: Record, where: Where) -> Read:
     """The submission of a record. Raises NoMarks."""
     try:
         student, file, place = (str(record[key]) for key in ("student", "file", "place"))
@@ -81,23 +81,19 @@ def earlier_reading(record: Record, where: Where) -> EarlierReading:
             SaidBefore(str(one["text"]), str(one["id"])) for one in record.get("remarks", ())
             if one["id"] != errors.AnotherStudent.id  # that is found anew
         )  # fmt: skip
-        return EarlierReading(student, file, place, work, reason, notes, prints, drawn_of(record), remarks)
+        return Read(work, file, place, reason, notes, prints, drawn_of(record), remarks)
     except (KeyError, TypeError, ValueError, AttributeError):
         raise NoMarks(where) from None
 
 
-def records_of(path: Path) -> Iterator[EarlierReading]:
+def records_of(path: Path) -> Iterator[Read]:
     """Those of a file of marks, in order. Raises NoFile, Unreadable, NoMarks."""
-    try:
+    with opening(path):
         for number, record in records_in(path):
             where = Where(str(path), number)
             if record is None or record.get("format") != FORMAT:
                 raise NoMarks(where)
             yield earlier_reading(record, where)
-    except FileNotFoundError:
-        raise errors.NoFile(Where(str(path)), path.name, ()) from None
-    except (OSError, UnicodeDecodeError) as problem:
-        raise errors.Unreadable(Where(str(path)), getattr(problem, "strerror", None) or "UTF-8") from None
 
 
 @frozen
@@ -111,7 +107,7 @@ class StoredRecord:
     handed: str
 
 
-Item = Handed | EarlierReading | StoredRecord
+Item = Handed | Read | StoredRecord
 
 
 def marked(some: list[Item], judge: SetMarker, limits: Limits, reading: str) -> list[Graded | StoredRecord]:
@@ -133,25 +129,11 @@ def marked(some: list[Item], judge: SetMarker, limits: Limits, reading: str) -> 
     return records
 
 
-@frozen
-class Read:
-    """A submission that is ready to be marked, or why it is not."""
-
-    work: StudentWork
-    file: str
-    place: str
-    reason: GraphkinError | None
-    notes: tuple[GraphkinError, ...]
-    prints: tuple[str, ...]
-    drawn: Drawn
-    remarks: tuple[GraphkinError, ...] = ()
-
-
-def _read(item: Handed | EarlierReading, judge: SetMarker, limits: Limits, reading: str) -> Read:
-    if isinstance(item, EarlierReading):
+def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -> Read:
+    if isinstance(item, Read):
         return _read_before(item, judge)
     one = read_one(item, judge.asked if isinstance(judge, OneKey) else judge, limits)
-    prints = (item.digest[:16], reading, asked_print(judge, one.student), judge.key_print(one.student))
+    prints = (item.digest, reading, asked_print(judge, one.student), judge.key_print(one.student))
     notes = (*one.notes, *(value.fault for value in one.values.values() if value.fault is not None))
     handed_in = {  # the reader has spoken of what is no number
         text: HandedNumber(value.value, value.fault is None, None, value.ends is not None and not value.text,
@@ -180,15 +162,15 @@ def _read(item: Handed | EarlierReading, judge: SetMarker, limits: Limits, readi
     return Read(work, one.file, one.place, reason, (*notes, *more), () if once_more else prints, drawn, remarks)
 
 
-def _read_before(item: EarlierReading, judge: SetMarker) -> Read:
-    reason: GraphkinError | None = item.reason
+def _read_before(item: Read, judge: SetMarker) -> Read:
+    reason, student = item.reason, item.work.student
     try:
-        if reason is None and judge.marker(item.student) is None:
-            reason = errors.UnknownStudent(Where(item.file), item.student)
+        if reason is None and judge.marker(student) is None:
+            reason = errors.UnknownStudent(Where(item.file), student)
     except GraphkinError as problem:
         reason = problem
-    prints = (*item.prints[:2], asked_print(judge, item.student), judge.key_print(item.student)) if item.prints else ()
-    return Read(item.work, item.file, item.place, reason, item.notes, prints, item.drawn, item.remarks)
+    prints = (*item.prints[:2], asked_print(judge, student), judge.key_print(student)) if item.prints else ()
+    return replace(item, reason=reason, prints=prints)
 
 
 def asked_print(judge: SetMarker, student: str) -> str:

@@ -13,8 +13,9 @@ from graphkin import api
 from graphkin.base.geometry import number, place
 from graphkin.base.value import frozen
 from graphkin.construction import Plane, Plot
-from graphkin.errors import BadKey, GraphkinError, NoFile, NoKeyAtPosition, NothingToMark, Unreadable, Where
+from graphkin.errors import BadKey, GraphkinError, NoFile, NoKeyAtPosition, NothingToMark, Where
 from graphkin.files import from_dict, loads
+from graphkin.homework import opening
 from graphkin.marking.answers import asked_of, readable
 from graphkin.marking.key import Key, Marking
 from graphkin.marking.key_making import allowed_anew, make_key
@@ -141,14 +142,13 @@ def text_of(path: Path) -> str:
     where = Where(str(path))
     if not path.is_file():
         raise NoFile(where, path.name, ())
-    try:
+    with opening(path):
         if path.stat().st_size > _LARGEST:
             raise BadKey(where, f"> {_LARGEST >> 20} MB")
-        return path.read_text("utf-8-sig")
-    except OSError as problem:
-        raise Unreadable(where, problem.strerror or str(problem)) from None
-    except UnicodeDecodeError as problem:
-        raise BadKey(where, problem.reason) from None
+        try:
+            return path.read_text("utf-8-sig")
+        except UnicodeDecodeError as problem:
+            raise BadKey(where, problem.reason) from None
 
 
 def further_methods(method: Method) -> Iterator[Method]:

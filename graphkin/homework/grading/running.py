@@ -19,16 +19,16 @@ import graphkin
 from graphkin.base.value import frozen
 from graphkin.base.worklist import ahead
 from graphkin.errors import CannotWrite, NoMarks, OwnFault, Where
-from graphkin.homework import Record
 from graphkin.homework.grading import batch as batches
-from graphkin.homework.grading.batch import EarlierReading, Item, StoredRecord, marked
-from graphkin.homework.grading.sets import OneKey, SetMarker, fingerprint
+from graphkin.homework.grading.batch import Item, Read, StoredRecord, marked
+from graphkin.homework.grading.sets import OneKey, SetMarker
 from graphkin.marking.key import Key
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Graded
 from graphkin.outputs.files import refuse
-from graphkin.outputs.marks_json import MARKS, records_in, text
+from graphkin.outputs.marks_json import MARKS, Record, records_in, text
 from graphkin.submissions import FirstOnes, Handed, Limits, called, guarded, handed_in
+from graphkin.submissions.submission import fingerprint
 
 _BATCH, _BYTES = 64, 4 << 20
 """Submissions, and bytes of them, that are marked at once; a single one may be larger."""
@@ -78,7 +78,7 @@ def grade(
         yield graded
 
 
-def items(paths: Iterable[str | Path], options: MarkingOptions) -> Iterator[Handed | EarlierReading]:
+def items(paths: Iterable[str | Path], options: MarkingOptions) -> Iterator[Handed | Read]:
     """Submissions, one after another, in the order of the files."""
     for path in paths:
         yield from batches.records_of(Path(path)) if batches.is_marks(path) else handed_in([path], options.limits)
@@ -111,7 +111,7 @@ def firsts(records: Iterable[Graded | StoredRecord], paths: Iterable[str | Path]
 def _failed(item: Item, problem: str) -> Graded | StoredRecord:
     if isinstance(item, StoredRecord):
         return item
-    student = item.student if isinstance(item, EarlierReading) else item.owner.student
+    student = item.work.student if isinstance(item, Read) else item.owner.student
     return Graded(student, item.file, item.place, None, OwnFault(Where(item.file), problem))
 
 
@@ -203,9 +203,9 @@ def resumed(
         yield new
 
 
-def _still_to_do(item: Handed | EarlierReading, judge: SetMarker, journal: Journal, options: MarkingOptions) -> Item:
+def _still_to_do(item: Handed | Read, judge: SetMarker, journal: Journal, options: MarkingOptions) -> Item:
     """The submission, its record of before, or its numbers of before, whichever still holds."""
-    handed, reading = (item.digest[:16], options.reading) if isinstance(item, Handed) else item.prints[:2] or ("", "")
+    handed, reading = (item.digest, options.reading) if isinstance(item, Handed) else item.prints[:2] or ("", "")
     there = journal.records.get(handed) if handed else None
     if there is None:
         return item
@@ -215,7 +215,7 @@ def _still_to_do(item: Handed | EarlierReading, judge: SetMarker, journal: Journ
         return item
     if before.prints[:2] != (handed, reading) or len(before.prints) != len(("handed", "reading", "asked", "key")):
         return item
-    student = before.student
+    student = before.work.student
     if before.prints[3] == judge.key_print(student):
         return StoredRecord(student, before.file, before.place, before.reason is None, handed)
     same = before.reason is None and before.prints[2] == batches.asked_print(judge, student)

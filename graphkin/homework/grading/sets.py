@@ -1,4 +1,5 @@
-"""The key of each student: one for all, or one for each, read when it is needed.
+"""The key of each student: one for all, or one for each, read when it is needed; whose numbers are another student's;
+and the problems that are to be marked.
 
 A judge goes to other processes: one key as it is, a set by the place of its files, which they must reach; each process
 makes it ready once.
@@ -6,20 +7,26 @@ makes it ready once.
 
 from __future__ import annotations
 
-import hashlib
 import json
+import math
+import os
 import pickle
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from pathlib import Path
 
-from graphkin.errors import BadKey, GraphkinError, Where
+import numpy as np
+
+from graphkin.base.value import frozen
+from graphkin.errors import AnotherStudent, BadKey, GraphkinError, NoFile, NoSuchProblem, Where
 from graphkin.homework.grading.keys import USUAL, Pencils, key_file, key_from, remade, text_of
-from graphkin.homework.grading.neighbours import Neighbours
+from graphkin.marking.key import KeyEntry, columns, columns_of, differences
 from graphkin.marking.marker import Marker
 from graphkin.marking.records import Marked
-from graphkin.submissions import ReadableProblem
+from graphkin.model.quantities import at_position
+from graphkin.submissions.submission import ReadableProblem, fingerprint
 
 KIND = "graphkin keys"
 FORMAT = 1
@@ -55,32 +62,6 @@ def asked_by(marker: Marker) -> ReadableProblem:
     return replace(first, further=tuple(further))
 
 
-def fingerprint(*parts: bytes | str) -> str:
-    """Of some texts, in a few letters.
-
-    >>> fingerprint("a", "b") == fingerprint("a", b"b") != fingerprint("ab")
-    True
-    """
-    whole = hashlib.sha256()
-    for part in parts:
-        data = part.encode("utf-8", "surrogatepass") if isinstance(part, str) else part
-        whole.update(b"%d:" % len(data) + data)
-    return whole.hexdigest()[:16]
-
-
-_READY: dict[tuple[str, ...], SetMarker] = {}
-
-
-def _ready(name: tuple[str, ...], made: Callable[[], SetMarker]) -> SetMarker:
-    """The judge that was made ready here, or made now; the last few are kept."""
-    judge = _READY.get(name)
-    if judge is None:
-        judge = _READY[name] = made()
-        for old in list(_READY)[:-_KEPT]:
-            _READY.pop(old, None)
-    return judge
-
-
 class OneKey(SetMarker):
     """One key for all."""
 
@@ -112,11 +93,12 @@ class OneKey(SetMarker):
         return pickle.dumps(self._marker.key)
 
     def __reduce__(self) -> tuple[Callable[..., SetMarker], tuple[object, ...]]:
-        return _one_key, (self._print, self._packed)
+        return _one_key, (self._packed,)
 
 
-def _one_key(name: str, packed: bytes) -> SetMarker:
-    return _ready((name,), lambda: OneKey(Marker(pickle.loads(packed))))
+@lru_cache(maxsize=_KEPT)
+def _one_key(packed: bytes) -> SetMarker:
+    return OneKey(Marker(pickle.loads(packed)))
 
 
 class KeySet(SetMarker):
@@ -124,18 +106,13 @@ class KeySet(SetMarker):
 
     def __init__(self, path: Path, files: Mapping[str, str], pencils: Pencils = USUAL) -> None:
         self.path, self.files, self.pencils = path, dict(files), pencils
-        self._made: dict[str, Marker] = {}
+        self._ready = lru_cache(maxsize=_KEPT)(self._made)
 
     def marker(self, student: str) -> Marker | None:
-        if student not in self.files:
-            return None
-        marker = self._made.get(student)
-        if marker is None:
-            key = remade(key_file(self.path.parent / self.files[student]), self.pencils)
-            marker = self._made[student] = Marker(key)
-            for old in list(self._made)[:-_KEPT]:
-                self._made.pop(old, None)
-        return marker
+        return self._ready(student) if student in self.files else None
+
+    def _made(self, student: str) -> Marker:
+        return Marker(remade(key_file(self.path.parent / self.files[student]), self.pencils))
 
     @cached_property
     def _neighbours(self) -> Neighbours:
@@ -173,8 +150,10 @@ class KeySet(SetMarker):
         return cls(path, students, pencils)
 
 
+@lru_cache(maxsize=_KEPT)
 def _key_set(path: str, name: str, pencils: Pencils) -> SetMarker:
-    return _ready((path, name), lambda: KeySet.read(Path(path), json.loads(text_of(Path(path))), pencils))
+    """`name`: the fingerprint of its list, so that one that was written anew is read."""
+    return KeySet.read(Path(path), json.loads(text_of(Path(path))), pencils)
 
 
 def set_text(files: Mapping[str, str]) -> str:
@@ -198,3 +177,114 @@ def judge_from(source: str, pencils: Pencils = USUAL) -> SetMarker:
         if isinstance(data, dict) and data.get("kind") == KIND:
             return KeySet.read(path, data, pencils)
     return OneKey(Marker(key_from(str(path) if path.suffix else source, pencils)))
+
+
+_FEWEST, _PART = 3, 0.8  # so many numbers, and this part of them, agree with one other problem
+_CHANCE = 0.01  # a hit that random numbers make more often, on some problem of the set, is no hint
+_READ = ("unit", "sort", "right", "scatter", "tolerance")  # of a key's quantities
+_NEAREST = 0.1  # closer than this, in standard deviations, is no better
+
+
+class Neighbours:
+    """The right values of a set's keys (students, quantities); one that cannot be read is no neighbour."""
+
+    def __init__(self, files: Mapping[str, Path]) -> None:
+        keys: dict[str, dict[str, KeyEntry]] = {}
+        for student, path in files.items():
+            with suppress(OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+                data = json.loads(path.read_text("utf-8-sig"))
+                parts = enumerate((data, *data.get("positions", ())), 1)
+                each = [(at_position(one["text"], at), one) for at, part in parts for one in part["quantities"]]
+                keys[student] = {text: KeyEntry(text, *(one[key] for key in _READ)) for text, one in each}
+        every = {text: entry for entries in keys.values() for text, entry in entries.items()}
+        self.students, self._columns = (*keys,), {text: k for k, text in enumerate(every)}
+        self._table, shape = columns([*every.values()]), (len(keys), len(every))
+        self._right, self._scatter, self._tolerance = (
+            np.array([getattr(some.get(text), name, np.nan) for some in keys.values() for text in every]).reshape(shape)
+            for name in ("right", "scatter", "tolerance")
+        )
+
+    def agreeing(self, marked: Marked) -> AnotherStudent | None:
+        """The other student whose right values most of these numbers are, where those are not the own right ones.
+
+        Numbers that are right by both problems say nothing. Of a large class one problem is always near: what random
+        numbers, between the least and the largest of the class, meet as nearly is no hint.
+        """
+        some = [one for one in marked.judged if one.given is not None and one.unit_right and one.text in self._columns]
+        which = np.array([self._columns[one.text] for one in some], dtype=int)
+        given = np.array([[one.given for one in some]], dtype=float)
+        off = np.abs(differences(columns_of(self._table, which), given, self._right[:, which]))
+        agrees = off <= self._tolerance[:, which]
+        own = np.array([one.verdict == "right" for one in some], dtype=bool)
+        new = agrees & ~own
+        enough = new.sum(axis=1) >= np.maximum(_FEWEST, _PART * (~(agrees & own)).sum(axis=1))
+        others = [k for k in np.flatnonzero(enough) if self.students[k] != marked.student]
+        if not others:
+            return None
+        z = np.where(new, np.maximum(off / self._scatter[:, which], _NEAREST), 0.0)
+        best = min(others, key=lambda k: (-new[k].sum(), np.sum(z[k] ** 2)))
+        every, n = np.concatenate([self._right[:, which], given])[:, new[best]], int(new[best].sum())
+        cells = self._scatter[best, which][new[best]] / (np.nanmax(every, axis=0) - np.nanmin(every, axis=0))
+        ball = (np.pi * np.sum(z[best] ** 2)) ** (n / 2) / math.gamma(n / 2 + 1)
+        if len(self.students) * ball * np.prod(cells) > _CHANCE:
+            return None
+        return AnotherStudent(self.students[best], int(agrees[best].sum()), len(some))
+
+
+_KEY, _SET = ".key.json", "key.json"
+
+
+@frozen
+class Problem:
+    """One problem.
+
+    name    "" where there is only one
+    key     as `judge_from` takes it
+    paths   what was handed in
+    """
+
+    name: str
+    key: str
+    paths: tuple[str, ...]
+
+
+def problems_of(key: str, submissions: Sequence[str]) -> tuple[Problem, ...]:
+    """One, or those of a folder of keys for which something was handed in.
+
+    In a folder of keys each problem is a NAME.key.json, a mechanism NAME.toml, or a folder NAME with a set of problems;
+    what was handed in for it is NAME with any ending (a class table, an archive, a folder), among `submissions` or in
+    folders of these. Raises NoSuchProblem, and NoFile where no submission is there.
+    """
+    if submissions and not any(map(os.path.exists, submissions)):  # written wrongly; one among several is a row
+        raise NoFile(Where(submissions[0]), Path(submissions[0]).name, ())
+    keys = _keys(Path(key))
+    if not keys:
+        return (Problem("", key, tuple(submissions)),)
+    paths: dict[str, list[str]] = {name: [] for name in keys}
+    handed_in: list[Path] = []
+    for path in map(Path, submissions):
+        folder = path.is_dir() and path.name not in keys
+        handed_in += sorted(one for one in path.iterdir() if not one.name.startswith(".")) if folder else [path]
+    for path in handed_in:
+        name = next((name for name in (path.name, path.stem) if name in keys), None)
+        if name is None:
+            raise NoSuchProblem(Where(str(path)), path.stem, tuple(keys))
+        paths[name].append(str(path))
+    if not any(paths.values()):
+        raise NoSuchProblem(Where(submissions[0]), Path(submissions[0]).name, tuple(keys))
+    return tuple(Problem(name, str(keys[name]), tuple(own)) for name, own in paths.items() if own)
+
+
+def _keys(folder: Path) -> Mapping[str, Path]:
+    """The problems of a folder by name; none of one that is itself a set of problems, or that is no folder."""
+    if not folder.is_dir() or (folder / _SET).exists():
+        return {}
+    keys: dict[str, Path] = {}
+    for path in sorted(folder.iterdir()):
+        if path.name.endswith(_KEY):
+            keys[path.name.removesuffix(_KEY)] = path
+        elif (path / _SET).is_file():
+            keys.setdefault(path.name, path)
+        elif path.suffix == ".toml":
+            keys.setdefault(path.stem, path)
+    return keys

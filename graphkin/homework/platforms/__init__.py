@@ -16,11 +16,7 @@ are hostile; files are written beside, then renamed; the same input gives the sa
 To add a format: a file with one function, and its line in `set_formats` or `result_formats`.
 """
 
-from graphkin.homework.platforms.alternatives import Alternative, alternatives
-from graphkin.homework.platforms.class_figure import write_class_figure
-from graphkin.homework.platforms.class_report import ClassReport, class_report, report_record, report_text
-from graphkin.homework.platforms.class_table import Overrides, overridden, read_overrides
-from graphkin.homework.platforms.feedback import Feedback, Reveal
+from graphkin.homework.platforms.feedback import Reveal
 from graphkin.homework.platforms.polygon_pictures import PolygonPictures
 from graphkin.homework.platforms.problem_folder import (
     file_of,
@@ -30,23 +26,11 @@ from graphkin.homework.platforms.problem_folder import (
     told_of,
     write_problems,
 )
-from graphkin.homework.platforms.question import Part, ProblemSet, Question, Wrong, question_of
-from graphkin.homework.platforms.result import (
-    Result,
-    ResultLine,
-    ResultPicture,
-    Suspicion,
-    from_record,
-    read_results,
-    read_traces,
-)
-from graphkin.homework.platforms.result_formats import RESULTS, WrittenResults, prepared, write_results
-from graphkin.homework.platforms.set_formats import SETS, write_set
+from graphkin.homework.platforms.result import from_record, read_results, read_traces
+from graphkin.homework.platforms.result_formats import prepared, write_results
+from graphkin.homework.platforms.set_formats import write_set
 
 __all__ = [
-    "RESULTS", "SETS", "Alternative", "ClassReport", "Feedback", "Overrides", "Part", "PolygonPictures",
-    "ProblemSet", "Question", "Result", "ResultLine", "ResultPicture", "Reveal", "Suspicion", "WrittenResults",
-    "Wrong", "alternatives", "class_report", "file_of", "from_record", "is_set", "overridden", "prepared",
-    "problem_set", "question_of", "read_overrides", "read_results", "read_traces", "report_record", "report_text",
-    "students_of", "told_of", "write_class_figure", "write_problems", "write_results", "write_set",
+    "PolygonPictures", "Reveal", "file_of", "from_record", "is_set", "prepared", "problem_set", "read_results",
+    "read_traces", "students_of", "told_of", "write_problems", "write_results", "write_set",
 ]  # fmt: skip

@@ -1,4 +1,5 @@
-"""The report of a class, as data: the steps that fail, the mistakes that explain its numbers, the spread of scores."""
+"""The report of a class, as data: the steps that fail, the mistakes that explain its numbers, the spread of scores;
+and as a figure."""
 
 from __future__ import annotations
 
@@ -6,7 +7,8 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from decimal import Decimal
-from typing import get_args
+from pathlib import Path
+from typing import TYPE_CHECKING, get_args
 
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
@@ -16,7 +18,15 @@ from graphkin.homework.platforms.result import Result, Suspicion
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import Habit
 from graphkin.marking.records import Verdict
+from graphkin.outputs import diagram
+from graphkin.outputs.diagram.fonts import NoChineseFont, chinese_font, writable
+from graphkin.outputs.files import beside
 from graphkin.say.catalogue import say
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
+    from matplotlib.figure import Figure
 
 UNREAD = 200  # so many answers that were not read are written out; of more the number is said
 RANGES = 10  # scores are counted in so many ranges of the same width
@@ -50,7 +60,7 @@ class ClassReport:
     unexplained  how many are wrong somewhere and consistent with no known mistake
     ranges       how many scores in each tenth, the lowest first; the last holds 100 %
     remarks      what the teacher should look at: student, file, remark
-    mean, ..     of the scores, from 0 to 1; None where there are none
+    spread       mean, median, lowest and highest of the scores, from 0 to 1; empty where there are none
     """
 
     marked: int
@@ -64,10 +74,7 @@ class ClassReport:
     unread: tuple[tuple[str, str, str], ...] = ()
     not_read: int = 0
     remarks: tuple[tuple[str, str, str], ...] = ()
-    mean: Decimal | None = None
-    median: Decimal | None = None
-    lowest: Decimal | None = None
-    highest: Decimal | None = None
+    spread: Mapping[str, Decimal] = field(default_factory=dict)
 
 
 def class_report(results: Iterable[Result]) -> ClassReport:
@@ -127,24 +134,24 @@ class _Count:
         ranges = [0] * RANGES
         for score, count in self.scores.items():
             ranges[min(int(score * RANGES), RANGES - 1)] += count
-        status, spread = self.status, list[Decimal]()  # mean, median, lowest, highest; nothing of nothing
+        status, spread = self.status, dict[str, Decimal]()
         if self.scores:
             order, number = sorted(self.scores.elements()), self.scores.total()
             mean = sum((score * count for score, count in self.scores.items()), Decimal(0)) / number
-            spread = [mean, (order[(number - 1) // 2] + order[number // 2]) / 2, order[0], order[-1]]
+            median = (order[(number - 1) // 2] + order[number // 2]) / 2
+            spread = {"mean": mean, "median": median, "lowest": order[0], "highest": order[-1]}
         return ClassReport(
             status["marked"], status["not marked"], status["overridden"], steps, tuple(mistakes),
             status["unexplained"], tuple(ranges), tuple(self.habits.most_common()), tuple(self.unread),
-            status["not read"], tuple(self.remarks), *spread,
+            status["not read"], tuple(self.remarks), spread,
         )  # fmt: skip
 
 
 def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
     """The report in lines."""
     yield say("class_report.marked", lang, marked=report.marked, unmarked=report.unmarked, overridden=report.overridden)
-    spread = {key: getattr(report, key) for key in ("mean", "median", "lowest", "highest")}
-    if report.mean is not None:
-        percent = {key: exponentless((value * 100).quantize(Decimal("0.1"))) for key, value in spread.items()}
+    if report.spread:
+        percent = {key: exponentless((value * 100).quantize(Decimal("0.1"))) for key, value in report.spread.items()}
         yield say("class_report.scores", lang, **percent)
     mistakes = [say("class_report.mistake", lang, mistake=suspected(one, lang), count=n) for one, n in report.mistakes]
     if report.unexplained:
@@ -178,11 +185,11 @@ def report_text(report: ClassReport, lang: Lang) -> Iterator[str]:
 
 def report_record(report: ClassReport) -> dict[str, Plain]:
     """The report as a JSON object."""
-    spread = {key: getattr(report, key) for key in ("mean", "median", "lowest", "highest")}
+    spread = {key: round(float(value), 6) for key, value in report.spread.items()}
     return {
         "kind": "graphkin", "format": 1, "marked": report.marked, "not_marked": report.unmarked,
         "overridden": report.overridden,
-        **{key: None if value is None else round(float(value), 6) for key, value in spread.items()},
+        **{key: spread.get(key) for key in ("mean", "median", "lowest", "highest")},
         "steps": [
             {"quantity": step.name, "verdicts": dict(step.verdicts), "first_to_fail": step.first,
              "points": float(step.points), "max_points": float(step.most)}
@@ -197,3 +204,117 @@ def report_record(report: ClassReport) -> dict[str, Plain]:
         ],
         "remarks": [{"student": who, "file": file, "remark": remark} for who, file, remark in report.remarks],
     }  # fmt: skip
+
+
+_MM = 1 / 25.4
+_WIDTH, _LEFT, _RIGHT = 180.0, 62.0, 8.0
+_TOP, _BETWEEN, _ROW, _SCORES = 12.0, 20.0, 6.0, 45.0
+_MOST = 25  # mistakes and steps that are shown; tables have the rest
+_LONGEST = 44
+_VERDICTS = (
+    ("right", "#ffffff", ""), ("carried", "#dddddd", "////"), ("wrong", "#555555", ""), ("missing", "#ffffff", "...."),
+    ("dead point", "#ffffff", "xxxx"), ("too small", "#ffffff", "xxxx"), ("not read", "#bbbbbb", "oo"),
+)  # fmt: skip
+"""Fill and hatching: told apart in print without colours."""
+
+
+def write_class_figure(path: Path, report: ClassReport, lang: Lang = "en", force: bool = False) -> NoChineseFont | None:
+    """The figure as SVG, PNG or PDF, after the file's ending. Returns a remark where there are no Chinese letters.
+    Raises NotADiagram, FileInTheWay, NoFolder, CannotWrite."""
+    kind = path.suffix.lower()
+    if kind not in diagram.FORMATS:
+        raise diagram.NotADiagram(str(path))
+    spoken: Lang = lang if chinese_font() is not None else "en"
+    with beside(path, force, (diagram.MARK.encode(),)) as draft, diagram.settings():
+        about = diagram.metadata(kind, say("class_report.part steps", spoken))
+        class_figure(report, spoken).savefig(draft, format=kind[1:], dpi=200, metadata=about)
+    return NoChineseFont() if lang != spoken else None
+
+
+def class_figure(report: ClassReport, lang: Lang) -> Figure:
+    """The figure; to be drawn within `outputs.diagram.settings`."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    rows = [max(1, min(_MOST, len(report.steps))), max(1, min(_MOST, len(report.mistakes)))]
+    heights = [_ROW * (count + 1) for count in rows] + [_SCORES]
+    total = _TOP + sum(heights) + _BETWEEN * len(heights)
+    page = Figure(figsize=(_WIDTH * _MM, total * _MM), dpi=200)
+    FigureCanvasAgg(page)
+    level = total - _TOP
+    for draw, height in zip((_steps, _mistakes, _scores), heights, strict=True):
+        place = (_LEFT / _WIDTH, (level - height) / total, 1 - (_LEFT + _RIGHT) / _WIDTH, height / total)
+        draw(page.add_axes(place), report, lang)
+        level -= height + _BETWEEN
+    return page
+
+
+def _steps(axes: Axes, report: ClassReport, lang: Lang) -> None:
+    steps = report.steps[:_MOST]
+    _title(axes, say("class_report.part steps", lang))
+    if not steps:
+        _write_instead(axes, say("class_report.nobody marked", lang))
+        return
+    starts = [0] * len(steps)
+    for k, (name, colour, hatch) in enumerate(_VERDICTS):
+        counts = [step.verdicts.get(name, 0) for step in steps]
+        if k > 3 and not any(counts):
+            continue
+        axes.barh(range(len(steps)), counts, left=starts, color=colour, hatch=hatch, edgecolor="black", linewidth=0.6,
+                  label=say(f"verdicts.verdict {name}", lang))  # fmt: skip
+        starts = [start + count for start, count in zip(starts, counts, strict=True)]
+    _name_rows(axes, [step.name for step in steps], lang)
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=len(_VERDICTS), frameon=False, fontsize=8,
+                borderaxespad=0.2, handlelength=1.4, columnspacing=1.0)  # fmt: skip
+
+
+def _mistakes(axes: Axes, report: ClassReport, lang: Lang) -> None:
+    mistakes = report.mistakes[:_MOST]
+    _title(axes, say("class_report.part mistakes", lang))
+    if not mistakes:
+        texts = [say("class_report.unexplained", lang, count=report.unexplained)] if report.unexplained else []
+        _write_instead(axes, say("class_report.nothing diagnosed", lang), *texts)
+        return
+    axes.barh(range(len(mistakes)), [count for _, count in mistakes], color="#bbbbbb", edgecolor="black", linewidth=0.6)
+    _name_rows(axes, [" / ".join(one.ids) or suspected(one, lang) for one, _ in mistakes], lang)
+
+
+def _scores(axes: Axes, report: ClassReport, lang: Lang) -> None:
+    width = 100 / RANGES
+    _title(axes, say("class_report.part distribution", lang))
+    if not any(report.ranges):
+        _write_instead(axes, say("class_report.nobody marked", lang))
+        return
+    starts = [k * width for k in range(RANGES)]
+    axes.bar(starts, report.ranges, width=width, align="edge", color="#bbbbbb", edgecolor="black", linewidth=0.6)
+    axes.set_xlim(0, 100)
+    axes.set_xlabel(say("platforms.column score percent", lang), fontsize=8)
+    axes.set_ylabel(say("class_report.students", lang), fontsize=8)
+    _count_in_wholes(axes.yaxis)
+
+
+def _write_instead(axes: Axes, *texts: str) -> None:
+    """Words in place of a diagram of nothing."""
+    axes.set_axis_off()
+    axes.text(0.0, 1.0, "\n".join(texts), fontsize=8, va="top", parse_math=False, transform=axes.transAxes)
+
+
+def _title(axes: Axes, title: str) -> None:
+    """On the left of the page, where there is room beside the legend."""
+    axes.set_title(title, loc="left", fontsize=9, x=-(_LEFT - 4) / (_WIDTH - _LEFT - _RIGHT))
+
+
+def _name_rows(axes: Axes, names: list[str], lang: Lang) -> None:
+    """Names beside the bars, the first above; in plain letters, whatever they are."""
+    texts = [name if len(name) <= _LONGEST else name[: _LONGEST - 2] + ".." for name in map(writable, names)]
+    axes.set_yticks(range(len(names)), texts, fontsize=8, parse_math=False)
+    axes.set_ylim(max(len(names), 1) - 0.4, -0.6)
+    axes.set_xlabel(say("class_report.students", lang), fontsize=8)
+    _count_in_wholes(axes.xaxis)
+
+
+def _count_in_wholes(axis: Axis) -> None:
+    """Whole numbers alone: students are counted."""
+    from matplotlib.ticker import MaxNLocator
+
+    axis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))

@@ -12,10 +12,11 @@ from decimal import ROUND_HALF_UP, Decimal, InvalidOperation
 from pathlib import Path
 
 from graphkin.base.value import frozen
-from graphkin.errors import Lang, NotAnOverride, Unreadable, Where
+from graphkin.errors import BrokenSubmission, Lang, NotAnOverride, Unreadable, Where
 from graphkin.homework.platforms.feedback import habit, suspected
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.result import Result, ResultLine, texts_in
+from graphkin.homework.platforms.question import texts_in
+from graphkin.homework.platforms.result import Result, ResultLine
 from graphkin.homework.platforms.tables import HUNDREDTH, Cell, columns_of, read_table
 from graphkin.say.catalogue import in_both, say
 from graphkin.say.marks import verdict
@@ -119,7 +120,7 @@ def read_overrides(path: Path) -> Overrides:
     """The column `override` of a class table; none where there is no table. Raises Unreadable, NotAnOverride."""
     try:
         return Overrides(tuple(_rows(path, read_table(path))))
-    except FileNotFoundError:
+    except (FileNotFoundError, BrokenSubmission):
         return Overrides()
     except OSError as error:
         raise Unreadable(Where(str(path)), error.strerror or str(error)) from None

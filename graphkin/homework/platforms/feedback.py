@@ -9,7 +9,8 @@ from typing import Literal
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.markup import one_line
-from graphkin.homework.platforms.result import Result, ResultLine, ResultPicture, Suspicion, texts_in
+from graphkin.homework.platforms.question import texts_in
+from graphkin.homework.platforms.result import Result, ResultLine, ResultPicture, Suspicion
 from graphkin.homework.platforms.tables import exponentless
 from graphkin.marking.diagnosis import SLIP, Habit
 from graphkin.marking.scene import MISTAKES

@@ -75,37 +75,36 @@ def canvas(file: str) -> Named | None:
 # --- Moodle and Canvas: a table of grades, and a zip of feedback under the names of the download ----------------------
 
 
+def named(results: Iterable[Result], of: Callable[[str], Named | None]) -> Iterator[tuple[Named, Result]]:
+    """Results that have a name of the platform."""
+    return ((name, result) for result in results if (name := of(result.file)) is not None)
+
+
 def moodle_grades(results: Iterable[Result], lang: Lang, reveal: Reveal) -> Iterator[str]:
     """The grading worksheet, row by row, without files that Moodle has not named; an empty grade stays as it is."""
     yield line(HEADERS)
-    for result in results:
-        if (named := moodle(result.file)) is not None:
-            comment = "<br>".join(in_html(text) for text in lines(result, lang, reveal))
-            yield line((f"Participant {named.id}", named.who, "", result.total, result.most, "", comment))
+    for name, result in named(results, moodle):
+        comment = "<br>".join(in_html(text) for text in lines(result, lang, reveal))
+        yield line((f"Participant {name.id}", name.who, "", result.total, result.most, "", comment))
 
 
 def moodle_feedback(results: Iterable[Result], page: Callable[[Result], Feedback]) -> Iterator[tuple[str, bytes]]:
     """The pages of the zip."""
-    for result in results:
-        if (named := moodle(result.file)) is not None:
-            yield named.name, html(page(result))
+    yield from ((name.name, html(page(result))) for name, result in named(results, moodle))
 
 
 def canvas_grades(results: Iterable[Result], assignment: str, most: Decimal) -> Iterator[str]:
     """The gradebook, row by row, without files that Canvas has not named."""
     yield line((*_CANVAS_FRONT, assignment))
     yield line(("    Points Possible", "", "", "", "", most))
-    for result in results:
-        if (named := canvas(result.file)) is not None:
-            yield line((named.who, named.id, "", "", "", result.total))
+    yield from (line((name.who, name.id, "", "", "", result.total)) for name, result in named(results, canvas))
 
 
 def canvas_feedback(results: Iterable[Result], page: Callable[[Result], Feedback]) -> Iterator[tuple[str, bytes]]:
     """The files of the zip: Canvas shows each under the name that was handed in, so it is of the same kind."""
-    for result in results:
-        named = canvas(result.file)
-        if named is not None and (write := canvas_page(named.name)) is not None:
-            yield named.name, write(page(result))
+    for name, result in named(results, canvas):
+        if (write := canvas_page(name.name)) is not None:
+            yield name.name, write(page(result))
 
 
 def canvas_page(name: str) -> Page | None:

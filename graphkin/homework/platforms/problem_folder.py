@@ -44,7 +44,7 @@ _MARKS = [MARK.encode(), b'"kind": "graphkin key']
 
 def write_problems(
     folder: Path, template: Template, variants: tuple[Variant, ...], seed: str, lang: Lang, force: bool = False,
-    keys: bool = True, pencils: Pencils = USUAL,
+    pencils: Pencils = USUAL,
 ) -> Iterator[Path]:  # fmt: skip
     """Writes NAME.toml, .txt, .svg and .key.json for each student, then key.json, by which the whole set is marked,
     set.mistakes.txt, which mistakes its answers tell apart, and set.json; gives each path when it is whole.
@@ -52,30 +52,25 @@ def write_problems(
     Raises FileInTheWay before anything is written, CannotWrite.
     """
     names = {variant.student.id: safe_name(variant.student.id) for variant in variants}  # alike on no disk
-    suffixes = (".toml", ".txt", FIGURE, *((KEY,) if keys else ()))
-    paths = [folder / f"{name}{suffix}" for name in names.values() for suffix in suffixes]
-    paths += [folder / "key.json", folder / TOLD] if keys else []
+    paths = [folder / f"{name}{suffix}" for name in names.values() for suffix in (".toml", ".txt", FIGURE, KEY)]
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise CannotWrite.by(folder, error) from None
-    for path in (*paths, folder / LIST):
+    for path in (*paths, folder / "key.json", folder / TOLD, folder / LIST):
         refuse(path, force, _MARKS)
     rates: list[tuple[float, float]] = []
     for variant in variants:
         name = names[variant.student.id]
         for suffix, text in _handed_out(template, variant, name, lang).items():
             yield _write(folder / f"{name}{suffix}", text, force)
-        if keys:
-            key = key_for(variant.mechanism, pencils)
-            if len(rates) < _TRIED:  # right work by pencil, what is asked handed in: parts judged wrong, and mistaken
-                rates.append(alarms(Marker(key), [entry.text for entry in key.entries if entry.points]))
-            yield _write(folder / f"{name}{KEY}", key_text(key), force)
+        key = key_for(variant.mechanism, pencils)
+        if len(rates) < _TRIED:  # right work by pencil, what is asked handed in: parts judged wrong, and mistaken
+            rates.append(alarms(Marker(key), [entry.text for entry in key.entries if entry.points]))
+        yield _write(folder / f"{name}{KEY}", key_text(key), force)
     power = set_discriminability([variant.told for variant in variants], (pencils.length_mm, pencils.angle_deg), rates)
-    if keys:
-        yield _write(folder / TOLD, "\n".join((*discriminability_lines(power, lang), "", MADE, "")), force)
-        index = {student: f"{name}{KEY}" for student, name in names.items()}
-        yield _write(folder / "key.json", set_text(index), force)
+    yield _write(folder / TOLD, "\n".join((*discriminability_lines(power, lang), "", MADE, "")), force)
+    yield _write(folder / "key.json", set_text({student: f"{name}{KEY}" for student, name in names.items()}), force)
     yield _write(folder / LIST, _listed(template, variants, names, seed, power), force)
 
 

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping
 from dataclasses import field
 from decimal import ROUND_HALF_UP, Decimal
 from pathlib import Path
@@ -12,14 +11,14 @@ from typing import Literal, get_args
 
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.errors import Lang, NoFile, NotAResult, Unreadable, Where
-from graphkin.homework import Record
+from graphkin.errors import NotAResult, Where
+from graphkin.homework import opening
 from graphkin.homework.platforms.question import Text
 from graphkin.homework.platforms.tables import HUNDREDTH, points
 from graphkin.marking.diagnosis import Habit, Trace
 from graphkin.marking.key import Name
 from graphkin.marking.records import Departure, Verdict
-from graphkin.outputs.marks_json import END, HEAD, drawn_of, record_of, records_in
+from graphkin.outputs.marks_json import END, HEAD, Record, drawn_of, record_of, records_in
 
 FORMAT = 1
 Status = Literal["marked", "not marked"]
@@ -127,11 +126,6 @@ class Result:
         return min(Decimal(1), self.total / self.most).quantize(Decimal("0.000001"))
 
 
-def texts_in(texts: Sequence[Text], lang: Lang) -> list[str]:
-    """Texts in a language, or in the other where that is all there is; each once."""
-    return list(dict.fromkeys(text.get(lang) or next(iter(text.values()), "") for text in texts))
-
-
 def from_record(record: Record, where: Where) -> Result:
     """A result from its record, as `outputs.marks_json` writes it. Raises NotAResult."""
     try:
@@ -194,7 +188,7 @@ def _string(value: object) -> str:
 
 def read_results(path: Path) -> tuple[Result, ...]:
     """The results in a file of marks: after its head, a record a line. Raises NoFile, Unreadable, NotAResult."""
-    with _refused(path):
+    with opening(path):
         text = path.read_text(encoding="utf-8")
     head, begins, rest = text.partition(HEAD)
     if head or not begins:
@@ -214,7 +208,7 @@ def read_results(path: Path) -> tuple[Result, ...]:
 def read_traces(path: Path) -> dict[str, Trace]:
     """The evidence of each student's mistakes in a file of marks. Raises NoFile, Unreadable, NotAResult."""
     traces: dict[str, Trace] = {}
-    with _refused(path):
+    with opening(path):
         for number, record in records_in(path):
             try:
                 if record is not None and record["status"] == "marked":
@@ -224,14 +218,3 @@ def read_traces(path: Path) -> dict[str, Trace]:
             except (ValueError, KeyError, TypeError, AttributeError):
                 raise NotAResult(Where(str(path), number), "evidence") from None
     return traces
-
-
-@contextmanager
-def _refused(path: Path) -> Iterator[None]:
-    """An unreadable file becomes an error of graphkin's own."""
-    try:
-        yield
-    except FileNotFoundError:
-        raise NoFile(Where(str(path)), path.name, ()) from None
-    except (OSError, UnicodeDecodeError) as error:
-        raise Unreadable(Where(str(path)), getattr(error, "strerror", None) or "UTF-8") from None

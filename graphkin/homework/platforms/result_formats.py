@@ -15,8 +15,7 @@ from graphkin.base.value import frozen
 from graphkin.errors import CannotWrite, Lang
 from graphkin.homework.platforms import class_table
 from graphkin.homework.platforms import learning_platforms as platform_files
-from graphkin.homework.platforms.class_figure import write_class_figure
-from graphkin.homework.platforms.class_report import class_report, report_record, report_text
+from graphkin.homework.platforms.class_report import class_report, report_record, report_text, write_class_figure
 from graphkin.homework.platforms.class_table import Overrides, overridden, read_overrides
 from graphkin.homework.platforms.feedback import Feedback, Reveal
 from graphkin.homework.platforms.learning_platforms import Named, canvas, moodle
@@ -156,8 +155,8 @@ def _canvas(order: Order) -> WrittenResults:
         "canvas-grades.csv", platform_files.canvas_grades(order, order.assignment, order.most), (b"Points Possible,",),
     )  # fmt: skip
     feedback = order.packed("canvas-feedback.zip", platform_files.canvas_feedback(order, order.page))
-    named = (name for result in order.results if (name := canvas(result.file)) is not None)
-    kinds = Counter(Path(name.name).suffix for name in named if platform_files.canvas_page(name.name) is None)
+    names = (name.name for name, _ in platform_files.named(order.results, canvas))
+    kinds = Counter(Path(name).suffix for name in names if platform_files.canvas_page(name) is None)
     unwritten = (
         say("platforms.no feedback in kind", order.lang, count=count, kind=suffix or "?")
         for suffix, count in kinds.items()

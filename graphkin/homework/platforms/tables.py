@@ -14,7 +14,9 @@ from decimal import ROUND_HALF_UP, ROUND_UP, Decimal
 from pathlib import Path
 from xml.sax.saxutils import escape
 
+from graphkin.errors import Where
 from graphkin.homework.platforms.markup import OFFICE, clean, element, office_link, office_package, one_line, xml
+from graphkin.submissions.documents import csv_cells
 
 HUNDREDTH = Decimal("0.01")  # points are given in these
 _FINER = 3  # a number is rounded to this many digits finer than its tolerance
@@ -67,7 +69,6 @@ def exponentless(number: Decimal) -> str:
 Cell = str | Decimal | int | None
 BOM = "\ufeff"  # by this Excel knows UTF-8
 _FORMULA = ("=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠")
-_SEPARATORS = ",;\t"
 
 
 def line(cells: Iterable[Cell]) -> str:
@@ -97,24 +98,9 @@ def unharmed(text: str) -> str:
 
 def read_table(path: Path) -> Iterator[list[str]]:
     """The rows of a CSV file as a spreadsheet may have saved it: UTF-8 or GBK; commas, semicolons or tabs."""
-    with path.open(encoding=_encoding(path), errors="replace", newline="") as file:
-        head = file.readline()
-        file.seek(0)
-        for row in csv.reader(file, delimiter=max(_SEPARATORS, key=head.count)):
-            yield [unharmed(clean(cell)) for cell in row]
-
-
-def _encoding(path: Path) -> str:
-    """The first in which all of a file can be read."""
-    for encoding in ("utf-8-sig", "gb18030"):
-        try:
-            with path.open(encoding=encoding, newline="") as file:
-                while file.read(1 << 16):
-                    pass
-        except UnicodeDecodeError:
-            continue
-        return encoding
-    return "utf-8-sig"
+    with path.open("rb") as file:
+        for _, row in csv_cells(file, Where(str(path))):
+            yield [unharmed(clean(str(cell))) for cell in row]
 
 
 def columns_of(head: Sequence[str]) -> dict[str, int]:

@@ -7,9 +7,8 @@
 say.problems words a problem; platforms writes the set, for graphkin and for others.
 """
 
-from graphkin.homework.problems.draws import Variant, variants
+from graphkin.homework.problems.draws import Student, Variant, roster, variants
 from graphkin.homework.problems.posed import PosedProblem, well_posed
-from graphkin.homework.problems.roster import Student, roster
 from graphkin.homework.problems.template import Template, TemplateRange, read_template
 
 __all__ = [

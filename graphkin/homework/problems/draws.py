@@ -1,6 +1,7 @@
 """Each student's own numbers, drawn from a seed and the student's id: the same again whenever and in whatever order.
 
-Only when two students would get the same problem does the list of students matter, and its order never.
+Only when two students would get the same problem does the list of students matter, and its order never. The list is a
+file, or so many of them.
 """
 
 from __future__ import annotations
@@ -11,15 +12,16 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
+from pathlib import Path
 
 import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
-from graphkin.errors import GraphkinError, NoVariant, Where
+from graphkin.errors import GraphkinError, NoStudents, NoVariant, OutOfRange, StudentTwice, Where
+from graphkin.homework import opening
 from graphkin.homework.grading.keys import USUAL, Pencils, further_methods, marking_of, page_scales
 from graphkin.homework.problems.posed import PosedProblem, Refused, answers, well_posed
-from graphkin.homework.problems.roster import Student
 from graphkin.homework.problems.template import Template
 from graphkin.marking.discriminability import LOOKED_AT, Always, Discriminability, MistakeVisibility, mistake_visibility
 from graphkin.marking.key import TELLS, Marking
@@ -28,6 +30,8 @@ from graphkin.model.mechanism import Mechanism
 from graphkin.model.quantities import at_position
 from graphkin.running import replay_all
 from graphkin.running.drawn_sides import DrawnSides, drawn_sides
+from graphkin.submissions.documents import IDS, csv_cells, student_of
+from graphkin.submissions.submission import Limits, tidy_id
 
 _TRIES = 200
 _HOPELESS = 20  # where so many draws do not assemble, and no other did better, the template is wrong
@@ -299,3 +303,53 @@ def _any_alike(others: Array, own: Array, part: float, off: Array | float) -> bo
     """True where all answers (n,) are those of one of the others (problems, n), but for a part of them or so much."""
     reach = np.maximum(part * np.maximum(np.abs(others), np.abs(own)), off)
     return bool(np.any(np.all(np.abs(others - own) <= reach, axis=1)))
+
+
+# --- the students -----------------------------------------------------------------------------------------------------
+
+MOST = 100_000
+
+
+@frozen
+class Student:
+    """`names`: other cells of the student's row by their heading, such as the name."""
+
+    id: str
+    names: tuple[tuple[str, str], ...] = ()
+
+
+def roster(given: str) -> tuple[Student, ...]:
+    """The students of a CSV file (UTF-8 with or without its mark, UTF-16, GBK), or s1 .. sN for a number N.
+
+    Raises NoFile, Unreadable, OutOfRange, StudentTwice, NoStudents.
+    """
+    if given.isdecimal() and given.isascii():
+        if len(given) > 6 or not 0 < int(given) <= MOST:
+            raise OutOfRange(Where("--students"), given[:20])
+        wide = len(given)
+        return tuple(Student(f"s{number:0{wide}d}") for number in range(1, int(given) + 1))
+    path, where = Path(given), Where(given)
+    with opening(path), path.open("rb") as stream:
+        return _students([[str(cell) for cell in row] for _, row in csv_cells(stream, where)], where)
+
+
+def _students(rows: list[list[str]], where: Where) -> tuple[Student, ...]:
+    """By the column of ids that the header names, else the first column of all rows."""
+    filled = [row for row in rows[: Limits().rows] if any(cell.strip() for cell in row)]
+    head = [cell.strip().lower() for cell in filled[0]] if filled else []
+    at = next((head.index(name) for name in IDS if name in head), None)
+    students: dict[str, Student] = {}
+    for row in filled if at is None else filled[1:]:
+        column = at or 0
+        name = tidy_id(row[column]) if column < len(row) else ""
+        if not name:
+            continue
+        if name in students:
+            raise StudentTwice(where, name)
+        headings = filled[0] if at is not None else []
+        cells = enumerate(zip(headings, row))
+        more = tuple((tidy_id(h), tidy_id(cell)) for k, (h, cell) in cells if k != column and student_of(h))
+        students[name] = Student(name, more)
+    if not students:
+        raise NoStudents(where)
+    return tuple(students.values())
