@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 from graphkin.errors.base import Choice, Lang, LocatedError
 
 __all__ = [
@@ -17,43 +15,39 @@ class BadRange(LocatedError):
     """A range of driver values that is none."""
 
     given: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} is no range. Write FROM:TO:STEP (0:360:10, or 50 mm:90 mm:5 mm), with FROM and TO "
-        "different, STEP above 0, at most 1000 turns and 10 million steps; drivers that move together take equally many.",
-        "zh": "{where}：{given!r} 不是有效的范围。请写成 起:止:步长（如 0:360:10 或 50 mm:90 mm:5 mm），起止不得相同，步长大于 0，最多 1000 转、一千万步；同时运动的各原动件步数必须相同。",
-    }
+    en = (
+        "{where}: {given!r} is no range. Write FROM:TO:STEP (0:360:10, or 50 mm:90 mm:5 mm), with FROM and TO "
+        "different, STEP above 0, at most 1000 turns and 10 million steps; drivers that move together take equally many."
+    )
+    zh = "{where}：{given!r} 不是有效的范围。请写成 起:止:步长（如 0:360:10 或 50 mm:90 mm:5 mm），起止不得相同，步长大于 0，最多 1000 转、一千万步；同时运动的各原动件步数必须相同。"
 
 
 class BadValues(LocatedError):
     """Numbers that are no values of a driver, or of drivers together."""
 
     given: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} are no values to move through. Give finite numbers in deg or mm, a list or an array (n,) "
+    en = (
+        "{where}: {given!r} are no values to move through. Give finite numbers in deg or mm, a list or an array (n,) "
         "of at most ten million and 1000 turns, or a text FROM:TO:STEP; drivers that move together take equally many, "
-        "which rise and fall in proportion.",
-        "zh": "{where}：{given!r} 不能作为运动的取值。请给出以 deg 或 mm 为单位的有限数（列表或一维数组，最多一千万个、1000 转），或写成 起:止:步长；同时运动的各原动件取值个数相同，并按比例变化。",
-    }
+        "which rise and fall in proportion."
+    )
+    zh = "{where}：{given!r} 不能作为运动的取值。请给出以 deg 或 mm 为单位的有限数（列表或一维数组，最多一千万个、1000 转），或写成 起:止:步长；同时运动的各原动件取值个数相同，并按比例变化。"
 
 
 class BadPair(LocatedError):
     """Two values that belong together, written otherwise."""
 
     given: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} does not read as a pair. Write a point as X,Y (10,40), two points as 'X,Y X,Y', two angles as PHI:PSI (40:30).",
-        "zh": "{where}：{given!r} 不是一对数值。点写成 X,Y（如 10,40），两点写成 'X,Y X,Y'，两个角写成 φ:ψ（如 40:30）。",
-    }
+    en = "{where}: {given!r} does not read as a pair. Write a point as X,Y (10,40), two points as 'X,Y X,Y', two angles as PHI:PSI (40:30)."
+    zh = "{where}：{given!r} 不是一对数值。点写成 X,Y（如 10,40），两点写成 'X,Y X,Y'，两个角写成 φ:ψ（如 40:30）。"
 
 
 class GivenTwice(LocatedError):
     """A driver with two ranges."""
 
     driver: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: driver {driver} is given twice. Give each driver one range or one value.",
-        "zh": "{where}：原动件 {driver} 给了两次，每个原动件只能给一个范围或一个值。",
-    }
+    en = "{where}: driver {driver} is given twice. Give each driver one range or one value."
+    zh = "{where}：原动件 {driver} 给了两次，每个原动件只能给一个范围或一个值。"
 
 
 class TooManyRows(LocatedError):
@@ -61,48 +55,42 @@ class TooManyRows(LocatedError):
 
     rows: int
     most: int
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {rows} rows, and {most} at most are printed or written as JSON. Take a larger step, or write them "
-        "into a file with -o: .csv, .jsonl and .parquet take any number.",
-        "zh": "{where}：共 {rows} 行，显示或写成 JSON 最多 {most} 行。请加大步长，或用 -o 写入 .csv、.jsonl、.parquet 文件（行数不限）。",
-    }
+    en = (
+        "{where}: {rows} rows, and {most} at most are printed or written as JSON. Take a larger step, or write them "
+        "into a file with -o: .csv, .jsonl and .parquet take any number."
+    )
+    zh = "{where}：共 {rows} 行，显示或写成 JSON 最多 {most} 行。请加大步长，或用 -o 写入 .csv、.jsonl、.parquet 文件（行数不限）。"
 
 
 class NoSuchDriver(Choice):
     """A driver that the mechanism does not have, or has no range left for."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: there is no driver {given} to move. {hint}",
-        "zh": "{where}：没有可以运动的原动件 {given}。{hint}",
-    }
+    en = "{where}: there is no driver {given} to move. {hint}"
+    zh = "{where}：没有可以运动的原动件 {given}。{hint}"
 
 
 class NoSuchValue(Choice):
     """A name that is to have another value, and means no number of the mechanism's file, or more than one."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} is not one value of this file. A length is named AB, an angle BDE, a fixed or sketched "
-        "point A, a driver's value 'angle AB' or 'omega AB', any other by its place: links.2.AB, slide.0.angle. {hint}",
-        "zh": "{where}：{given!r} 不是该文件中唯一的一个值。长度写 AB，角度写 BDE，固定点或草图点写 A，原动件的值写 'angle AB'、'omega AB'，其他按位置写：links.2.AB、slide.0.angle。{hint}",
-    }
+    en = (
+        "{where}: {given!r} is not one value of this file. A length is named AB, an angle BDE, a fixed or sketched "
+        "point A, a driver's value 'angle AB' or 'omega AB', any other by its place: links.2.AB, slide.0.angle. {hint}"
+    )
+    zh = "{where}：{given!r} 不是该文件中唯一的一个值。长度写 AB，角度写 BDE，固定点或草图点写 A，原动件的值写 'angle AB'、'omega AB'，其他按位置写：links.2.AB、slide.0.angle。{hint}"
 
 
 class NoSuchName(Choice, KeyError):
     """A name that a table of results does not have."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: there is no {given!r}. {hint}",
-        "zh": "{where}：没有 {given!r}。{hint}",
-    }
+    en = "{where}: there is no {given!r}. {hint}"
+    zh = "{where}：没有 {given!r}。{hint}"
 
 
 class NotSwept(Choice, KeyError):
     """A quantity that a sweep does not hold."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} is not in this sweep. Name it in `of` to have it. {hint}",
-        "zh": "{where}：这次扫描中没有 {given!r}，需要时请写入 `of`。{hint}",
-    }
+    en = "{where}: {given!r} is not in this sweep. Name it in `of` to have it. {hint}"
+    zh = "{where}：这次扫描中没有 {given!r}，需要时请写入 `of`。{hint}"
 
 
 class NoPosition(LocatedError):
@@ -111,11 +99,11 @@ class NoPosition(LocatedError):
     driver: str
     low: str
     high: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: none of the positions asked for is reached: {driver} moves from {low} to {high} only. "
-        "Ask for a range within, or with smaller steps.",
-        "zh": "{where}：所要求的位置都不能到达：{driver} 只能在 {low} 至 {high} 之间运动。请改用其中的范围，或减小步长。",
-    }
+    en = (
+        "{where}: none of the positions asked for is reached: {driver} moves from {low} to {high} only. "
+        "Ask for a range within, or with smaller steps."
+    )
+    zh = "{where}：所要求的位置都不能到达：{driver} 只能在 {low} 至 {high} 之间运动。请改用其中的范围，或减小步长。"
 
 
 class ValueForEach(LocatedError, ValueError):
@@ -123,10 +111,8 @@ class ValueForEach(LocatedError, ValueError):
 
     count: int
     drivers: tuple[str, ...]
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {needed} drivers, {count} values. Give one value for each of {names}, in this order [rad, m].",
-        "zh": "{where}：原动件有 {needed} 个，给了 {count} 个值。请按 {names} 的顺序各给一个 [rad, m]。",
-    }
+    en = "{where}: {needed} drivers, {count} values. Give one value for each of {names}, in this order [rad, m]."
+    zh = "{where}：原动件有 {needed} 个，给了 {count} 个值。请按 {names} 的顺序各给一个 [rad, m]。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return {**super()._words(lang), "needed": len(self.drivers), "names": ", ".join(self.drivers)}
@@ -136,10 +122,8 @@ class StandsStill(LocatedError):
     """A point whose path is asked for, and that stays where it is."""
 
     point: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {point} stays where it is as the mechanism moves, so it has no path. Name a point that moves.",
-        "zh": "{where}：机构运动时点 {point} 静止不动，没有轨迹。请改用运动的点。",
-    }
+    en = "{where}: {point} stays where it is as the mechanism moves, so it has no path. Name a point that moves."
+    zh = "{where}：机构运动时点 {point} 静止不动，没有轨迹。请改用运动的点。"
 
 
 class NoSpeed(LocatedError):
@@ -147,19 +131,15 @@ class NoSpeed(LocatedError):
 
     driver: str
     keys: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: driver {driver} has no {keys}, so there are no velocities to draw. Give it one, or leave the arrows out.",
-        "zh": "{where}：原动件 {driver} 未给出 {keys}，没有可画的速度。请补上，或不画箭头。",
-    }
+    en = "{where}: driver {driver} has no {keys}, so there are no velocities to draw. Give it one, or leave the arrows out."
+    zh = "{where}：原动件 {driver} 未给出 {keys}，没有可画的速度。请补上，或不画箭头。"
 
 
 class UnknownQuantity(Choice):
     """A text that names no quantity."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given!r} names no quantity. Write for example `theta 3`, `omega 3`, `v C`, `a_k B3B2`, `s ram`, `omega 1 / omega 3`. {hint}",
-        "zh": "{where}：{given!r} 不是一个量。请写成如 `theta 3`、`omega 3`、`v C`、`a_k B3B2`、`s ram`、`omega 1 / omega 3`。{hint}",
-    }
+    en = "{where}: {given!r} names no quantity. Write for example `theta 3`, `omega 3`, `v C`, `a_k B3B2`, `s ram`, `omega 1 / omega 3`. {hint}"
+    zh = "{where}：{given!r} 不是一个量。请写成如 `theta 3`、`omega 3`、`v C`、`a_k B3B2`、`s ram`、`omega 1 / omega 3`。{hint}"
 
 
 class NeedsTwo(LocatedError):
@@ -168,10 +148,8 @@ class NeedsTwo(LocatedError):
     quantity: str
     point: str
     pairs: tuple[str, ...]
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {quantity} is part of the acceleration of one point seen from another, and {point} alone is one point. {hint}",
-        "zh": "{where}：{quantity} 是一点相对另一点的加速度的分量，只写一个点 {point} 不够。{hint}",
-    }
+    en = "{where}: {quantity} is part of the acceleration of one point seen from another, and {point} alone is one point. {hint}"
+    zh = "{where}：{quantity} 是一点相对另一点的加速度的分量，只写一个点 {point} 不够。{hint}"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         asked = ", ".join(f"`{self.quantity} {two}`" for two in self.pairs[:6])
@@ -184,10 +162,8 @@ class NoQuestion(LocatedError):
 
     given: str
     meant: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: `{given}` names nothing that can be answered. {advice}A question in words ends with `?`; it is shown only.",
-        "zh": "{where}：`{given}` 不是可以求解的量。{advice}文字问题请以“？”结尾，只显示、不求解。",
-    }
+    en = "{where}: `{given}` names nothing that can be answered. {advice}A question in words ends with `?`; it is shown only."
+    zh = "{where}：`{given}` 不是可以求解的量。{advice}文字问题请以“？”结尾，只显示、不求解。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         sample = self.meant or "omega 3`, `v C`, `a_k B3B2"
@@ -201,8 +177,6 @@ class NoRate(LocatedError):
 
     driver: str
     keys: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: note: driver {driver} has no {keys}, so it stands still and all velocities that follow from it are 0.",
-        "zh": "{where}：提示：原动件 {driver} 未给出 {keys}，按静止处理，由它引起的速度均为 0。",
-    }
+    en = "{where}: note: driver {driver} has no {keys}, so it stands still and all velocities that follow from it are 0."
+    zh = "{where}：提示：原动件 {driver} 未给出 {keys}，按静止处理，由它引起的速度均为 0。"
 

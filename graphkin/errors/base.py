@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from typing import ClassVar, Literal, dataclass_transform
+from typing import ClassVar, Literal, NamedTuple, dataclass_transform
 
 from graphkin.base.value import filled, frozen
 
@@ -33,20 +33,21 @@ NOWHERE = Where("")  # stands until the one who knows the place fills it in (`Gr
 class GraphkinError(Exception):
     """Something the user can mend. Exit status 3 at the command line.
 
-    A subclass names its data as a dataclass does, and has `text`.
+    A subclass names its data as a dataclass does, and has its sentence in English and in Chinese.
     """
 
     __match_args__: ClassVar[tuple[str, ...]] = ()
-    text: ClassVar[dict[Lang, str]] = {"en": "", "zh": ""}
+    en: ClassVar[str] = ""
+    zh: ClassVar[str] = ""
     exit_code: ClassVar[int] = 3
 
     def __init_subclass__(cls) -> None:
-        cls.__doc__ = cls.__doc__ or cls.text["en"]
+        cls.__doc__ = cls.__doc__ or cls.en
         filled(cls)
 
     def message(self, lang: Lang = "en") -> str:
         """The sentence, with this error's own data in it."""
-        text = self.text[lang].format(**self._words(lang)).rstrip()
+        text = (self.zh if lang == "zh" else self.en).format(**self._words(lang)).rstrip()
         # nothing may steer a terminal, wherever it came from: names of files, words of a command
         return "".join(ascii(letter)[1:-1] if letter != "\n" and steers(letter) else letter for letter in text)
 
@@ -56,9 +57,9 @@ class GraphkinError(Exception):
         return moved(**{**self._data(), "where": where})
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        """The data as the sentence takes them: names are listed as the language does."""
+        """The data as the sentence takes them: names are listed as the language does, by `{names:,}` with commas."""
         return {
-            name: listed(value, lang) if isinstance(value, tuple) and all(isinstance(x, str) for x in value) else value
+            name: _Names(value, lang) if isinstance(value, tuple) and all(isinstance(x, str) for x in value) else value
             for name, value in self._data().items()
         }
 
@@ -115,6 +116,14 @@ def _hint(given: str, possible: Sequence[str], lang: Lang) -> str:
         return ask + (f"可用：{shown}。" if shown else "")
     ask = "".join(f"Did you mean {name}? " for name in near)
     return ask + (f"Possible: {shown}." if shown else "")
+
+
+class _Names(NamedTuple):
+    names: tuple[str, ...]
+    lang: Lang
+
+    def __format__(self, form: str) -> str:
+        return ", ".join(self.names) if form == "," else listed(self.names, self.lang)
 
 
 def listed(names: Iterable[str], lang: Lang) -> str:

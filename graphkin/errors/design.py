@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 from graphkin.errors.base import GraphkinError, Lang
 
 __all__ = ["CouplerChanges", "NoDesign", "NotOnBisector", "OneCondition", "SameWanted", "WantedRange", "WrongNumber"]
@@ -16,10 +14,8 @@ class WantedRange(GraphkinError):
     given: str
     low: str
     high: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{name} = {given} cannot be: it must lie between {low} and {high}. Give a value within.",
-        "zh": "{name} = {given} 不可能：必须在 {low} 与 {high} 之间。请改用其中的值。",
-    }
+    en = "{name} = {given} cannot be: it must lie between {low} and {high}. Give a value within."
+    zh = "{name} = {given} 不可能：必须在 {low} 与 {high} 之间。请改用其中的值。"
 
 
 class OneCondition(GraphkinError):
@@ -28,10 +24,8 @@ class OneCondition(GraphkinError):
     given: str
     possible: str
     wanted: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "Given: {given}. Give {wanted} of {possible}.",
-        "zh": "已给：{given}。在 {possible} 中请给 {wanted} 个。",
-    }
+    en = "Given: {given}. Give {wanted} of {possible}."
+    zh = "已给：{given}。在 {possible} 中请给 {wanted} 个。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         nothing = "nothing" if lang == "en" else "无"
@@ -43,10 +37,8 @@ class WrongNumber(GraphkinError):
 
     count: int
     wanted: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{count} given, where {wanted} are wanted.",
-        "zh": "给了 {count} 个，应为 {wanted} 个。",
-    }
+    en = "{count} given, where {wanted} are wanted."
+    zh = "给了 {count} 个，应为 {wanted} 个。"
 
 
 class SameWanted(GraphkinError):
@@ -54,10 +46,8 @@ class SameWanted(GraphkinError):
 
     first: str
     second: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{first} and {second} are the same. Give positions that differ.",
-        "zh": "{first} 与 {second} 重合。请给出互不相同的位置。",
-    }
+    en = "{first} and {second} are the same. Give positions that differ."
+    zh = "{first} 与 {second} 重合。请给出互不相同的位置。"
 
 
 class CouplerChanges(GraphkinError):
@@ -67,11 +57,11 @@ class CouplerChanges(GraphkinError):
     first_mm: float
     other: str
     other_mm: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{first} = {first_mm:.8g} mm but {other} = {other_mm:.8g} mm: the coupler keeps its length. Correct a position, "
-        "or give B and the coupler's direction instead of C.",
-        "zh": "{first} = {first_mm:.8g} mm，而 {other} = {other_mm:.8g} mm：连杆长度不变。请改正其中一个位置，或以 B 点和连杆方向代替 C 点。",
-    }
+    en = (
+        "{first} = {first_mm:.8g} mm but {other} = {other_mm:.8g} mm: the coupler keeps its length. Correct a position, "
+        "or give B and the coupler's direction instead of C."
+    )
+    zh = "{first} = {first_mm:.8g} mm，而 {other} = {other_mm:.8g} mm：连杆长度不变。请改正其中一个位置，或以 B 点和连杆方向代替 C 点。"
 
 
 class NotOnBisector(GraphkinError):
@@ -83,19 +73,19 @@ class NotOnBisector(GraphkinError):
     second: str
     x_mm: float
     y_mm: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{point} must lie on the perpendicular bisector of {first}{second}; it is {off_mm:.4g} mm off. "
-        "The nearest place is ({x_mm:.10g}, {y_mm:.10g}).",
-        "zh": "{point} 必须在 {first}{second} 的中垂线上，现偏离 {off_mm:.4g} mm。最近的点为 ({x_mm:.10g}, {y_mm:.10g})。",
-    }
+    en = (
+        "{point} must lie on the perpendicular bisector of {first}{second}; it is {off_mm:.4g} mm off. "
+        "The nearest place is ({x_mm:.10g}, {y_mm:.10g})."
+    )
+    zh = "{point} 必须在 {first}{second} 的中垂线上，现偏离 {off_mm:.4g} mm。最近的点为 ({x_mm:.10g}, {y_mm:.10g})。"
 
 
 class NoDesign(GraphkinError):
     """No linkage has the wanted properties."""
 
-    en: str
-    zh: str
-    text: ClassVar[dict[Lang, str]] = {"en": "No solution. {why}", "zh": "无解。{why}"}
+    reasons: tuple[str, str]  # in English, in Chinese
+    en = "No solution. {why}"
+    zh = "无解。{why}"
 
     def _words(self, lang: Lang) -> dict[str, object]:
-        return {"why": self.en if lang == "en" else self.zh}
+        return {"why": self.reasons[lang == "zh"]}

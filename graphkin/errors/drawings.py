@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 from graphkin.errors.base import GraphkinError, Lang, LocatedError
 
 __all__ = [
@@ -16,10 +14,8 @@ class NoFolder(GraphkinError):
 
     path: str
     folder: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path}: there is no folder {folder}. Make it first, or write elsewhere with -o.",
-        "zh": "{path}：没有文件夹 {folder}。请先建立该文件夹，或用 -o 写到别处。",
-    }
+    en = "{path}: there is no folder {folder}. Make it first, or write elsewhere with -o."
+    zh = "{path}：没有文件夹 {folder}。请先建立该文件夹，或用 -o 写到别处。"
 
 
 class CannotWrite(GraphkinError):
@@ -27,10 +23,8 @@ class CannotWrite(GraphkinError):
 
     path: str
     reason: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path}: cannot be written ({reason}). Choose another place, or make the folder first.",
-        "zh": "{path}：无法写入（{reason}）。请另选位置，或先建立文件夹。",
-    }
+    en = "{path}: cannot be written ({reason}). Choose another place, or make the folder first."
+    zh = "{path}：无法写入（{reason}）。请另选位置，或先建立文件夹。"
 
     @classmethod
     def by(cls, path: object, error: OSError) -> CannotWrite:
@@ -43,20 +37,16 @@ class CannotWrite(GraphkinError):
 class NoDrawing(LocatedError):
     """A drawing that is not there."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: there is no such file. Check the path.",
-        "zh": "{where}：没有这个文件，请检查路径。",
-    }
+    en = "{where}: there is no such file. Check the path."
+    zh = "{where}：没有这个文件，请检查路径。"
 
 
 class NothingToMeasure(LocatedError):
     """A drawing of graphkin's that a ruler does not judge: `style` is a key of `_UNJUDGED`."""
 
     style: str = "given"
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: nothing of this drawing is judged: {reason}",
-        "zh": "{where}：本图不作任何判断：{reason}",
-    }
+    en = "{where}: nothing of this drawing is judged: {reason}"
+    zh = "{where}：本图不作任何判断：{reason}"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return super()._words(lang) | {"reason": _UNJUDGED[self.style][lang]}
@@ -83,10 +73,8 @@ class BadDrawing(LocatedError):
 
     reason: str
     what: str = ""
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this is not a drawing that graphkin can measure: {reason}. Draw it anew with `graphkin draw`.",
-        "zh": "{where}：这不是 graphkin 能测量的图：{reason}。请用 `graphkin draw` 重新作图。",
-    }
+    en = "{where}: this is not a drawing that graphkin can measure: {reason}. Draw it anew with `graphkin draw`."
+    zh = "{where}：这不是 graphkin 能测量的图：{reason}。请用 `graphkin draw` 重新作图。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return super()._words(lang) | {"reason": REASONS[self.reason][lang].format(what=self.what)}
@@ -112,11 +100,11 @@ REASONS: dict[str, dict[Lang, str]] = {
 class NoChineseLetters(GraphkinError):
     """A Chinese handout on a machine without Chinese letters."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "No Chinese font was found, so Chinese text would be printed as boxes. Install one (on Debian: apt install "
-        "fonts-noto-cjk), or name a font file: --font PATH, or the environment variable GRAPHKIN_FONT.",
-        "zh": "未找到中文字体，中文会印成方框。请安装中文字体（Debian：apt install fonts-noto-cjk），或用 --font 路径（或环境变量 GRAPHKIN_FONT）指定字体文件。",
-    }
+    en = (
+        "No Chinese font was found, so Chinese text would be printed as boxes. Install one (on Debian: apt install "
+        "fonts-noto-cjk), or name a font file: --font PATH, or the environment variable GRAPHKIN_FONT."
+    )
+    zh = "未找到中文字体，中文会印成方框。请安装中文字体（Debian：apt install fonts-noto-cjk），或用 --font 路径（或环境变量 GRAPHKIN_FONT）指定字体文件。"
 
 
 class NoFont(GraphkinError):
@@ -124,10 +112,8 @@ class NoFont(GraphkinError):
 
     path: str
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path} is not a font file (.ttf, .otf, .ttc) that can be read. Name another, or leave --font out.",
-        "zh": "{path} 不是可读取的字体文件（.ttf、.otf、.ttc）。请另行指定，或不用 --font。",
-    }
+    en = "{path} is not a font file (.ttf, .otf, .ttc) that can be read. Name another, or leave --font out."
+    zh = "{path} 不是可读取的字体文件（.ttf、.otf、.ttc）。请另行指定，或不用 --font。"
 
 
 class NoLetter(GraphkinError):
@@ -135,8 +121,8 @@ class NoLetter(GraphkinError):
 
     letter: str
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "No font here has the character {letter!r}, which would be printed as a box. Install one that has (on Debian: "
-        "apt install fonts-noto-core fonts-noto-cjk), or name its file with --font PATH.",
-        "zh": "现有字体都没有字符 {letter!r}，会印成方框。请安装含该字符的字体（Debian：apt install fonts-noto-core fonts-noto-cjk），或用 --font 路径指定字体文件。",
-    }
+    en = (
+        "No font here has the character {letter!r}, which would be printed as a box. Install one that has (on Debian: "
+        "apt install fonts-noto-core fonts-noto-cjk), or name its file with --font PATH."
+    )
+    zh = "现有字体都没有字符 {letter!r}，会印成方框。请安装含该字符的字体（Debian：apt install fonts-noto-core fonts-noto-cjk），或用 --font 路径指定字体文件。"

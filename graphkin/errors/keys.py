@@ -53,10 +53,8 @@ def _pick(words: tuple[str, str], lang: Lang) -> str:
 
 
 class UnknownKey(Choice):
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the key {given} means nothing here. {hint}",
-        "zh": "{where}：此处没有 {given} 这个键。{hint}",
-    }
+    en = "{where}: the key {given} means nothing here. {hint}"
+    zh = "{where}：此处没有 {given} 这个键。{hint}"
 
 
 class UnitAsKey(LocatedError):
@@ -65,50 +63,38 @@ class UnitAsKey(LocatedError):
     given: str
     key: str
     value: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given} is a unit, not a key. Write {key} = \"{value}\".",
-        "zh": "{where}：{given} 是单位，不是键。请写成 {key} = \"{value}\"。",
-    }
+    en = "{where}: {given} is a unit, not a key. Write {key} = \"{value}\"."
+    zh = "{where}：{given} 是单位，不是键。请写成 {key} = \"{value}\"。"
 
 
 class UnknownPoint(Choice):
     """`possible` are the points that may stand there."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: there is no point {given} here. {hint}",
-        "zh": "{where}：此处没有点 {given}。{hint}",
-    }
+    en = "{where}: there is no point {given} here. {hint}"
+    zh = "{where}：此处没有点 {given}。{hint}"
 
 
 class UnknownLink(Choice):
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: there is no link {given}. {hint}",
-        "zh": "{where}：没有构件 {given}。{hint}",
-    }
+    en = "{where}: there is no link {given}. {hint}"
+    zh = "{where}：没有构件 {given}。{hint}"
 
 
 class UnknownSlide(Choice):
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: no sliding pair or rolling pair on a line has the name {given}; give it one with name = .. {hint}",
-        "zh": "{where}：没有名为 {given} 的移动副或直线滚动副，请用 name = .. 为其命名。{hint}",
-    }
+    en = "{where}: no sliding pair or rolling pair on a line has the name {given}; give it one with name = .. {hint}"
+    zh = "{where}：没有名为 {given} 的移动副或直线滚动副，请用 name = .. 为其命名。{hint}"
 
 
 class NotOneOf(Choice):
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given} is not one of the words that can stand here. {hint}",
-        "zh": "{where}：此处不能写 {given}。{hint}",
-    }
+    en = "{where}: {given} is not one of the words that can stand here. {hint}"
+    zh = "{where}：此处不能写 {given}。{hint}"
 
 
 class UnknownUnit(Choice):
     """`quantity` is what stands there, `possible` its units."""
 
     quantity: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given} is not a unit graphkin knows; {quantity} is wanted. {hint}",
-        "zh": "{where}：不认识单位 {given}，此处应为{quantity}。{hint}",
-    }
+    en = "{where}: {given} is not a unit graphkin knows; {quantity} is wanted. {hint}"
+    zh = "{where}：不认识单位 {given}，此处应为{quantity}。{hint}"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return {**super()._words(lang), "quantity": _pick(QUANTITIES[self.quantity], lang)}
@@ -119,10 +105,8 @@ class OtherDimension(Choice):
 
     quantity: str
     found: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given} is the unit of {found}, but {quantity} is wanted. {hint}",
-        "zh": "{where}：{given} 是{found}的单位，此处应为{quantity}。{hint}",
-    }
+    en = "{where}: {given} is the unit of {found}, but {quantity} is wanted. {hint}"
+    zh = "{where}：{given} 是{found}的单位，此处应为{quantity}。{hint}"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         quantities = {"quantity": self.quantity, "found": self.found}
@@ -132,28 +116,22 @@ class OtherDimension(Choice):
 class NoUnit(Choice):
     """A number in quotes without a unit."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: \"{given}\" has no unit. Leave the quotes out, or add a unit. {hint}",
-        "zh": "{where}：“{given}”没有单位，请去掉引号或加上单位。{hint}",
-    }
+    en = "{where}: \"{given}\" has no unit. Leave the quotes out, or add a unit. {hint}"
+    zh = "{where}：“{given}”没有单位，请去掉引号或加上单位。{hint}"
 
 
 class NotANumber(LocatedError):
     given: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: \"{given}\" does not read as a number with a unit. Write it like \"24 in\" or \"120 r/min\".",
-        "zh": "{where}：“{given}”不能读作带单位的数，请写成 \"24 in\" 或 \"120 r/min\" 的形式。",
-    }
+    en = "{where}: \"{given}\" does not read as a number with a unit. Write it like \"24 in\" or \"120 r/min\"."
+    zh = "{where}：“{given}”不能读作带单位的数，请写成 \"24 in\" 或 \"120 r/min\" 的形式。"
 
 
 class OutOfRange(LocatedError):
     """Not a number, infinite, or beyond anything that can be drawn."""
 
     given: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given} is not a finite number of reasonable size. Write an ordinary number.",
-        "zh": "{where}：{given} 不是大小合理的有限数，请写普通的数。",
-    }
+    en = "{where}: {given} is not a finite number of reasonable size. Write an ordinary number."
+    zh = "{where}：{given} 不是大小合理的有限数，请写普通的数。"
 
 
 class TooSmall(LocatedError):
@@ -161,36 +139,28 @@ class TooSmall(LocatedError):
 
     given: str
     least: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given} will not do, the value must be greater than 0 (at least {least}). Correct it.",
-        "zh": "{where}：{given} 不合要求，数值必须大于 0（不小于 {least}），请改正。",
-    }
+    en = "{where}: {given} will not do, the value must be greater than 0 (at least {least}). Correct it."
+    zh = "{where}：{given} 不合要求，数值必须大于 0（不小于 {least}），请改正。"
 
 
 class Negative(LocatedError):
     given: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given} is negative; a radius is 0 (a knife edge) or more. Correct it.",
-        "zh": "{where}：{given} 为负；半径应为 0（尖点）或正数，请改正。",
-    }
+    en = "{where}: {given} is negative; a radius is 0 (a knife edge) or more. Correct it."
+    zh = "{where}：{given} 为负；半径应为 0（尖点）或正数，请改正。"
 
 
 class AngleRange(LocatedError):
     given_deg: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given_deg:g} deg; an angle between two lines of a link lies between 0 and 180 deg. Say with ccw which way it opens.",
-        "zh": "{where}：{given_deg:g}°；构件上两线的夹角应在 0° 到 180° 之间，张开方向用 ccw 给出。",
-    }
+    en = "{where}: {given_deg:g} deg; an angle between two lines of a link lies between 0 and 180 deg. Say with ccw which way it opens."
+    zh = "{where}：{given_deg:g}°；构件上两线的夹角应在 0° 到 180° 之间，张开方向用 ccw 给出。"
 
 
 class MissingKey(LocatedError):
     """`key` has to be there."""
 
     key: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {key} is missing. Add it.",
-        "zh": "{where}：缺少 {key}，请补上。",
-    }
+    en = "{where}: {key} is missing. Add it."
+    zh = "{where}：缺少 {key}，请补上。"
 
 
 class KeyClash(LocatedError):
@@ -198,10 +168,8 @@ class KeyClash(LocatedError):
 
     first: str
     second: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {first} and {second} cannot stand together. Leave one of them out.",
-        "zh": "{where}：{first} 与 {second} 不能同时给出，请去掉其一。",
-    }
+    en = "{where}: {first} and {second} cannot stand together. Leave one of them out."
+    zh = "{where}：{first} 与 {second} 不能同时给出，请去掉其一。"
 
 
 class NoMeaning(LocatedError):
@@ -209,10 +177,8 @@ class NoMeaning(LocatedError):
 
     key: str
     why: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {key} has no meaning here: {why}. Leave it out.",
-        "zh": "{where}：此处的 {key} 没有意义：{why}。请删去。",
-    }
+    en = "{where}: {key} has no meaning here: {why}. Leave it out."
+    zh = "{where}：此处的 {key} 没有意义：{why}。请删去。"
     reasons: ClassVar[dict[str, tuple[str, str]]] = {
         "tilt": ("a block of one point takes its direction from the line (one that has a second point, such as BQ = 30, "
                  "has its own)", "单点滑块的方向就是导路方向（若有自身方向，请给它第二个点，例如 BQ = 30）"),
@@ -239,10 +205,8 @@ class WrongType(LocatedError):
 
     expected: str
     given: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given} stands where {expected} is wanted. Replace it.",
-        "zh": "{where}：此处应为{expected}，而不是 {given}，请改正。",
-    }
+    en = "{where}: {given} stands where {expected} is wanted. Replace it."
+    zh = "{where}：此处应为{expected}，而不是 {given}，请改正。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return {**super()._words(lang), "expected": _pick(KINDS[self.expected], lang)}
@@ -251,19 +215,15 @@ class WrongType(LocatedError):
 class WrongCount(LocatedError):
     expected: int
     given: int
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the list needs {expected} items, not {given}. Add or remove some.",
-        "zh": "{where}：列表有 {given} 项，应为 {expected} 项，请增减。",
-    }
+    en = "{where}: the list needs {expected} items, not {given}. Add or remove some."
+    zh = "{where}：列表有 {given} 项，应为 {expected} 项，请增减。"
 
 
 class BadName(WrongType):
     """A name or key that is not formed as its kind is."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {given}{odd} is not formed as it must be: {expected}. Rename it.",
-        "zh": "{where}：{given}{odd} 的写法不对，应为：{expected}。请改名。",
-    }
+    en = "{where}: {given}{odd} is not formed as it must be: {expected}. Rename it."
+    zh = "{where}：{given}{odd} 的写法不对，应为：{expected}。请改名。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         """A letter of another alphabet may look as it should: its number shows the difference."""
@@ -277,15 +237,11 @@ class LongName(LocatedError):
 
     given: str
     most: int
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the name {given} is too long for a drawing. Shorten it to {most} letters.",
-        "zh": "{where}：名称 {given} 太长，图上写不下。请缩短到 {most} 个字母（汉字按两个计）以内。",
-    }
+    en = "{where}: the name {given} is too long for a drawing. Shorten it to {most} letters."
+    zh = "{where}：名称 {given} 太长，图上写不下。请缩短到 {most} 个字母（汉字按两个计）以内。"
 
 
 class DuplicateName(LocatedError):
     given: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the name {given} is used already. Choose another.",
-        "zh": "{where}：名称 {given} 已被使用，请另取一个。",
-    }
+    en = "{where}: the name {given} is used already. Choose another."
+    zh = "{where}：名称 {given} 已被使用，请另取一个。"

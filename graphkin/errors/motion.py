@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 from graphkin.errors.base import AboutLinks, Lang, LocatedError, Where, listed
 
 __all__ = [
@@ -16,22 +14,22 @@ __all__ = [
 class HigherClass(AboutLinks):
     """Links that no vector equation with two unknowns reaches."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: no loop of vectors reaches links {links}: their drivers or their pairs are too few or too many. "
-        "See what `graphkin structure` says of a mechanism like it, and drive another link.",
-        "zh": "{where}：没有矢量方程能求出构件 {links}：原动件或运动副过多或过少。请改选原动件。",
-    }
+    en = (
+        "{where}: no loop of vectors reaches links {links}: their drivers or their pairs are too few or too many. "
+        "See what `graphkin structure` says of a mechanism like it, and drive another link."
+    )
+    zh = "{where}：没有矢量方程能求出构件 {links}：原动件或运动副过多或过少。请改选原动件。"
 
 
 class CannotAssemble(AboutLinks):
     """Links that do not reach each other."""
 
     gap_mm: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: at this position a gap of {gap_mm:.4g} mm stays open between links {links}. "
-        "Change the length of one of them, or move the driver.",
-        "zh": "{where}：在此位置构件 {links} 之间相差 {gap_mm:.4g} mm，无法装配。请改变其中一个的尺寸，或改变原动件的位置。",
-    }
+    en = (
+        "{where}: at this position a gap of {gap_mm:.4g} mm stays open between links {links}. "
+        "Change the length of one of them, or move the driver."
+    )
+    zh = "{where}：在此位置构件 {links} 之间相差 {gap_mm:.4g} mm，无法装配。请改变其中一个的尺寸，或改变原动件的位置。"
 
 
 class FarFromSketch(CannotAssemble):
@@ -44,21 +42,19 @@ class FarFromSketch(CannotAssemble):
     points: str
     sketched_mm: float
     given_mm: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": CannotAssemble.text["en"] + " Is {points} right? The sketch has {sketched_mm:.4g} mm, the link {given_mm:.4g} mm.",
-        "zh": CannotAssemble.text["zh"] + "{points} 是否有误？草图中为 {sketched_mm:.4g} mm，构件上为 {given_mm:.4g} mm。",
-    }
+    en = CannotAssemble.en + " Is {points} right? The sketch has {sketched_mm:.4g} mm, the link {given_mm:.4g} mm."
+    zh = CannotAssemble.zh + "{points} 是否有误？草图中为 {sketched_mm:.4g} mm，构件上为 {given_mm:.4g} mm。"
 
 
 class DeadPoint(AboutLinks):
     """Two loci that meet under too small an angle."""
 
     angle_deg: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: dead point: the lines for links {links} meet under {angle_deg:.3f} deg; a drawing needs "
-        "0.5 deg at least. Move the driver a little, or drive another link.",
-        "zh": "{where}：死点位置：构件 {links} 的作图线夹角仅 {angle_deg:.3f}°，作图至少需要 0.5°。请稍微改变原动件的位置，或改选原动件。",
-    }
+    en = (
+        "{where}: dead point: the lines for links {links} meet under {angle_deg:.3f} deg; a drawing needs "
+        "0.5 deg at least. Move the driver a little, or drive another link."
+    )
+    zh = "{where}：死点位置：构件 {links} 的作图线夹角仅 {angle_deg:.3f}°，作图至少需要 0.5°。请稍微改变原动件的位置，或改选原动件。"
 
 
 class AlongOwnAxis(DeadPoint):
@@ -71,13 +67,15 @@ class AlongOwnAxis(DeadPoint):
     link: str
     point: str
     guided: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: link {link} has one point, so a line on it that is not said is its own axis, and that runs the way it slides "
+    en = (
+        "{where}: link {link} has one point, so a line on it that is not said is its own axis, and that runs the way it slides "
         "({guided}): nothing on that line can move it. Say in the table of that line how it lies, such as through = \"{point}\" and "
-        "angle = 90, measured from +x (on a moving guide from = two points of that guide).",
-        "zh": "{where}：构件 {link} 只有一个点，未说明的直线就是其自身轴线，与它自己的移动方向（{guided}）平行，沿此直线无法推动它。"
-        "请在该直线的表中说明其方向，例如 through = \"{point}\"、angle = 90（由 +x 量起；导路活动时写 from = 导路上的两点）。",
-    }
+        "angle = 90, measured from +x (on a moving guide from = two points of that guide)."
+    )
+    zh = (
+        "{where}：构件 {link} 只有一个点，未说明的直线就是其自身轴线，与它自己的移动方向（{guided}）平行，沿此直线无法推动它。"
+        "请在该直线的表中说明其方向，例如 through = \"{point}\"、angle = 90（由 +x 量起；导路活动时写 from = 导路上的两点）。"
+    )
 
 
 class GearsApart(LocatedError):
@@ -86,11 +84,11 @@ class GearsApart(LocatedError):
     centres: tuple[str, str]
     distance_mm: float
     wanted_mm: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the centres {pair} stand {distance_mm:.6g} mm apart, the pitch radii want {wanted_mm:.6g} mm. "
-        "Change the radii, or the links that hold the centres.",
-        "zh": "{where}：中心距 {pair} 为 {distance_mm:.6g} mm，而节圆半径要求 {wanted_mm:.6g} mm。请修改半径，或修改确定中心位置的构件。",
-    }
+    en = (
+        "{where}: the centres {pair} stand {distance_mm:.6g} mm apart, the pitch radii want {wanted_mm:.6g} mm. "
+        "Change the radii, or the links that hold the centres."
+    )
+    zh = "{where}：中心距 {pair} 为 {distance_mm:.6g} mm，而节圆半径要求 {wanted_mm:.6g} mm。请修改半径，或修改确定中心位置的构件。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return super()._words(lang) | {"pair": "".join(self.centres)}
@@ -124,11 +122,11 @@ class NotRepeated(LocatedError):
     held: tuple[tuple[str, str], ...]
     off: float
     unit: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {pair} would repeat the constraints of {held} (a redundant constraint), but contradicts them "
-        "by {off:.4g} {unit}. Make it agree with them exactly, or leave it out.",
-        "zh": "{where}：{pair} 与 {held} 的约束重复（虚约束），但二者相差 {off:.4g} {unit}，互相矛盾。请使其完全一致，或将其去掉。",
-    }
+    en = (
+        "{where}: {pair} would repeat the constraints of {held} (a redundant constraint), but contradicts them "
+        "by {off:.4g} {unit}. Make it agree with them exactly, or leave it out."
+    )
+    zh = "{where}：{pair} 与 {held} 的约束重复（虚约束），但二者相差 {off:.4g} {unit}，互相矛盾。请使其完全一致，或将其去掉。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         held = listed((called_pair(*each, lang) for each in self.held), lang)
@@ -143,11 +141,11 @@ class OffTrack(LocatedError):
     track: str
     distance_mm: float
     wanted_mm: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the centre {centre} lies {distance} of the track on link {track}, the radius and `side` want "
-        "{wanted}: {gap_mm:.6g} mm apart. Change `radius` or `side`, or the pairs that hold the centre.",
-        "zh": "{where}：圆心 {centre} 在构件 {track} 的轨道{distance}，而半径和 `side` 要求在{wanted}，相差 {gap_mm:.6g} mm。请修改 `radius` 或 `side`，或修改确定圆心位置的运动副。",
-    }
+    en = (
+        "{where}: the centre {centre} lies {distance} of the track on link {track}, the radius and `side` want "
+        "{wanted}: {gap_mm:.6g} mm apart. Change `radius` or `side`, or the pairs that hold the centre."
+    )
+    zh = "{where}：圆心 {centre} 在构件 {track} 的轨道{distance}，而半径和 `side` 要求在{wanted}，相差 {gap_mm:.6g} mm。请修改 `radius` 或 `side`，或修改确定圆心位置的运动副。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         sides = {"en": ("{} mm to the left", "{} mm to the right"), "zh": ("左侧 {} mm 处", "右侧 {} mm 处")}[lang]
@@ -160,21 +158,21 @@ class OtherSide(LocatedError):
     """A mechanism that closes with a wheel or a profile on the other side of its line only."""
 
     side: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the links do not close as the file has it, and they do on the other side of this line. "
-        'Write side = "{side}".',
-        "zh": "{where}：按文件所给，机构无法装配；在此直线的另一侧则可以。请写 side = \"{side}\"。",
-    }
+    en = (
+        "{where}: the links do not close as the file has it, and they do on the other side of this line. "
+        'Write side = "{side}".'
+    )
+    zh = "{where}：按文件所给，机构无法装配；在此直线的另一侧则可以。请写 side = \"{side}\"。"
 
 
 class NotPlaced(AboutLinks):
     """A drawn position that neither driver values nor poses fix."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: nothing says where links {links} stand at the drawn position. Give the driver an `angle` "
-        "(or `at`), or add a [[pose]] for one of them.",
-        "zh": "{where}：所画位置中构件 {links} 的位置没有给定。请给出原动件的 `angle`（或 `at`），或为其中之一增加 [[pose]]。",
-    }
+    en = (
+        "{where}: nothing says where links {links} stand at the drawn position. Give the driver an `angle` "
+        "(or `at`), or add a [[pose]] for one of them."
+    )
+    zh = "{where}：所画位置中构件 {links} 的位置没有给定。请给出原动件的 `angle`（或 `at`），或为其中之一增加 [[pose]]。"
 
 
 class PosesDiffer(LocatedError):
@@ -185,11 +183,11 @@ class PosesDiffer(LocatedError):
     holds: str
     apart: str
     others: tuple[Where, ...]
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this says {line} = {said}, but {others} {line} = {holds}: they differ by {apart}. "
-        "Correct one of them, or remove this [[pose]].",
-        "zh": "{where}：此处给定 {line} = {said}，但{others} {line} = {holds}，二者相差 {apart}。请改正其一，或删去此 [[pose]]。",
-    }
+    en = (
+        "{where}: this says {line} = {said}, but {others} {line} = {holds}: they differ by {apart}. "
+        "Correct one of them, or remove this [[pose]]."
+    )
+    zh = "{where}：此处给定 {line} = {said}，但{others} {line} = {holds}，二者相差 {apart}。请改正其一，或删去此 [[pose]]。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         return super()._words(lang) | {"others": self._others(lang)}
@@ -212,23 +210,23 @@ class NotReached(LocatedError):
     start: str
     end: str
     stop: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {driver} = {end} is not reached from the drawn position {start}: on the way there is a dead "
-        "point, or the end of the movement, at {stop}. Ask for a position before it, or draw the mechanism beyond it.",
-        "zh": "{where}：从所画位置 {driver} = {start} 出发不能到达 {end}：途中在 {stop} 处有死点，或已到运动极限。请取此前的位置，或把机构画在其后的位置。",
-    }
+    en = (
+        "{where}: {driver} = {end} is not reached from the drawn position {start}: on the way there is a dead "
+        "point, or the end of the movement, at {stop}. Ask for a position before it, or draw the mechanism beyond it."
+    )
+    zh = "{where}：从所画位置 {driver} = {start} 出发不能到达 {end}：途中在 {stop} 处有死点，或已到运动极限。请取此前的位置，或把机构画在其后的位置。"
 
 
 class RoadsDiffer(LocatedError):
     """The drawing and the analytic solution give different numbers: neither is to be trusted."""
 
     worst: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the drawing and the analytic solution differ by {worst:.1e} of the largest value, so neither is "
+    en = (
+        "{where}: the drawing and the analytic solution differ by {worst:.1e} of the largest value, so neither is "
         "given. Where the mechanism stands near a dead point, move the driver a little; anywhere else the fault is "
-        "graphkin's: please report the file.",
-        "zh": "{where}：图解结果与解析结果相差 {worst:.1e}（相对值），故均不予给出。机构若接近死点，请稍微改变原动件的位置；否则为 graphkin 的错误，请将该文件报告给开发者。",
-    }
+        "graphkin's: please report the file."
+    )
+    zh = "{where}：图解结果与解析结果相差 {worst:.1e}（相对值），故均不予给出。机构若接近死点，请稍微改变原动件的位置；否则为 graphkin 的错误，请将该文件报告给开发者。"
 
 
 class TooFar(LocatedError):
@@ -238,10 +236,8 @@ class TooFar(LocatedError):
     start: str
     end: str
     most: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: {driver} is to move from {start} to {end}, but is followed {most} at most. Ask for less of it.",
-        "zh": "{where}：{driver} 要从 {start} 运动到 {end}，但最多只能跟踪 {most}。请缩小范围。",
-    }
+    en = "{where}: {driver} is to move from {start} to {end}, but is followed {most} at most. Ask for less of it."
+    zh = "{where}：{driver} 要从 {start} 运动到 {end}，但最多只能跟踪 {most}。请缩小范围。"
 
 
 class AmbiguousSketch(LocatedError):
@@ -251,11 +247,11 @@ class AmbiguousSketch(LocatedError):
     point: str
     first: str
     second: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the sketch fits two assemblies equally well; they differ in {points}. Say in [sketch] where {point} "
-        "is: near {first} or near {second} (mm).",
-        "zh": "{where}：草图与两种装配形式同样接近，二者的区别在于 {points}。请在 [sketch] 中写明 {point} 的大致位置：靠近 {first} 还是 {second}（mm）。",
-    }
+    en = (
+        "{where}: the sketch fits two assemblies equally well; they differ in {points}. Say in [sketch] where {point} "
+        "is: near {first} or near {second} (mm)."
+    )
+    zh = "{where}：草图与两种装配形式同样接近，二者的区别在于 {points}。请在 [sketch] 中写明 {point} 的大致位置：靠近 {first} 还是 {second}（mm）。"
 
 
 class SingularPosition(LocatedError):
@@ -265,11 +261,11 @@ class SingularPosition(LocatedError):
     """
 
     condition: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the mechanism stands at a dead point or a change point (reciprocal condition {condition:.1e}), "
-        "where the drivers give it no definite velocity. Move the driver a little.",
-        "zh": "{where}：机构正处于死点或变点位置（条件数倒数 {condition:.1e}），原动件不能给出确定的速度。请稍微改变原动件的位置。",
-    }
+    en = (
+        "{where}: the mechanism stands at a dead point or a change point (reciprocal condition {condition:.1e}), "
+        "where the drivers give it no definite velocity. Move the driver a little."
+    )
+    zh = "{where}：机构正处于死点或变点位置（条件数倒数 {condition:.1e}），原动件不能给出确定的速度。请稍微改变原动件的位置。"
 
 
 class NoAssembly(LocatedError):
@@ -279,18 +275,16 @@ class NoAssembly(LocatedError):
     """
 
     gap_mm: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the mechanism cannot be assembled with these lengths and driver values; "
-        "a gap of {gap_mm:.3g} mm stays open. Change a length or move the driver.",
-        "zh": "{where}：按给定的长度和原动件位置无法装配，最小缺口为 {gap_mm:.3g} mm。请改变某一长度或原动件的位置。",
-    }
+    en = (
+        "{where}: the mechanism cannot be assembled with these lengths and driver values; "
+        "a gap of {gap_mm:.3g} mm stays open. Change a length or move the driver."
+    )
+    zh = "{where}：按给定的长度和原动件位置无法装配，最小缺口为 {gap_mm:.3g} mm。请改变某一长度或原动件的位置。"
 
 
 class NotJoined(LocatedError):
     """No chain of pairs joins this link to the frame."""
 
     link: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: no chain of pairs joins link {link} to the frame. Let it share a point with another link, or add a slide.",
-        "zh": "{where}：构件 {link} 没有通过任何运动副与机架相连。请让它与另一构件共用一点，或加一个移动副。",
-    }
+    en = "{where}: no chain of pairs joins link {link} to the frame. Let it share a point with another link, or add a slide."
+    zh = "{where}：构件 {link} 没有通过任何运动副与机架相连。请让它与另一构件共用一点，或加一个移动副。"

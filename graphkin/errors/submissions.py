@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 from graphkin.errors.base import Lang, LocatedError
 
 __all__ = [
@@ -16,10 +14,8 @@ class NotMarkable(LocatedError):
     """A kind of file that holds neither answers nor a drawing."""
 
     given: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: a file of kind {given!r} cannot be read. Hand in .toml, .json, .csv, .xlsx, .svg, .ggb or .dxf.",
-        "zh": "{where}：不能读取 {given!r} 类文件。请提交 .toml、.json、.csv、.xlsx、.svg、.ggb 或 .dxf 文件。",
-    }
+    en = "{where}: a file of kind {given!r} cannot be read. Hand in .toml, .json, .csv, .xlsx, .svg, .ggb or .dxf."
+    zh = "{where}：不能读取 {given!r} 类文件。请提交 .toml、.json、.csv、.xlsx、.svg、.ggb 或 .dxf 文件。"
 
 
 class BrokenSubmission(LocatedError):
@@ -27,10 +23,8 @@ class BrokenSubmission(LocatedError):
 
     kind: str
     reason: str = ""
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this is not a whole, readable {kind} file{reason}. Save it again and hand it in anew.",
-        "zh": "{where}：这不是完整可读的 {kind} 文件{reason}，请重新保存后再提交。",
-    }
+    en = "{where}: this is not a whole, readable {kind} file{reason}. Save it again and hand it in anew."
+    zh = "{where}：这不是完整可读的 {kind} 文件{reason}，请重新保存后再提交。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         wrapped = {"en": f" ({self.reason})", "zh": f"（{self.reason}）"}[lang] if self.reason else ""
@@ -56,10 +50,8 @@ class TooMuch(LocatedError):
 
     what: str
     most: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this is {what}. Hand in the answers or the drawing alone.",
-        "zh": "{where}：{what}。请只提交答案或图本身。",
-    }
+    en = "{where}: this is {what}. Hand in the answers or the drawing alone."
+    zh = "{where}：{what}。请只提交答案或图本身。"
 
     def _words(self, lang: Lang) -> dict[str, object]:
         most = self.most / 2**20 if self.what in ("bytes", "archive") else self.most
@@ -68,20 +60,16 @@ class TooMuch(LocatedError):
 
 class TookTooLong(LocatedError):
     seconds: float
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: not done within {seconds:g} s. Hand in a simpler file.",
-        "zh": "{where}：{seconds:g} 秒内未能处理完，请提交更简单的文件。",
-    }
+    en = "{where}: not done within {seconds:g} s. Hand in a simpler file."
+    zh = "{where}：{seconds:g} 秒内未能处理完，请提交更简单的文件。"
 
 
 class OwnFault(LocatedError):
     """A fault of graphkin's own, that must not look like a wrong answer."""
 
     kind: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: graphkin failed to read this file ({kind}); that is no fault of the student's. Mark it by hand, and report the file.",
-        "zh": "{where}：graphkin 未能读取此文件（{kind}），并非学生的错误。请人工评阅，并报告该文件。",
-    }
+    en = "{where}: graphkin failed to read this file ({kind}); that is no fault of the student's. Mark it by hand, and report the file."
+    zh = "{where}：graphkin 未能读取此文件（{kind}），并非学生的错误。请人工评阅，并报告该文件。"
 
 
 class WantsExtra(LocatedError):
@@ -89,18 +77,14 @@ class WantsExtra(LocatedError):
 
     kind: str
     package: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: reading {kind} files needs the package {package}. Install it with: pip install {package}",
-        "zh": "{where}：读取 {kind} 文件需要软件包 {package}，请运行：pip install {package}",
-    }
+    en = "{where}: reading {kind} files needs the package {package}. Install it with: pip install {package}"
+    zh = "{where}：读取 {kind} 文件需要软件包 {package}，请运行：pip install {package}"
 
 
 class UnknownStudent(LocatedError):
     student: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the key has no student {student!r}. Check the id in the file, or mark with this student's own key.",
-        "zh": "{where}：答案库中没有学生 {student!r}。请检查文件中的学号，或使用该学生自己的答案库。",
-    }
+    en = "{where}: the key has no student {student!r}. Check the id in the file, or mark with this student's own key."
+    zh = "{where}：答案库中没有学生 {student!r}。请检查文件中的学号，或使用该学生自己的答案库。"
 
 
 class HandedTwice(LocatedError):
@@ -108,10 +92,8 @@ class HandedTwice(LocatedError):
 
     student: str
     first: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: student {student!r} handed in {first} before, which is marked; this one is not. Leave one of the two.",
-        "zh": "{where}：学生 {student!r} 先提交了 {first}，已按该份批改，这一份不再批改。请只保留其中一份。",
-    }
+    en = "{where}: student {student!r} handed in {first} before, which is marked; this one is not. Leave one of the two."
+    zh = "{where}：学生 {student!r} 先提交了 {first}，已按该份批改，这一份不再批改。请只保留其中一份。"
 
 
 class TwoNames(LocatedError):
@@ -119,33 +101,27 @@ class TwoNames(LocatedError):
 
     named: str
     student: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: a line in it says that it is of {student!r}, but it is named after {named!r}, and {student!r} is "
-        "another's name. It is not marked. Take the line out, or rename the file.",
-        "zh": "{where}：文件中写明学生为 {student!r}，但文件名为 {named!r}，而 {student!r} 另有其人，故不批改。请删去该行，或更改文件名。",
-    }
+    en = (
+        "{where}: a line in it says that it is of {student!r}, but it is named after {named!r}, and {student!r} is "
+        "another's name. It is not marked. Take the line out, or rename the file."
+    )
+    zh = "{where}：文件中写明学生为 {student!r}，但文件名为 {named!r}，而 {student!r} 另有其人，故不批改。请删去该行，或更改文件名。"
 
 
 class NoStudents(LocatedError):
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: no student is listed here. Write a table with a column \"student\" (or 学号), one a row.",
-        "zh": "{where}：这里没有学生名单。请写一张含“学号”（或 student）列的表，每行一人。",
-    }
+    en = "{where}: no student is listed here. Write a table with a column \"student\" (or 学号), one a row."
+    zh = "{where}：这里没有学生名单。请写一张含“学号”（或 student）列的表，每行一人。"
 
 
 class StudentTwice(LocatedError):
     student: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: student {student!r} stands in the list twice. Leave each id once.",
-        "zh": "{where}：名单中学生 {student!r} 出现两次，每个学号只保留一次。",
-    }
+    en = "{where}: student {student!r} stands in the list twice. Leave each id once."
+    zh = "{where}：名单中学生 {student!r} 出现两次，每个学号只保留一次。"
 
 
 class NoAnswers(LocatedError):
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: no answer is found here. Write each as question = value, for example \"omega 3\" = 3.92.",
-        "zh": "{where}：未找到任何答案。请写成 问题 = 数值 的形式，例如 \"omega 3\" = 3.92。",
-    }
+    en = "{where}: no answer is found here. Write each as question = value, for example \"omega 3\" = 3.92."
+    zh = "{where}：未找到任何答案。请写成 问题 = 数值 的形式，例如 \"omega 3\" = 3.92。"
 
 
 class SeveralStudents(LocatedError):
@@ -153,17 +129,15 @@ class SeveralStudents(LocatedError):
 
     first: str
     second: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this table has rows of {first!r} and of {second!r}, and stands among files of one student each. "
-        "Give it to graphkin grade by itself.",
-        "zh": "{where}：此表含学生 {first!r} 与 {second!r} 各自的行，却放在每人一份的文件之中。请将此表单独交给 graphkin grade 评阅。",
-    }
+    en = (
+        "{where}: this table has rows of {first!r} and of {second!r}, and stands among files of one student each. "
+        "Give it to graphkin grade by itself."
+    )
+    zh = "{where}：此表含学生 {first!r} 与 {second!r} 各自的行，却放在每人一份的文件之中。请将此表单独交给 graphkin grade 评阅。"
 
 
 class NamesNobody(LocatedError):
     """A row of a class table without an id, below rows with one."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: this row names no student. Write the id in its column.",
-        "zh": "{where}：此行没有学号。请在学号一列填写。",
-    }
+    en = "{where}: this row names no student. Write the id in its column."
+    zh = "{where}：此行没有学号。请在学号一列填写。"

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING
 
 from graphkin.base.value import frozen
 from graphkin.errors import BadDrawing, GraphkinError, Lang
@@ -100,11 +100,11 @@ class EditedByHand(GraphkinError):
 
     path: str
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path} was changed by hand since graphkin drew it (`graphkin check` tells where). Choose another name, "
-        "or replace it with --force.",
-        "zh": "{path} 在 graphkin 绘制之后被手工修改过（`graphkin check` 可查看何处）。请换文件名，或用 --force 覆盖。",
-    }
+    en = (
+        "{path} was changed by hand since graphkin drew it (`graphkin check` tells where). Choose another name, "
+        "or replace it with --force."
+    )
+    zh = "{path} 在 graphkin 绘制之后被手工修改过（`graphkin check` 可查看何处）。请换文件名，或用 --force 覆盖。"
 
 
 def refuse_edited(path: Path, force: bool) -> None:

@@ -11,9 +11,9 @@ from collections.abc import Iterator, Sequence
 from functools import cache
 from importlib import import_module
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
-from graphkin.errors import CannotWrite, GraphkinError, Lang, NoFolder
+from graphkin.errors import CannotWrite, GraphkinError, NoFolder
 
 NAMESPACE = "https://graphkin.invalid/sheet/1"  # by this a program knows a drawing of graphkin's
 _DRAFT = ".draft"  # the end of the name of a file that is being written
@@ -25,11 +25,11 @@ class FileInTheWay(GraphkinError):
 
     path: str
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path} exists and is not a file of this kind written by graphkin. Choose another name, or replace it "
-        "with --force.",
-        "zh": "{path} 已存在，且不是 graphkin 写的同类文件。请换文件名，或用 --force 覆盖。",
-    }
+    en = (
+        "{path} exists and is not a file of this kind written by graphkin. Choose another name, or replace it "
+        "with --force."
+    )
+    zh = "{path} 已存在，且不是 graphkin 写的同类文件。请换文件名，或用 --force 覆盖。"
 
 
 @contextlib.contextmanager
@@ -105,11 +105,11 @@ class NeedsExtra(GraphkinError):
     package: str
     extra: str
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "This kind of file is written by {package}, which is not installed. "
-        "Install it: pip install 'graphkin[{extra}]'.",
-        "zh": "写这种文件需要 {package}，尚未安装。请安装：pip install 'graphkin[{extra}]'。",
-    }
+    en = (
+        "This kind of file is written by {package}, which is not installed. "
+        "Install it: pip install 'graphkin[{extra}]'."
+    )
+    zh = "写这种文件需要 {package}，尚未安装。请安装：pip install 'graphkin[{extra}]'。"
 
 
 def needed(package: str, extra: str) -> Any:

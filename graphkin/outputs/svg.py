@@ -14,9 +14,9 @@ import xml.etree.ElementTree as ET
 from collections.abc import Mapping, Sequence
 from functools import partial
 from itertools import groupby
-from typing import Any, ClassVar, assert_never
+from typing import Any, assert_never
 
-from graphkin.errors import GraphkinError, Lang
+from graphkin.errors import GraphkinError
 from graphkin.outputs.files import NAMESPACE
 from graphkin.outputs.paint import Colours, Ink
 from graphkin.outputs.stated import kind, stated, statement
@@ -47,10 +47,8 @@ class Unwritable(GraphkinError):
     where: str
     code: str
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: the character {code} cannot stand in a drawing. Remove it from the mechanism file.",
-        "zh": "{where}：字符 {code} 不能写入图形文件，请从机构文件中删去。",
-    }
+    en = "{where}: the character {code} cannot stand in a drawing. Remove it from the mechanism file."
+    zh = "{where}：字符 {code} 不能写入图形文件，请从机构文件中删去。"
 
 
 def svg(sheet: Sheet, ink: Ink = "accent") -> str:

@@ -13,7 +13,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from html import escape
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -39,10 +39,8 @@ class NoParquet(GraphkinError):
     """Parquet is asked for, and its library is not there."""
 
     path: str
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path}: writing Parquet needs pyarrow: pip install 'graphkin[parquet]'. Or write .csv or .json.",
-        "zh": "{path}：写 Parquet 需要 pyarrow：pip install 'graphkin[parquet]'。也可改写 .csv 或 .json。",
-    }
+    en = "{path}: writing Parquet needs pyarrow: pip install 'graphkin[parquet]'. Or write .csv or .json."
+    zh = "{path}：写 Parquet 需要 pyarrow：pip install 'graphkin[parquet]'。也可改写 .csv 或 .json。"
 
 
 def write(

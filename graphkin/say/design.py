@@ -57,7 +57,7 @@ def error(design: Design) -> NoDesign | None:
         return None
     reasons = [*(reason for one in design.rejected for reason in one.why), *design.why]
     in_english, in_chinese = ([phrased(reason, lang) for reason in reasons] for lang in LANGUAGES)
-    return NoDesign(" ".join(in_english), " ".join(in_chinese))
+    return NoDesign((" ".join(in_english), " ".join(in_chinese)))
 
 
 def lines(design: Design, lang: Lang = "en") -> list[str]:

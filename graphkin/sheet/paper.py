@@ -9,14 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import ClassVar, Literal, NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 
 from graphkin.base.geometry import Array
 from graphkin.base.value import frozen
 from graphkin.construction import Plane
-from graphkin.errors import GraphkinError, Lang, Where
+from graphkin.errors import GraphkinError, Where
 from graphkin.sheet.lettering import Label, Run, number, quantity_label
 
 
@@ -154,11 +154,11 @@ class TooLargeForPaper(GraphkinError):
     paper: str
     unit: str
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{where}: at {given:g} {unit} the drawing does not fit on {paper}. {fits:g} would fit; "
-        "or leave the scale out and it is chosen.",
-        "zh": "{where}：按 {given:g} {unit}，图形放不进 {paper} 图纸。可改用 {fits:g}，或不写比例尺，由程序选取。",
-    }
+    en = (
+        "{where}: at {given:g} {unit} the drawing does not fit on {paper}. {fits:g} would fit; "
+        "or leave the scale out and it is chosen."
+    )
+    zh = "{where}：按 {given:g} {unit}，图形放不进 {paper} 图纸。可改用 {fits:g}，或不写比例尺，由程序选取。"
 
 
 class UnknownPaper(GraphkinError):
@@ -167,10 +167,8 @@ class UnknownPaper(GraphkinError):
     name: str
     known: str
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "There is no paper {name!r} here. Take one of {known}.",
-        "zh": "没有 {name!r} 这种图纸。可选：{known}。",
-    }
+    en = "There is no paper {name!r} here. Take one of {known}."
+    zh = "没有 {name!r} 这种图纸。可选：{known}。"
 
 
 def finest(size: complex, room: complex) -> float:

@@ -657,10 +657,10 @@ def test_no_error_is_without_a_case() -> None:
 
 @pytest.mark.parametrize("kind", ERRORS)
 def test_every_error_speaks_both_languages_from_the_same_data(kind: type[GraphkinError]) -> None:
-    fields = set(re.findall(r"{(\w+)", kind.text["en"]))
-    assert set(re.findall(r"{(\w+)", kind.text["zh"])) == fields
-    assert re.search("[\u4e00-\u9fff]", kind.text["zh"])
-    assert kind.text["en"].startswith("{where}") or kind is errors.UnknownMechanism
+    fields = set(re.findall(r"{(\w+)", kind.en))
+    assert set(re.findall(r"{(\w+)", kind.zh)) == fields
+    assert re.search("[\u4e00-\u9fff]", kind.zh)
+    assert kind.en.startswith("{where}") or kind is errors.UnknownMechanism
 
 
 def test_all_mistakes_at_once_in_the_order_of_the_lines() -> None:

@@ -9,7 +9,6 @@ import json
 import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import ClassVar
 
 from graphkin.api import plan
 from graphkin.errors import CannotWrite, GraphkinError, Lang
@@ -79,11 +78,11 @@ class NotASet(GraphkinError):
 
     path: str
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path}: this is no list of a problem set that graphkin wrote. Write the set again with "
-        "`graphkin problems`, or name the mechanism files.",
-        "zh": "{path}：这不是 graphkin 生成的题组清单。请用 `graphkin problems` 重新生成题组，或直接给出机构文件。",
-    }
+    en = (
+        "{path}: this is no list of a problem set that graphkin wrote. Write the set again with "
+        "`graphkin problems`, or name the mechanism files."
+    )
+    zh = "{path}：这不是 graphkin 生成的题组清单。请用 `graphkin problems` 重新生成题组，或直接给出机构文件。"
 
 
 def is_set(folder: Path) -> bool:

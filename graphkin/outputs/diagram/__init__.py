@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from threading import RLock
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING
 
 from graphkin.errors import GraphkinError, Lang
 from graphkin.model.quantities import centre_of
@@ -36,10 +36,8 @@ class NotADiagram(GraphkinError):
 
     path: str
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{path}: a diagram is written as .svg, .png or .pdf. Let the file's name end in one of these.",
-        "zh": "{path}：线图只能写成 .svg、.png 或 .pdf 文件，请用其中之一作扩展名。",
-    }
+    en = "{path}: a diagram is written as .svg, .png or .pdf. Let the file's name end in one of these."
+    zh = "{path}：线图只能写成 .svg、.png 或 .pdf 文件，请用其中之一作扩展名。"
 
 
 class NothingToDraw(GraphkinError):
@@ -47,11 +45,11 @@ class NothingToDraw(GraphkinError):
 
     names: str
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{names}: the place of an instant centre has no motion diagram. Write .csv, or draw its path: "
-        "`graphkin centres --path`.",
-        "zh": "{names}：瞬心的位置没有运动线图。请写成 .csv，或用 `graphkin centres --path` 画其轨迹。",
-    }
+    en = (
+        "{names}: the place of an instant centre has no motion diagram. Write .csv, or draw its path: "
+        "`graphkin centres --path`."
+    )
+    zh = "{names}：瞬心的位置没有运动线图。请写成 .csv，或用 `graphkin centres --path` 画其轨迹。"
 
 
 def figure(course: Course, names: Sequence[str], lang: Lang = "en", by: Road = "construction") -> Figure:

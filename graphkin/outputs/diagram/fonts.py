@@ -5,9 +5,8 @@ from __future__ import annotations
 import re
 from functools import cache
 from itertools import groupby
-from typing import ClassVar
 
-from graphkin.errors import GraphkinError, Lang
+from graphkin.errors import GraphkinError
 from graphkin.sheet.lettering import Label
 
 LATIN = "STIXGeneral"
@@ -27,11 +26,11 @@ _SIGNS = {" ": r"\ ", "-": r"\text{-}", "_": r"\_", "/": "/"}
 class NoChineseFont(GraphkinError):
     """A Chinese diagram on a machine without Chinese letters: it is drawn in English."""
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "No Chinese font was found, so the diagram has no Chinese text. Install one, such as Noto Serif CJK SC "
-        "or WenQuanYi Micro Hei, and draw again.",
-        "zh": "未找到中文字体，线图中没有中文。请安装中文字体（如 Noto Serif CJK SC 或文泉驿微米黑）后重新绘制。",
-    }
+    en = (
+        "No Chinese font was found, so the diagram has no Chinese text. Install one, such as Noto Serif CJK SC "
+        "or WenQuanYi Micro Hei, and draw again."
+    )
+    zh = "未找到中文字体，线图中没有中文。请安装中文字体（如 Noto Serif CJK SC 或文泉驿微米黑）后重新绘制。"
 
 
 @cache

@@ -10,7 +10,6 @@ import io
 import math
 import zipfile
 from collections.abc import Mapping
-from typing import ClassVar
 
 from graphkin.base.geometry import number, place
 from graphkin.construction import Fit, Plane, Plot
@@ -40,11 +39,11 @@ class TriedOut(GraphkinError):
 
     name: str
 
-    text: ClassVar[dict[Lang, str]] = {
-        "en": "{name}: its links are fitted by trial and have several drivers, which a GeoGebra construction cannot "
-        "follow. Write .svg, .pdf or .dxf instead.",
-        "zh": "{name}：该机构的位置需用样板法试凑，且有多个原动件，GeoGebra 作图无法联动。请改用 .svg、.pdf 或 .dxf。",
-    }
+    en = (
+        "{name}: its links are fitted by trial and have several drivers, which a GeoGebra construction cannot "
+        "follow. Write .svg, .pdf or .dxf instead."
+    )
+    zh = "{name}：该机构的位置需用样板法试凑，且有多个原动件，GeoGebra 作图无法联动。请改用 .svg、.pdf 或 .dxf。"
 
 
 def ggb(method: Method, plot: Plot, scales: Mapping[Plane, float], lang: Lang) -> bytes:
