@@ -52,6 +52,8 @@ relative_option = click.option("--relative", type=click.FloatRange(0, 1), metava
 @click.option("--turned", is_flag=True, help="In a drawing a polygon may stand turned on the page.")
 @click.option("--letters", default="", metavar="P,B2,B3",
               help="The points of drawings without letters, in the file's order.")
+@click.option("--roster", type=click.Path(path_type=Path), metavar="FILE",
+              help="A class list, CSV or XLSX: ids, names, e-mails, numbers of a platform; Moodle's worksheet.")
 @click.option("--jobs", type=click.IntRange(0), default=0, metavar="N", help="Processes that read and mark.")
 @shared.force_option
 @shared.speaking
@@ -142,6 +144,7 @@ class _Grading:
     relative: float | None
     turned: bool
     letters: str
+    roster: Path | None
     jobs: int
     force: bool
     lang: Lang
@@ -161,7 +164,8 @@ class _Grading:
         pencils = pencils_of(self.pencil, self.sigmas, self.relative)
         names = tuple(name.strip() for name in self.letters.split(",") if name.strip())
         settings = grading.MarkingOptions(Limits(turned=self.turned, names=names), self.jobs, words=self.lang)
-        judges = [grading.judge_from(problem.key, pencils) for problem in problems]
+        students = grading.class_list(self.roster) if self.roster is not None else ()
+        judges = [grading.judge_from(problem.key, pencils, students) for problem in problems]
         for problem, judge in zip(problems, judges, strict=True):
             if self.output is None:
                 self._print(problem.name, grading.grade(judge, problem.paths, settings.limits, workers=self.jobs))

@@ -18,13 +18,13 @@ from graphkin.cli import main
 from graphkin.errors import GraphkinError, NoRange, NotATemplate, NoVariant, OutOfRange, StudentTwice, UnknownQuantity
 from graphkin.files import library
 from graphkin.homework.platforms import write_problems
-from graphkin.homework.problems import Student, draws, read_template, roster, variants, well_posed
+from graphkin.homework.problems import draws, read_template, roster, variants, well_posed
 from graphkin.homework.problems.posed import shown_at
 from graphkin.outputs.files import FileInTheWay
 from graphkin.planning import plan
 from graphkin.running import replay_all
 from graphkin.say.problems import problem
-from graphkin.submissions import ReadableProblem, read
+from graphkin.submissions import ReadableProblem, Student, read
 
 
 @pytest.fixture

@@ -132,7 +132,7 @@ def marked(some: list[Item], judge: SetMarker, limits: Limits, reading: str) -> 
 def _read(item: Handed | Read, judge: SetMarker, limits: Limits, reading: str) -> Read:
     if isinstance(item, Read):
         return _read_before(item, judge)
-    one = read_one(item, judge.asked if isinstance(judge, OneKey) else judge, limits)
+    one = read_one(item, judge.asked if isinstance(judge, OneKey) else judge, limits, judge.roster)
     prints = (item.digest, reading, asked_print(judge, one.student), judge.key_print(one.student))
     notes = (*one.notes, *(value.fault for value in one.values.values() if value.fault is not None))
     handed_in = {  # the reader has spoken of what is no number

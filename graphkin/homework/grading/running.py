@@ -27,7 +27,7 @@ from graphkin.marking.marker import Marker
 from graphkin.marking.records import Graded
 from graphkin.outputs.files import refuse
 from graphkin.outputs.marks_json import MARKS, Record, records_in, text
-from graphkin.submissions import FirstOnes, Handed, Limits, called, guarded, handed_in
+from graphkin.submissions import FirstOnes, Handed, Limits, Roster, called, guarded, handed_in
 from graphkin.submissions.submission import fingerprint
 
 _BATCH, _BYTES = 64, 4 << 20
@@ -73,15 +73,20 @@ def grade(
     judge = OneKey(Marker(judge)) if isinstance(judge, Key) else judge
     options = MarkingOptions(limits or Limits(), workers, executor)
     paths = [*paths]
-    for graded in run(judge, items(paths, options), options, paths):
+    for graded in run(judge, items(paths, options, judge.roster), options, paths):
         assert isinstance(graded, Graded)
         yield graded
 
 
-def items(paths: Iterable[str | Path], options: MarkingOptions) -> Iterator[Handed | Read]:
+def items(
+    paths: Iterable[str | Path], options: MarkingOptions, roster: Roster | None = None
+) -> Iterator[Handed | Read]:
     """Submissions, one after another, in the order of the files."""
     for path in paths:
-        yield from batches.records_of(Path(path)) if batches.is_marks(path) else handed_in([path], options.limits)
+        if batches.is_marks(path):
+            yield from batches.records_of(Path(path))
+        else:
+            yield from handed_in([path], options.limits, roster)
 
 
 def run(
@@ -90,16 +95,19 @@ def run(
     """The result of each, in order; what is kept goes through as it is. `paths`: of all that was handed in."""
     work = partial(marked, judge=judge, limits=options.limits, reading=options.reading)
     if options.executor is not None:
-        return firsts(ahead(options.executor, work, _batches(some, _BATCH), _AHEAD), paths)
+        return firsts(ahead(options.executor, work, _batches(some, _BATCH), _AHEAD), paths, judge.roster)
     if options.workers:
         seconds = options.limits.seconds
-        return firsts(guarded(work, _batches(some, _BATCH), options.workers, seconds, _failed), paths)
-    return firsts(chain.from_iterable(map(work, _batches(some, _BATCH))), paths)
+        done = guarded(work, _batches(some, _BATCH), options.workers, seconds, _failed)
+        return firsts(done, paths, judge.roster)
+    return firsts(chain.from_iterable(map(work, _batches(some, _BATCH))), paths, judge.roster)
 
 
-def firsts(records: Iterable[Graded | StoredRecord], paths: Iterable[str | Path]) -> Iterator[Graded | StoredRecord]:
+def firsts(
+    records: Iterable[Graded | StoredRecord], paths: Iterable[str | Path], roster: Roster | None = None
+) -> Iterator[Graded | StoredRecord]:
     """Of each student the first that was marked; a further one says so."""
-    seen = FirstOnes(paths)
+    seen = FirstOnes([path for path in paths if not batches.is_marks(path)], roster)
     for one in records:
         if not one.marked:
             yield one
@@ -192,7 +200,7 @@ def resumed(
     written   makes the record of one, as `outputs.marks_json` does in a language, which `options.words` names
     """
     paths = [*paths]
-    rest = (_still_to_do(item, judge, journal, options) for item in items(paths, options))
+    rest = (_still_to_do(item, judge, journal, options) for item in items(paths, options, judge.roster))
     for one in run(judge, rest, options, paths):
         if isinstance(one, StoredRecord):
             yield journal.records[one.handed]

@@ -69,7 +69,8 @@ def write_problems(
         yield _write(folder / f"{name}{KEY}", key_text(key), force)
     power = set_discriminability([variant.told for variant in variants], (pencils.length_mm, pencils.angle_deg), rates)
     yield _write(folder / TOLD, "\n".join((*discriminability_lines(power, lang), "", MADE, "")), force)
-    yield _write(folder / "key.json", set_text({student: f"{name}{KEY}" for student, name in names.items()}), force)
+    index = {student: f"{name}{KEY}" for student, name in names.items()}
+    yield _write(folder / "key.json", set_text(index, (variant.student for variant in variants)), force)
     yield _write(folder / LIST, _listed(template, variants, names, seed, power), force)
 
 

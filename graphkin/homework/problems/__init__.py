@@ -7,11 +7,10 @@
 say.problems words a problem; platforms writes the set, for graphkin and for others.
 """
 
-from graphkin.homework.problems.draws import Student, Variant, roster, variants
+from graphkin.homework.problems.draws import Variant, roster, variants
 from graphkin.homework.problems.posed import PosedProblem, well_posed
 from graphkin.homework.problems.template import Template, TemplateRange, read_template
 
 __all__ = [
-    "PosedProblem", "Student", "Template", "TemplateRange", "Variant", "read_template", "roster", "variants",
-    "well_posed",
+    "PosedProblem", "Template", "TemplateRange", "Variant", "read_template", "roster", "variants", "well_posed",
 ]  # fmt: skip

@@ -1,0 +1,320 @@
+"""The students of a class, and the one matcher of what is handed in with them: folders, names of files, lines inside.
+
+    class list (CSV, XLSX; of Moodle, Canvas, Gradescope, 学习通) --students_in--> Students --> Roster
+    what a platform's folder says, then what files are called, then lines inside --Roster.whose--> the one student
+
+What stands higher goes before what stands lower, and one that names nobody says nothing. Where two of them name
+different students, or a name alone is that of two, nobody is named.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+import unicodedata
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import lru_cache
+from itertools import islice
+from pathlib import PurePosixPath
+from typing import Literal
+
+from graphkin.base.value import frozen
+from graphkin.errors import NoStudents, SameName, StudentTwice, TwoNames, UnknownStudent, Where
+from graphkin.model.quantities import position_of
+from graphkin.submissions.submission import DRAWINGS, tidy_id
+
+Field = Literal["id", "login", "number", "email", "name", "given", "family"]
+_HEADS: Mapping[Field, tuple[str, ...]] = {
+    "id": ("student", "student id", "studentid", "student number", "student no", "学号", "id", "id number", "学生学号",
+           "考号", "学号/工号", "工号", "编号", "sid", "sis user id"),
+    "login": ("sis login id", "username", "user name", "用户名", "user", "login", "账号", "登录名"),
+    "number": ("identifier", "participant", "标识符", "标识号", "参与者"),
+    "email": ("email", "email address", "e-mail", "邮箱", "电子邮件", "电子邮件地址", "电子邮箱", "邮箱地址",
+              "email地址"),
+    "name": ("学生", "name", "full name", "姓名", "学生姓名", "全名"),
+    "given": ("first name", "given name", "名", "名字"),
+    "family": ("last name", "surname", "family name", "姓", "姓氏"),
+}  # fmt: skip
+"""Heads of columns, and words before a colon, the most telling first."""
+FIELDS: Mapping[str, Field] = {head: field for field, heads in _HEADS.items() for head in heads}
+_IN_CANVAS = {"student": "name", "id": "identifier"}  # its gradebook calls the student's name so, and its own number
+_NUMBER = re.compile(r"(?:participant|参与者|参加者|标识符)\s*([0-9]+)")
+_CJK = "\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af"
+_PIECE = re.compile(rf"[{_CJK}]+|[^\W_{_CJK}]+")
+_PIECES, _RUN, _LONGEST = 40, 8, 4  # of a text; in a row that are an id, and a name
+_DECIMALS = 4  # a shorter number in the midst of a name may be anything
+_OF_A_SCHOOL = 8  # so long a number is no platform's, but an id
+_LARGE = 5000  # in larger classes nobody is looked for who is nearly called so
+_BEFORE_HEAD = 10  # lines of titles
+
+
+@frozen
+class Student:
+    """`names`: other cells of the student's row by their heading, such as the name."""
+
+    id: str
+    names: tuple[tuple[str, str], ...] = ()
+
+
+def field_of(head: str) -> Field | None:
+    """The kind of what stands under a head, or after a word and a colon: `姓名：`; None of any other."""
+    return FIELDS.get(folded(head[:60]).replace("_", " ").strip(" :"))
+
+
+def folded(text: str) -> str:
+    """One writing of what people write in several: wide letters, capitals, accents."""
+    bare = unicodedata.normalize("NFKD", unicodedata.normalize("NFKC", text)).casefold()
+    return " ".join(unicodedata.normalize("NFC", "".join(c for c in bare if not unicodedata.combining(c))).split())
+
+
+def students_in(rows: Iterable[Sequence[str]], where: Where) -> tuple[Student, ...]:
+    """By the column of ids that a header names, else the first column of all rows, names in the second.
+
+    Raises StudentTwice, NoStudents."""
+    filled = [row for row in rows if any(cell.strip() for cell in row)]
+    begins = next((k for k, row in enumerate(filled[:_BEFORE_HEAD]) if id_column(row) is not None), None)
+    head = [] if begins is None else filled[begins]
+    if any(folded(cell).startswith("sis ") for cell in head):
+        head = [_IN_CANVAS.get(folded(cell), cell) for cell in head]
+    rest = filled[0 if begins is None else begins + 1 :]
+    head = head or ["id", *(["name"] if len(rest[:1]) and len(rest[0]) > 1 else [])]
+    usable = [any(len(row) > k and row[k].strip() for row in rest) for k in range(len(head))]
+    at = id_column([cell if use else "" for cell, use in zip(head, usable, strict=True)])
+    students: dict[str, Student] = {}
+    for row in rest if at is not None else ():
+        if not (id := tidy_id(row[at]) if at is not None and at < len(row) else ""):
+            continue
+        if id in students:
+            raise StudentTwice(where, id)
+        cells = ((tidy_id(h), tidy_id(cell)) for k, (h, cell) in enumerate(zip(head, row)) if k != at and field_of(h))
+        students[id] = Student(id, tuple(cells) if begins is not None else tuple(c for c in cells if _is_name(c[1])))
+    if not students:
+        raise NoStudents(where)
+    return tuple(students.values())
+
+
+def id_column(head: Sequence[str]) -> int | None:
+    """The column that tells students apart best; None where no head stands for one."""
+    known = [folded(cell[:60]).replace("_", " ") for cell in head]
+    return next((known.index(name) for name, field in FIELDS.items() if name in known and field not in _PARTS), None)
+
+
+def stated_in(cells: Iterable[tuple[str, str]]) -> tuple[str, ...]:
+    """What stands under heads of columns, or after words and a colon, that say who a student is: the id first."""
+    known = [(field, text.strip()[:200]) for head, text in cells if text.strip() and (field := field_of(head))]
+    known.sort(key=lambda cell: [*_HEADS].index(cell[0]))
+    parts = " ".join(text for field, text in known if field in _PARTS)
+    return tuple(dict.fromkeys([*(text for field, text in known if field not in _PARTS), *([parts] if parts else [])]))
+
+
+_PARTS = ("given", "family")  # of a name
+
+
+def _is_name(text: str) -> bool:
+    return bool(text) and not any(letter.isdigit() for letter in text)
+
+
+class Roster:
+    """The students of a class by all they are called. Where they have nothing but ids, a platform's folder tells
+    nothing: the list is `bare`."""
+
+    def __init__(self, students: Iterable[Student]) -> None:
+        self.students = {student.id: student for student in students}
+        self._ids, self._numbers, self._names = (dict[str, set[str]]() for _ in range(3))
+        for student in self.students.values():
+            for field, text in _called(student):
+                number = _NUMBER.fullmatch(folded(text))
+                if number or field == "number":
+                    self._numbers.setdefault(number[1] if number else folded(text), set()).add(student.id)
+                if field == "name":
+                    for name in _orders(_PIECE.findall(folded(text))):
+                        self._names.setdefault(name, set()).add(student.id)
+                elif field != "number":
+                    self._ids.setdefault(folded(text), set()).add(student.id)
+        self.bare = not self._names and not self._numbers
+        self.named = lru_cache(maxsize=4096)(self._named)
+
+    def __reduce__(self) -> tuple[Callable[..., Roster], tuple[object, ...]]:
+        return Roster, (tuple(self.students.values()),)
+
+    def joined(self, others: Iterable[Student]) -> Roster:
+        """With what another list says of the same students, under the ids that they have here; and with its others."""
+        own, new = dict(self.students), list[Student]()
+        for other in others:
+            same = self.numbered(other.id).union(*(self._ids.get(folded(text), ()) for field, text in _called(other)
+                                                   if field in ("id", "login", "email")))  # fmt: skip
+            if len(same) == 1:
+                id = min(same)
+                own[id] = Student(id, (*own[id].names, *((("id", other.id),) if id != other.id else ()), *other.names))
+            else:
+                new.append(other)
+        return Roster([*own.values(), *new])
+
+    def numbered(self, text: str) -> frozenset[str]:
+        """Those whom a platform gives this number: `4460`, `Participant 4460`."""
+        number = _NUMBER.fullmatch(folded(text))
+        own = self._ids.get(folded(text), ()) if len(text) >= _OF_A_SCHOOL else ()
+        return frozenset(self._numbers.get(number[1] if number else folded(text), own))
+
+    def _named(self, text: str) -> tuple[frozenset[str], ...]:
+        """What a text says of whose it is: of each id and each name in it the students who have it."""
+        whole = folded(text)
+        pieces = [*islice(_PIECE.finditer(whole), _PIECES)]
+        if text in self.students or whole in self._ids:
+            return (frozenset({text} if text in self.students else self._ids[whole]),)
+        if alone := self._by_name([piece.group() for piece in pieces]):
+            return (alone,)
+        called, k = list[frozenset[str]](), 0
+        while k < len(pieces):
+            count, some = self._begins(whole, pieces[k : k + _RUN])
+            called += [some] if some else []
+            k += count
+        return tuple(called)
+
+    def _begins(self, whole: str, pieces: Sequence[re.Match[str]]) -> tuple[int, frozenset[str]]:
+        """Those whom the first of some pieces of a text name, the most that do so together, and how many these are."""
+        for count in range(len(pieces), 0, -1):
+            words = [piece.group() for piece in pieces[:count]]
+            text = whole[pieces[0].start() : pieces[count - 1].end()]
+            telling = len(text) >= _DECIMALS if text.isdecimal() else len(text) > 1
+            if telling and text in self._ids:
+                return count, frozenset(self._ids[text])
+            # a word in Latin letters may be any word
+            if (count > 1 or not text.isascii()) and (some := self._by_name(words)):
+                return count, some
+        word = pieces[0].group()
+        for length in range(len(word) - 1, 1, -1) if not word.isascii() else ():  # 朱霞洋作业三
+            starts = range(len(word) - length + 1) if length > 2 else (0, len(word) - length)
+            if some := frozenset[str]().union(*(self._names.get(word[k : k + length], ()) for k in starts)):
+                return 1, some
+        return 1, frozenset()
+
+    def _by_name(self, words: Sequence[str]) -> frozenset[str]:
+        if not 0 < len(words) <= _RUN:
+            return frozenset()
+        return frozenset().union(*(self._names.get(name, ()) for name in _orders(words)))
+
+    def whose(self, by: Owner, files: Sequence[str], lines: Sequence[str], where: Where) -> str:
+        """The id of the one student whose this is: by a folder, then by what files are called, then by lines inside.
+
+        Raises UnknownStudent, TwoNames, SameName."""
+        may, first = frozenset[str](), ""
+        ranks = [(by.number, (self.numbered(by.number),)), *((text, self.named(text)) for text in (by.folder, *files))]
+        of_platform = ranks[:2]
+        if by.number and not self.bare and not any(some for _, each in of_platform for some in each):
+            raise UnknownStudent(where, by.folder or by.number, self.nearest(by.folder))
+        for text, each in (*ranks, *((text, self.named(text)) for text in lines)):
+            for some in filter(None, each):
+                if may and not may & some:
+                    raise TwoNames(where, first, ", ".join(map(self.label, sorted(some))))
+                may, first = (may & some, first) if may else (some, tidy_id(text))
+        if len(may) == 1:
+            return min(may)
+        if may:
+            raise SameName(where, first, tuple(map(self.label, sorted(may))))
+        called = next((text for text in (*lines, by.folder, *files, by.student) if text.strip()), "")
+        raise UnknownStudent(where, tidy_id(called), self.nearest(called))
+
+    def label(self, id: str) -> str:
+        """The id, and the name where it is known."""
+        return " ".join((id, *[text for field, text in _called(self.students[id]) if field == "name"][:1]))
+
+    def nearest(self, text: str) -> tuple[str, ...]:
+        """Those who are called nearly so."""
+        if len(self.students) > _LARGE:
+            return ()
+        every = {text: min(ids) for table in (self._names, self._ids) for text, ids in table.items()}
+        words = _PIECE.findall(folded(text))
+        near = [one for word in dict.fromkeys(("".join(words), *words))
+                for one in difflib.get_close_matches(word, every, 3, 0.6)]  # fmt: skip
+        return tuple(dict.fromkeys(self.label(every[one]) for one in near))[:3]
+
+
+def _called(student: Student) -> Iterator[tuple[Field, str]]:
+    """All that a student is called, by its kind."""
+    cells = [("id", student.id), *((field_of(head), cell) for head, cell in student.names if cell)]
+    parts = {field: cell for field, cell in cells if field in _PARTS}
+    if parts:
+        yield "name", " ".join(parts.values())
+    yield from ((field, cell) for field, cell in cells if field is not None and field not in _PARTS)
+    if not parts and _is_name(student.id) and (" " in student.id or not student.id.isascii()):  # of a list of names
+        yield "name", student.id
+
+
+def _orders(words: Sequence[str]) -> list[str]:
+    """Words of a name as one, the given name first or the family's."""
+    return ["".join((*words[k:], *words[:k])) for k in range(len(words))]
+
+
+# --- folders of platforms, names of files -----------------------------------------------------------------------------
+
+_MOODLE = re.compile(r"(?P<name>[^/]+)_(?P<id>[0-9]+)_assignsubmission_[a-z]+(?:_|/|$)")
+_CANVAS = re.compile(r"(?P<name>[^_/]+)(?:_LATE)?_(?P<id>[0-9]+)_(?P<sub>[0-9]+)_(?P<file>[^/]+)$")
+
+
+@frozen
+class Owner:
+    """The one who handed in, as far as a place in an archive or a folder says.
+
+    student  the name of the results, where there is no list of students
+    group    what the files of one hand-in have in common
+    folder   what the platform, or a folder, says
+    number   the platform's own for the student
+    by_file  whether it is the file's own name that names a student
+    """
+
+    student: str
+    group: str
+    folder: str = ""
+    number: str = ""
+    by_file: bool = False
+
+
+def owner(path: str, root: str = "", alone: bool = False, roster: Roster | None = None) -> Owner:
+    """Of a file or of a member of an archive; `root` is the folder that all members share.
+
+    alone  a folder is no student's: each name in it is one
+    """
+    inner = path.removeprefix(root)
+    if (moodle := _MOODLE.search(inner)) is not None:
+        return Owner(tidy_id(moodle["id"]), inner[: moodle.end()], tidy_id(moodle["name"]), tidy_id(moodle["id"]))
+    whole = PurePosixPath(inner)
+    if (canvas := _CANVAS.search(inner)) is not None and not (roster and roster.named(whole.stem)):
+        number = tidy_id(canvas["id"])
+        return Owner(number, inner[: canvas.start("sub")], tidy_id(canvas["name"]), number)
+    for k, part in enumerate(whole.parts[:-1] if roster is not None else ()):
+        if roster is not None and roster.named(part):
+            return Owner(tidy_id(part), "/".join(whole.parts[: k + 1]), part)
+    stem = position_of(whole.stem)[0].rstrip() if whole.suffix.lower() in DRAWINGS else whole.stem
+    if roster is not None and len(some := roster.named(stem)) and len(one := some[0].intersection(*some)) == 1:
+        return Owner(tidy_id(stem), min(one), by_file=True)
+    if alone or "/" not in inner:
+        return Owner(tidy_id(stem), str(whole.with_name(stem or whole.stem)))
+    return Owner(tidy_id(whole.parent.name), str(whole.parent), whole.parent.name)
+
+
+def file_text(path: str, by: Owner) -> str:
+    """What a file is called, without what a platform puts before it."""
+    name = path.rpartition("/")[2]
+    for pattern in (_MOODLE, _CANVAS) if by.number else ():
+        if (match := pattern.search(name)) is not None:
+            name = match.groupdict().get("file") or name[match.end() :]
+    return position_of(PurePosixPath(name).stem)[0]
+
+
+_SUBMISSION = re.compile(r"^(\S[^:\n]*):\s*$", re.M)
+_SUBMITTER = re.compile(r"^\s*(?:- )?:(name|sid|email):[ \t]*(.*)$", re.M)
+GRADESCOPE = "submission_metadata.yml"
+
+
+def submitters(text: str) -> dict[str, Owner]:
+    """Of Gradescope's export: by folder (or file) of each submission those who handed it in."""
+    whose: dict[str, Owner] = {}
+    begins = [*_SUBMISSION.finditer(text)]
+    for match, end in zip(begins, [*(each.start() for each in begins[1:]), len(text)], strict=True):
+        cells = [(key, cell.strip(" '\"\r")) for key, cell in _SUBMITTER.findall(text, match.end(), end)]
+        names = [cell for _, cell in cells if cell]
+        id = next((cell for field in ("sid", "email", "name") for key, cell in cells if key == field and cell), "")
+        if id:
+            whose[match[1]] = Owner(tidy_id(id), match[1], "; ".join(names), names[0])
+    return whose
