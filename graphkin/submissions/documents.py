@@ -73,8 +73,8 @@ def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[StudentDocum
     second = next(filled, None)
     filled = chain([] if second is None else [second], filled)
     # `student, s1` over `omega 3, 3.92`, or over another such line, begins one student's table, and no class
-    below = _shown(second[1][0]) if second is not None and second[1] else ""
-    is_one = _is_head(below) and not any(map(_is_head, header[1:2]))
+    below = [_shown(cell) for cell in second[1]] if second is not None else []
+    is_one = (any(map(_is_head, below[:1])) or _is_question_table(below)) and not any(map(_is_head, header[1:2]))
     if id_column(header) is None or _is_question_table(header) or is_one:
         yield _one(chain(titles, [first], filled), where, limits)
         return

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
@@ -11,7 +10,7 @@ from pathlib import Path, PurePosixPath
 
 from graphkin import errors
 from graphkin.base.value import frozen
-from graphkin.errors import GraphkinError, Where
+from graphkin.errors import NOWHERE, GraphkinError, Where
 from graphkin.submissions import archives, documents, office
 from graphkin.submissions.answers import answers_at, named_at, of_file
 from graphkin.submissions.archives import decoded
@@ -104,18 +103,19 @@ class FirstOnes:
         self._seen: dict[str, Where] = {}
 
     @cached_property
-    def _named(self) -> Counter[str]:
-        """Students by the folders and files that bear a name of theirs, and, of a platform's folders whose names tell
-        nothing, by those in which a line says so."""
-        named = Counter[str]()
+    def _named(self) -> Mapping[str, tuple[set[str], set[str]]]:
+        """Of each student the folders and files that bear a name of theirs, and those of a platform's folders whose
+        names tell nothing in which a line says so."""
+        named: dict[str, tuple[set[str], set[str]]] = {}
         for handed in handed_in(self._paths, USUAL, self._roster):
             if handed.row is not None:
                 continue
             with suppress(GraphkinError):
-                if own := _by_names(handed.owner, [name for name, _ in handed.files], self._roster):
-                    named.update(dict.fromkeys(own, 2))
-                elif handed.owner.number and handed.reason is None:
-                    named[_whose(handed, _lines(_contents(handed, USUAL)), self._roster, Where(handed.file))] += 1
+                own, at = _by_names(handed.owner, [name for name, _ in handed.files], self._roster), 0
+                if not own and handed.owner.number and handed.reason is None:
+                    own, at = {_whose(handed, _lines(_contents(handed, USUAL)), self._roster, NOWHERE)}, 1
+                for student in own:
+                    named.setdefault(student, (set(), set()))[at].add(handed.file)
         return named
 
     def reason(self, student: str, file: str, place: str) -> errors.HandedTwice | errors.TwoNames | None:
@@ -123,9 +123,10 @@ class FirstOnes:
         if not place.isdecimal():
             name = place or Path(file).name
             own = owner(name, roster=self._roster), owner(name, alone=True)
-            by_name = any(student in _by_names(by, [name], self._roster) for by in own)
-            if not by_name and self._named[student] > 1:
-                return errors.TwoNames(Where(file), own[0].folder or own[0].student, student)
+            if not any(student in _by_names(by, [name], self._roster) for by in own):
+                by_name, by_line = self._named.get(student, (set(), set()))
+                if file not in by_name and (by_name or by_line - {file}):
+                    return errors.TwoNames(Where(file), own[0].folder or own[0].student, student)
         here = Where(file, int(place) if place.isdecimal() else None)
         first = self._seen.setdefault(student, here)
         return None if first is here else errors.HandedTwice(here, student, str(first))

@@ -279,7 +279,7 @@ def owner(path: str, root: str = "", alone: bool = False, roster: Roster | None 
     if (moodle := _MOODLE.search(inner)) is not None:
         return Owner(tidy_id(moodle["id"]), inner[: moodle.end()], tidy_id(moodle["name"]), tidy_id(moodle["id"]))
     whole = PurePosixPath(inner)
-    if (canvas := _CANVAS.search(inner)) is not None and not (roster and roster.named(whole.stem)):
+    if (canvas := _CANVAS.search(inner)) is not None:
         number = tidy_id(canvas["id"])
         return Owner(number, inner[: canvas.start("sub")], tidy_id(canvas["name"]), number)
     for k, part in enumerate(whole.parts[:-1] if roster is not None else ()):
