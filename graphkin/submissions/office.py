@@ -11,13 +11,15 @@ from typing import Any
 from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, NoNumbers, WantsExtra, Where
 from graphkin.submissions.archives import checked_zip
 from graphkin.submissions.documents import StudentDocument, of_one, read_text
-from graphkin.submissions.numbers import plane_named
+from graphkin.submissions.numbers import plain, plane_named
 from graphkin.submissions.questions import begins_like_one
+from graphkin.submissions.students import FIELDS
 from graphkin.submissions.submission import Limits
 
 _PAGES = 40  # of a PDF that are looked at
 _NUMBER = re.compile(r"[-+−–±]?\s*[0-9]")
-_WIDE = re.compile(r"\t|\s{3,}|[;；]")  # between things that stand beside each other in a line
+_WIDE = re.compile(rf"\t|\s{{3,}}|[;；]|\s+(?=(?:{'|'.join(map(re.escape, FIELDS))})\s*[:：])", re.I)
+"""Between things that stand beside each other in a line; a head of whose it is begins one."""
 _SYMBOL = re.compile(r"[^\W\d_]+")
 
 
@@ -81,7 +83,7 @@ def read_pdf(content: bytes, where: Where, limits: Limits) -> StudentDocument:
 
 def _cells(line: str) -> list[str] | None:
     """`ω2 3.92 rad/s`, a row of a table as a PDF has it: what is asked, and what is answered; None of other lines."""
-    words = line.split()
+    words = plain(line).split()
     at = next((k for k, word in enumerate(words) if k and _NUMBER.match(word)), 0)
     if at == 1 and _SYMBOL.fullmatch(words[0]) and len(words) > 2 and _NUMBER.match(words[2]):
         at = 2  # ω 3 3.92
