@@ -11,8 +11,6 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
-import numpy as np
-
 from graphkin import errors
 from graphkin.base.value import frozen
 from graphkin.errors import GraphkinError, Where
@@ -29,11 +27,8 @@ class Handed:
     """The files of one student, unread.
 
     owner    who it seems to be; a file may state an id itself
-    file     as results call it
-    place    line of the class table, or the member's name
-    files    names and bytes
-    row      a row of a class table, instead
-    reason   why there is nothing to read
+    file     as results call it; place: line of the class table, or the member's name
+    row      of a class table, instead of files by their names; reason: why there is nothing to read
     """
 
     owner: Owner
@@ -192,10 +187,8 @@ def _is_class_table(names: list[str]) -> bool:
 def _grouped(
     names: list[str], roster: Roster | None, by_folder: Mapping[str, Owner]
 ) -> Iterator[tuple[Owner, list[int]]]:
-    """The files of each hand-in, in the order of the first of each; of a large class hardly more is held than names.
-
-    A student's answers and drawing, in files of their own, are one; of two files of a kind the second is another.
-    """
+    """The files of each hand-in, in the order of the first of each. A student's answers and drawing, in files of their
+    own, are one; of two files of a kind the second is another."""
     root, shared, kinds = _root(names), set[int](), set[int]()
     for name in names:  # a folder with several files of one kind is a class's; a student's has answers and a drawing
         file, folder = PurePosixPath(name), name.rpartition("/")[0]
@@ -209,24 +202,14 @@ def _grouped(
             return own
         return owner(names[k], root, hash(names[k].rpartition("/")[0]) in shared, roster)
 
-    del kinds
-    number, times = dict[int, int](), Counter[int]()
-
-    def group(k: int) -> int:
-        by, file = of(k), PurePosixPath(names[k])
-        kind = hash((by.group, file.suffix.lower(), position_of(file.stem)[1]))
-        times[kind] += by.by_file
-        return hash((by.group, times[kind])) if by.by_file and times[kind] > 1 else hash(by.group)
-
-    groups = np.fromiter((number.setdefault(group(k), len(number)) for k in range(len(names))), np.int64)
-    del number
-    order = np.argsort(groups, kind="stable")
-    ends = np.flatnonzero(np.diff(groups[order], append=-1)) + 1
-    start = 0
-    for end in map(int, ends):
-        numbers = order[start:end].tolist()
-        yield of(numbers[0]), numbers
-        start = end
+    groups: dict[tuple[str, int], list[int]] = {}
+    times = Counter[tuple[str, str, int]]()
+    for k, name in enumerate(names):
+        by, file = of(k), PurePosixPath(name)
+        sort = (by.group, file.suffix.lower(), position_of(file.stem)[1])
+        groups.setdefault((by.group, times[sort]), []).append(k)
+        times[sort] += by.by_file
+    yield from ((of(numbers[0]), numbers) for numbers in groups.values())
 
 
 def _root(names: list[str]) -> str:

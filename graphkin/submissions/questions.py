@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import assert_never
 
 from graphkin.errors import GraphkinError
@@ -47,26 +48,22 @@ class Questions:
         self.mechanism = mechanism
         self.asked: dict[object, str] = {}
         self._words: dict[str, list[str]] = {}
-        self._read: dict[str, tuple[str, Quantity, str] | None] = {}
+        self.read = lru_cache(10_000)(self._read)
         for text in asked:
             if (quantity := _quietly(mechanism, text)) is not None:
                 self.asked.setdefault(_meaning(mechanism, quantity), text)
                 self._words.setdefault(quantity.word, []).append(text)
 
-    def read(self, text: str) -> tuple[str, Quantity, str] | None:
+    def _read(self, text: str) -> tuple[str, Quantity, str] | None:
         """The key's words for what a text names, the quantity, and the unit that stands with it ("" for none)."""
-        if text not in self._read:
-            if len(self._read) > 10_000:
-                self._read.clear()
-            self._read[text] = None
-            unit, quantity = "", self._quantity(text) if len(text) <= LONGEST else None
-            if quantity is None and len(text) <= LONGEST and (cut := _IN_UNIT.match(plain(text))) is not None:
-                unit = unit_named(next(unit for unit in cut.groups()[1:] if unit))
-                quantity = self._quantity(cut[1])
-            if quantity is not None:
-                own = quantity.text.replace(" ", "") if isinstance(quantity, Centre) else quantity.text
-                self._read[text] = self.asked.get(_meaning(self.mechanism, quantity), own), quantity, unit
-        return self._read[text]
+        unit, quantity = "", self._quantity(text) if len(text) <= LONGEST else None
+        if quantity is None and len(text) <= LONGEST and (cut := _IN_UNIT.match(plain(text))) is not None:
+            unit = unit_named(next(unit for unit in cut.groups()[1:] if unit))
+            quantity = self._quantity(cut[1])
+        if quantity is None:
+            return None
+        own = quantity.text.replace(" ", "") if isinstance(quantity, Centre) else quantity.text
+        return self.asked.get(_meaning(self.mechanism, quantity), own), quantity, unit
 
     def _quantity(self, text: str) -> Quantity | None:
         """By any of its spellings; `omega BC` by two points of link 2; a word alone, `a^k`, where the key asks for one

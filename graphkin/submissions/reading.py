@@ -32,18 +32,6 @@ _DOCUMENTS = {
 _INNER = 50  # files in an archive that a student hands in
 
 
-def read(
-    paths: Iterable[str | Path], asked: Key, limits: Limits = USUAL, roster: Roster | None = None
-) -> Iterator[Submission]:
-    """Every submission in these files, archives and folders, in order; a second one of a student says so."""
-    paths = [*paths]
-    seen = FirstOnes(paths, roster)
-    for handed in handed_in(paths, limits, roster):
-        one = read_one(handed, asked, limits, roster)
-        second = seen.reason(one.student, one.file, one.place) if one.reason is None else None
-        yield one if second is None else _refused(handed, one.student, second)
-
-
 def read_one(handed: Handed, asked: Key, limits: Limits = USUAL, roster: Roster | None = None) -> Submission:
     """A hand-in, read within its time. It never raises: an error of graphkin's own is a reason, too."""
     where = Where(handed.file)

@@ -65,7 +65,6 @@ def grade(
 
     judge   one key for all, or each student's own
     paths   answers, drawings, class tables, archives, folders; or files of marks, whose numbers are marked anew
-    workers, executor   who reads and marks them, as in `MarkingOptions`
 
     A submission that cannot be read or marked is a record with its reason; so is a second one of a student. Raises
     NoMarks, Unreadable of a file of marks.

@@ -203,6 +203,8 @@ def judge_from(source: str, pencils: Pencils = USUAL, students: Sequence[Student
     return OneKey(Marker(key), Roster(students) if students else None)
 
 
+# --- another student's numbers ----------------------------------------------------------------------------------------
+
 _FEWEST, _PART = 3, 0.8  # so many numbers, and this part of them, agree with one other problem
 _CHANCE = 0.01  # a hit that random numbers make more often, on some problem of the set, is no hint
 _READ = ("unit", "sort", "right", "scatter", "tolerance")  # of a key's quantities
@@ -255,17 +257,14 @@ class Neighbours:
         return AnotherStudent(self.students[best], int(agrees[best].sum()), len(some))
 
 
+# --- the problems that are to be marked -------------------------------------------------------------------------------
+
 _KEY, _SET = ".key.json", "key.json"
 
 
 @frozen
 class Problem:
-    """One problem.
-
-    name    "" where there is only one
-    key     as `judge_from` takes it
-    paths   what was handed in
-    """
+    """The name of a problem, "" where there is only one, its key, as `judge_from` takes it, and what was handed in."""
 
     name: str
     key: str

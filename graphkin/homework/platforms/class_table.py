@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from decimal import ROUND_HALF_UP, Decimal, InvalidOperation
 from pathlib import Path
 
@@ -16,8 +15,9 @@ from graphkin.errors import BrokenSubmission, Lang, NotAnOverride, Unreadable, W
 from graphkin.homework.platforms.feedback import habit, suspected
 from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.question import texts_in
-from graphkin.homework.platforms.result import Result, ResultLine
-from graphkin.homework.platforms.tables import HUNDREDTH, Cell, columns_of, read_table
+from graphkin.homework.platforms.result import Result, most_of, points_of
+from graphkin.homework.platforms.tables import HUNDREDTH, Cell, read_table
+from graphkin.marking.records import Judged
 from graphkin.say.catalogue import in_both, say
 from graphkin.say.marks import verdict
 
@@ -29,7 +29,7 @@ def quantities(results: Iterable[Result]) -> tuple[str, ...]:
     """All that is asked anywhere, as it is met first, and what is wrong on the way."""
     met: dict[str, bool] = {}
     for line in (line for result in results for line in result.lines):
-        met[line.name] = met.get(line.name, False) or bool(line.most) or line.verdict in ("wrong", "not read")
+        met[line.text] = met.get(line.text, False) or bool(most_of(line)) or line.verdict in ("wrong", "not read")
     return tuple(name for name, shown in met.items() if shown)
 
 
@@ -50,9 +50,9 @@ def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang, several:
             None if result.score is None else (result.score * 100).quantize(Decimal("0.01")),
         ]  # fmt: skip
         by_name: dict[str, tuple[Cell, Cell]] = {
-            line.name: (_cell(line, lang), None if line.written else line.points) for line in result.lines
+            line.text: (_cell(line, lang), None if line.written else points_of(line)) for line in result.lines
         }
-        unread = [line.name for line in result.lines if line.written]
+        unread = [line.text for line in result.lines if line.written]
         reasons = [say("marks.unread", lang, quantities=say("common.list", lang).join(unread))] if unread else []
         middle = [cell for name in names for cell in by_name.get(name, ("", None))]
         diagnosis = suspected(result.suspicions[0], lang) if result.suspicions else ""
@@ -62,7 +62,7 @@ def rows(results: Iterable[Result], names: tuple[str, ...], lang: Lang, several:
         yield [*row, *([say("common.semicolon", lang).join(habits)] if several else [])]
 
 
-def _cell(line: ResultLine, lang: Lang) -> str:
+def _cell(line: Judged, lang: Lang) -> str:
     """A verdict; of an answer that was not read with what was written."""
     text = verdict(line, lang)
     return f'{text} "{one_line(line.written)}"' if line.written else text
@@ -110,12 +110,6 @@ class Overrides:
         return tuple(each for each in self.kept if each not in self._met)
 
 
-def overridden(results: Iterable[Result], overrides: Overrides) -> Iterator[Result]:
-    """The results with the teacher's points."""
-    for result in results:
-        yield replace(result, override=overrides.of(result))
-
-
 def read_overrides(path: Path) -> Overrides:
     """The column `override` of a class table; none where there is no table. Raises Unreadable, NotAnOverride."""
     try:
@@ -127,7 +121,7 @@ def read_overrides(path: Path) -> Overrides:
 
 
 def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Override]:
-    columns = columns_of(next(table, []))
+    columns = {name.strip(): k for k, name in reversed([*enumerate(next(table, []))])}  # the first of several
     student, file, override = (
         next((columns[name] for name in in_both(f"platforms.column {key}").values() if name in columns), None)
         for key in ("student", "file", "override")

@@ -10,9 +10,10 @@ from graphkin.base.value import frozen
 from graphkin.errors import Lang
 from graphkin.homework.platforms.markup import one_line
 from graphkin.homework.platforms.question import texts_in
-from graphkin.homework.platforms.result import Result, ResultLine, ResultPicture, Suspicion
+from graphkin.homework.platforms.result import Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import exponentless
-from graphkin.marking.diagnosis import SLIP, Habit
+from graphkin.marking.diagnosis import SLIP, Explanation, Habit
+from graphkin.marking.records import Judged
 from graphkin.marking.scene import MISTAKES
 from graphkin.model.quantities import EDGE
 from graphkin.model.quantities.reading import respelled
@@ -50,14 +51,14 @@ def table(page: Feedback) -> Iterator[tuple[str, ...]]:
         numbers = [line.given, *([line.right, line.tolerance] if page.reveal == "answer" else [])]
         values = ["" if x is None else shown(x, line.unit) for x in numbers]
         values[0] = values[0] or one_line(line.written)
-        points, most = exponentless(line.points), exponentless(line.most)
-        worth = say("feedback.of", page.lang, points=points, most=most) if line.most else ""
-        yield (as_on_sheets(page.result, line.name), *values, verdict(line, page.lang), worth)
+        points, most = exponentless(points_of(line)), exponentless(most_of(line))
+        worth = say("feedback.of", page.lang, points=points, most=most) if most_of(line) else ""
+        yield (as_on_sheets(page.result, line.text), *values, verdict(line, page.lang), worth)
 
 
 def as_on_sheets(result: Result, text: str) -> str:
     """A text with the quantities and the arrows of the problem as the sheets write them: ω3, aᵏ_B3B2."""
-    known = {name for line in result.lines for name in (line.name, line.name.split(" #")[0].split(" @")[0])}
+    known = {name for line in result.lines for name in (line.text, line.text.split(" #")[0].split(" @")[0])}
     turning = ("theta ", "omega ", "alpha ")
     typed = respelled(text, lambda typed: symbols(typed) if typed in known or typed.startswith(turning) else typed)
     return re.sub(r"\b[va]\^[nktr]_[\w@]+", lambda arrow: vector(arrow[0]), typed)
@@ -68,7 +69,7 @@ def under_table(page: Feedback) -> Iterator[str]:
     result, lang = page.result, page.lang
     for line in result.lines:
         for text in arithmetic(result, line, lang, page.reveal):
-            name = as_on_sheets(result, line.name)
+            name = as_on_sheets(result, line.text)
             yield say("feedback.stop", lang, text=say("feedback.line", lang, name=name, verdict=text))
     if any(line.verdict == "carried" for line in result.lines):
         yield say("verdicts.carried means", lang)
@@ -97,9 +98,9 @@ def reason(result: Result, lang: Lang) -> str:
     return say("feedback.not marked why", lang, reason=why)
 
 
-def quantity(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> str:
+def quantity(result: Result, line: Judged, lang: Lang, reveal: Reveal) -> str:
     """One quantity: verdict, the number that was handed in, the right one where that is told, points."""
-    texts = [say("feedback.line", lang, name=as_on_sheets(result, line.name), verdict=verdict(line, lang))]
+    texts = [say("feedback.line", lang, name=as_on_sheets(result, line.text), verdict=verdict(line, lang))]
     if line.given is not None:
         texts.append(say("feedback.given", lang, value=shown(line.given, line.unit)))
     elif line.written:
@@ -108,19 +109,20 @@ def quantity(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> st
     if reveal == "answer":
         right, tolerance = shown(line.right, line.unit), shown(line.tolerance, line.unit)
         texts.append(say("feedback.answer", lang, value=right, tolerance=tolerance))
-    if line.most:
-        texts.append(say("feedback.points of", lang, points=exponentless(line.points), most=exponentless(line.most)))
+    if most := most_of(line):
+        earned = exponentless(points_of(line))
+        texts.append(say("feedback.points of", lang, points=earned, most=exponentless(most)))
     return say("common.semicolon", lang).join(texts)
 
 
-def arithmetic(result: Result, line: ResultLine, lang: Lang, reveal: Reveal) -> Iterator[str]:
+def arithmetic(result: Result, line: Judged, lang: Lang, reveal: Reveal) -> Iterator[str]:
     """`judged with your omega 3 = 5.65 rad/s: it should be 3.63 m/s^2: yes`, where that may be told."""
     shows = reveal == "answer" or (reveal == "mistake" and line.verdict == "carried")
-    useful = line.verdict == "carried" or not any(line.name in one.explains for one in result.suspicions)
+    useful = line.verdict == "carried" or not any(line.text in one.explains for one in result.suspicions)
     if line.of_mistake:
         yield from [] if reveal == "hint" else [say("feedback.follows", lang)]
     elif line.carried is not None and line.own and shows and useful:
-        units = {other.name: other.unit for other in result.lines}
+        units = {other.text: other.unit for other in result.lines}
         values = (f"{as_on_sheets(result, name)} = {shown(x, units.get(name, ''))}" for name, x in line.own.items())
         own = say("common.list", lang).join(values)
         agrees = say("feedback.yes" if line.verdict == "carried" else "feedback.no", lang)
@@ -159,18 +161,18 @@ def habit(one: Habit, lang: Lang) -> str:
     return joined([mistake_kind(id, lang) for id in one.ids], lang)
 
 
-def _hints(one: Suspicion | Habit, lang: Lang) -> list[str]:
+def _hints(one: Explanation | Habit, lang: Lang) -> list[str]:
     topics = dict.fromkeys(SLIP if id == SLIP else MISTAKES[id].topic for id in one.ids if id in (SLIP, *MISTAKES))
     return [mistake_hint(topic, lang) for topic in topics]
 
 
-def suspected(one: Suspicion, lang: Lang) -> str:
-    """The mistakes in words, or by their ids."""
+def suspected(one: Explanation, lang: Lang) -> str:
+    """The mistakes in words."""
     return joined(_in_words(one, lang), lang)
 
 
-def _in_words(one: Suspicion, lang: Lang) -> list[str]:
-    return [mistakes_together(names, lang) for names in one.names] or list(one.ids)
+def _in_words(one: Explanation, lang: Lang) -> list[str]:
+    return [mistakes_together(names, lang) for names in one.names]
 
 
 def points_that_count(result: Result, lang: Lang) -> Iterator[str]:

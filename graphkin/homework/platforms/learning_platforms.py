@@ -18,10 +18,10 @@ from typing import TypeVar
 from graphkin.base.plain import Plain
 from graphkin.base.value import frozen
 from graphkin.errors import Lang
-from graphkin.homework.platforms.feedback import Feedback, Reveal, diagnosis, lines, points_that_count, quantity, reason
+from graphkin.homework.platforms.feedback import Reveal, diagnosis, lines, points_that_count, quantity, reason
 from graphkin.homework.platforms.markup import clean, in_html, inside
-from graphkin.homework.platforms.pages import KINDS, Page, html
-from graphkin.homework.platforms.result import FORMAT, Result, ResultPicture
+from graphkin.homework.platforms.pages import KINDS, Page
+from graphkin.homework.platforms.result import FORMAT, Result, ResultPicture, most_of, points_of
 from graphkin.homework.platforms.tables import line
 from graphkin.say.catalogue import say
 
@@ -88,11 +88,6 @@ def moodle_grades(results: Iterable[Result], lang: Lang, reveal: Reveal) -> Iter
         yield line((f"Participant {name.id}", name.who, "", result.total, result.most, "", comment))
 
 
-def moodle_feedback(results: Iterable[Result], page: Callable[[Result], Feedback]) -> Iterator[tuple[str, bytes]]:
-    """The pages of the zip."""
-    yield from ((name.name, html(page(result))) for name, result in named(results, moodle))
-
-
 def canvas_grades(results: Iterable[Result], assignment: str, most: Decimal) -> Iterator[str]:
     """The gradebook, row by row, without files that Canvas has not named."""
     yield line((*_CANVAS_FRONT, assignment))
@@ -100,15 +95,9 @@ def canvas_grades(results: Iterable[Result], assignment: str, most: Decimal) -> 
     yield from (line((name.who, name.id, "", "", "", result.total)) for name, result in named(results, canvas))
 
 
-def canvas_feedback(results: Iterable[Result], page: Callable[[Result], Feedback]) -> Iterator[tuple[str, bytes]]:
-    """The files of the zip: Canvas shows each under the name that was handed in, so it is of the same kind."""
-    for name, result in named(results, canvas):
-        if (write := canvas_page(name.name)) is not None:
-            yield name.name, write(page(result))
-
-
 def canvas_page(name: str) -> Page | None:
-    """The writer of feedback of the kind of a file; None where there is none."""
+    """The writer of feedback of the kind of a file, as Canvas shows it under the name that was handed in; None where
+    there is none."""
     return KINDS.get(PurePosixPath(name).suffix.lower())
 
 
@@ -120,10 +109,10 @@ def gradescope_json(result: Result, lang: Lang, reveal: Reveal) -> bytes:
     Gradescope shows a failed run and no zero."""
     tests: list[Plain] = []
     for each in result.lines:
-        good = each.verdict not in ("wrong", "missing", "not read") and each.points >= each.most
-        test = _gradescope_test(each.name, quantity(result, each, lang, reveal), "passed" if good else "failed")
-        worth = {"score": float(each.points), "max_score": float(each.most)}
-        tests.append({**test, **worth} if each.most else test)
+        good = each.verdict not in ("wrong", "missing", "not read") and points_of(each) >= most_of(each)
+        test = _gradescope_test(each.text, quantity(result, each, lang, reveal), "passed" if good else "failed")
+        worth = {"score": float(points_of(each)), "max_score": float(most_of(each))}
+        tests.append({**test, **worth} if most_of(each) else test)
     if text := " ".join(diagnosis(result, lang, reveal)):
         tests.append(_gradescope_test(say("feedback.diagnosis", lang), text, "failed"))
     if result.status == "not marked":
@@ -167,8 +156,8 @@ def _prairielearn(result: Result, lang: Lang, reveal: Reveal, pictures: Sequence
         return {"gradable": False, "format_errors": [clean(reason(result, lang))], **mark}
     texts = [*points_that_count(result, lang)]
     tests = [
-        _prairielearn_test(each.name, float(each.points), float(each.most), quantity(result, each, lang, reveal))
-        for each in result.lines
+        _prairielearn_test(one.text, float(points_of(one)), float(most_of(one)), quantity(result, one, lang, reveal))
+        for one in result.lines
     ]
     if text := " ".join(diagnosis(result, lang, reveal)):
         tests.append(_prairielearn_test(say("feedback.diagnosis", lang), 0.0, 0.0, text))

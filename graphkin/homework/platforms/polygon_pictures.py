@@ -12,9 +12,10 @@ from collections.abc import Mapping, Sequence
 from graphkin.errors import Lang, OwnFault, Where
 from graphkin.homework.grading import SetMarker
 from graphkin.homework.platforms.feedback import Reveal, as_on_sheets
-from graphkin.homework.platforms.result import Result, ResultPicture, Suspicion
+from graphkin.homework.platforms.result import Result, ResultPicture
 from graphkin.marking import Rewrite, rewrites
 from graphkin.marking.consequences import DrawingComparison, compare_drawings
+from graphkin.marking.diagnosis import Explanation
 from graphkin.marking.key import Name
 from graphkin.marking.marker import Marker
 from graphkin.model.quantities import position_of
@@ -100,6 +101,6 @@ class PolygonPictures:
         return next(iter(known), ()), None
 
 
-def _position(one: Suspicion) -> int:
+def _position(one: Explanation) -> int:
     """The first at which it explains something."""
     return position_of(one.explains[0])[1] if one.explains else 1

@@ -16,7 +16,7 @@ from graphkin.errors import CannotWrite, Lang
 from graphkin.homework.platforms import class_table
 from graphkin.homework.platforms import learning_platforms as platform_files
 from graphkin.homework.platforms.class_report import class_report, report_record, report_text, write_class_figure
-from graphkin.homework.platforms.class_table import Overrides, overridden, read_overrides
+from graphkin.homework.platforms.class_table import Overrides, read_overrides
 from graphkin.homework.platforms.feedback import Feedback, Reveal
 from graphkin.homework.platforms.learning_platforms import Named, canvas, moodle
 from graphkin.homework.platforms.markup import ZIP_MARKS, clean, pack
@@ -67,10 +67,11 @@ class Order:
     def __iter__(self) -> Iterator[Result]:
         """The results, with the teacher's points and habits; what was not marked, or not read as a
         whole, is of as many as the others."""
-        for result in overridden(self.results, self.overrides):
+        for result in self.results:
             own = [traces[result.student] for traces in self.several if result.lines and result.student in traces]
             whole = bool(result.lines) and not any(line.written for line in result.lines)
-            yield replace(result, most=result.most if whole else self.most, habits=habits(own))
+            most, override = result.most if whole else self.most, self.overrides.of(result)
+            yield replace(result, override=override, most=most, habits=habits(own))
 
     def page(self, result: Result) -> Feedback:
         """A student's feedback, with pictures."""
@@ -98,8 +99,6 @@ def write_results(
 ) -> WrittenResults:  # fmt: skip
     """Results into a folder, which is made where it is not there.
 
-    results   as `read_results` gives them
-    kind      of RESULTS
     pictures  makes those of a student's page (`PolygonPictures`); none where left out
     several   of all problems of which this is one, as `read_traces` gives them
 
@@ -146,7 +145,8 @@ def _moodle(order: Order) -> WrittenResults:
     grades = order.lines(
         "moodle-grades.csv", platform_files.moodle_grades(order, order.lang, order.reveal), (b"Identifier,Full name,",),
     )  # fmt: skip
-    feedback = order.packed("moodle-feedback.zip", platform_files.moodle_feedback(order, order.page))
+    pages = ((name.name, html(order.page(result))) for name, result in platform_files.named(order, moodle))
+    feedback = order.packed("moodle-feedback.zip", pages)
     return WrittenResults((grades, feedback), tuple(_unnamed(order, moodle, "Moodle")))
 
 
@@ -154,7 +154,10 @@ def _canvas(order: Order) -> WrittenResults:
     grades = order.lines(
         "canvas-grades.csv", platform_files.canvas_grades(order, order.assignment, order.most), (b"Points Possible,",),
     )  # fmt: skip
-    feedback = order.packed("canvas-feedback.zip", platform_files.canvas_feedback(order, order.page))
+    named = platform_files.named(order, canvas)
+    writers = ((name.name, platform_files.canvas_page(name.name), result) for name, result in named)
+    pages = ((name, write(order.page(result))) for name, write, result in writers if write is not None)
+    feedback = order.packed("canvas-feedback.zip", pages)
     names = (name.name for name, _ in platform_files.named(order.results, canvas))
     kinds = Counter(Path(name).suffix for name in names if platform_files.canvas_page(name) is None)
     unwritten = (

@@ -9,7 +9,7 @@ from __future__ import annotations
 import csv
 import io
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from decimal import ROUND_HALF_UP, ROUND_UP, Decimal
 from pathlib import Path
 from xml.sax.saxutils import escape
@@ -101,11 +101,6 @@ def read_table(path: Path) -> Iterator[list[str]]:
     with path.open("rb") as file:
         for _, row in csv_cells(file, Where(str(path))):
             yield [unharmed(clean(str(cell))) for cell in row]
-
-
-def columns_of(head: Sequence[str]) -> dict[str, int]:
-    """The number of each column by its header; the first of several."""
-    return {name.strip(): k for k, name in reversed(list(enumerate(head)))}
 
 
 # --- workbooks --------------------------------------------------------------------------------------------------------
