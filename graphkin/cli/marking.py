@@ -173,7 +173,7 @@ class _Grading:
                 path = self.output / problem.name / MARKS if self.kinds else self.output
                 self._write_records(path, judge, problem, settings)
         if self.output is not None and self.kinds:
-            self._write_folders([self.output / problem.name / MARKS for problem in problems], judges)
+            self._write_folders([self.output / problem.name / MARKS for problem in problems], judges, problems)
 
     def _print(self, problem: str, records: Iterable[Graded]) -> None:
         """Each as it comes."""
@@ -192,7 +192,7 @@ class _Grading:
         """All records in one file. What a marking that was broken off has left is gone on with, and left again."""
         from graphkin.homework import grading, platforms
         from graphkin.outputs import marks_json
-        from graphkin.say.marks import interrupted
+        from graphkin.say.marks import interrupted, kept_lines
 
         if self.kinds:
             platforms.prepared(path.parent)
@@ -205,6 +205,8 @@ class _Grading:
             click.echo(interrupted(path, self.lang), err=True)
             raise
         click.echo(str(path), err=self.as_json)
+        for line in kept_lines(journal.kept, journal.replaced, self.lang):
+            click.echo(line, err=True)
 
     def _printed(self, problem: str, records: Iterable[Mapping[str, Any]]) -> Iterator[Mapping[str, Any]]:
         """Each record, once its line is printed where lines are wanted."""
@@ -215,19 +217,23 @@ class _Grading:
                 click.echo(_line(problem, marks_json.line_of(record)))
             yield record
 
-    def _write_folders(self, files: Sequence[Path], judges: Sequence[SetMarker]) -> None:
-        """Everything else, made of the records; several problems of a student are seen together."""
+    def _write_folders(
+        self, files: Sequence[Path], judges: Sequence[SetMarker], problems: Sequence[Problem]
+    ) -> None:
+        """Everything else, made of the records; several problems of a student are seen together. What teachers wrote
+        beside files of marks that are marked anew goes with these."""
         from graphkin.homework import platforms
 
         several = [platforms.read_traces(file) for file in files] if len(files) > 1 else []
-        for file, judge in zip(files, judges, strict=True):
+        for file, judge, problem in zip(files, judges, problems, strict=True):
             results, pictures = platforms.read_results(file), platforms.PolygonPictures(judge)
-            for kind in dict.fromkeys(self.kinds):
+            merged = [path.parent for path in map(Path, problem.paths) if path.name == MARKS and path != file]
+            for kind in dict.fromkeys((*self.kinds, *(["csv"] if merged else []))):
                 if kind == "json":
                     continue
                 done = platforms.write_results(
                     file.parent, results, kind, self.lang, self.reveal, assignment=self.assignment,
-                    pictures=pictures, force=self.force, several=several,
+                    pictures=pictures, force=self.force, several=several, merged=merged,
                 )  # fmt: skip
                 click.echo("\n".join(map(str, done.paths)), err=self.as_json)
                 for line in done.left_out:

@@ -96,6 +96,19 @@ def records_of(path: Path) -> Iterator[Read]:
             yield earlier_reading(record, where)
 
 
+def merged(paths: Sequence[Path]) -> Iterator[Read]:
+    """The records of several graders: what more than one of them have of a student once, marked where one of them has
+    marked it. Raises what reading one raises."""
+    every = [(one, (one.work.student, one.place or Path(one.file).name)) for path in paths for one in records_of(path)]
+    some = {at for one, at in every if one.reason is None}
+    met = set[object]()
+    for one, at in every:
+        what = at if one.reason is not None else repr(one.work)
+        if what not in met and (one.reason is None or at not in some):
+            met.add(what)
+            yield one
+
+
 @frozen
 class StoredRecord:
     """A submission whose record there is and holds: whose it is, whether it was marked, and its fingerprint."""

@@ -8,7 +8,7 @@ that were read then are marked anew; all else is read.
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from concurrent.futures import Executor
 from functools import partial
 from itertools import chain
@@ -80,8 +80,14 @@ def grade(
 def items(
     paths: Iterable[str | Path], options: MarkingOptions, roster: Roster | None = None
 ) -> Iterator[Handed | Read]:
-    """Submissions, one after another, in the order of the files."""
+    """Submissions, one after another, in the order of the files; what several files of marks have in common once."""
+    paths = [*paths]
+    marks = [Path(path) for path in paths if batches.is_marks(path)]
+    if len(marks) > 1:
+        yield from batches.merged(marks)
     for path in paths:
+        if len(marks) > 1 and Path(path) in marks:
+            continue
         if batches.is_marks(path):
             yield from batches.records_of(Path(path))
         else:
@@ -147,12 +153,18 @@ class Journal:
 
     The file is there as long as the marking is not whole: what was ended at any moment has lost at most the line it
     was writing.
+
+    before    the records that the file of marks has
+    kept      how many of these stay, of students and files that are not handed in now
+    replaced  students whose work is other than it was: what was marked then, and what is now
     """
 
     def __init__(self, path: Path, force: bool = False) -> None:
-        """Raises FileInTheWay, NoFolder, CannotWrite."""
+        """Raises FileInTheWay, NoFolder, CannotWrite, NoMarks."""
         self.path, self.beside = path, path.with_name(path.name + SUFFIX)
         self.records: dict[str, Record] = {}
+        self.before: list[Record] = []
+        self.kept, self.replaced = 0, list[tuple[str, str, str]]()
         refuse(path, force, MARKS)
         refuse(self.beside, force, [HEAD.strip().encode()])
 
@@ -160,7 +172,10 @@ class Journal:
         try:
             for path in (self.path, self.beside):
                 # the last record of each submission; a line that was cut or changed is none
-                for _, record in records_in(path, errors="replace") if path.is_file() else ():
+                for number, record in records_in(path, errors="replace") if path.is_file() else ():
+                    if path == self.path:
+                        batches.earlier_reading(record or {}, Where(str(path), number))
+                        self.before += [record] if record else []
                     prints = None if record is None else record.get("fingerprints")
                     if record is not None and isinstance(prints, list) and prints:
                         self.records[str(prints[0])] = record
@@ -194,20 +209,65 @@ def resumed(
     judge: SetMarker, paths: Iterable[str | Path], journal: Journal, options: MarkingOptions,
     written: Callable[[Graded], Record],
 ) -> Iterator[Record]:  # fmt: skip
-    """The record of every submission, in order; what is new is in the journal before it is given out.
+    """The record of every submission, in order; what is new is in the journal before it is given out. Then those of
+    students who are in the file of marks and have handed in nothing now, by the key of now where it asks the same.
 
     written   makes the record of one, as `outputs.marks_json` does in a language, which `options.words` names
     """
     paths = [*paths]
     rest = (_still_to_do(item, judge, journal, options) for item in items(paths, options, judge.roster))
+    newest: dict[str, Record] = {}
+    places: set[tuple[str, str]] = set()
     for one in run(judge, rest, options, paths):
-        if isinstance(one, StoredRecord):
-            yield journal.records[one.handed]
-            continue
-        new = written(one)
-        if one.prints:
+        new = journal.records[one.handed] if isinstance(one, StoredRecord) else written(one)
+        if isinstance(one, Graded) and one.prints:
             journal.add(new)
+        if one.student not in newest or one.marked:
+            newest[one.student] = {key: new.get(key) for key in ("status", *_PLACE, "fingerprints")}
+        places.add((one.file, one.place))
         yield new
+    yield from _kept(judge, journal, options, written, newest, places)
+
+
+_PLACE = ("file", "place")
+
+
+def _kept(
+    judge: SetMarker, journal: Journal, options: MarkingOptions, written: Callable[[Graded], Record],
+    newest: Mapping[str, Record], places: Container[tuple[str, str]],
+) -> Iterator[Record]:  # fmt: skip
+    """The earlier records that nothing takes the place of: a student's marks are given up for other marks alone, or
+    where the same file is read otherwise. Marked anew where the key is another that asks the same."""
+    kept: list[Record] = []
+    for old in journal.before:
+        now, (file, place) = newest.get(old["student"]), (old[key] for key in _PLACE)
+        again = (file, place) in places and not (place.isdecimal() and old["status"] == "marked")
+        if not again and (now is None or (now["status"] != "marked" and old["status"] == "marked")):
+            kept.append(old)
+        elif now is not None and old["status"] == "marked" and _work(now) != _work(old):
+            journal.replaced.append((old["student"], _shown(old), _shown(now)))
+    anew: dict[int, Read] = {}
+    for k, old in enumerate(kept):
+        before = batches.earlier_reading(old, Where(str(journal.path)))
+        *_, asks, key = ("", "", *before.prints)
+        student = before.work.student
+        if before.reason is None and asks and key != judge.key_print(student):
+            anew |= {k: before} if asks == batches.asked_print(judge, student) else {}
+    journal.kept = len(kept)
+    marks = run(judge, anew.values(), options, ())
+    for k, old in enumerate(kept):
+        one = next(marks) if k in anew else None
+        yield written(one) if isinstance(one, Graded) and one.marked else old
+
+
+def _work(record: Record) -> object:
+    """A fingerprint of what was handed in, or where it stands."""
+    return (record.get("fingerprints") or [[record[key] for key in _PLACE]])[0]
+
+
+def _shown(record: Record) -> str:
+    """Where a submission stands; a row of a table with its line."""
+    return f"{record['file']}:{record['place']}" if str(record["place"]).isdecimal() else str(record["file"])
 
 
 def _still_to_do(item: Handed | Read, judge: SetMarker, journal: Journal, options: MarkingOptions) -> Item:
