@@ -41,7 +41,14 @@ _IN_CANVAS = {"student": "name", "id": "identifier"}  # its gradebook calls the 
 _NUMBER = re.compile(r"(?:participant|参与者|参加者|标识符)\s*([0-9]+)")
 _CJK = "\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af"
 _PIECE = re.compile(rf"[{_CJK}]+|[^\W_{_CJK}]+")
-_PIECES, _RUN, _LONGEST = 40, 8, 4  # of a text; in a row that are an id, and a name
+_HARD = re.compile(r"[^\s.,'’·]")  # between words that are not of one name
+_WORDS = re.compile(
+    r"\b(?:hw|homework|assignment|answers?|work|problem|report|submission|final|draft|copy|new|of|by)\b"
+    r"|第[一二三四五六七八九十]+[次章题]|大?作业|答案|答题[表卡]?|终稿|初稿|最终版?|修改版?|补[充交]|机械原理|机构"
+    r"|运动简?图|加?速度图?|多边形|矢量图?|实验|报告|提交|姓名|学号"
+)
+"""Words in names of files, that are none of a student's."""
+_PIECES, _RUN = 40, 8  # of a text; in a row that are an id or a name
 _DECIMALS = 4  # a shorter number in the midst of a name may be anything
 _OF_A_SCHOOL = 8  # so long a number is no platform's, but an id
 _LARGE = 5000  # in larger classes nobody is looked for who is nearly called so
@@ -157,40 +164,47 @@ class Roster:
         return frozenset(self._numbers.get(number[1] if number else folded(text), own))
 
     def _named(self, text: str) -> tuple[frozenset[str], ...]:
-        """What a text says of whose it is: of each id and each name in it the students who have it."""
+        """What a text says of whose it is: of each id and each name in it the students who have it. A name is all
+        that stands there between ids, numbers and words that are in many files' names: 李明华 is not 李明."""
         whole = folded(text)
-        pieces = [*islice(_PIECE.finditer(whole), _PIECES)]
         if text in self.students or whole in self._ids:
             return (frozenset({text} if text in self.students else self._ids[whole]),)
-        if alone := self._by_name([piece.group() for piece in pieces]):
-            return (alone,)
-        called, k = list[frozenset[str]](), 0
+        pieces = [*islice(_PIECE.finditer(_WORDS.sub(lambda word: " " * len(word[0]), whole)), _PIECES)]
+        called, runs, k = list[frozenset[str]](), [list[re.Match[str]]()], 0
         while k < len(pieces):
-            count, some = self._begins(whole, pieces[k : k + _RUN])
+            count, some = self._id_at(whole, pieces[k : k + _RUN])
             called += [some] if some else []
+            if some or any(letter.isdigit() for letter in pieces[k].group()):
+                runs.append([])
+            else:
+                runs[-1].append(pieces[k])
             k += count
+        for run in runs:
+            some = self._by_name([piece.group() for piece in run], alone=len(run) == len(pieces))
+            called += [some] if some else self._of_parts(whole, run)
         return tuple(called)
 
-    def _begins(self, whole: str, pieces: Sequence[re.Match[str]]) -> tuple[int, frozenset[str]]:
-        """Those whom the first of some pieces of a text name, the most that do so together, and how many these are."""
+    def _id_at(self, whole: str, pieces: Sequence[re.Match[str]]) -> tuple[int, frozenset[str]]:
+        """Those whose id the first of some pieces of a text are, the most that are one, and how many these are."""
         for count in range(len(pieces), 0, -1):
-            words = [piece.group() for piece in pieces[:count]]
             text = whole[pieces[0].start() : pieces[count - 1].end()]
-            telling = len(text) >= _DECIMALS if text.isdecimal() else len(text) > 1
-            if telling and text in self._ids:
+            if text in self._ids and len(text) >= (_DECIMALS if text.isdecimal() else 2):
                 return count, frozenset(self._ids[text])
-            # a word in Latin letters may be any word
-            if (count > 1 or not text.isascii()) and (some := self._by_name(words)):
-                return count, some
-        word = pieces[0].group()
-        for length in range(len(word) - 1, 1, -1) if not word.isascii() else ():  # 朱霞洋作业三
-            starts = range(len(word) - length + 1) if length > 2 else (0, len(word) - length)
-            if some := frozenset[str]().union(*(self._names.get(word[k : k + length], ()) for k in starts)):
-                return 1, some
         return 1, frozenset()
 
-    def _by_name(self, words: Sequence[str]) -> frozenset[str]:
-        if not 0 < len(words) <= _RUN:
+    def _of_parts(self, whole: str, run: Sequence[re.Match[str]]) -> Iterator[frozenset[str]]:
+        """Those who are named by what stands between hyphens and the like, or in letters of one kind."""
+        parts: list[list[str]] = []
+        for before, piece in zip((None, *run), run):
+            one = before is not None and (before.group() + piece.group()).isascii()
+            if before is None or not one or _HARD.search(whole[before.end() : piece.start()]):
+                parts.append([])
+            parts[-1].append(piece.group())
+        return filter(None, map(self._by_name, parts))
+
+    def _by_name(self, words: Sequence[str], alone: bool = False) -> frozenset[str]:
+        """Those of a name; one word in Latin letters may be any word, where it does not stand `alone`."""
+        if not 0 < len(words) <= _RUN or (len(words) == 1 and words[0].isascii() and not alone):
             return frozenset()
         return frozenset().union(*(self._names.get(name, ()) for name in _orders(words)))
 
