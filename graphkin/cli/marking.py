@@ -164,8 +164,7 @@ class _Grading:
         pencils = pencils_of(self.pencil, self.sigmas, self.relative)
         names = tuple(name.strip() for name in self.letters.split(",") if name.strip())
         settings = grading.MarkingOptions(Limits(turned=self.turned, names=names), self.jobs, words=self.lang)
-        students = grading.class_list(self.roster) if self.roster is not None else ()
-        judges = [grading.judge_from(problem.key, pencils, students) for problem in problems]
+        judges = [grading.judge_from(problem.key, pencils, self.roster) for problem in problems]
         for problem, judge in zip(problems, judges, strict=True):
             if self.output is None:
                 self._print(problem.name, grading.grade(judge, problem.paths, settings.limits, workers=self.jobs))

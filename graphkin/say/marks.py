@@ -74,13 +74,7 @@ def kept_lines(kept: int, replaced: Sequence[tuple[str, str, str]], lang: Lang) 
     """What became of the records that were there: how many stay, and which work is another now."""
     if kept:
         yield say("marks.kept", lang, count=kept)
-    for student, old, new in replaced[:_TOLD]:
-        yield say("marks.replaced", lang, student=student, old=old, new=new)
-    if len(replaced) > _TOLD:
-        yield say("marks.replaced more", lang, count=len(replaced) - _TOLD)
-
-
-_TOLD = 20  # students whose records are replaced
+    yield from (say("marks.replaced", lang, student=student, old=old, new=new) for student, old, new in replaced)
 
 
 def marks_table(rows: Sequence[Sequence[str]]) -> Iterator[str]:

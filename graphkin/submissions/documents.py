@@ -83,7 +83,7 @@ def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[StudentDocum
         given = ((name, cell) for name, cell in zip(header, row) if name and not field_of(name))
         entries = tuple((name, cell, Where(where.file, line, short(name))) for name, cell in given)
         called = stated_in((name, _shown(cell)) for name, cell in zip(header, row))
-        yield StudentDocument(called, entries, line)
+        yield StudentDocument((*called,), entries, line)
 
 
 def of_one(cells: Cells, where: Where, limits: Limits) -> StudentDocument:
@@ -132,7 +132,7 @@ def _one(cells: Iterable[tuple[int, Sequence[object]]], where: Where, limits: Li
             if len(shown) > start + 1 and shown[start]:
                 value = _value(row[start:end], shown[start:end], names and names[start:end])
                 entries.append((shown[start], value, Where(where.file, line, short(shown[start]))))
-    return StudentDocument(stated_in(stated), tuple(entries))
+    return StudentDocument((*stated_in(stated),), tuple(entries))
 
 
 def _value(row: Sequence[object], shown: Sequence[str], names: Sequence[str] | None) -> object:
@@ -282,7 +282,7 @@ def read_text(text: str, where: Where, limits: Limits) -> StudentDocument:
         else:
             entries.append((table + name, value, Where(where.file, number, short(name))))
         limits.check(where, "answers", len(entries))
-    return StudentDocument(stated_in(stated), tuple(entries))
+    return StudentDocument((*stated_in(stated),), tuple(entries))
 
 
 def _document(document: object, where: Where, lines: Mapping[str, int]) -> StudentDocument:
@@ -304,4 +304,4 @@ def _document(document: object, where: Where, lines: Mapping[str, int]) -> Stude
         for table, name, value in named
     )
     stated = ((key, str(value)) for key, value in document.items() if type(value) in (str, int))
-    return StudentDocument(stated_in(stated), tuple(entries), where.line or 1)
+    return StudentDocument((*stated_in(stated),), tuple(entries), where.line or 1)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import io
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Sequence
 from itertools import islice
-from typing import Any
+from typing import Any, TypeVar
 
-from graphkin.errors import BrokenSubmission, GraphkinError, NoAnswers, NoNumbers, WantsExtra, Where
+from graphkin.errors import BrokenSubmission, GraphkinError, NoNumbers, WantsExtra, Where
+from graphkin.submissions.answers import Entry
 from graphkin.submissions.archives import checked_zip
 from graphkin.submissions.documents import StudentDocument, of_one, read_text
 from graphkin.submissions.numbers import plain, plane_named
@@ -16,32 +17,55 @@ from graphkin.submissions.questions import begins_like_one
 from graphkin.submissions.students import FIELDS
 from graphkin.submissions.submission import Limits
 
+T = TypeVar("T")
 _PAGES = 40  # of a PDF that are looked at
 _NUMBER = re.compile(r"[-+−–±]?\s*[0-9]")
 _WIDE = re.compile(rf"\t|\s{{3,}}|[;；]|\s+(?=(?:{'|'.join(map(re.escape, FIELDS))})\s*[:：])", re.I)
 """Between things that stand beside each other in a line; a head of whose it is begins one."""
+_SHORT = 12  # letters of a name
 _SYMBOL = re.compile(r"[^\W\d_]+")
 
 
 def read_docx(content: bytes, where: Where, limits: Limits) -> StudentDocument:
     """Raises WantsExtra, BrokenSubmission, TooMuch, SeveralStudents, NoNumbers."""
-    try:
+
+    def body() -> Any:
         from docx import Document
-    except ImportError:
-        raise WantsExtra(where, "DOCX", "graphkin[word]") from None
-    checked_zip(content, where, limits)
+
+        checked_zip(content, where, limits)
+        return Document(io.BytesIO(content)).element.body
+
+    whole = _opened("DOCX", where, body)
+    lines = [_text(each) for each in whole.iter(f"{_W}p") if next(each.iterancestors(f"{_W}tc"), None) is None]
+    tables = [
+        [[_text(cell) for cell in row.iterchildren(f"{_W}tc")] for row in table.iter(f"{_W}tr")]
+        for table in whole.iter(f"{_W}tbl")
+    ]
+    return _joined("DOCX", tables, lines, where, limits)
+
+
+def read_pdf(content: bytes, where: Where, limits: Limits) -> StudentDocument:
+    """Raises WantsExtra, BrokenSubmission, TooMuch, NoNumbers."""
+
+    def pages() -> list[str]:
+        from pypdf import PdfReader
+
+        return [page.extract_text() for page in islice(PdfReader(io.BytesIO(content)).pages, _PAGES)]
+
+    lines = [line for page in _opened("PDF", where, pages) for line in page.splitlines()]
+    return _joined("PDF", [[cells for line in lines if (cells := _cells(line))]], lines, where, limits)
+
+
+def _opened(kind: str, where: Where, opener: Callable[[], T]) -> T:
+    """What a package makes of a file. Raises WantsExtra, BrokenSubmission."""
     try:
-        body = Document(io.BytesIO(content)).element.body
-        lines = [_text(each) for each in body.iter(f"{_W}p") if next(each.iterancestors(f"{_W}tc"), None) is None]
-        tables = [
-            [[_text(cell) for cell in row.iterchildren(f"{_W}tc")] for row in table.iter(f"{_W}tr")]
-            for table in body.iter(f"{_W}tbl")
-        ]
-    except (MemoryError, RecursionError):
+        return opener()
+    except ImportError:
+        raise WantsExtra(where, kind, "graphkin[word]") from None
+    except (MemoryError, RecursionError, GraphkinError):
         raise
-    except Exception as problem:  # python-docx raises whatever it meets in a file that is none
-        raise BrokenSubmission(where, "DOCX", type(problem).__name__) from None
-    return _joined([*_of_tables(tables, where, limits), _of_lines(lines, where, limits)], "DOCX", where)
+    except Exception as problem:  # such packages raise whatever they meet in a file that is none
+        raise BrokenSubmission(where, kind, type(problem).__name__) from None
 
 
 _W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
@@ -54,56 +78,34 @@ def _text(element: Any) -> str:
     return "".join(part or "" for part in parts).strip()
 
 
-def _of_tables(
-    tables: Sequence[Sequence[Sequence[str]]], where: Where, limits: Limits
-) -> Iterator[StudentDocument]:
-    for table in tables:
-        try:
-            yield of_one(enumerate(table, 1), where, limits)
-        except NoAnswers:
-            continue
-
-
-def read_pdf(content: bytes, where: Where, limits: Limits) -> StudentDocument:
-    """Raises WantsExtra, BrokenSubmission, TooMuch, NoNumbers."""
-    try:
-        from pypdf import PdfReader
-    except ImportError:
-        raise WantsExtra(where, "PDF", "graphkin[word]") from None
-    try:
-        pages = [page.extract_text() for page in islice(PdfReader(io.BytesIO(content)).pages, _PAGES)]
-    except (MemoryError, RecursionError, GraphkinError):
-        raise
-    except Exception as problem:  # pypdf raises whatever it meets in a file that is none
-        raise BrokenSubmission(where, "PDF", type(problem).__name__) from None
-    lines = [line for page in pages for line in page.splitlines()]
-    rows = (cells for line in lines if (cells := _cells(line)) is not None)
-    return _joined([*_of_tables([[*rows]], where, limits), _of_lines(lines, where, limits)], "PDF", where)
-
-
-def _cells(line: str) -> list[str] | None:
-    """`ω2 3.92 rad/s`, a row of a table as a PDF has it: what is asked, and what is answered; None of other lines."""
+def _cells(line: str) -> list[str]:
+    """`ω2 3.92 rad/s`, a row of a table as a PDF has it: what is asked, and what is answered; none of other lines."""
     words = plain(line).split()
     at = next((k for k, word in enumerate(words) if k and _NUMBER.match(word)), 0)
     if at == 1 and _SYMBOL.fullmatch(words[0]) and len(words) > 2 and _NUMBER.match(words[2]):
         at = 2  # ω 3 3.92
     name = " ".join(words[:at])
-    return [name, " ".join(words[at:])] if at and begins_like_one(name) and "=" not in name else None
+    return [name, " ".join(words[at:])] if at and begins_like_one(name) and "=" not in name else []
 
 
-def _of_lines(lines: Sequence[str], where: Where, limits: Limits) -> StudentDocument:
-    """Those of `ω3 = 3.92`, and of whose it is; a text has others, too."""
+def _joined(
+    kind: str, tables: Sequence[Sequence[Sequence[str]]], lines: Sequence[str], where: Where, limits: Limits
+) -> StudentDocument:
+    """The answers in tables and in lines `ω3 = 3.92`, and whose they are; a text has other lines, too."""
+    some = [of_one(enumerate(table, 1), where, limits) for table in tables if any(map("".join, table))]
     parts = [part.strip() for line in lines for part in _WIDE.split(line)]
-    document = read_text("\n".join(part for part in parts if part), where, limits)
-    entries = (entry for entry in document.entries if begins_like_one(entry[0]) or plane_named(entry[0]) is not None)
-    return StudentDocument(document.called, tuple(entries))
-
-
-def _joined(documents: Sequence[StudentDocument], kind: str, where: Where) -> StudentDocument:
-    entries = tuple(entry for document in documents for entry in document.entries)
-    if not any(begins_like_one(name) for name, _, _ in entries):
+    text = read_text("\n".join(filter(None, parts)), where, limits)
+    entries = [*(entry for document in some for entry in document.entries), *filter(_is_answer, text.entries)]
+    if not any(map(_is_answer, entries)):
         raise NoNumbers(where, kind)
-    return StudentDocument(tuple(text for document in documents for text in document.called), entries)
+    return StudentDocument(tuple(name for document in (*some, text) for name in document.called), tuple(entries))
+
+
+def _is_answer(entry: Entry) -> bool:
+    """True of what is called as quantities are, and of a short name with a number."""
+    name, value, _ = entry
+    number = len(name) <= _SHORT and _NUMBER.match(str(value).lstrip("(（["))
+    return begins_like_one(name) or plane_named(name) is not None or bool(number)
 
 
 READERS = {".docx": read_docx, ".pdf": read_pdf}

@@ -38,7 +38,7 @@ _HEADS: Mapping[Field, tuple[str, ...]] = {
 """Heads of columns, and words before a colon, the most telling first."""
 FIELDS: Mapping[str, Field] = {head: field for field, heads in _HEADS.items() for head in heads}
 _IN_CANVAS = {"student": "name", "id": "identifier"}  # its gradebook calls the student's name so, and its own number
-_NUMBER = re.compile(r"(?:participant|参与者|参加者|标识符)\s*([0-9]+)")
+_NUMBER, _DIGIT = re.compile(r"^(?:participant|参与者|参加者|标识符)\s*([0-9]+)$"), re.compile(r"\d")
 _CJK = "\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af"
 _PIECE = re.compile(rf"[{_CJK}]+|[^\W_{_CJK}]+")
 _HARD = re.compile(r"[^\s.,'’·]")  # between words that are not of one name
@@ -79,22 +79,21 @@ def students_in(rows: Iterable[Sequence[str]], where: Where) -> tuple[Student, .
 
     Raises StudentTwice, NoStudents."""
     filled = [row for row in rows if any(cell.strip() for cell in row)]
-    begins = next((k for k, row in enumerate(filled[:_BEFORE_HEAD]) if id_column(row) is not None), None)
-    head = [] if begins is None else filled[begins]
+    begins = next((k for k, row in enumerate(filled[:_BEFORE_HEAD]) if id_column(row) is not None), -1)
+    head, rest = [*filled[begins]] if begins >= 0 else ["id", ""], filled[begins + 1 :]
     if any(folded(cell).startswith("sis ") for cell in head):
         head = [_IN_CANVAS.get(folded(cell), cell) for cell in head]
-    rest = filled[0 if begins is None else begins + 1 :]
-    head = head or ["id", *(["name"] if len(rest[:1]) and len(rest[0]) > 1 else [])]
-    usable = [any(len(row) > k and row[k].strip() for row in rest) for k in range(len(head))]
-    at = id_column([cell if use else "" for cell, use in zip(head, usable, strict=True)])
+    if begins < 0 and not any(_DIGIT.search("".join(row[1:2])) for row in rest):
+        head = ["id", "name"]
+    used = [name if any("".join(row[k : k + 1]).strip() for row in rest) else "" for k, name in enumerate(head)]
+    at = id_column(used) or 0
     students: dict[str, Student] = {}
-    for row in rest if at is not None else ():
-        if not (id := tidy_id(row[at]) if at is not None and at < len(row) else ""):
-            continue
+    for row in rest:
+        id, cells = tidy_id("".join(row[at : at + 1])), enumerate(zip(used, row))
         if id in students:
             raise StudentTwice(where, id)
-        cells = ((tidy_id(h), tidy_id(cell)) for k, (h, cell) in enumerate(zip(head, row)) if k != at and field_of(h))
-        students[id] = Student(id, tuple(cells) if begins is not None else tuple(c for c in cells if _is_name(c[1])))
+        names = tuple((tidy_id(name), tidy_id(cell)) for k, (name, cell) in cells if k != at and field_of(name))
+        students |= {id: Student(id, names)} if id else {}
     if not students:
         raise NoStudents(where)
     return tuple(students.values())
@@ -106,19 +105,16 @@ def id_column(head: Sequence[str]) -> int | None:
     return next((known.index(name) for name, field in FIELDS.items() if name in known and field not in _PARTS), None)
 
 
-def stated_in(cells: Iterable[tuple[str, str]]) -> tuple[str, ...]:
-    """What stands under heads of columns, or after words and a colon, that say who a student is: the id first."""
-    known = [(field, text.strip()[:200]) for head, text in cells if text.strip() and (field := field_of(head))]
-    known.sort(key=lambda cell: [*_HEADS].index(cell[0]))
-    parts = " ".join(text for field, text in known if field in _PARTS)
-    return tuple(dict.fromkeys([*(text for field, text in known if field not in _PARTS), *([parts] if parts else [])]))
+def stated_in(cells: Iterable[tuple[str, str]]) -> dict[str, Field]:
+    """What stands under heads, or after words and a colon, that say who a student is, by its kind: the id first, and a
+    name in two parts as one."""
+    known = [(text.strip()[:200], field) for head, text in cells if text.strip() and (field := field_of(head))]
+    parts = " ".join(text for text, field in known if field in _PARTS)
+    whole = [cell for cell in (*known, (parts, "name")) if cell[0] and cell[1] not in _PARTS]
+    return dict(sorted(whole, key=lambda cell: [*_HEADS].index(cell[1])))
 
 
 _PARTS = ("given", "family")  # of a name
-
-
-def _is_name(text: str) -> bool:
-    return bool(text) and not any(letter.isdigit() for letter in text)
 
 
 class Roster:
@@ -129,10 +125,9 @@ class Roster:
         self.students = {student.id: student for student in students}
         self._ids, self._numbers, self._names = (dict[str, set[str]]() for _ in range(3))
         for student in self.students.values():
-            for field, text in _called(student):
-                number = _NUMBER.fullmatch(folded(text))
-                if number or field == "number":
-                    self._numbers.setdefault(number[1] if number else folded(text), set()).add(student.id)
+            for text, field in _called(student).items():
+                if field == "number" or _number(text) != folded(text):
+                    self._numbers.setdefault(_number(text), set()).add(student.id)
                 if field == "name":
                     for name in _orders(_PIECE.findall(folded(text))):
                         self._names.setdefault(name, set()).add(student.id)
@@ -148,20 +143,19 @@ class Roster:
         """With what another list says of the same students, under the ids that they have here; and with its others."""
         own, new = dict(self.students), list[Student]()
         for other in others:
-            same = self.numbered(other.id).union(*(self._ids.get(folded(text), ()) for field, text in _called(other)
-                                                   if field in ("id", "login", "email")))  # fmt: skip
+            ids = (text for text, field in _called(other).items() if field in ("id", "login", "email"))
+            same = self.numbered(other.id).union(*(self._ids.get(folded(text), ()) for text in ids))
             if len(same) == 1:
                 id = min(same)
-                own[id] = Student(id, (*own[id].names, *((("id", other.id),) if id != other.id else ()), *other.names))
+                own[id] = Student(id, (*own[id].names, ("id", other.id), *other.names))
             else:
                 new.append(other)
         return Roster([*own.values(), *new])
 
     def numbered(self, text: str) -> frozenset[str]:
         """Those whom a platform gives this number: `4460`, `Participant 4460`."""
-        number = _NUMBER.fullmatch(folded(text))
         own = self._ids.get(folded(text), ()) if len(text) >= _OF_A_SCHOOL else ()
-        return frozenset(self._numbers.get(number[1] if number else folded(text), own))
+        return frozenset(self._numbers.get(_number(text), own))
 
     def _named(self, text: str) -> tuple[frozenset[str], ...]:
         """What a text says of whose it is: of each id and each name in it the students who have it. A name is all
@@ -174,7 +168,7 @@ class Roster:
         while k < len(pieces):
             count, some = self._id_at(whole, pieces[k : k + _RUN])
             called += [some] if some else []
-            if some or any(letter.isdigit() for letter in pieces[k].group()):
+            if some or _DIGIT.search(pieces[k].group()):
                 runs.append([])
             else:
                 runs[-1].append(pieces[k])
@@ -231,7 +225,7 @@ class Roster:
 
     def label(self, id: str) -> str:
         """The id, and the name where it is known."""
-        return " ".join((id, *[text for field, text in _called(self.students[id]) if field == "name"][:1]))
+        return " ".join((id, *[text for text, field in _called(self.students[id]).items() if field == "name"][:1]))
 
     def nearest(self, text: str) -> tuple[str, ...]:
         """Those who are called nearly so."""
@@ -244,15 +238,16 @@ class Roster:
         return tuple(dict.fromkeys(self.label(every[one]) for one in near))[:3]
 
 
-def _called(student: Student) -> Iterator[tuple[Field, str]]:
-    """All that a student is called, by its kind."""
-    cells = [("id", student.id), *((field_of(head), cell) for head, cell in student.names if cell)]
-    parts = {field: cell for field, cell in cells if field in _PARTS}
-    if parts:
-        yield "name", " ".join(parts.values())
-    yield from ((field, cell) for field, cell in cells if field is not None and field not in _PARTS)
-    if not parts and _is_name(student.id) and (" " in student.id or not student.id.isascii()):  # of a list of names
-        yield "name", student.id
+def _called(student: Student) -> dict[str, Field]:
+    """All that a student is called, by its kind; the id of a list that has nothing else may be a name."""
+    called, id = stated_in((("id", student.id), *student.names)), student.id
+    own: Field = "id" if "name" in called.values() or (id.isascii() and " " not in id) else "name"
+    return called if own == "id" or _DIGIT.search(id) else {**called, id: own}
+
+
+def _number(text: str) -> str:
+    """Of `Participant 4460` the number; any other text as it is."""
+    return _NUMBER.sub(r"\1", folded(text))
 
 
 def _orders(words: Sequence[str]) -> list[str]:
@@ -262,20 +257,15 @@ def _orders(words: Sequence[str]) -> list[str]:
 
 # --- folders of platforms, names of files -----------------------------------------------------------------------------
 
-_MOODLE = re.compile(r"(?P<name>[^/]+)_(?P<id>[0-9]+)_assignsubmission_[a-z]+(?:_|/|$)")
-_CANVAS = re.compile(r"(?P<name>[^_/]+)(?:_LATE)?_(?P<id>[0-9]+)_(?P<sub>[0-9]+)_(?P<file>[^/]+)$")
+MOODLE = re.compile(r"(?P<name>[^/]*?)_(?P<id>[0-9]{1,18})_assignsubmission_[a-z]+(?:_|/|$)")
+CANVAS = re.compile(r"(?P<name>[^/]+?)(?:_LATE)?_(?P<id>[0-9]{1,18})_(?P<sub>[0-9]{1,18})_(?P<file>[^/]*)$")
 
 
 @frozen
 class Owner:
-    """The one who handed in, as far as a place in an archive or a folder says.
-
-    student  the name of the results, where there is no list of students
-    group    what the files of one hand-in have in common
-    folder   what the platform, or a folder, says
-    number   the platform's own for the student
-    by_file  whether it is the file's own name that names a student
-    """
+    """The one who handed in, as far as a place in an archive or a folder says: `student` where there is no class list;
+    what a platform or a `folder` calls them, and the platform's `number`. By `group` the files of one hand-in are
+    known, `by_file` where it is the student whom the file's own name names."""
 
     student: str
     group: str
@@ -290,10 +280,10 @@ def owner(path: str, root: str = "", alone: bool = False, roster: Roster | None 
     alone  a folder is no student's: each name in it is one
     """
     inner = path.removeprefix(root)
-    if (moodle := _MOODLE.search(inner)) is not None:
+    if (moodle := MOODLE.search(inner)) is not None:
         return Owner(tidy_id(moodle["id"]), inner[: moodle.end()], tidy_id(moodle["name"]), tidy_id(moodle["id"]))
     whole = PurePosixPath(inner)
-    if (canvas := _CANVAS.search(inner)) is not None:
+    if (canvas := CANVAS.search(inner)) is not None:
         number = tidy_id(canvas["id"])
         return Owner(number, inner[: canvas.start("sub")], tidy_id(canvas["name"]), number)
     for k, part in enumerate(whole.parts[:-1] if roster is not None else ()):
@@ -310,14 +300,14 @@ def owner(path: str, root: str = "", alone: bool = False, roster: Roster | None 
 def file_text(path: str, by: Owner) -> str:
     """What a file is called, without what a platform puts before it."""
     name = path.rpartition("/")[2]
-    for pattern in (_MOODLE, _CANVAS) if by.number else ():
+    for pattern in (MOODLE, CANVAS) if by.number else ():
         if (match := pattern.search(name)) is not None:
             name = match.groupdict().get("file") or name[match.end() :]
     return position_of(PurePosixPath(name).stem)[0]
 
 
 _SUBMISSION = re.compile(r"^(\S[^:\n]*):\s*$", re.M)
-_SUBMITTER = re.compile(r"^\s*(?:- )?:(name|sid|email):[ \t]*(.*)$", re.M)
+_SUBMITTER = re.compile(r"^\s*(?:- )?:(?:name|sid|email):[ \t]*(.*)$", re.M)
 GRADESCOPE = "submission_metadata.yml"
 
 
@@ -326,9 +316,7 @@ def submitters(text: str) -> dict[str, Owner]:
     whose: dict[str, Owner] = {}
     begins = [*_SUBMISSION.finditer(text)]
     for match, end in zip(begins, [*(each.start() for each in begins[1:]), len(text)], strict=True):
-        cells = [(key, cell.strip(" '\"\r")) for key, cell in _SUBMITTER.findall(text, match.end(), end)]
-        names = [cell for _, cell in cells if cell]
-        id = next((cell for field in ("sid", "email", "name") for key, cell in cells if key == field and cell), "")
-        if id:
-            whose[match[1]] = Owner(tidy_id(id), match[1], "; ".join(names), names[0])
+        cells = [cell.strip(" '\"\r") for cell in _SUBMITTER.findall(text, match.end(), end)]
+        if names := [*filter(None, cells)]:
+            whose[match[1]] = Owner(tidy_id(names[min(1, len(names) - 1)]), match[1], "; ".join(names), names[0])
     return whose

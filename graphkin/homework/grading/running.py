@@ -81,17 +81,13 @@ def items(
     paths: Iterable[str | Path], options: MarkingOptions, roster: Roster | None = None
 ) -> Iterator[Handed | Read]:
     """Submissions, one after another, in the order of the files; what several files of marks have in common once."""
-    paths = [*paths]
-    marks = [Path(path) for path in paths if batches.is_marks(path)]
-    if len(marks) > 1:
-        yield from batches.merged(marks)
-    for path in paths:
-        if len(marks) > 1 and Path(path) in marks:
-            continue
-        if batches.is_marks(path):
-            yield from batches.records_of(Path(path))
-        else:
+    every = [*map(Path, paths)]
+    marks = [*dict.fromkeys(filter(batches.is_marks, every))]
+    for path in every:
+        if path not in marks:
             yield from handed_in([path], options.limits, roster)
+        elif path == marks[0]:
+            yield from batches.merged(marks) if len(marks) > 1 else batches.records_of(path)
 
 
 def run(
@@ -223,13 +219,11 @@ def resumed(
         if isinstance(one, Graded) and one.prints:
             journal.add(new)
         if one.student not in newest or one.marked:
-            newest[one.student] = {key: new.get(key) for key in ("status", *_PLACE, "fingerprints")}
+            prints = new.get("fingerprints", [])
+            newest[one.student] = {"status": new["status"], "file": one.file, "place": one.place, "prints": prints}
         places.add((one.file, one.place))
         yield new
     yield from _kept(judge, journal, options, written, newest, places)
-
-
-_PLACE = ("file", "place")
 
 
 def _kept(
@@ -240,12 +234,13 @@ def _kept(
     where the same file is read otherwise. Marked anew where the key is another that asks the same."""
     kept: list[Record] = []
     for old in journal.before:
-        now, (file, place) = newest.get(old["student"]), (old[key] for key in _PLACE)
-        again = (file, place) in places and not (place.isdecimal() and old["status"] == "marked")
+        now, place = newest.get(old["student"]), (old["file"], old["place"])
+        again = place in places and not (place[1].isdecimal() and old["status"] == "marked")
         if not again and (now is None or (now["status"] != "marked" and old["status"] == "marked")):
             kept.append(old)
-        elif now is not None and old["status"] == "marked" and _work(now) != _work(old):
-            journal.replaced.append((old["student"], _shown(old), _shown(now)))
+        elif now is not None and old["status"] == "marked" and now["prints"][:1] != old.get("fingerprints", [])[:1]:
+            lines = (Where(one["file"], int(one["place"]) if one["place"].isdecimal() else None) for one in (old, now))
+            journal.replaced.append((old["student"], *map(str, lines)))
     anew: dict[int, Read] = {}
     for k, old in enumerate(kept):
         before = batches.earlier_reading(old, Where(str(journal.path)))
@@ -258,16 +253,6 @@ def _kept(
     for k, old in enumerate(kept):
         one = next(marks) if k in anew else None
         yield written(one) if isinstance(one, Graded) and one.marked else old
-
-
-def _work(record: Record) -> object:
-    """A fingerprint of what was handed in, or where it stands."""
-    return (record.get("fingerprints") or [[record[key] for key in _PLACE]])[0]
-
-
-def _shown(record: Record) -> str:
-    """Where a submission stands; a row of a table with its line."""
-    return f"{record['file']}:{record['place']}" if str(record["place"]).isdecimal() else str(record["file"])
 
 
 def _still_to_do(item: Handed | Read, judge: SetMarker, journal: Journal, options: MarkingOptions) -> Item:

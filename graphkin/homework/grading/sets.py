@@ -16,6 +16,7 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, lru_cache
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 
@@ -70,8 +71,9 @@ def asked_by(marker: Marker) -> ReadableProblem:
 class OneKey(SetMarker):
     """One key for all, or for those of a list."""
 
-    def __init__(self, marker: Marker, roster: Roster | None = None) -> None:
-        self._marker, self.roster = marker, roster
+    def __init__(self, marker: Marker, listed: Path | None = None) -> None:
+        self._marker, self._listed = marker, listed
+        self.roster = None if listed is None else Roster(class_list(listed))
 
     def marker(self, student: str) -> Marker:
         return self._marker
@@ -98,20 +100,25 @@ class OneKey(SetMarker):
         return pickle.dumps(self._marker.key)
 
     def __reduce__(self) -> tuple[Callable[..., SetMarker], tuple[object, ...]]:
-        return _one_key, (self._packed, self.roster)
+        return _one_key, (self._packed, self._listed)
 
 
 @lru_cache(maxsize=_KEPT)
-def _one_key(packed: bytes, roster: Roster | None) -> SetMarker:
-    return OneKey(Marker(pickle.loads(packed)), roster)
+def _one_key(packed: bytes, listed: Path | None) -> SetMarker:
+    return OneKey(Marker(pickle.loads(packed)), listed)
 
 
 class KeySet(SetMarker):
-    """The keys of a set, by student; `files` are beside the set's own file, `path`, and hold but for `pencils`."""
+    """The keys of a set, by student; `files` are beside the set's own file, `path`, and hold but for `pencils`. What
+    the students are called is in `names`, by heading, and in the class list."""
 
-    def __init__(self, path: Path, files: Mapping[str, str], roster: Roster, pencils: Pencils = USUAL) -> None:
-        self.path, self.files, self.pencils = path, dict(files), pencils
-        self.roster: Roster = roster
+    def __init__(
+        self, path: Path, files: Mapping[str, str], pencils: Pencils = USUAL, listed: Path | None = None,
+        names: Mapping[str, Mapping[str, str]] = MappingProxyType({}),
+    ) -> None:  # fmt: skip
+        self.path, self.files, self.pencils, self._listed = path, dict(files), pencils, listed
+        own = Roster(Student(id, tuple(names.get(id, {}).items())) for id in files)
+        self.roster: Roster = own if listed is None else own.joined(class_list(listed))
         self._ready = lru_cache(maxsize=_KEPT)(self._made)
 
     def marker(self, student: str) -> Marker | None:
@@ -143,28 +150,27 @@ class KeySet(SetMarker):
             return self._print
 
     def __reduce__(self) -> tuple[Callable[..., SetMarker], tuple[object, ...]]:
-        return _key_set, (str(self.path), self._print, self.pencils, self.roster)
+        return _key_set, (str(self.path), self._print, self.pencils, self._listed)
 
     @classmethod
     def read(
-        cls, path: Path, data: Mapping[str, object], pencils: Pencils = USUAL, others: Iterable[Student] = ()
+        cls, path: Path, data: Mapping[str, object], pencils: Pencils = USUAL, listed: Path | None = None
     ) -> KeySet:
-        """With what a class list says of the students beside. Raises BadKey."""
+        """Raises BadKey, and what reading the class list raises."""
         students, names = data.get("students"), data.get("names", {})
-        if data.get("format") != FORMAT or not isinstance(students, dict):
+        if data.get("format") != FORMAT or not isinstance(students, dict) or not isinstance(names, dict):
             raise BadKey(Where(str(path)), "students")
         for student, name in students.items():
             if not isinstance(name, str) or Path(name).name != name:
                 raise BadKey(Where(str(path)), f"students: {student}")
-        cells = {id: own for id, own in names.items() if isinstance(own, dict)} if isinstance(names, dict) else {}
-        own = (Student(id, tuple((h, str(cell)) for h, cell in cells.get(id, {}).items())) for id in students)
-        return cls(path, students, Roster(own).joined(others), pencils)
+        called = {id: {h: str(text) for h, text in own.items()} for id, own in names.items() if isinstance(own, dict)}
+        return cls(path, students, pencils, listed, called)
 
 
 @lru_cache(maxsize=_KEPT)
-def _key_set(path: str, name: str, pencils: Pencils, roster: Roster) -> SetMarker:
+def _key_set(path: str, name: str, pencils: Pencils, listed: Path | None) -> SetMarker:
     """`name`: the fingerprint of its list, so that one that was written anew is read."""
-    return KeySet(Path(path), json.loads(text_of(Path(path)))["students"], roster, pencils)
+    return KeySet.read(Path(path), json.loads(text_of(Path(path))), pencils, listed)
 
 
 def set_text(files: Mapping[str, str], students: Iterable[Student] = ()) -> str:
@@ -185,10 +191,11 @@ def class_list(path: Path) -> tuple[Student, ...]:
         return students_in((["" if cell is None else str(cell) for cell in row] for _, row in cells), where)
 
 
-def judge_from(source: str, pencils: Pencils = USUAL, students: Sequence[Student] = ()) -> SetMarker:
-    """Of a key.json, a mechanism file, a library mechanism, or a folder with a set of problems; for a class.
+def judge_from(source: str, pencils: Pencils = USUAL, listed: Path | None = None) -> SetMarker:
+    """Of a key.json, a mechanism file, a library mechanism, or a folder with a set of problems; for those of a class
+    list.
 
-    Raises what loading and planning raise, BadKey, NothingToMark.
+    Raises what loading and planning and the list raise, BadKey, NothingToMark.
     """
     path = Path(source)
     path = path / "key.json" if path.is_dir() else path
@@ -198,9 +205,8 @@ def judge_from(source: str, pencils: Pencils = USUAL, students: Sequence[Student
         except (ValueError, RecursionError):
             data = None  # the reader of one key says what is wrong
         if isinstance(data, dict) and data.get("kind") == KIND:
-            return KeySet.read(path, data, pencils, students)
-    key = key_from(str(path) if path.suffix else source, pencils)
-    return OneKey(Marker(key), Roster(students) if students else None)
+            return KeySet.read(path, data, pencils, listed)
+    return OneKey(Marker(key_from(str(path) if path.suffix else source, pencils)), listed)
 
 
 # --- another student's numbers ----------------------------------------------------------------------------------------

@@ -188,18 +188,20 @@ def _rows(path: Path, table: Iterator[list[str]]) -> Iterator[Override]:
             row[column].strip() if column is not None and column < len(row) else ""
             for column in (override, student, file, comment)
         )
-        points = None
-        if text:
-            try:
-                points = Decimal(text.replace(",", "."))
-                allowed = 0 <= points <= _LARGEST
-            except InvalidOperation:  # no number, or NaN
-                allowed = False
-            if not allowed or points is None:
-                raise NotAnOverride(Where(str(path), number), text)
-            points = points.quantize(HUNDREDTH, ROUND_HALF_UP)
+        points = _points(text)
+        if text and points is None:
+            raise NotAnOverride(Where(str(path), number), text)
         if text or words:
             yield Override(one_line(id), one_line(name), points, words, str(path))
+
+
+def _points(text: str) -> Decimal | None:
+    """None of what is no number, or none that can be points."""
+    try:
+        points = Decimal(text.replace(",", "."))
+        return points.quantize(HUNDREDTH, ROUND_HALF_UP) if 0 <= points <= _LARGEST else None
+    except InvalidOperation:  # or NaN
+        return None
 
 
 def _unique(pairs: Iterable[tuple[str, Override]]) -> dict[str, Override]:

@@ -38,7 +38,6 @@ PHRASES: Phrases = {
     "marks.kept": ("{count} earlier records stay, of students who are not among these submissions.",
                    "保留原有记录 {count} 条（本次未提交的学生）。"),
     "marks.replaced": ("{student}: {new} takes the place of {old}.", "{student}：以 {new} 取代 {old}。"),
-    "marks.replaced more": ("And {count} more.", "另有 {count} 条。"),
     "marks.interrupted": ("Broken off. What was marked is kept beside {path}; the same command goes on from there.",
                           "已中断。已批改的部分保存在 {path} 旁；再次运行同一命令即可继续。"),
     # === verdicts: one word for each, everywhere
