@@ -71,8 +71,11 @@ def grade(key: str, submissions: tuple[str, ...], **options: Any) -> None:
     for each is called NAME.csv, NAME.zip, or a folder NAME. Reports and feedback then tell, too, which mistakes show in
     several problems of a student.
 
+    Whose work it is says the folder of a platform, then the file's name, then a line in it; where these contradict each
+    other, or the class list, nobody is marked. With --roster names count as well as ids.
+
     With -o nothing is marked twice: the same command again marks what is new or changed, and goes on where it was
-    broken off.
+    broken off; late work is added to what is there. Several files of marks are merged, with what teachers wrote.
 
     \b
     Example:
