@@ -58,9 +58,9 @@ class StudentDocument:
 
 def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[StudentDocument]:
     """A row a student where the header says so; else one, with all answers of the table. Raises NoAnswers, TooMuch."""
-    filled: Cells = ((line, row) for line, row in cells if any(_shown(cell) for cell in row))
+    filled: Cells = ((line, row) for line, row in cells if any(shown_cell(cell) for cell in row))
     titles = list[tuple[int, Sequence[object]]]()
-    while (first := next(filled, None)) is not None and sum(bool(_shown(cell)) for cell in first[1]) == 1:
+    while (first := next(filled, None)) is not None and sum(bool(shown_cell(cell)) for cell in first[1]) == 1:
         titles.append(first)
         limits.check(where, "answers", len(titles))
     if first is None:
@@ -69,11 +69,11 @@ def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[StudentDocum
         yield _one(titles, where, limits)
         return
     limits.check(where, "columns", len(first[1]))
-    header = [_shown(cell)[:200] for cell in first[1]]
+    header = [shown_cell(cell)[:200] for cell in first[1]]
     second = next(filled, None)
     filled = chain([] if second is None else [second], filled)
     # `student, s1` over `omega 3, 3.92`, or over another such line, begins one student's table, and no class
-    below = [_shown(cell) for cell in second[1]] if second is not None else []
+    below = [shown_cell(cell) for cell in second[1]] if second is not None else []
     is_one = (any(map(_is_head, below[:1])) or _is_question_table(below)) and not any(map(_is_head, header[1:2]))
     if id_column(header) is None or _is_question_table(header) or is_one:
         yield _one(chain(titles, [first], filled), where, limits)
@@ -82,7 +82,7 @@ def rows_of(cells: Cells, where: Where, limits: Limits) -> Iterator[StudentDocum
         limits.check(where, "rows", count + 1)
         given = ((name, cell) for name, cell in zip(header, row) if name and not field_of(name))
         entries = tuple((name, cell, Where(where.file, line, short(name))) for name, cell in given)
-        called = stated_in((name, _shown(cell)) for name, cell in zip(header, row))
+        called = stated_in((name, shown_cell(cell)) for name, cell in zip(header, row))
         yield StudentDocument((*called,), entries, line)
 
 
@@ -115,7 +115,7 @@ def _one(cells: Iterable[tuple[int, Sequence[object]]], where: Where, limits: Li
     names: list[str] | None = None
     starts = [0]
     for line, row in islice(cells, limits.answers + 2):
-        shown = [_shown(cell) for cell in row[:20]]
+        shown = [shown_cell(cell) for cell in row[:20]]
         if _is_question_table(shown):
             names = [plain(name).lower() for name in shown]
             starts = [k for k, name in enumerate(names) if name in _QUESTION]
@@ -148,7 +148,7 @@ def _value(row: Sequence[object], shown: Sequence[str], names: Sequence[str] | N
     return row[at] if not more or not shown[at] else " ".join([shown[at], *more])
 
 
-def _shown(cell: object) -> str:
+def shown_cell(cell: object) -> str:
     if isinstance(cell, float) and cell.is_integer() and abs(cell) < 1e15:
         return str(int(cell))
     return "" if cell is None else str(cell).strip()

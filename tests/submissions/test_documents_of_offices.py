@@ -79,6 +79,16 @@ def test_what_cannot_be_read_is_a_row(name: str, content: bytes):
     assert (record["status"], name in record["reason"]) == ("not marked", True)
 
 
+def test_a_file_beside_answers_that_is_not_read_is_the_teacher_s_to_look_at():
+    data = io.BytesIO()
+    with zipfile.ZipFile(data, "w") as archive:
+        archive.writestr("hw/s1/a.toml", '"omega 3" = -3.92')
+        archive.writestr("hw/s1/sheet.jpg", b"\xff\xd8")
+    record = graded("class.zip", data.getvalue())
+    assert (record["status"], len(record["remarks"])) == ("marked", 1)
+    assert "sheet.jpg" in record["remarks"][0]["text"]
+
+
 def test_words_without_numbers_are_to_be_looked_at():
     assert "Look at it" in graded("a.docx", word(lines=("见附图。",)))["reason"]
 

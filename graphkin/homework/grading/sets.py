@@ -29,7 +29,7 @@ from graphkin.marking.marker import Marker
 from graphkin.marking.records import Marked
 from graphkin.model.quantities import at_position
 from graphkin.submissions import Limits, Roster, Student, students_in
-from graphkin.submissions.documents import cells_of
+from graphkin.submissions.documents import cells_of, shown_cell
 from graphkin.submissions.submission import ReadableProblem, fingerprint
 
 KIND = "graphkin keys"
@@ -188,7 +188,7 @@ def class_list(path: Path) -> tuple[Student, ...]:
     where = Where(str(path))
     with opening(path):
         cells = cells_of(path.name, path.read_bytes(), where, Limits())
-        return students_in((["" if cell is None else str(cell) for cell in row] for _, row in cells), where)
+        return students_in(([shown_cell(cell) for cell in row] for _, row in cells), where)
 
 
 def judge_from(source: str, pencils: Pencils = USUAL, listed: Path | None = None) -> SetMarker:
