@@ -5,8 +5,9 @@ from __future__ import annotations
 import io
 import re
 from collections.abc import Callable, Sequence
+from functools import partial
 from itertools import islice
-from typing import Any, TypeVar
+from typing import Any
 
 from graphkin.errors import BrokenSubmission, GraphkinError, NoNumbers, WantsExtra, Where
 from graphkin.submissions.answers import Entry
@@ -17,7 +18,6 @@ from graphkin.submissions.questions import begins_like_one
 from graphkin.submissions.students import FIELDS
 from graphkin.submissions.submission import Limits
 
-T = TypeVar("T")
 _PAGES = 40  # of a PDF that are looked at
 _NUMBER = re.compile(r"[-+−–±]?\s*[0-9]")
 _WIDE = re.compile(rf"\t|\s{{3,}}|[;；]|\s+(?=(?:{'|'.join(map(re.escape, FIELDS))})\s*[:：])", re.I)
@@ -26,46 +26,48 @@ _SHORT = 12  # letters of a name
 _SYMBOL = re.compile(r"[^\W\d_]+")
 
 
-def read_docx(content: bytes, where: Where, limits: Limits) -> StudentDocument:
-    """Raises WantsExtra, BrokenSubmission, TooMuch, SeveralStudents, NoNumbers."""
-
-    def body() -> Any:
-        from docx import Document
-
-        checked_zip(content, where, limits)
-        return Document(io.BytesIO(content)).element.body
-
-    whole = _opened("DOCX", where, body)
-    lines = [_text(each) for each in whole.iter(f"{_W}p") if next(each.iterancestors(f"{_W}tc"), None) is None]
-    tables = [
-        [[_text(cell) for cell in row.iterchildren(f"{_W}tc")] for row in table.iter(f"{_W}tr")]
-        for table in whole.iter(f"{_W}tbl")
-    ]
-    return _joined("DOCX", tables, lines, where, limits)
+Parts = tuple[Sequence[Sequence[Sequence[str]]], Sequence[str]]  # tables, and the lines between them
 
 
-def read_pdf(content: bytes, where: Where, limits: Limits) -> StudentDocument:
-    """Raises WantsExtra, BrokenSubmission, TooMuch, NoNumbers."""
+def _read(
+    kind: str, parts_of: Callable[[bytes, Where, Limits], Parts], content: bytes, where: Where, limits: Limits
+) -> StudentDocument:
+    """The answers in tables and in lines `ω3 = 3.92`, and whose they are; a document has other lines, too.
 
-    def pages() -> list[str]:
-        from pypdf import PdfReader
-
-        return [page.extract_text() for page in islice(PdfReader(io.BytesIO(content)).pages, _PAGES)]
-
-    lines = [line for page in _opened("PDF", where, pages) for line in page.splitlines()]
-    return _joined("PDF", [[cells for line in lines if (cells := _cells(line))]], lines, where, limits)
-
-
-def _opened(kind: str, where: Where, opener: Callable[[], T]) -> T:
-    """What a package makes of a file. Raises WantsExtra, BrokenSubmission."""
+    Raises WantsExtra, BrokenSubmission, TooMuch, SeveralStudents, NoNumbers."""
     try:
-        return opener()
+        tables, lines = parts_of(content, where, limits)
     except ImportError:
         raise WantsExtra(where, kind, "graphkin[word]") from None
     except (MemoryError, RecursionError, GraphkinError):
         raise
-    except Exception as problem:  # such packages raise whatever they meet in a file that is none
+    except Exception as problem:  # the packages raise whatever they meet in a file that is none
         raise BrokenSubmission(where, kind, type(problem).__name__) from None
+    some = [of_one(enumerate(table, 1), where, limits) for table in tables if any(map("".join, table))]
+    parts = (part.strip() for line in lines for part in _WIDE.split(line))
+    text = read_text("\n".join(filter(None, parts)), where, limits)
+    entries = [*(entry for document in some for entry in document.entries), *filter(_is_answer, text.entries)]
+    if not any(map(_is_answer, entries)):
+        raise NoNumbers(where, kind)
+    return StudentDocument(tuple(name for document in (*some, text) for name in document.called), tuple(entries))
+
+
+def _of_word(content: bytes, where: Where, limits: Limits) -> Parts:
+    from docx import Document
+
+    checked_zip(content, where, limits)
+    body = Document(io.BytesIO(content)).element.body
+    rows = (table.iter(f"{_W}tr") for table in body.iter(f"{_W}tbl"))
+    tables = [[[_text(cell) for cell in row.iterchildren(f"{_W}tc")] for row in table] for table in rows]
+    return tables, [_text(each) for each in body.iter(f"{_W}p") if next(each.iterancestors(f"{_W}tc"), None) is None]
+
+
+def _of_pdf(content: bytes, where: Where, limits: Limits) -> Parts:
+    from pypdf import PdfReader
+
+    pages = islice(PdfReader(io.BytesIO(content)).pages, _PAGES)
+    lines = [line for page in pages for line in page.extract_text().splitlines()]
+    return [[cells for line in lines if (cells := _cells(line))]], lines
 
 
 _W = "{http://schemas.openxmlformats.org/wordprocessingml/2006/main}"
@@ -88,19 +90,6 @@ def _cells(line: str) -> list[str]:
     return [name, " ".join(words[at:])] if at and begins_like_one(name) and "=" not in name else []
 
 
-def _joined(
-    kind: str, tables: Sequence[Sequence[Sequence[str]]], lines: Sequence[str], where: Where, limits: Limits
-) -> StudentDocument:
-    """The answers in tables and in lines `ω3 = 3.92`, and whose they are; a text has other lines, too."""
-    some = [of_one(enumerate(table, 1), where, limits) for table in tables if any(map("".join, table))]
-    parts = [part.strip() for line in lines for part in _WIDE.split(line)]
-    text = read_text("\n".join(filter(None, parts)), where, limits)
-    entries = [*(entry for document in some for entry in document.entries), *filter(_is_answer, text.entries)]
-    if not any(map(_is_answer, entries)):
-        raise NoNumbers(where, kind)
-    return StudentDocument(tuple(name for document in (*some, text) for name in document.called), tuple(entries))
-
-
 def _is_answer(entry: Entry) -> bool:
     """True of what is called as quantities are, and of a short name with a number."""
     name, value, _ = entry
@@ -108,4 +97,4 @@ def _is_answer(entry: Entry) -> bool:
     return begins_like_one(name) or plane_named(name) is not None or bool(number)
 
 
-READERS = {".docx": read_docx, ".pdf": read_pdf}
+READERS = {".docx": partial(_read, "DOCX", _of_word), ".pdf": partial(_read, "PDF", _of_pdf)}

@@ -29,7 +29,7 @@ def graded(name: str, content: bytes) -> dict:
     Path(name).write_bytes(content)
     done = CliRunner().invoke(main, ["grade", "ex3-1", name, "--json", "--lang", "en"])
     assert done.exit_code == 0, done.output
-    return json.loads(done.stdout)
+    return json.loads(done.stdout.splitlines()[0])
 
 
 def told(record: dict) -> dict[str, str]:
@@ -82,8 +82,9 @@ def test_what_cannot_be_read_is_a_row(name: str, content: bytes):
 def test_a_file_beside_answers_that_is_not_read_is_the_teacher_s_to_look_at():
     data = io.BytesIO()
     with zipfile.ZipFile(data, "w") as archive:
-        archive.writestr("hw/s1/a.toml", '"omega 3" = -3.92')
-        archive.writestr("hw/s1/sheet.jpg", b"\xff\xd8")
+        archive.writestr("s1/a.toml", '"omega 3" = -3.92')
+        archive.writestr("s1/sheet.jpg", b"\xff\xd8")
+        archive.writestr("s2/a.toml", "v = 1")
     record = graded("class.zip", data.getvalue())
     assert (record["status"], len(record["remarks"])) == ("marked", 1)
     assert "sheet.jpg" in record["remarks"][0]["text"]

@@ -16,7 +16,6 @@ from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, lru_cache
 from pathlib import Path
-from types import MappingProxyType
 
 import numpy as np
 
@@ -110,14 +109,14 @@ def _one_key(packed: bytes, listed: Path | None) -> SetMarker:
 
 class KeySet(SetMarker):
     """The keys of a set, by student; `files` are beside the set's own file, `path`, and hold but for `pencils`. What
-    the students are called is in `names`, by heading, and in the class list."""
+    the students are called is in the set's own file and in the class list."""
 
     def __init__(
         self, path: Path, files: Mapping[str, str], pencils: Pencils = USUAL, listed: Path | None = None,
-        names: Mapping[str, Mapping[str, str]] = MappingProxyType({}),
+        students: Sequence[Student] = (),
     ) -> None:  # fmt: skip
         self.path, self.files, self.pencils, self._listed = path, dict(files), pencils, listed
-        own = Roster(Student(id, tuple(names.get(id, {}).items())) for id in files)
+        own = Roster(students or map(Student, files))
         self.roster: Roster = own if listed is None else own.joined(class_list(listed))
         self._ready = lru_cache(maxsize=_KEPT)(self._made)
 
@@ -163,8 +162,9 @@ class KeySet(SetMarker):
         for student, name in students.items():
             if not isinstance(name, str) or Path(name).name != name:
                 raise BadKey(Where(str(path)), f"students: {student}")
-        called = {id: {h: str(text) for h, text in own.items()} for id, own in names.items() if isinstance(own, dict)}
-        return cls(path, students, pencils, listed, called)
+        cells = {id: own.items() for id, own in names.items() if isinstance(own, dict)}
+        own = [Student(id, tuple((h, str(text)) for h, text in cells.get(id, ()))) for id in students]
+        return cls(path, students, pencils, listed, own)
 
 
 @lru_cache(maxsize=_KEPT)
