@@ -260,15 +260,7 @@ def listed(text: str, where: Where, limits: Limits) -> list[StudentDocument] | N
 
 
 def read_lines(text: str, where: Where, limits: Limits) -> StudentDocument:
-    """`omega 3 = 3.92` line by line, as in a message. Raises NoAnswers, TooMuch."""
-    document = read_text(text, where, limits)
-    if not document.entries:
-        raise NoAnswers(where)
-    return document
-
-
-def read_text(text: str, where: Where, limits: Limits) -> StudentDocument:
-    """The same of a text that may have no answers. Raises TooMuch."""
+    """`omega 3 = 3.92` line by line, as in a message; there may be none. Raises TooMuch."""
     stated, entries, table = list[tuple[str, str]](), list[Entry](), ""
     for number, line in enumerate(text.splitlines(), 1):
         if (header := _HEADER.fullmatch(line[:60])) is not None:

@@ -12,7 +12,7 @@ from typing import Any
 from graphkin.errors import BrokenSubmission, GraphkinError, NoNumbers, WantsExtra, Where
 from graphkin.submissions.answers import Entry
 from graphkin.submissions.archives import checked_zip
-from graphkin.submissions.documents import StudentDocument, of_one, read_text
+from graphkin.submissions.documents import StudentDocument, of_one, read_lines
 from graphkin.submissions.numbers import plain, plane_named
 from graphkin.submissions.questions import begins_like_one
 from graphkin.submissions.students import FIELDS
@@ -45,7 +45,7 @@ def _read(
         raise BrokenSubmission(where, kind, type(problem).__name__) from None
     some = [of_one(enumerate(table, 1), where, limits) for table in tables if any(map("".join, table))]
     parts = (part.strip() for line in lines for part in _WIDE.split(line))
-    text = read_text("\n".join(filter(None, parts)), where, limits)
+    text = read_lines("\n".join(filter(None, parts)), where, limits)
     entries = [*(entry for document in some for entry in document.entries), *filter(_is_answer, text.entries)]
     if not any(map(_is_answer, entries)):
         raise NoNumbers(where, kind)

@@ -124,7 +124,7 @@ def _by_names(by: Owner, names: Sequence[str], roster: Roster | None) -> set[str
     """The students whom a folder or names of files name, or what would stand for one."""
     if roster is None:
         return {by.student, by.folder} - {""}
-    texts = (by.folder, *(file_text(name, by) for name in names))
+    texts = (by.folder, *(file_text(name, by) for name in names if not by.number))
     return {*roster.numbered(by.number)}.union(*(some for text in texts for some in roster.named(text)))
 
 
@@ -184,7 +184,10 @@ def _document(name: str, content: bytes, where: Where, limits: Limits) -> Studen
         raise errors.NoAnswers(where)
     limits.check(where, "bytes", len(content))
     if suffix in _DOCUMENTS:
-        return _DOCUMENTS[suffix](decoded(content, where), where, limits)
+        document = _DOCUMENTS[suffix](decoded(content, where), where, limits)
+        if not document.entries:
+            raise errors.NoAnswers(where)
+        return document
     if suffix in office.READERS:
         return office.READERS[suffix](content, where, limits)
     if suffix not in (*documents.PLAIN_TABLES, *documents.SHEETS):

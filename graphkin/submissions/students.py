@@ -65,7 +65,7 @@ class Student:
 
 def field_of(head: str) -> Field | None:
     """The kind of what stands under a head, or after a word and a colon: `姓名：`; None of any other."""
-    return FIELDS.get(folded(head[:60]).replace("_", " ").strip(" :"))
+    return FIELDS.get(_head(head))
 
 
 def folded(text: str) -> str:
@@ -99,9 +99,13 @@ def students_in(rows: Iterable[Sequence[str]], where: Where) -> tuple[Student, .
     return tuple(students.values())
 
 
+def _head(text: str) -> str:
+    return folded(text[:60]).replace("_", " ").strip(" :")
+
+
 def id_column(head: Sequence[str]) -> int | None:
     """The column that tells students apart best; None where no head stands for one."""
-    known = [folded(cell[:60]).replace("_", " ") for cell in head]
+    known = [*map(_head, head)]
     return next((known.index(name) for name, field in FIELDS.items() if name in known and field not in _PARTS), None)
 
 
@@ -118,8 +122,7 @@ _PARTS = ("given", "family")  # of a name
 
 
 class Roster:
-    """The students of a class by all they are called. Where they have nothing but ids, a platform's folder tells
-    nothing: the list is `bare`."""
+    """The students of a class by all they are called."""
 
     def __init__(self, students: Iterable[Student]) -> None:
         self.students = {student.id: student for student in students}
@@ -133,7 +136,6 @@ class Roster:
                         self._names.setdefault(name, set()).add(student.id)
                 elif field != "number":
                     self._ids.setdefault(folded(text), set()).add(student.id)
-        self.bare = not self._names and not self._numbers
         self.named = lru_cache(maxsize=4096)(self._named)
 
     def __reduce__(self) -> tuple[Callable[..., Roster], tuple[object, ...]]:
@@ -198,9 +200,8 @@ class Roster:
 
     def _by_name(self, words: Sequence[str], alone: bool = False) -> frozenset[str]:
         """Those of a name; one word in Latin letters may be any word, where it does not stand `alone`."""
-        if not 0 < len(words) <= _RUN or (len(words) == 1 and words[0].isascii() and not alone):
-            return frozenset()
-        return frozenset().union(*(self._names.get(name, ()) for name in _orders(words)))
+        telling = alone or len(words) > 1 or not "".join(words).isascii()
+        return frozenset().union(*(self._names.get(name, ()) for name in _orders(words[:_RUN]) if telling))
 
     def whose(self, by: Owner, files: Sequence[str], lines: Sequence[str], where: Where) -> str:
         """The id of the one student whose this is: by a folder, then by what files are called, then by lines inside.
@@ -208,8 +209,9 @@ class Roster:
         Raises UnknownStudent, TwoNames, SameName."""
         may, first = frozenset[str](), ""
         ranks = [(by.number, (self.numbered(by.number),)), *((text, self.named(text)) for text in (by.folder, *files))]
-        of_platform = ranks[:2]
-        if by.number and not self.bare and not any(some for _, each in of_platform for some in each):
+        # of a list without a platform's numbers, or names in its letters, its folders tell nothing
+        telling = self._numbers or any(name.isascii() == folded(by.folder).isascii() for name in self._names)
+        if by.number and telling and not any(some for _, each in ranks[:2] for some in each):
             raise UnknownStudent(where, by.folder or by.number, self.nearest(by.folder))
         for text, each in (*ranks, *((text, self.named(text)) for text in lines)):
             for some in filter(None, each):
@@ -229,9 +231,8 @@ class Roster:
 
     def nearest(self, text: str) -> tuple[str, ...]:
         """Those who are called nearly so."""
-        if len(self.students) > _LARGE:
-            return ()
-        every = {text: min(ids) for table in (self._names, self._ids) for text, ids in table.items()}
+        tables = (self._names, self._ids) if len(self.students) <= _LARGE else ()
+        every = {text: min(ids) for table in tables for text, ids in table.items()}
         words = _PIECE.findall(folded(text))
         near = [one for word in dict.fromkeys(("".join(words), *words))
                 for one in difflib.get_close_matches(word, every, 3, 0.6)]  # fmt: skip

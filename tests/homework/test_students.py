@@ -107,6 +107,16 @@ def test_a_line_does_not_outrank_another_file_s_name():
     assert whose(rows) == ["says", "s7"]
 
 
+def test_a_platform_s_folder_in_other_letters_tells_nothing():
+    """Then the files' names do, where one folder alone has them."""
+    folder = "_assignsubmission_file_/"
+    rows = graded(LIST, zipped({
+        f"Zhu Xiayang_1{folder}20231048.toml": RIGHT, f"Wang Ming_2{folder}20231049-王明.toml": RIGHT,
+        f"Eve_3{folder}20231049.toml": RIGHT, f"朱露洋_4{folder}20231050.toml": RIGHT,
+    }))  # fmt: skip
+    assert whose(rows) == ["20231048", "says", "says", "class has no student"]
+
+
 def test_canvas_with_its_gradebook():
     roster = 'Student,ID,SIS User ID,SIS Login ID,Section,Homework\n    Points Possible,,,,,10\n"Zhu, Xia Yang",3143,20231048,zxy,A,\n"Doe, Jo",3144,20231049,jd,A,\n'
     rows = graded(roster, zipped({

@@ -95,13 +95,14 @@ def run(
 ) -> Iterator[Graded | StoredRecord]:
     """The result of each, in order; what is kept goes through as it is. `paths`: of all that was handed in."""
     work = partial(marked, judge=judge, limits=options.limits, reading=options.reading)
+    done: Iterable[Graded | StoredRecord]
     if options.executor is not None:
-        return firsts(ahead(options.executor, work, _batches(some, _BATCH), _AHEAD), paths, judge.roster)
-    if options.workers:
-        seconds = options.limits.seconds
-        done = guarded(work, _batches(some, _BATCH), options.workers, seconds, _failed)
-        return firsts(done, paths, judge.roster)
-    return firsts(chain.from_iterable(map(work, _batches(some, _BATCH))), paths, judge.roster)
+        done = ahead(options.executor, work, _batches(some, _BATCH), _AHEAD)
+    elif options.workers:
+        done = guarded(work, _batches(some, _BATCH), options.workers, options.limits.seconds, _failed)
+    else:
+        done = chain.from_iterable(map(work, _batches(some, _BATCH)))
+    return firsts(done, paths, judge.roster)
 
 
 def firsts(
@@ -148,11 +149,7 @@ class Journal:
     """The records of a marking by fingerprint of what was handed in; new ones are added to a file, a line each.
 
     The file is there as long as the marking is not whole: what was ended at any moment has lost at most the line it
-    was writing.
-
-    before    the records that the file of marks has
-    kept      how many of these stay, of students and files that are not handed in now
-    replaced  students whose work is other than it was: what was marked then, and what is now
+    was writing. Of the records `before` so many are `kept`; of a student whose work is `replaced`, by what.
     """
 
     def __init__(self, path: Path, force: bool = False) -> None:
@@ -232,26 +229,23 @@ def _kept(
 ) -> Iterator[Record]:  # fmt: skip
     """The earlier records that nothing takes the place of: a student's marks are given up for other marks alone, or
     where the same file is read otherwise. Marked anew where the key is another that asks the same."""
-    kept: list[Record] = []
+    kept: list[tuple[Record, Read | None]] = []
     for old in journal.before:
-        now, place = newest.get(old["student"]), (old["file"], old["place"])
-        again = place in places and not (place[1].isdecimal() and old["status"] == "marked")
-        if not again and (now is None or (now["status"] != "marked" and old["status"] == "marked")):
-            kept.append(old)
-        elif now is not None and old["status"] == "marked" and now["prints"][:1] != old.get("fingerprints", [])[:1]:
+        now, place, had = newest.get(old["student"]), (old["file"], old["place"]), old["status"] == "marked"
+        again = place in places and not (place[1].isdecimal() and had)
+        if not again and (now is None or (had and now["status"] != "marked")):
+            before = batches.earlier_reading(old, Where(str(journal.path)))
+            *_, asks, key = ("", "", *before.prints)
+            other = had and asks and key != judge.key_print(before.work.student)
+            same = other and asks == batches.asked_print(judge, before.work.student)
+            kept.append((old, before if same else None))
+        elif now is not None and had and now["prints"][:1] != old.get("fingerprints", [])[:1]:
             lines = (Where(one["file"], int(one["place"]) if one["place"].isdecimal() else None) for one in (old, now))
             journal.replaced.append((old["student"], *map(str, lines)))
-    anew: dict[int, Read] = {}
-    for k, old in enumerate(kept):
-        before = batches.earlier_reading(old, Where(str(journal.path)))
-        *_, asks, key = ("", "", *before.prints)
-        student = before.work.student
-        if before.reason is None and asks and key != judge.key_print(student):
-            anew |= {k: before} if asks == batches.asked_print(judge, student) else {}
     journal.kept = len(kept)
-    marks = run(judge, anew.values(), options, ())
-    for k, old in enumerate(kept):
-        one = next(marks) if k in anew else None
+    marks = run(judge, (read for _, read in kept if read is not None), options, ())
+    for old, read in kept:
+        one = None if read is None else next(marks)
         yield written(one) if isinstance(one, Graded) and one.marked else old
 
 
